@@ -1,0 +1,46 @@
+#pragma once
+// From joints or poses to what the wrench model needs: specific force, angular velocity and angular acceleration of S.
+#include "core/base/findings.h"
+#include "core/base/result.h"
+#include "core/recording/recording.h"
+#include "core/robot/robot_model.h"
+
+namespace heft {
+
+enum class SmoothingKind {
+  lowPass,        ///< Zero-phase Butterworth of order 6, then eighth-order central differences (default).
+  savitzkyGolay,  ///< Local polynomials, as in the seed paper.
+};
+
+struct MotionOptions {
+  SmoothingKind smoothing = SmoothingKind::lowPass;
+  double cutoffHz = 15.0;  ///< lowPass: -6 dB of the zero-phase filter.
+  int order = 3;           ///< savitzkyGolay: polynomial order
+  int window = 11;         ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
+  double outputRateHz = 200.0;  ///< The motion is evaluated at this rate at most (0: every sample of the grid).
+};
+
+/// Uniformly sampled motion of S; K samples. All vectors in S axes.
+struct Motion {
+  double startTime = 0.0;  ///< [s] on the recording's clock
+  double rateHz = 0.0;
+  Eigen::Matrix3Xd specificForce;  ///< s = R_BS^T (a_BSo_B - g_B) [m/s2]: what an ideal accelerometer at S reads
+  Eigen::Matrix3Xd omega;          ///< w_BS_S [rad/s]
+  Eigen::Matrix3Xd alpha;          ///< alpha_BS_S [rad/s2]
+  Eigen::Matrix3Xd velocity;       ///< v_BSo_B [m/s], B axes
+  Eigen::Matrix3Xd position;       ///< p_BSo_B [m], B axes
+  std::vector<Matrix3d> R_BS;
+  bool originAccelerationKnown = true;  ///< False with orientation only: a was taken as zero.
+  Findings findings;
+
+  Eigen::Index size() const { return omega.cols(); }
+  double time(Eigen::Index k) const { return startTime + static_cast<double>(k) / rateHz; }
+};
+
+/// The robot and frame that a recording's joints refer to, resolved from its meta ("panda", a URDF, or none needed).
+Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings);
+
+/// Kind "motion". `robot` may be null where the recording has poses. Fails if there are fewer than 10 rows.
+Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, const MotionOptions& options);
+
+}  // namespace heft

@@ -1,0 +1,74 @@
+#pragma once
+// A recorded demonstration: time series and what is known about how they were measured.
+#include <Eigen/Dense>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/findings.h"
+#include "core/math/rigid.h"
+#include "core/payload/inertial_parameters.h"
+
+namespace heft {
+
+enum class WrenchSign { sensorOnPayload, payloadOnSensor };
+enum class RecordingKind { motion, poses };
+enum class MarkLabel { free, contact, ignore };
+
+std::string_view toString(MarkLabel label);
+std::optional<MarkLabel> markLabelFromString(std::string_view text);
+
+struct Mark {
+  double from = 0.0;  ///< [s], inclusive
+  double to = 0.0;    ///< [s], inclusive
+  MarkLabel label = MarkLabel::free;
+};
+
+/// Where S sits: its pose in the parent link, fixed-axis rpy.
+struct SensorMount {
+  std::string parent = "panda_link8";
+  Vector3d xyz = Vector3d::Zero();  ///< [m]
+  Vector3d rpy = Vector3d::Zero();  ///< [rad]
+};
+
+struct RecordingMeta {
+  std::optional<std::string> robot;  ///< "panda", a URDF path (made absolute against the meta file), or none.
+  RecordingKind kind = RecordingKind::motion;
+  SensorMount mount;
+  std::string sensorModel;
+  WrenchSign wrenchSign = WrenchSign::sensorOnPayload;  ///< Sign in the FILE; in memory it is always sensorOnPayload.
+  Vector3d gravity{0.0, 0.0, -9.81};                    ///< g_B [m/s2], pointing down.
+  PartialPayload knownPayload;
+  std::vector<Mark> marks;
+  std::string note;
+};
+
+struct ExtraColumn {
+  std::string name;
+  std::vector<std::string> cells;  ///< As they stood in the file.
+};
+
+/// N rows. A series that the file lacks has zero rows. Columns are contiguous in memory.
+struct Recording {
+  std::string file;
+  RecordingMeta meta;
+  VectorXd time;                                          ///< [s], strictly rising
+  MatrixXd q;                                             ///< N x dof [rad]
+  MatrixXd dq;                                            ///< N x dof [rad/s], optional
+  Eigen::Matrix<double, Eigen::Dynamic, 3> position;      ///< p_BSo_B [m]; absent for orientation only
+  Eigen::Matrix<double, Eigen::Dynamic, 4> quaternion;    ///< R_BS as x, y, z, w; unit length
+  Eigen::Matrix<double, Eigen::Dynamic, 6> twist;         ///< v_BSo_B [m/s], w_BS_B [rad/s], optional
+  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;        ///< F_PSo_S: sensor on payload, force [N], torque [N m]
+  std::vector<std::optional<MarkLabel>> labels;           ///< From the column `label`; empty if there is none.
+  std::vector<ExtraColumn> extra;                         ///< Columns that Heft does not know, kept for writing back.
+
+  Eigen::Index rows() const { return time.size(); }
+  bool hasJoints() const { return q.rows() > 0; }
+  bool hasOrientation() const { return quaternion.rows() > 0; }
+  bool hasPosition() const { return position.rows() > 0; }
+  double duration() const { return time.size() > 1 ? time(time.size() - 1) - time(0) : 0.0; }
+  /// 1 / median time step [Hz]; 0 with fewer than two rows.
+  double rateHz() const;
+};
+
+}  // namespace heft

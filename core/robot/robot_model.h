@@ -1,0 +1,99 @@
+#pragma once
+// A serial arm from a URDF: links, joints with limits, forward kinematics and the motion of a frame on it.
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/findings.h"
+#include "core/base/result.h"
+#include "core/math/rigid.h"
+
+namespace heft {
+
+struct JointLimits {
+  double lower = -std::numeric_limits<double>::infinity();  ///< [rad] or [m]
+  double upper = std::numeric_limits<double>::infinity();
+  double velocity = std::numeric_limits<double>::infinity();      ///< [rad/s] or [m/s]
+  double acceleration = std::numeric_limits<double>::infinity();  ///< [rad/s2]; a URDF has none, Panda's table has
+};
+
+enum class JointType { fixed, revolute, prismatic };
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::fixed;
+  int parentLink = 0;
+  int childLink = 0;
+  Isometry3d X_PJ = Isometry3d::Identity();  ///< Joint frame in the parent link at q = 0.
+  Vector3d axis = Vector3d::UnitZ();         ///< Unit vector in the joint frame.
+  JointLimits limits;
+  int index = -1;  ///< Column in q, or -1 for a fixed joint.
+};
+
+/// What a link looks like; the file is resolved but loaded only by loadMesh (mesh.h).
+struct Visual {
+  enum class Kind { mesh, box, cylinder, sphere } kind = Kind::mesh;
+  std::filesystem::path file;              ///< For a mesh.
+  Vector3d size = Vector3d::Ones();        ///< Mesh: scale. Box: edges [m]. Cylinder: radius, length. Sphere: radius.
+  Isometry3d X_LV = Isometry3d::Identity();
+  Eigen::Vector4d rgba{0.8, 0.8, 0.8, 1.0};
+  bool hasColour = false;  ///< False: use the mesh's own colours if it has any.
+};
+
+struct Link {
+  std::string name;
+  int parentJoint = -1;
+  std::vector<Visual> visuals;
+};
+
+/// Position, velocity and acceleration of frame S fixed to a link, relative to the base B.
+struct FrameMotion {
+  Isometry3d X_BS = Isometry3d::Identity();
+  Vector3d w_BS_B = Vector3d::Zero();      ///< angular velocity [rad/s]
+  Vector3d v_BSo_B = Vector3d::Zero();     ///< velocity of S's origin [m/s]
+  Vector3d alpha_BS_B = Vector3d::Zero();  ///< angular acceleration [rad/s2]
+  Vector3d a_BSo_B = Vector3d::Zero();     ///< acceleration of S's origin, without gravity [m/s2]
+};
+
+/// Immutable after loading, safe to share between threads.
+class RobotModel {
+ public:
+  /// Reads a URDF. Everything odd but survivable (unphysical inertia, missing mesh, unnormalised axis) is a finding.
+  static Result<RobotModel> fromUrdfFile(const std::filesystem::path& file, Findings& findings);
+  static Result<RobotModel> fromUrdfText(const std::string& urdf, const std::filesystem::path& baseFolder,
+                                         Findings& findings);
+  /// The project's own Panda, embedded in the program: kinematics always work; its meshes lie in the data folder.
+  static const RobotModel& panda();
+
+  const std::string& name() const { return name_; }
+  const std::vector<Link>& links() const { return links_; }
+  const std::vector<Joint>& joints() const { return joints_; }
+  int dof() const { return dof_; }
+  /// Joints that move, in the order of q's columns (from base to tip).
+  const std::vector<int>& movingJoints() const { return moving_; }
+  std::optional<int> findLink(std::string_view name) const;
+  const JointLimits& limits(int qIndex) const { return joints_[moving_[qIndex]].limits; }
+  VectorXd clampToLimits(const VectorXd& q) const;
+  /// A comfortable posture well inside the limits (Panda's is the usual "ready" pose).
+  VectorXd homePosture() const;
+
+  /// Pose of every link in B, indexed as links().
+  void linkPoses(const VectorXd& q, std::vector<Isometry3d>& X_BL) const;
+  Isometry3d linkPose(const VectorXd& q, int link) const;
+  /// Motion of frame S at X_LS on `link`. q, dq, ddq have dof() entries; allocates nothing.
+  FrameMotion frameMotion(int link, const Isometry3d& X_LS, const Eigen::Ref<const VectorXd>& q,
+                          const Eigen::Ref<const VectorXd>& dq, const Eigen::Ref<const VectorXd>& ddq) const;
+  /// 6 x dof geometric Jacobian [v; w] of that frame's origin, B axes.
+  MatrixXd jacobian(int link, const Isometry3d& X_LS, const VectorXd& q) const;
+
+ private:
+  std::string name_;
+  std::vector<Link> links_;
+  std::vector<Joint> joints_;
+  std::vector<int> moving_;
+  int dof_ = 0;
+};
+
+}  // namespace heft
