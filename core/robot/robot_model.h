@@ -32,7 +32,7 @@ struct Joint {
   int index = -1;  ///< Column in q, or -1 for a fixed joint.
 };
 
-/// What a link looks like; the file is resolved but loaded only by loadMesh (mesh.h).
+/// What a link looks like; the file is resolved but loaded only by loadMesh (core/mesh/mesh.h).
 struct Visual {
   enum class Kind { mesh, box, cylinder, sphere } kind = Kind::mesh;
   std::filesystem::path file;              ///< For a mesh.

@@ -1,0 +1,100 @@
+#pragma once
+// From a recording to a payload with intervals: the whole pipeline, and its result.
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "core/base/findings.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/estimation/options.h"
+#include "core/recording/recording.h"
+#include "core/robot/robot_model.h"
+
+namespace heft {
+
+/// Where a number comes from.
+enum class Source {
+  data,   ///< Measured: the data alone tell it.
+  prior,  ///< From the shape or values that the user gave.
+  none,   ///< Not known: a placeholder of plausible size with a wide interval.
+};
+std::string_view toString(Source source);
+
+struct Interval {
+  double lower = 0.0, upper = 0.0;
+};
+
+struct PayloadInterval {
+  Interval mass;
+  std::array<Interval, 3> com;
+  std::array<std::array<Interval, 3>, 3> inertiaCom;
+};
+
+struct Identifiability {
+  Source mass = Source::none;
+  std::array<Source, 3> com{Source::none, Source::none, Source::none};
+  std::array<std::array<Source, 3>, 3> inertia{};
+  double conditionNumber = 0.0;              ///< Of the scaled, whitened regressor.
+  double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
+  std::vector<std::string> weakDirections;   ///< In words: what this motion told too little about.
+};
+
+struct RelativeError {
+  double mass = 0, com = 0, inertiaCom = 0, inertiaOrigin = 0;
+  bool hasMass = false, hasCom = false, hasInertia = false;
+};
+
+struct Segment {
+  double from = 0, to = 0;  ///< [s]
+  MarkLabel label = MarkLabel::free;
+  std::string reason;       ///< In plain words.
+  double confidence = 1.0;
+};
+
+/// Measured and simulated wrench on the recording's clock, for plots; K samples.
+struct WrenchSeries {
+  VectorXd time;                                           ///< [s]
+  Eigen::Matrix<double, Eigen::Dynamic, 6> measured;       ///< As in Recording::wrench
+  Eigen::Matrix<double, Eigen::Dynamic, 6> simulated;      ///< Payload's wrench plus bias
+};
+
+struct EstimateReport {
+  Method method = Method::map;
+  ParameterSet parameters = ParameterSet::full;
+  std::string file;
+  Eigen::Index samples = 0;
+  double rateHz = 0, duration = 0, usedDuration = 0;
+  Payload payload;
+  Payload std;                ///< Standard deviations in the same places.
+  PayloadInterval interval95;
+  Vector3d forceBias = Vector3d::Zero(), torqueBias = Vector3d::Zero();
+  bool physicallyConsistent = false;
+  Identifiability identifiability;
+  double forceRms = 0, torqueRms = 0, heldoutForceRms = 0, heldoutTorqueRms = 0;  ///< [N], [N m], over the used parts
+  Vector6d noiseStd = Vector6d::Zero();  ///< Residual standard deviation per channel, for the plots' noise band
+  std::vector<Segment> segments;
+  struct Timing {
+    double read = 0, prepare = 0, solve = 0, total = 0;
+  } timing;                   ///< [s]
+  struct Termination {
+    bool usable = false;
+    std::string why;          ///< Why the solver stopped, one sentence.
+    int iterations = 0;
+  } termination;
+  std::optional<RelativeError> relativeError;
+  WrenchSeries series;
+  Findings findings;
+};
+
+/// Runs the pipeline on a recording already in memory. `robot` may be null where the recording carries poses.
+Result<EstimateReport> estimate(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                                const Progress& progress = {});
+
+/// The contract's heft.estimate/1.
+nlohmann::json toJson(const EstimateReport& report);
+
+/// For a person: plain words first, numbers with units and intervals second.
+std::string toText(const EstimateReport& report);
+
+}  // namespace heft

@@ -1,0 +1,34 @@
+#pragma once
+// What an estimate can be asked for.
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/motion/motion.h"
+#include "core/payload/inertial_parameters.h"
+#include "core/payload/shape.h"
+
+namespace heft {
+
+enum class Method { map, ls, wls, tls, tlsFast, tlsExact, ceres, eigenLm, bruteForce };
+enum class ParameterSet { mass, massCom, full };
+enum class SegmentMode { automatic, marks, all };
+
+std::string_view toString(Method method);  ///< "tls-fast"
+std::optional<Method> methodFromString(std::string_view text);
+std::string_view toString(ParameterSet set);  ///< "mass-com"
+std::optional<ParameterSet> parameterSetFromString(std::string_view text);
+
+struct EstimateOptions {
+  Method method = Method::map;
+  ParameterSet parameters = ParameterSet::full;
+  bool bias = true;                    ///< Six constant sensor biases are estimated too.
+  double trim = 0.10;                  ///< Fraction of the duration dropped at each end.
+  std::optional<SegmentMode> segments; ///< Absent: marks if the recording has any, else automatic.
+  PartialPayload known;                ///< Values for parameters that are not estimated; overrides the recording's own.
+  std::optional<Shape> shape;          ///< Prior.
+  bool uncompressed = false;           ///< Solve on all rows instead of the triangle, for comparison with the paper.
+  MotionOptions motion;
+};
+
+}  // namespace heft
