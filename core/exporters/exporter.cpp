@@ -1,0 +1,1 @@
+#include "core/exporters/exporter.h"

@@ -1,0 +1,1 @@
+#include "core/mesh/mesh.h"

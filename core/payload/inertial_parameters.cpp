@@ -1,0 +1,1 @@
+#include "core/payload/inertial_parameters.h"

@@ -1,0 +1,1 @@
+#include "core/recording/csv_reader.h"

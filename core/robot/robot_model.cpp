@@ -1,0 +1,1 @@
+#include "core/robot/robot_model.h"

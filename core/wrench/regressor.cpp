@@ -1,0 +1,1 @@
+#include "core/wrench/regressor.h"
