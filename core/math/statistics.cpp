@@ -1,1 +1,61 @@
+#include "core/math/statistics.h"
 
+#include <algorithm>
+#include <cmath>
+
+namespace heft {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double robustStd(const std::vector<double>& values) {
+  const double centre = median(values);
+  std::vector<double> deviations(values.size());
+  std::transform(values.begin(), values.end(), deviations.begin(),
+                 [centre](double value) { return std::abs(value - centre); });
+  return 1.4826 * median(std::move(deviations));
+}
+
+void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,
+                         const Eigen::Ref<const Eigen::VectorXd>& weights) {
+  const Eigen::VectorXd weighted = noise.cwiseProduct(weights);
+  const Eigen::Index n = noise.size();
+  for (Eigen::Index lag = 0; lag < std::min<Eigen::Index>(sums_.size(), n); ++lag)
+    sums_(lag) += weighted.head(n - lag).dot(weighted.tail(n - lag));
+  count_ += weights.sum();
+}
+
+ArModel AutoCovariance::fit() const {
+  ArModel best;
+  if (count_ < 2.0 || !(sums_(0) > 0.0)) return best;
+  double variance = sums_(0) / count_;
+  best.sigma = std::sqrt(variance);
+  double bestScore = count_ * std::log(variance);
+  Eigen::VectorXd a;
+  const auto maxOrder = std::min<Eigen::Index>(sums_.size() - 1, static_cast<Eigen::Index>(count_ / 10));
+  for (Eigen::Index p = 1; p <= maxOrder; ++p) {
+    double acc = sums_(p) / count_;
+    for (Eigen::Index i = 1; i < p; ++i) acc -= a(i - 1) * sums_(p - i) / count_;
+    const double reflection = std::clamp(acc / variance, -0.9999, 0.9999);
+    Eigen::VectorXd next(p);
+    for (Eigen::Index i = 1; i < p; ++i) next(i - 1) = a(i - 1) - reflection * a(p - i - 1);
+    next(p - 1) = reflection;
+    a = next;
+    variance *= 1.0 - reflection * reflection;
+    if (!(variance > 0.0)) break;
+    const double score = count_ * std::log(variance) + static_cast<double>(p) * std::log(count_);
+    if (score < bestScore) {
+      bestScore = score;
+      best.coefficients = a;
+      best.sigma = std::sqrt(variance);
+    }
+  }
+  return best;
+}
+
+}  // namespace heft
