@@ -1,0 +1,151 @@
+#include "app/cli/cli.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/numbers.h"
+#include "core/base/json_file.h"
+
+namespace heft::cli {
+namespace {
+
+// Edits (insert, delete, replace, swap neighbours) from a to b: optimal string alignment.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string programVersion() { return "heft " HEFT_VERSION; }
+
+std::string didYouMean(std::string_view text, const std::vector<std::string>& candidates) {
+  const std::string* best = nullptr;
+  std::size_t bestDistance = std::max<std::size_t>(1, text.size() / 3) + 1;
+  for (const auto& candidate : candidates) {
+    std::size_t distance = editDistance(text, candidate);
+    // Half a word typed ("exci") counts as near to the word it begins.
+    if (text.size() >= 3 && candidate.starts_with(text)) distance = std::min<std::size_t>(distance, 1);
+    if (distance < bestDistance) {
+      bestDistance = distance;
+      best = &candidate;
+    }
+  }
+  return best ? fmt::format(" Did you mean '{}'?", *best) : "";
+}
+
+std::size_t chooseWord(const std::string& option, const std::string& text, const std::vector<std::string>& words) {
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end())
+    throw WrongUsage(fmt::format("{} does not know '{}'.{} Choose one of {}.", option, text, didYouMean(text, words),
+                                 fmt::join(words, ", ")));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+Vector3d parseVector3(const std::string& option, const std::string& text) {
+  const auto numbers = parseNumbers(text);
+  if (!numbers || numbers->size() != 3)
+    throw WrongUsage(
+        fmt::format("{} expects three numbers separated by commas such as 0,0,0.04, not '{}'.", option, text));
+  return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+void requireRange(const std::string& option, double value, double lower, double upper, const std::string& unit) {
+  if (value >= lower && value <= upper) return;
+  throw WrongUsage(fmt::format("{} must lie between {} and {}{}{}, not {}.", option, lower, upper,
+                               unit.empty() ? "" : " ", unit, value));
+}
+
+void print(std::string_view text) {
+  if (auto written = writeTextFile("-", text); !written) throw Failed(written.error().message);
+}
+
+void printFindings(const Findings& findings, bool all) {
+  for (const auto& finding : findings)
+    if (all || finding.severity != Severity::info) fmt::print(stderr, "{}\n", toLine(finding));
+}
+
+nlohmann::json toJson(const Findings& findings) {
+  auto list = nlohmann::json::array();
+  for (const auto& finding : findings) {
+    nlohmann::json item{{"severity", toString(finding.severity)}, {"code", finding.code}, {"text", finding.text}};
+    if (!finding.remedy.empty()) item["remedy"] = finding.remedy;
+    if (!finding.where.file.empty())
+      item["where"] = {{"file", finding.where.file}, {"line", finding.where.line}, {"column", finding.where.column}};
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+void requireWritable(const std::filesystem::path& path, const Overwrite& overwrite) {
+  std::error_code ec;
+  if (overwrite.force || path == "-" || !std::filesystem::is_regular_file(path, ec)) return;
+  if (std::filesystem::file_size(path, ec) == 0) return;
+  if (overwrite.expendable) {
+    const auto old = readTextFile(path);
+    if (old && overwrite.expendable(*old)) return;
+  }
+  throw Failed(fmt::format(
+      "{} exists already and was left as it is: choose another name, or give --force to replace it.", path.string()));
+}
+
+void writeOutput(const std::filesystem::path& path, std::string_view text, const Overwrite& overwrite) {
+  std::error_code ec;
+  if (path != "-" && std::filesystem::is_regular_file(path, ec)) {
+    if (const auto old = readTextFile(path); old && *old == text) return;
+  }
+  requireWritable(path, overwrite);
+  if (auto written = writeTextFile(path, text); !written) throw Failed(written.error().message);
+}
+
+bool hasSchema(const std::string& text, std::string_view schema) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return false;
+  const auto found = json.find("schema");
+  return found != json.end() && found->is_string() && found->get_ref<const std::string&>() == schema;
+}
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+Progress ProgressLine::progress() {
+  Progress progress;
+  if (terminal_) progress.report = [this](double fraction, std::string_view what) { show(fraction, what); };
+  return progress;
+}
+
+void ProgressLine::show(double fraction, std::string_view what) {
+  using namespace std::chrono_literals;
+  const std::lock_guard lock(mutex_);
+  const auto now = Clock::now();
+  if (now - start_ < 500ms || now - last_ < 80ms) return;
+  last_ = now;
+  visible_ = true;
+  const int percent = static_cast<int>(std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
+  fmt::print(stderr, "\r\033[K{:3d} %  {}", percent, what.substr(0, 60));
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  const std::lock_guard lock(mutex_);
+  if (!visible_) return;
+  visible_ = false;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+}
+
+}  // namespace heft::cli

@@ -1,0 +1,185 @@
+// heft estimate: from a recording to a payload with intervals.
+#include "core/estimation/estimate.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "app/cli/flange_payload.h"
+#include "core/base/json_file.h"
+#include "core/recording/csv_reader.h"
+
+namespace heft::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::string recording, meta, known, shape, shapeFile, json, output, format = "json";
+  std::string method, parameters, segments, smoothing;
+  bool noBias = false, force = false;
+  EstimateOptions estimate;
+};
+
+// Every word that the core knows, so that help and did-you-mean cannot fall behind it.
+template <class Enum, std::size_t N>
+std::vector<std::string> words(const std::array<Enum, N>& values) {
+  std::vector<std::string> list;
+  for (const Enum value : values) list.emplace_back(toString(value));
+  return list;
+}
+
+constexpr std::array kMethods{Method::map,      Method::ls,    Method::wls,     Method::tls,       Method::tlsFast,
+                              Method::tlsExact, Method::ceres, Method::eigenLm, Method::bruteForce};
+constexpr std::array kParameterSets{ParameterSet::mass, ParameterSet::massCom, ParameterSet::full};
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+EstimateOptions estimateOptions(const Options& options) {
+  EstimateOptions out = options.estimate;
+  out.method = kMethods[chooseWord("--method", options.method, words(kMethods))];
+  out.parameters = kParameterSets[chooseWord("--parameters", options.parameters, words(kParameterSets))];
+  if (!options.segments.empty()) {
+    constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
+    out.segments = kModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
+  }
+  const std::size_t smoothing = chooseWord("--smoothing", options.smoothing, {"low-pass", "savitzky-golay"});
+  out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
+  out.bias = !options.noBias;
+  requireRange("--trim", out.trim, 0.0, 0.45, "");
+  requireRange("--cutoff", out.motion.cutoffHz, 0.1, 1000.0, "Hz");
+  requireRange("--sg-order", out.motion.order, 2, 9, "");
+  requireRange("--sg-window", out.motion.window, 5, 1001, "samples");
+  if (out.motion.order >= out.motion.window)
+    throw WrongUsage(fmt::format("--sg-order {} needs a --sg-window of more than {} samples, not {}.", out.motion.order,
+                                 out.motion.order, out.motion.window));
+  if (!options.shape.empty() && !options.shapeFile.empty())
+    throw WrongUsage("--shape and --shape-file exclude each other; put all bodies into the file.");
+  if (!options.shape.empty()) {
+    auto shape = parseShape(options.shape);
+    if (!shape) throw WrongUsage(shape.error().message);
+    out.shape = std::move(shape).value();
+  }
+  if (!options.shapeFile.empty()) out.shape = orFail(readShapeFile(options.shapeFile));
+  if (!options.known.empty()) {
+    out.known = orFail(partialPayloadFromJson(orFail(readJsonFile(options.known)), options.known));
+    if (out.known.empty())
+      throw Failed(fmt::format(
+          "{} states neither mass_kg, com_m nor inertia_com_kgm2; a payload file needs one at least.", options.known));
+  }
+  return out;
+}
+
+EstimateReport estimateFile(const Options& options, const EstimateOptions& estimateOptions, const Progress& progress,
+                            Clock::time_point start) {
+  ReadRecording read = orFail(readRecording(options.recording, {options.meta}, progress));
+  // A recording with poses needs no robot, even where its meta names one that cannot be read.
+  std::optional<RobotModel> robot;
+  if (read.recording.hasJoints()) robot = orFail(robotFor(read.recording.meta, read.findings));
+  const double readSeconds = secondsSince(start);
+  EstimateReport report = orFail(estimate(read.recording, robot ? &*robot : nullptr, estimateOptions, progress));
+  report.findings.insert(report.findings.begin(), read.findings.begin(), read.findings.end());
+  report.timing.read = readSeconds;
+  report.timing.total = secondsSince(start);
+  return report;
+}
+
+void run(const Options& options) {
+  const auto start = Clock::now();
+  const EstimateOptions settings = estimateOptions(options);
+  const ExportFormat* format = nullptr;
+  if (!options.output.empty()) {
+    if (options.output == "-") throw WrongUsage("-o expects a file name; 'heft export' writes to stdout.");
+    std::vector<std::string> ids;
+    for (const auto& known : exportFormats()) ids.emplace_back(known.id);
+    format = &exportFormats()[chooseWord("--format", options.format, ids)];
+    requireWritable(options.output, {options.force, {}});
+  }
+  const Overwrite overwriteResult{options.force,
+                                  [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  if (!options.json.empty()) requireWritable(options.json, overwriteResult);
+
+  ProgressLine line;
+  const EstimateReport report = estimateFile(options, settings, line.progress(), start);
+  line.clear();
+  const nlohmann::json result = toJson(report);
+  if (!options.json.empty()) writeOutput(options.json, result.dump(2) + "\n", overwriteResult);
+  if (options.json != "-") print(toText(report));
+  if (format) {
+    FlangePayload payload = toFlange(result, options.recording, {});
+    const std::string text = orFail(exportPayload(*format, payload.input, payload.findings));
+    writeOutput(options.output, text, {options.force, {}});
+    printFindings(payload.findings, false);
+    if (options.json != "-") print(fmt::format("{}: {}\n", options.output, format->title));
+  }
+}
+
+}  // namespace
+
+Command makeEstimateCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  options->method = toString(options->estimate.method);
+  options->parameters = toString(options->estimate.parameters);
+  options->smoothing = "low-pass";
+  auto& estimate = options->estimate;
+  auto& motion = estimate.motion;
+  CLI::App* app = root.add_subcommand("estimate", "Find mass, centre of mass and inertia from a recording");
+  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")->required();
+  app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text");
+  app->add_option("--meta", options->meta, "Meta file; otherwise RECORDING's own .meta.json if it exists");
+  app->add_option("-o,--output", options->output,
+                  "Also write the payload file, in flange axes, ready for the controller");
+  app->add_option("-f,--format", options->format, "Its format, see 'heft export --help'")->capture_default_str();
+  app->add_flag("--force", options->force, "Replace files that exist");
+  const char* const kMethodGroup = "Method";
+  app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kMethods), ", ")))
+      ->capture_default_str()
+      ->group(kMethodGroup);
+  app->add_option("--parameters", options->parameters, "What to estimate: mass, mass-com or full")
+      ->capture_default_str()
+      ->group(kMethodGroup);
+  app->add_option("--known", options->known,
+                  "Payload JSON: values of what is not estimated; errors are told against it")
+      ->group(kMethodGroup);
+  app->add_flag("--no-bias", options->noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
+  app->add_flag("--uncompressed", estimate.uncompressed, "Solve on all rows instead of the triangle they reduce to")
+      ->group(kMethodGroup);
+  const char* const kDataGroup = "Which data";
+  app->add_option("--trim", estimate.trim, "Fraction of the time dropped at each end")
+      ->capture_default_str()
+      ->group(kDataGroup);
+  app->add_option("--segments", options->segments,
+                  "auto: find contact; marks: only what is marked free; all: everything.\n"
+                  "Otherwise marks where the recording has any, else auto")
+      ->group(kDataGroup);
+  const char* const kShapeGroup = "Shape of the tool, where the motion cannot tell its inertia";
+  app->add_option("--shape", options->shape,
+                  "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
+                  "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
+                  "POSE is x,y,z[,roll,pitch,yaw] in sensor axes")
+      ->group(kShapeGroup);
+  app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")->group(kShapeGroup);
+  const char* const kSmoothGroup = "Smoothing of motion and wrench";
+  app->add_option("--smoothing", options->smoothing, "low-pass or savitzky-golay")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
+  app->add_option("--cutoff", motion.cutoffHz, "Of the low-pass [Hz]")->capture_default_str()->group(kSmoothGroup);
+  app->add_option("--sg-order", motion.order, "Polynomial order of Savitzky-Golay")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
+  app->add_option("--sg-window", motion.window, "Its window [samples]")->capture_default_str()->group(kSmoothGroup);
+  app->footer(
+      "\nExamples:\n"
+      "  heft estimate rec.csv\n"
+      "  heft estimate rec.csv --json result.json -o tool.json --format franka-desk\n"
+      "  heft estimate rec.csv --parameters mass-com --known cad.json\n"
+      "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08\n\n"
+      "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");
+  return {app, [options] { run(*options); }};
+}
+
+}  // namespace heft::cli

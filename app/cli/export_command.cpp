@@ -1,0 +1,85 @@
+// heft export: a result, or a bare payload, as the file that a controller reads.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "app/cli/flange_payload.h"
+#include "core/base/json_file.h"
+
+namespace heft::cli {
+namespace {
+
+struct Options {
+  std::string result, format, output, json, xyz, rpy;
+  FlangeOptions flange;
+  bool force = false;
+};
+
+std::string formatList() {
+  std::string text;
+  for (const auto& format : exportFormats()) text += fmt::format("  {:<16}{}\n", format.id, format.title);
+  return text;
+}
+
+void run(Options options) {
+  std::vector<std::string> ids;
+  for (const auto& format : exportFormats()) ids.emplace_back(format.id);
+  const ExportFormat& format = exportFormats()[chooseWord("--format", options.format, ids)];
+  if (!options.xyz.empty()) options.flange.xyz = parseVector3("--xyz", options.xyz);
+  if (!options.rpy.empty()) options.flange.rpy = parseVector3("--rpy", options.rpy);
+  const bool toStdout = options.output.empty() || options.output == "-";
+  if (toStdout && options.json == "-")
+    throw WrongUsage("The payload file and --json cannot both go to stdout; give -o FILE as well.");
+
+  FlangePayload payload = toFlange(orFail(readJsonFile(options.result)), options.result, options.flange);
+  const std::string text = orFail(exportPayload(format, payload.input, payload.findings));
+  writeOutput(toStdout ? "-" : options.output, text, {options.force, {}});
+  printFindings(payload.findings, true);
+
+  const Payload& p = payload.input.payload;
+  if (!options.json.empty()) {
+    const nlohmann::json summary{{"schema", "heft.export/1"},
+                                 {"format", format.id},
+                                 {"file", toStdout ? nlohmann::json() : nlohmann::json(options.output)},
+                                 {"payload", toJson(p)},
+                                 {"findings", toJson(payload.findings)}};
+    writeOutput(options.json, summary.dump(2) + "\n",
+                {options.force, [](const std::string& old) { return hasSchema(old, "heft.export/1"); }});
+  }
+  if (!toStdout && options.json != "-")
+    print(fmt::format("{}: {}\n  mass {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm from the flange\n",
+                      options.output, format.title, p.mass, 1e3 * p.com.x(), 1e3 * p.com.y(), 1e3 * p.com.z()));
+}
+
+}  // namespace
+
+Command makeExportCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = root.add_subcommand("export", "Write a payload file for a controller");
+  app->add_option("RESULT", options->result, "The --json file of 'heft estimate', or a payload in the flange frame")
+      ->required();
+  app->add_option("-f,--format", options->format, "Which file to write, see below")->required();
+  app->add_option("-o,--output", options->output, "Where to; otherwise to stdout");
+  app->add_option("--name", options->flange.name, "Name of the tool in formats that carry one")->capture_default_str();
+  app->add_option("--mount", options->flange.mountFile, "Take the sensor's pose on the flange from this meta file");
+  app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]");
+  app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes");
+  app->add_option("--add", options->flange.add,
+                  "Payload JSON in the flange frame of something else that is mounted, such as the\n"
+                  "sensor and its adapter, which the estimate does not contain; may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--json", options->json, "Also write payload and findings as JSON; - is stdout");
+  app->add_flag("--force", options->force, "Replace files that exist");
+  app->footer("\nFormats:\n" + formatList() +
+              "\nExamples:\n"
+              "  heft export result.json --format franka-desk -o tool.json\n"
+              "  heft export result.json --format urdf --add sensor.json\n"
+              "  heft export result.json --format libfranka --xyz 0,0,0.04 --rpy 0,0,-0.7854\n\n"
+              "The numbers are turned from sensor axes into flange axes with the sensor mount of the recording's meta\n"
+              "file. A payload that cannot exist is refused; numbers that nobody measured are warned about.");
+  return {app, [options] { run(*options); }};
+}
+
+}  // namespace heft::cli

@@ -1,0 +1,211 @@
+#include "app/cli/flange_payload.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "core/base/json_file.h"
+#include "core/payload/inertial_parameters.h"
+#include "core/robot/robot_model.h"
+
+namespace heft::cli {
+namespace {
+
+using nlohmann::json;
+
+const json* member(const json& object, const char* key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() || found->is_null() ? nullptr : &*found;
+}
+
+Vector3d vectorOf(const json& object, const char* key, const std::string& where) {
+  const json* list = member(object, key);
+  if (!list) return Vector3d::Zero();
+  if (!list->is_array() || list->size() != 3 || !(*list)[0].is_number() || !(*list)[1].is_number() ||
+      !(*list)[2].is_number())
+    throw Failed(fmt::format("{}: {} must be three numbers, not {}.", where, key, list->dump()));
+  return {(*list)[0].get<double>(), (*list)[1].get<double>(), (*list)[2].get<double>()};
+}
+
+SensorMount mountFromJson(const json& object, const std::string& where) {
+  SensorMount mount;
+  mount.parent.clear();
+  if (const json* parent = member(object, "parent"); parent && parent->is_string())
+    mount.parent = parent->get<std::string>();
+  mount.xyz = vectorOf(object, "xyz_m", where);
+  mount.rpy = vectorOf(object, "rpy_rad", where);
+  return mount;
+}
+
+SensorMount mountFromFile(const std::string& file) {
+  const json content = orFail(readJsonFile(file));
+  if (const json* sensor = member(content, "sensor"))
+    if (const json* mount = member(*sensor, "mount")) return mountFromJson(*mount, file);
+  for (const char* key : {"sensor_mount", "mount"})
+    if (const json* mount = member(content, key)) return mountFromJson(*mount, file);
+  if (member(content, "xyz_m")) return mountFromJson(content, file);
+  throw Failed(
+      fmt::format("{} holds no sensor mount: expected \"sensor\": {{\"mount\": {{\"xyz_m\": [x,y,z], \"rpy_rad\": "
+                  "[r,p,y]}}}} as in a meta file.",
+                  file));
+}
+
+bool isFlange(const std::string& link) {
+  return link.empty() || link.ends_with("link8") || link.ends_with("flange") || link == "tool0" || link == "tcp_flange";
+}
+
+/// Pose of the mount's parent link in the flange frame; identity with a finding where it cannot be told.
+Isometry3d parentInFlange(const std::string& parent, Findings& findings) {
+  if (isFlange(parent)) return Isometry3d::Identity();
+  const RobotModel& panda = RobotModel::panda();
+  const auto flange = panda.findLink("panda_link8");
+  const auto link = panda.findLink(parent);
+  if (flange && link) {
+    // Only links that no joint moves against the flange may carry a sensor whose pose in F is one number.
+    const VectorXd q = panda.homePosture();
+    const Isometry3d X_FL = panda.linkPose(q, *flange).inverse() * panda.linkPose(q, *link);
+    const VectorXd moved = panda.clampToLimits(q + VectorXd::Constant(q.size(), 0.3));
+    const Isometry3d X_FL_moved = panda.linkPose(moved, *flange).inverse() * panda.linkPose(moved, *link);
+    if (X_FL.isApprox(X_FL_moved, 1e-9)) return X_FL;
+    throw Failed(
+        fmt::format("The sensor is mounted on {}, which moves against the flange: give its pose on the flange with "
+                    "--xyz and --rpy.",
+                    parent));
+  }
+  findings.push_back({Severity::warning,
+                      "flange_assumed",
+                      fmt::format("The sensor's parent link {} is not known as a flange and was taken for it", parent),
+                      "Give the sensor's pose on the flange with --xyz and --rpy if it is not",
+                      {}});
+  return Isometry3d::Identity();
+}
+
+std::string sourceAt(const json* list, std::initializer_list<std::size_t> path) {
+  for (const std::size_t index : path) {
+    if (!list || !list->is_array() || index >= list->size()) return "";
+    list = &(*list)[index];
+  }
+  return list && list->is_string() ? list->get<std::string>() : "";
+}
+
+/// Says in one warning a kind which numbers nobody measured.
+void reportSources(const json& identifiability, Findings& findings) {
+  constexpr std::array kAxes{"x", "y", "z"};
+  std::vector<std::string> fromPrior, unknown;
+  const auto sort = [&](const std::string& source, std::string name) {
+    if (source == "prior") fromPrior.push_back(std::move(name));
+    if (source == "none") unknown.push_back(std::move(name));
+  };
+  if (const json* mass = member(identifiability, "mass")) sort(sourceAt(mass, {}), "mass");
+  const json* com = member(identifiability, "com");
+  for (std::size_t i = 0; i < 3; ++i) sort(sourceAt(com, {i}), fmt::format("centre of mass {}", kAxes[i]));
+  const json* inertia = member(identifiability, "inertia");
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      sort(sourceAt(inertia, {i, j}), fmt::format("inertia {}{}", kAxes[i], kAxes[j]));
+  if (!unknown.empty())
+    findings.push_back({Severity::warning,
+                        "not_known",
+                        fmt::format("Not known from this motion, only a placeholder: {}", fmt::join(unknown, ", ")),
+                        "Record a motion that turns the tool faster, or tell its shape, before you trust these numbers",
+                        {}});
+  if (!fromPrior.empty())
+    findings.push_back({Severity::warning,
+                        "rests_on_prior",
+                        fmt::format("From the shape or values you gave, not measured: {}", fmt::join(fromPrior, ", ")),
+                        "Check them before the robot relies on them",
+                        {}});
+}
+
+std::string intervalText(const json* pair, double scale, const char* unit) {
+  if (!pair || !pair->is_array() || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) return "";
+  const double lower = (*pair)[0].get<double>(), upper = (*pair)[1].get<double>();
+  if (!std::isfinite(lower) || !std::isfinite(upper)) return "";
+  return fmt::format("{:.5g} to {:.5g} {}", lower * scale, upper * scale, unit);
+}
+
+/// One line; in sensor axes, because the intervals of single numbers do not turn with the frame.
+std::string uncertaintyOf(const json& result) {
+  const json* interval = member(result, "interval95");
+  if (!interval) return "";
+  std::vector<std::string> parts;
+  if (const auto text = intervalText(member(*interval, "mass_kg"), 1.0, "kg"); !text.empty())
+    parts.push_back("mass " + text);
+  if (const json* com = member(*interval, "com_m"); com && com->is_array() && com->size() == 3) {
+    constexpr std::array kAxes{"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const auto text = intervalText(&(*com)[i], 1e3, "mm"); !text.empty())
+        parts.push_back(fmt::format("centre {} {}", kAxes[i], text));
+  }
+  return parts.empty() ? "" : fmt::format("95 % intervals in sensor axes: {}", fmt::join(parts, ", "));
+}
+
+std::string provenanceOf(const json& result, const std::string& where) {
+  std::string text =
+      fmt::format("Written by {} from {}", programVersion(), std::filesystem::path(where).filename().string());
+  if (const json* recording = member(result, "recording"))
+    if (const json* file = member(*recording, "file"); file && file->is_string())
+      text += fmt::format(", recording {}", std::filesystem::path(file->get<std::string>()).filename().string());
+  if (const json* method = member(result, "method"); method && method->is_string())
+    text += fmt::format(", method {}", method->get<std::string>());
+  return text;
+}
+
+}  // namespace
+
+FlangePayload toFlange(const json& result, const std::string& where, const FlangeOptions& options) {
+  if (const json* schema = member(result, "schema"); schema && schema->is_string() &&
+                                                     schema->get<std::string>().starts_with("heft.") &&
+                                                     *schema != "heft.estimate/1" && !member(result, "payload"))
+    throw Failed(fmt::format("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
+                             schema->get<std::string>()));
+  FlangePayload out;
+  Payload payload = orFail(payloadFromJson(result, where));
+
+  const bool isEstimate = member(result, "identifiability") || member(result, "recording");
+  const json* recorded = member(result, "sensor_mount");
+  SensorMount mount;
+  mount.parent.clear();
+  if (!options.mountFile.empty())
+    mount = mountFromFile(options.mountFile);
+  else if (recorded)
+    mount = mountFromJson(*recorded, where);
+  else if (isEstimate && !options.xyz)
+    out.findings.push_back({Severity::warning,
+                            "mount_unknown",
+                            "The result does not say where the sensor sits; its frame was taken for the flange's",
+                            "Give the sensor's pose on the flange with --xyz and --rpy",
+                            {}});
+  // A pose on the command line is one on the flange itself, whatever link the recording named.
+  Isometry3d X_FL = Isometry3d::Identity();
+  if (!options.xyz && !options.rpy) X_FL = parentInFlange(mount.parent, out.findings);
+  if (options.xyz) mount.xyz = *options.xyz;
+  if (options.rpy) mount.rpy = *options.rpy;
+  if (!options.xyz && options.rpy) X_FL = parentInFlange(mount.parent, out.findings);
+  out.X_FS = X_FL * poseFromXyzRpy(mount.xyz, mount.rpy);
+
+  payload = transformed(payload, out.X_FS);
+  for (const auto& file : options.add)
+    payload = composed(payload, orFail(payloadFromJson(orFail(readJsonFile(file)), file)));
+
+  if (const json* identifiability = member(result, "identifiability")) reportSources(*identifiability, out.findings);
+  if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
+    out.findings.push_back({Severity::warning,
+                            "not_consistent",
+                            "The estimate itself says that it is not physically possible",
+                            "Use the method map, or a longer recording that turns the tool faster",
+                            {}});
+  out.input.payload = payload;
+  out.input.name = options.name;
+  out.input.provenance = provenanceOf(result, where);
+  for (const auto& file : options.add)
+    out.input.provenance += fmt::format(", with {} added", std::filesystem::path(file).filename().string());
+  out.input.uncertainty = uncertaintyOf(result);
+  return out;
+}
+
+}  // namespace heft::cli

@@ -1,0 +1,146 @@
+// heft simulate: a recording whose truth is known, from the project's own Panda and a model of its sensor.
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "app/cli/default_tool.h"
+#include "core/base/json_file.h"
+#include "core/recording/csv_reader.h"
+#include "core/robot/robot_model.h"
+#include "core/simulation/simulate.h"
+
+namespace heft::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::string motion, payload, output, truth, json, xyz, rpy;
+  SimulateOptions simulate;
+  bool force = false;
+};
+
+constexpr std::string_view kNote = "Simulated by Heft";
+
+std::array<double, 3> list(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+json truthJson(const SimulationTruth& truth, const Options& options) {
+  json marks = json::array();
+  for (const auto& mark : truth.marks)
+    marks.push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", toString(mark.label)}});
+  return {{"schema", "heft.truth/1"},
+          {"motion", options.motion},
+          {"seed", options.simulate.seed},
+          {"payload", toJson(truth.payload)},
+          {"bias", {{"force_n", list(truth.forceBias)}, {"torque_nm", list(truth.torqueBias)}}},
+          {"marks", marks}};
+}
+
+/// A recording that this command made can be made again; one of a real robot cannot.
+bool wasSimulated(const std::filesystem::path& csv) {
+  auto meta = csv;
+  meta.replace_extension(".meta.json");
+  Findings ignored;
+  const auto read = readMeta(meta, ignored);
+  return read && read->note.starts_with(kNote);
+}
+
+void run(Options options) {
+  const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
+  constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
+  constexpr std::array kTitles{"superposed sines", "pick and place", "free hand guiding"};
+  const std::size_t motion = chooseWord("--motion", options.motion, words);
+  options.simulate.motion = kMotions[motion];
+  requireRange("--duration", options.simulate.duration, 1.0, 3600.0, "s");
+  requireRange("--rate", options.simulate.rateHz, 10.0, 8000.0, "Hz");
+  requireRange("--speed", options.simulate.speed, 0.01, 2.0, "");
+  requireRange("--force-noise", options.simulate.sensor.forceNoise, 0.0, 100.0, "N");
+  requireRange("--torque-noise", options.simulate.sensor.torqueNoise, 0.0, 10.0, "N m");
+  if (!options.xyz.empty()) options.simulate.mount.xyz = parseVector3("--xyz", options.xyz);
+  if (!options.rpy.empty()) options.simulate.mount.rpy = parseVector3("--rpy", options.rpy);
+  if (options.output == "-" || options.truth == "-")
+    throw WrongUsage("A recording is two files and its truth a third; give names, not -.");
+  const std::filesystem::path csv = options.output;
+  if (csv.extension() != ".csv")
+    throw WrongUsage(fmt::format("-o expects a name that ends in .csv, not '{}'.", options.output));
+  requireWritable(csv, {options.force, [&](const std::string&) { return wasSimulated(csv); }});
+
+  Payload payload = defaultTool();
+  if (!options.payload.empty())
+    payload = orFail(payloadFromJson(orFail(readJsonFile(options.payload)), options.payload));
+  if (const auto consistency = checkPhysical(payload); !consistency.physical)
+    throw Failed(fmt::format("{}: such a payload cannot exist: {}", options.payload, consistency.reason));
+
+  Simulated simulated = [&] {
+    ProgressLine line;
+    return orFail(simulate(RobotModel::panda(), payload, options.simulate, line.progress()));
+  }();
+  simulated.recording.meta.note =
+      fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
+  orFail(writeRecording(simulated.recording, csv));
+  if (!options.truth.empty())
+    writeOutput(options.truth, truthJson(simulated.truth, options).dump(2) + "\n",
+                {options.force, [](const std::string& old) { return hasSchema(old, "heft.truth/1"); }});
+
+  auto meta = csv;
+  meta.replace_extension(".meta.json");
+  if (!options.json.empty()) {
+    json summary{{"schema", "heft.simulate/1"},
+                 {"motion", options.motion},
+                 {"seed", options.simulate.seed},
+                 {"recording",
+                  {{"file", csv.string()},
+                   {"meta", meta.string()},
+                   {"samples", simulated.recording.rows()},
+                   {"rate_hz", options.simulate.rateHz},
+                   {"duration_s", simulated.recording.duration()}}}};
+    if (!options.truth.empty()) summary["truth"] = options.truth;
+    writeOutput(options.json, summary.dump(2) + "\n",
+                {options.force, [](const std::string& old) { return hasSchema(old, "heft.simulate/1"); }});
+  }
+  if (options.json == "-") return;
+  std::string text = fmt::format("{} and {}: {} samples, {:.1f} s of {} at {:g} Hz, seed {}\n", csv.string(),
+                                 meta.filename().string(), simulated.recording.rows(), simulated.recording.duration(),
+                                 kTitles[motion], options.simulate.rateHz, options.simulate.seed);
+  if (options.payload.empty()) text += fmt::format("  carries the built-in tool of {:.2f} kg\n", payload.mass);
+  if (!options.truth.empty()) text += fmt::format("  the truth is in {}\n", options.truth);
+  print(text);
+}
+
+}  // namespace
+
+Command makeSimulateCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  auto& simulate = options->simulate;
+  CLI::App* app = root.add_subcommand("simulate", "Make a recording with a simulated Panda and sensor");
+  app->add_option("-m,--motion", options->motion,
+                  "excitation: superposed sines inside all limits; pick-and-place: with contact phases;\n"
+                  "free: hand guiding with tremor")
+      ->required();
+  app->add_option("-o,--output", options->output, "REC.csv to write; REC.meta.json is written beside it")->required();
+  app->add_option("-p,--payload", options->payload, "Payload JSON in sensor axes; otherwise a built-in tool of 0.8 kg");
+  app->add_option("--seed", simulate.seed, "The same seed gives the same recording")->capture_default_str();
+  app->add_option("--duration", simulate.duration, "Length [s]")->capture_default_str();
+  app->add_option("--rate", simulate.rateHz, "Samples a second [Hz]")->capture_default_str();
+  app->add_option("--speed", simulate.speed, "How fast the arm moves: 1 brisk hand guiding, 0.3 slow")
+      ->capture_default_str();
+  app->add_option("--force-noise", simulate.sensor.forceNoise, "White noise of the forces, standard deviation [N]")
+      ->capture_default_str();
+  app->add_option("--torque-noise", simulate.sensor.torqueNoise, "White noise of the torques [N m]")
+      ->capture_default_str();
+  app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]; otherwise 0,0,0.04");
+  app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad]; otherwise 0,0,0");
+  app->add_option("--truth", options->truth, "Write the hidden payload, biases and marks to this file");
+  app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout");
+  app->add_flag("--force", options->force, "Replace a recording that was not simulated");
+  app->footer(
+      "\nExamples:\n"
+      "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"
+      "  heft simulate --motion free --payload tool.json --speed 0.3 --duration 10 -o slow.csv");
+  return {app, [options] { run(*options); }};
+}
+
+}  // namespace heft::cli

@@ -1,0 +1,111 @@
+// heft: the command line. It parses, calls one subcommand and turns every way to fail into an exit code and a sentence.
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+#include <new>
+
+#include "app/cli/cli.h"
+
+namespace {
+
+using heft::cli::Command;
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* option : app.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// CLI11 names what is wrong but offers no nearest match; the left-over words tell what was meant.
+std::string explain(const CLI::ParseError& error, CLI::App& root, const CLI::App& at) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  for (const auto& word : root.remaining(true)) {
+    if (word.starts_with("-"))
+      return fmt::format("There is no option {}.{}", word,
+                         heft::cli::didYouMean(word.substr(0, word.find('=')), optionNames(at)));
+  }
+  const auto rest = root.remaining(true);
+  return rest.empty() ? std::string(error.what()) : fmt::format("'{}' is one argument too many.", rest.front());
+}
+
+int wrongUsage(const CLI::App& at, const CLI::App& root, const std::string& message) {
+  const std::string name = &at == &root ? "heft" : "heft " + at.get_name();
+  fmt::print(stderr, "{}: {}\nTry '{} --help'.\n", name, message, name);
+  return heft::cli::kWrongUsage;
+}
+
+int runCommandLine(int argc, char** argv) {
+  CLI::App root{
+      "Heft finds mass, centre of mass and inertia of what a robot carries, from a recording of its motion\n"
+      "and of the force/torque sensor, and writes the payload file that the controller reads."};
+  root.name("heft");
+  root.set_version_flag("--version", heft::cli::programVersion(), "Print the version and end");
+  root.set_help_flag("-h,--help", "Print this help and end");
+  root.get_formatter()->column_width(34);
+  root.footer(
+      "\nThe usual way:\n"
+      "  heft simulate --motion excitation --seed 1 -o rec.csv      (or use your own recording)\n"
+      "  heft estimate rec.csv --json result.json\n"
+      "  heft export result.json --format franka-desk -o tool.json\n\n"
+      "Exit codes: 0 done, 1 could not be done, 2 wrong usage. 'heft COMMAND --help' shows one command.");
+
+  const std::array commands{heft::cli::makeEstimateCommand(root), heft::cli::makeSimulateCommand(root),
+                            heft::cli::makeExportCommand(root), heft::cli::makeConvertCommand(root)};
+  const auto names = [&] {
+    std::vector<std::string> list;
+    for (const Command& command : commands) list.push_back(command.app->get_name());
+    return list;
+  }();
+  if (argc < 2) {
+    fmt::print(stderr, "{}", root.help());
+    return heft::cli::kWrongUsage;
+  }
+  if (const std::string first = argv[1]; !first.starts_with("-") && std::ranges::find(names, first) == names.end()) {
+    return wrongUsage(root, root,
+                      fmt::format("There is no command '{}'.{} The commands are {}.", first,
+                                  heft::cli::didYouMean(first, names), fmt::join(names, ", ")));
+  }
+
+  const CLI::App* at = &root;
+  try {
+    root.parse(argc, argv);
+    for (const Command& command : commands) {
+      if (!command.app->parsed()) continue;
+      at = command.app;
+      command.run();
+      return heft::cli::kDone;
+    }
+    return wrongUsage(root, root, "A command is missing.");
+  } catch (const CLI::CallForHelp&) {
+    for (const Command& command : commands)
+      if (command.app->parsed()) at = command.app;
+    heft::cli::print(at == &root ? root.help() : at->help());
+    return heft::cli::kDone;
+  } catch (const CLI::CallForVersion& version) {
+    heft::cli::print(fmt::format("{}\n", version.what()));
+    return heft::cli::kDone;
+  } catch (const CLI::ParseError& error) {
+    for (const Command& command : commands)
+      if (command.app->parsed()) at = command.app;
+    return wrongUsage(*at, root, explain(error, root, *at));
+  } catch (const heft::cli::WrongUsage& error) {
+    return wrongUsage(*at, root, error.what());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return runCommandLine(argc, argv);
+  } catch (const heft::cli::Failed& error) {
+    fmt::print(stderr, "heft: {}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "heft: There is not enough memory for this; use a shorter recording or a lower rate.\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "heft: Something inside the program went wrong ({}); please report it.\n", error.what());
+  }
+  return heft::cli::kFailed;
+}
