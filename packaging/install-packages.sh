@@ -1,0 +1,40 @@
+#!/bin/sh
+# Installs what building and testing Heft needs on Debian 12, and nothing if it is all there. Run by start.sh and check.sh.
+# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot.
+set -eu
+
+core="g++ cmake ninja-build ccache mold pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
+      liburdfdom-dev libassimp-dev libgtest-dev libgmock-dev"
+gui="libvtk9-qt-dev qtbase5-dev libqt5svg5-dev libqcustomplot-dev xvfb libgl1-mesa-dri fonts-inter"
+
+packages=$core
+[ "${HEFT_GUI:-ON}" = OFF ] || packages="$packages $gui"
+
+missing=
+for package in $packages; do
+  if ! dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed; then
+    missing="$missing $package"
+  fi
+done
+if [ -z "$missing" ]; then
+  echo "== Packages: all there"
+  exit 0
+fi
+
+if ! command -v apt-get >/dev/null; then
+  echo "This machine has no apt-get. Install the equivalents of these Debian packages and run again:$missing" >&2
+  exit 1
+fi
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=
+elif command -v sudo >/dev/null; then
+  as_root=sudo
+else
+  echo "Packages are missing and there is no sudo. As root run: apt-get install --no-install-recommends$missing" >&2
+  exit 1
+fi
+
+echo "== Packages: installing with apt-get:$missing"
+$as_root apt-get update -q
+# shellcheck disable=SC2086  # one word a package is what is wanted
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
