@@ -10,6 +10,7 @@
 #include "core/estimation/options.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
+#include "core/segmentation/segmentation.h"
 
 namespace heft {
 
@@ -35,9 +36,9 @@ struct Identifiability {
   Source mass = Source::none;
   std::array<Source, 3> com{Source::none, Source::none, Source::none};
   std::array<std::array<Source, 3>, 3> inertia{};
-  double conditionNumber = 0.0;              ///< Of the scaled, whitened regressor.
+  double conditionNumber = 0.0;                          ///< Of the scaled, whitened regressor.
   double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
-  std::vector<std::string> weakDirections;   ///< In words: what this motion told too little about.
+  std::vector<std::string> weakDirections;               ///< In words: what this motion told too little about.
 };
 
 struct RelativeError {
@@ -45,18 +46,11 @@ struct RelativeError {
   bool hasMass = false, hasCom = false, hasInertia = false;
 };
 
-struct Segment {
-  double from = 0, to = 0;  ///< [s]
-  MarkLabel label = MarkLabel::free;
-  std::string reason;       ///< In plain words.
-  double confidence = 1.0;
-};
-
 /// Measured and simulated wrench on the recording's clock, for plots; K samples.
 struct WrenchSeries {
-  VectorXd time;                                           ///< [s]
-  Eigen::Matrix<double, Eigen::Dynamic, 6> measured;       ///< As in Recording::wrench
-  Eigen::Matrix<double, Eigen::Dynamic, 6> simulated;      ///< Payload's wrench plus bias
+  VectorXd time;                                       ///< [s]
+  Eigen::Matrix<double, Eigen::Dynamic, 6> measured;   ///< As in Recording::wrench
+  Eigen::Matrix<double, Eigen::Dynamic, 6> simulated;  ///< Payload's wrench plus bias
 };
 
 struct EstimateReport {
@@ -66,7 +60,7 @@ struct EstimateReport {
   Eigen::Index samples = 0;
   double rateHz = 0, duration = 0, usedDuration = 0;
   Payload payload;
-  Payload std;                ///< Standard deviations in the same places.
+  Payload std;  ///< Standard deviations in the same places.
   PayloadInterval interval95;
   Vector3d forceBias = Vector3d::Zero(), torqueBias = Vector3d::Zero();
   bool physicallyConsistent = false;
@@ -76,10 +70,10 @@ struct EstimateReport {
   std::vector<Segment> segments;
   struct Timing {
     double read = 0, prepare = 0, solve = 0, total = 0;
-  } timing;                   ///< [s]
+  } timing;  ///< [s]
   struct Termination {
     bool usable = false;
-    std::string why;          ///< Why the solver stopped, one sentence.
+    std::string why;  ///< Why the solver stopped, one sentence.
     int iterations = 0;
   } termination;
   std::optional<RelativeError> relativeError;

@@ -7,12 +7,12 @@
 #include "core/motion/motion.h"
 #include "core/payload/inertial_parameters.h"
 #include "core/payload/shape.h"
+#include "core/segmentation/segmentation.h"
 
 namespace heft {
 
 enum class Method { map, ls, wls, tls, tlsFast, tlsExact, ceres, eigenLm, bruteForce };
 enum class ParameterSet { mass, massCom, full };
-enum class SegmentMode { automatic, marks, all };
 
 std::string_view toString(Method method);  ///< "tls-fast"
 std::optional<Method> methodFromString(std::string_view text);
@@ -22,12 +22,12 @@ std::optional<ParameterSet> parameterSetFromString(std::string_view text);
 struct EstimateOptions {
   Method method = Method::map;
   ParameterSet parameters = ParameterSet::full;
-  bool bias = true;                    ///< Six constant sensor biases are estimated too.
-  double trim = 0.10;                  ///< Fraction of the duration dropped at each end.
-  std::optional<SegmentMode> segments; ///< Absent: marks if the recording has any, else automatic.
-  PartialPayload known;                ///< Values for parameters that are not estimated; overrides the recording's own.
-  std::optional<Shape> shape;          ///< Prior.
-  bool uncompressed = false;           ///< Solve on all rows instead of the triangle, for comparison with the paper.
+  bool bias = true;                     ///< Six constant sensor biases are estimated too.
+  double trim = 0.10;                   ///< Fraction of the duration dropped at each end.
+  std::optional<SegmentMode> segments;  ///< Absent: marks if the recording has any, else automatic.
+  PartialPayload known;        ///< Values for parameters that are not estimated; overrides the recording's own.
+  std::optional<Shape> shape;  ///< Prior.
+  bool uncompressed = false;   ///< Solve on all rows instead of the triangle, for comparison with the paper.
   MotionOptions motion;
 };
 

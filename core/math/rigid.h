@@ -1,6 +1,7 @@
 #pragma once
 // Rotations and poses. Names follow the monogram rule: X_FS is the pose of S in F, R_WS turns S axes into W axes,
-// p_SPcm_S runs from S's origin to Pcm in S axes. Frames: W world, B robot base, F flange, S sensor, Pcm centre of mass.
+// p_SPcm_S runs from S's origin to Pcm in S axes. Frames: W world, B robot base, F flange, S sensor, Pcm centre of
+// mass.
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 

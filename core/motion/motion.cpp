@@ -1,1 +1,332 @@
 #include "core/motion/motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/math/statistics.h"
+#include "core/motion/resample.h"
+#include "core/motion/savitzky_golay.h"
+
+namespace heft {
+
+namespace {
+
+/// Value, first and second derivative of each channel at the output instants.
+struct Derivatives {
+  Channels value, first, second;
+};
+
+/// The output instants as rows of the uniform grid: first, first + stride, ...
+struct Output {
+  Eigen::Index first = 0;
+  int stride = 1;
+  Eigen::Index size = 0;
+};
+
+/// One smoother for every channel of a recording, so that motion and wrench pass through the same filter.
+class Smoother {
+ public:
+  Smoother(const MotionOptions& options, const UniformGrid& grid) : rate_(grid.rateHz), savitzkyGolay_(2, 3) {
+    kind_ = options.smoothing;
+    output_.stride = 1;
+    if (options.outputRateHz > 0.0)
+      output_.stride = std::max(1, static_cast<int>(std::floor(grid.rateHz / options.outputRateHz + 1e-6)));
+    output_.first = output_.stride / 2;
+    output_.size = grid.size > output_.first ? (grid.size - 1 - output_.first) / output_.stride + 1 : 0;
+    if (kind_ == SmoothingKind::savitzkyGolay) {
+      savitzkyGolay_ = SavitzkyGolay(options.order, options.window);
+    } else {
+      cutoff_ = std::min(options.cutoffHz, 0.4 * grid.rateHz);
+      sections_ = butterworthLowPass(6, cutoff_, grid.rateHz);
+      kernel_ = averagingKernel(output_.stride);
+      pad_ = static_cast<Eigen::Index>(std::ceil(2.0 * grid.rateHz / cutoff_)) + output_.stride + 4;
+    }
+  }
+
+  const Output& output() const { return output_; }
+  double cutoffHz() const { return cutoff_; }
+  double rateHz() const { return rate_; }
+
+  /// Derivatives up to `order` (0, 1 or 2); what is not asked for stays empty.
+  Derivatives run(const Channels& signal, int order) const {
+    Derivatives out;
+    if (kind_ == SmoothingKind::savitzkyGolay) {
+      out.value = picked(savitzkyGolay_.apply(signal, 0, rate_));
+      if (order > 0) out.first = picked(savitzkyGolay_.apply(signal, 1, rate_));
+      if (order > 1) out.second = picked(savitzkyGolay_.apply(signal, 2, rate_));
+      return out;
+    }
+    Channels work = padded(signal, pad_);
+    filterForwardBackward(sections_, work);
+    // Derivatives commute with the average, so both are taken on the filtered signal at the output instants only.
+    out.value.resize(output_.size, signal.cols());
+    if (order > 0) out.first.resize(output_.size, signal.cols());
+    if (order > 1) out.second.resize(output_.size, signal.cols());
+    for (Eigen::Index k = 0; k < output_.size; ++k) {
+      const Eigen::Index centre = pad_ + output_.first + k * output_.stride;
+      out.value.row(k) = averaged(work, centre);
+      if (order > 0) out.first.row(k) = centralDifferenceOfAverage(work, centre, 1);
+      if (order > 1) out.second.row(k) = centralDifferenceOfAverage(work, centre, 2);
+    }
+    return out;
+  }
+
+  /// The wrench: averaged over the output interval but not low-passed, so that its noise keeps a spectrum that an
+  /// autoregressive model can describe. With Savitzky-Golay the same polynomials as for the motion.
+  Channels wrench(const Channels& signal) const {
+    if (kind_ == SmoothingKind::savitzkyGolay) return picked(savitzkyGolay_.apply(signal, 0, rate_));
+    const Channels work = padded(signal, output_.stride);
+    Channels out(output_.size, signal.cols());
+    for (Eigen::Index k = 0; k < output_.size; ++k)
+      out.row(k) = averaged(work, output_.stride + output_.first + k * output_.stride);
+    return out;
+  }
+
+ private:
+  Channels picked(const Channels& all) const {
+    Channels out(output_.size, all.cols());
+    for (Eigen::Index k = 0; k < output_.size; ++k) out.row(k) = all.row(output_.first + k * output_.stride);
+    return out;
+  }
+  Eigen::RowVectorXd averaged(const Channels& signal, Eigen::Index centre) const {
+    const Eigen::Index half = kernel_.size() / 2;
+    return kernel_.transpose() * signal.middleRows(centre - half, kernel_.size());
+  }
+  Eigen::RowVectorXd centralDifferenceOfAverage(const Channels& signal, Eigen::Index centre, int derivative) const {
+    const Eigen::Index half = kernel_.size() / 2;
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(signal.cols());
+    for (Eigen::Index i = 0; i < kernel_.size(); ++i)
+      sum += kernel_(i) * centralDifference(signal, centre - half + i, derivative, rate_);
+    return sum;
+  }
+
+  SmoothingKind kind_ = SmoothingKind::lowPass;
+  double rate_;
+  double cutoff_ = 0.0;
+  Output output_;
+  SavitzkyGolay savitzkyGolay_;
+  std::vector<Biquad> sections_;
+  VectorXd kernel_;
+  Eigen::Index pad_ = 0;
+};
+
+/// Noise of a channel's samples: robust deviation of its second differences, which smooth motion hardly reaches.
+double sampleNoise(const Channels& signal, Eigen::Index column) {
+  std::vector<double> differences;
+  differences.reserve(static_cast<std::size_t>(signal.rows()));
+  for (Eigen::Index i = 2; i < signal.rows(); ++i)
+    differences.push_back(signal(i, column) - 2.0 * signal(i - 1, column) + signal(i - 2, column));
+  double sum = 0.0;  // A median would be zero for coarsely quantised channels that mostly repeat.
+  for (const double d : differences) sum += d * d;
+  return std::sqrt(sum / std::max<double>(1.0, static_cast<double>(differences.size())) / 6.0);
+}
+
+/// Derivatives of positions, helped by reported velocities where these are the less noisy source of acceleration and
+/// agree in time. A lag of more than two milliseconds disqualifies them.
+Derivatives withReportedVelocity(const Smoother& smoother, const Channels& positions, const Channels& velocities,
+                                 std::string_view what, Findings& findings) {
+  Derivatives fromPositions = smoother.run(positions, 2);
+  if (velocities.rows() == 0) return fromPositions;
+  Derivatives fromVelocities = smoother.run(velocities, 1);
+  const double energy = fromPositions.second.squaredNorm();
+  const Channels excess = fromVelocities.value - fromPositions.first;
+  const double lag = energy > 0.0 ? -excess.cwiseProduct(fromPositions.second).sum() / energy : 0.0;
+  const double spread = energy > 0.0 ? std::sqrt(excess.squaredNorm() / energy) : 0.0;
+  if (std::abs(lag) > 0.002 && std::abs(lag) > 0.5 * spread) {
+    findings.push_back(
+        {Severity::info,
+         "velocity_lag",
+         fmt::format("The reported {} velocities lag the positions by {:.0f} ms; velocities and accelerations "
+                     "are taken from the positions.",
+                     what, lag * 1e3),
+         "",
+         {}});
+    return fromPositions;
+  }
+  // In-band noise of the acceleration: positions are differentiated twice, velocities once.
+  const double w = 2.0 * std::numbers::pi * (smoother.cutoffHz() > 0.0 ? smoother.cutoffHz() : 0.1 * smoother.rateHz());
+  double positionNoise = 0.0, velocityNoise = 0.0;
+  for (Eigen::Index c = 0; c < positions.cols(); ++c) {
+    positionNoise += std::pow(sampleNoise(positions, c) * w, 2) * 0.6;
+    velocityNoise += std::pow(sampleNoise(velocities, c), 2);
+  }
+  if (velocityNoise < positionNoise) {
+    fromPositions.first = std::move(fromVelocities.value);
+    fromPositions.second = std::move(fromVelocities.first);
+  }
+  return fromPositions;
+}
+
+void resizeMotion(Motion& motion, Eigen::Index size) {
+  for (auto* series : {&motion.specificForce, &motion.omega, &motion.alpha, &motion.velocity, &motion.position})
+    series->setZero(3, size);
+  motion.R_BS.resize(static_cast<std::size_t>(size));
+}
+
+void setSample(Motion& motion, Eigen::Index k, const FrameMotion& frame, const Vector3d& gravity) {
+  const Matrix3d R = frame.X_BS.linear();
+  motion.R_BS[static_cast<std::size_t>(k)] = R;
+  motion.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - gravity);
+  motion.omega.col(k) = R.transpose() * frame.w_BS_B;
+  motion.alpha.col(k) = R.transpose() * frame.alpha_BS_B;
+  motion.velocity.col(k) = frame.v_BSo_B;
+  motion.position.col(k) = frame.X_BS.translation();
+}
+
+/// Where S sits on the robot, or why it cannot be found.
+Result<int> mountLink(const RecordingMeta& meta, const RobotModel& robot) {
+  if (const auto link = robot.findLink(meta.mount.parent)) return *link;
+  std::string names;
+  for (const auto& link : robot.links()) names += (names.empty() ? "" : ", ") + link.name;
+  return Error{
+      fmt::format("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
+                  "sensor.mount.parent in the meta file to one of: {}.",
+                  meta.mount.parent, robot.name(), names)};
+}
+
+Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
+  if (robot == nullptr) return Error{"The recording has joint angles but no robot. Name one in the meta file (robot)."};
+  if (recording.q.cols() != robot->dof())
+    return Error{
+        fmt::format("The recording has {} joints, the robot \"{}\" has {}. Name the right robot in the meta file.",
+                    recording.q.cols(), robot->name(), robot->dof())};
+  return mountLink(recording.meta, *robot);
+}
+
+Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, const Smoother& smoother,
+                        const UniformGrid& grid, Motion& motion) {
+  const auto link = checkedJoints(recording, robot);
+  if (!link) return link.error();
+  const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+  const Channels q = onGrid(grid, recording.time, recording.q, false);
+  const Channels dq =
+      recording.dq.rows() > 0 ? onGrid(grid, recording.time, recording.dq, false) : Channels(0, recording.q.cols());
+  const Derivatives d = withReportedVelocity(smoother, q, dq, "joint", motion.findings);
+  VectorXd qk(q.cols()), dqk(q.cols()), ddqk(q.cols());
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    qk = d.value.row(k).transpose();
+    dqk = d.first.row(k).transpose();
+    ddqk = d.second.row(k).transpose();
+    setSample(motion, k, robot->frameMotion(*link, X_LS, qk, dqk, ddqk), recording.meta.gravity);
+  }
+  return true;
+}
+
+void fromPoses(const Recording& recording, const Smoother& smoother, const UniformGrid& grid, Motion& motion) {
+  // Quaternion components are smooth functions of time once their sign is continuous.
+  MatrixXd quaternion = recording.quaternion;
+  for (Eigen::Index i = 1; i < quaternion.rows(); ++i)
+    if (quaternion.row(i).dot(quaternion.row(i - 1)) < 0.0) quaternion.row(i) *= -1.0;
+  const Derivatives rotation = smoother.run(onGrid(grid, recording.time, quaternion, false), 2);
+  Derivatives translation;
+  motion.originAccelerationKnown = recording.hasPosition();
+  if (recording.hasPosition()) {
+    const Channels position = onGrid(grid, recording.time, recording.position, false);
+    const Channels velocity = recording.twist.rows() > 0
+                                  ? onGrid(grid, recording.time, recording.twist.leftCols<3>(), false)
+                                  : Channels(0, 3);
+    translation = withReportedVelocity(smoother, position, velocity, "linear", motion.findings);
+  }
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    FrameMotion frame;
+    const double norm = rotation.value.row(k).norm();
+    const auto component = [&](const Channels& c) {
+      return Quaterniond(c(k, 3) / norm, c(k, 0) / norm, c(k, 1) / norm, c(k, 2) / norm);
+    };
+    const Quaterniond q = component(rotation.value);
+    frame.X_BS.linear() = q.toRotationMatrix();
+    // w_B = 2 vec(dq q*), alpha_B = 2 vec(ddq q*); the scalar parts belong to the norm and drop out.
+    frame.w_BS_B = 2.0 * (component(rotation.first) * q.conjugate()).vec();
+    frame.alpha_BS_B = 2.0 * (component(rotation.second) * q.conjugate()).vec();
+    if (recording.hasPosition()) {
+      frame.X_BS.translation() = translation.value.row(k).transpose();
+      frame.v_BSo_B = translation.first.row(k).transpose();
+      frame.a_BSo_B = translation.second.row(k).transpose();
+    }
+    setSample(motion, k, frame, recording.meta.gravity);
+  }
+  if (!recording.hasPosition())
+    motion.findings.push_back(
+        {Severity::warning,
+         "origin_acceleration_unknown",
+         "The recording has the sensor's orientation but not its position, so the acceleration of its "
+         "origin is unknown and taken as zero.",
+         "Record px, py, pz or the joint angles for trustworthy numbers.",
+         {}});
+}
+
+}  // namespace
+
+Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
+  if (!meta.robot) return Error{"The recording names no robot."};
+  if (*meta.robot == "panda") return RobotModel::panda();
+  return RobotModel::fromUrdfFile(*meta.robot, findings);
+}
+
+Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot) {
+  Motion motion;
+  motion.rateHz = 1.0;
+  const Eigen::Index n = recording.rows();
+  if (n < 1) return Error{"The recording has no rows."};
+  resizeMotion(motion, n);
+  std::optional<int> link;
+  if (!recording.hasOrientation()) {
+    const auto found = checkedJoints(recording, robot);
+    if (!found) return found.error();
+    link = *found;
+  }
+  const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    FrameMotion frame;
+    if (link) {
+      frame.X_BS = robot->linkPose(recording.q.row(k).transpose(), *link) * X_LS;
+    } else {
+      const auto q = recording.quaternion.row(k);
+      frame.X_BS.linear() = Quaterniond(q(3), q(0), q(1), q(2)).normalized().toRotationMatrix();
+      if (recording.hasPosition()) frame.X_BS.translation() = recording.position.row(k).transpose();
+    }
+    setSample(motion, k, frame, recording.meta.gravity);
+  }
+  motion.wrench = recording.wrench.transpose();
+  return motion;
+}
+
+Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, const MotionOptions& options) {
+  const bool savitzkyGolay = options.smoothing == SmoothingKind::savitzkyGolay;
+  const int window = options.window + (options.window % 2 == 0 ? 1 : 0);
+  if (savitzkyGolay && (options.order < 2 || window <= options.order))
+    return Error{
+        fmt::format("Savitzky-Golay needs an order of at least 2 and a window above the order, not order {} and "
+                    "window {}.",
+                    options.order, options.window)};
+  if (!savitzkyGolay && !(options.cutoffHz > 0.0))
+    return Error{fmt::format("The low-pass cutoff must be above 0 Hz, not {}.", options.cutoffHz)};
+  const Eigen::Index needed = std::max<Eigen::Index>(10, savitzkyGolay ? window : 0);
+  if (recording.rows() < needed)
+    return Error{fmt::format("The recording has {} rows; at least {} are needed to know how the tool moved.",
+                             recording.rows(), needed)};
+  const UniformGrid grid = gridFor(recording.time);
+  if (grid.size > 20 * recording.rows() + 1000)
+    return Error{
+        fmt::format("The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the "
+                    "recording at its gaps.",
+                    recording.rows(), recording.duration(), 1.0 / grid.rateHz)};
+  const Smoother smoother(options, grid);
+  Motion motion;
+  motion.rateHz = grid.rateHz / smoother.output().stride;
+  motion.startTime = grid.start + static_cast<double>(smoother.output().first) / grid.rateHz;
+  resizeMotion(motion, smoother.output().size);
+  // Poses are what S really did; joints only imply it through a robot model that may not be the right one.
+  if (recording.hasOrientation()) {
+    fromPoses(recording, smoother, grid, motion);
+  } else if (auto done = fromJoints(recording, robot, smoother, grid, motion); !done) {
+    return done.error();
+  }
+  motion.wrench = smoother.wrench(onGrid(grid, recording.time, recording.wrench, true)).transpose();
+  return motion;
+}
+
+}  // namespace heft

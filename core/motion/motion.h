@@ -14,7 +14,7 @@ enum class SmoothingKind {
 
 struct MotionOptions {
   SmoothingKind smoothing = SmoothingKind::lowPass;
-  double cutoffHz = 15.0;  ///< lowPass: -6 dB of the zero-phase filter.
+  double cutoffHz = 25.0;  ///< lowPass: -6 dB of the zero-phase filter; lowered to 0.4 of a slower recording's rate.
   int order = 3;           ///< savitzkyGolay: polynomial order
   int window = 11;         ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
   double outputRateHz = 200.0;  ///< The motion is evaluated at this rate at most (0: every sample of the grid).
@@ -31,6 +31,7 @@ struct Motion {
   Eigen::Matrix3Xd position;       ///< p_BSo_B [m], B axes
   std::vector<Matrix3d> R_BS;
   bool originAccelerationKnown = true;  ///< False with orientation only: a was taken as zero.
+  MatrixXd wrench;                      ///< 6 x K: the recording's wrench, averaged and smoothed in the same way.
   Findings findings;
 
   Eigen::Index size() const { return omega.cols(); }
@@ -39,6 +40,9 @@ struct Motion {
 
 /// The robot and frame that a recording's joints refer to, resolved from its meta ("panda", a URDF, or none needed).
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings);
+
+/// Specific force in standing poses (kind "poses"), a column a row of the recording; everything else is zero.
+Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot);
 
 /// Kind "motion". `robot` may be null where the recording has poses. Fails if there are fewer than 10 rows.
 Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, const MotionOptions& options);

@@ -32,8 +32,7 @@ Payload fromParameters(const Vector10d& phi) {
   payload.mass = phi(0);
   if (phi(0) != 0.0) payload.com = phi.segment<3>(1) / phi(0);
   const Vector3d& c = payload.com;
-  payload.inertiaCom =
-      inertiaTensor(phi) - payload.mass * (c.squaredNorm() * Matrix3d::Identity() - c * c.transpose());
+  payload.inertiaCom = inertiaTensor(phi) - payload.mass * (c.squaredNorm() * Matrix3d::Identity() - c * c.transpose());
   return payload;
 }
 
@@ -61,8 +60,7 @@ Consistency checkPhysical(const Payload& payload) {
   if (payload.mass <= 0.0) return {false, fmt::format("The mass is {:.6g} kg; it must be above zero.", payload.mass)};
   const Matrix3d& I = payload.inertiaCom;
   const double scale = I.cwiseAbs().maxCoeff();
-  if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
-    return {false, "The inertia tensor is not symmetric."};
+  if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale) return {false, "The inertia tensor is not symmetric."};
   const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
   if (moments(0) <= 0.0)
     return {false, fmt::format("The inertia tensor has a principal moment of {:.6g} kg m2; all must be above zero.",
@@ -80,9 +78,7 @@ Payload transformed(const Payload& payload, const Isometry3d& X_NS) {
   return {payload.mass, X_NS * payload.com, 0.5 * (I + I.transpose())};
 }
 
-Payload composed(const Payload& a, const Payload& b) {
-  return fromParameters(toParameters(a) + toParameters(b));
-}
+Payload composed(const Payload& a, const Payload& b) { return fromParameters(toParameters(a) + toParameters(b)); }
 
 json toJson(const Payload& payload) {
   const auto row = [](const auto& v) { return json::array({v(0), v(1), v(2)}); };

@@ -2,8 +2,8 @@
 // The ten inertial parameters of a payload and what makes them physically possible.
 //
 // Order and reference, stated once: phi = [m, hx, hy, hz, Ixx, Ixy, Ixz, Iyy, Iyz, Izz] with h = m p_SPcm_S [kg m] and
-// I = I_PSo_S, the rotational inertia about S's ORIGIN [kg m2], all in S axes. In this form the wrench is linear in phi.
-// Payload holds what files hold: mass, centre of mass from S's origin, inertia about the CENTRE OF MASS, S axes.
+// I = I_PSo_S, the rotational inertia about S's ORIGIN [kg m2], all in S axes. In this form the wrench is linear in
+// phi. Payload holds what files hold: mass, centre of mass from S's origin, inertia about the CENTRE OF MASS, S axes.
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -14,9 +14,9 @@
 namespace heft {
 
 struct Payload {
-  double mass = 0.0;                         ///< [kg]
-  Vector3d com = Vector3d::Zero();           ///< p_SPcm_S [m]
-  Matrix3d inertiaCom = Matrix3d::Zero();    ///< I_PPcm_S [kg m2], tensor sign convention (Ixy = -integral x y dm)
+  double mass = 0.0;                       ///< [kg]
+  Vector3d com = Vector3d::Zero();         ///< p_SPcm_S [m]
+  Matrix3d inertiaCom = Matrix3d::Zero();  ///< I_PPcm_S [kg m2], tensor sign convention (Ixy = -integral x y dm)
 };
 
 /// Values that the user states: any part may be absent.
@@ -61,8 +61,9 @@ Payload composed(const Payload& a, const Payload& b);
 /// JSON object with the keys mass_kg, com_m, inertia_com_kgm2 of the contract.
 nlohmann::json toJson(const Payload& payload);
 
-/// Reads mass_kg, com_m, inertia_com_kgm2 (each optional) from an object, or from its member "payload" or "known_payload".
-/// `where` names the file in messages. Fails on wrong shapes, non-finite or asymmetric tensors, negative mass.
+/// Reads mass_kg, com_m, inertia_com_kgm2 (each optional) from an object, or from its member "payload" or
+/// "known_payload". `where` names the file in messages. Fails on wrong shapes, non-finite or asymmetric tensors,
+/// negative mass.
 Result<PartialPayload> partialPayloadFromJson(const nlohmann::json& object, const std::string& where);
 
 /// As above, but all three must be there.

@@ -1,0 +1,21 @@
+#pragma once
+// Bringing irregular samples onto one uniform grid.
+#include "core/motion/low_pass.h"
+
+namespace heft {
+
+struct UniformGrid {
+  double start = 0.0;  ///< [s]
+  double rateHz = 0.0;
+  Eigen::Index size = 0;
+  bool exact = false;  ///< The samples lie on the grid to a hundredth of a step: nothing is interpolated.
+};
+
+/// The grid with the median time step that spans `time` (strictly rising, at least two samples).
+UniformGrid gridFor(const VectorXd& time);
+
+/// Values on the grid: cubic Lagrange interpolation through the four nearest samples (linear where `linear` is set or
+/// beside a gap of more than three steps). Rows of `values` belong to `time`.
+Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear);
+
+}  // namespace heft
