@@ -1,1 +1,220 @@
 #include "core/mesh/mesh.h"
+
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+namespace heft {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
+constexpr unsigned kMaxNodeDepth = 200;
+constexpr float kSmoothingAngleDeg = 40.0f;  ///< Facets that meet at less are shaded as one smooth surface.
+
+std::string lowerExtension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// glTF colours are linear light; everything else, and every screen, means sRGB.
+float srgbFromLinear(float x) {
+  if (x <= 0.0031308f) return 12.92f * x;
+  return 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+}
+
+Eigen::Vector4f clamped(const aiColor4D& c) {
+  const auto part = [](float x) { return std::isfinite(x) ? std::clamp(x, 0.0f, 1.0f) : 0.8f; };
+  return {part(c.r), part(c.g), part(c.b), part(c.a)};
+}
+
+Eigen::Vector4f colourOf(const aiMaterial& material, bool isGltf) {
+  aiString name;
+  material.Get(AI_MATKEY_NAME, name);
+  if (std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME) return MeshPart().rgba;
+  aiColor4D diffuse;
+  if (material.Get(AI_MATKEY_BASE_COLOR, diffuse) != AI_SUCCESS &&
+      material.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) != AI_SUCCESS) {
+    return MeshPart().rgba;
+  }
+  Eigen::Vector4f rgba = clamped(diffuse);
+  if (isGltf) {
+    for (int k = 0; k < 3; ++k) rgba[k] = srgbFromLinear(rgba[k]);
+  }
+  // COLLADA exporters write <transparency>0 for opaque bodies; nobody stores an invisible one.
+  float opacity = 1.0f;
+  if (material.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0.0f && opacity < 1.0f) rgba[3] = opacity;
+  if (rgba[3] <= 0.0f) rgba[3] = 1.0f;
+  return rgba;
+}
+
+/// Files with colours per vertex (PLY) have no material: their mean is the part's colour.
+Eigen::Vector4f meanVertexColour(const aiMesh& mesh) {
+  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+  for (unsigned k = 0; k < mesh.mNumVertices; ++k) sum += clamped(mesh.mColors[0][k]);
+  sum /= static_cast<float>(mesh.mNumVertices);
+  if (sum[3] <= 0.0f) sum[3] = 1.0f;
+  return sum;
+}
+
+class Collector {
+ public:
+  Collector(const aiScene& scene, bool isGltf) : scene_(scene), isGltf_(isGltf) {}
+
+  /// Empty if all went well, else what is wrong.
+  std::string run(Mesh& mesh) {
+    walk(*scene_.mRootNode, aiMatrix4x4(), 0);
+    for (auto& [key, part] : parts_) {
+      if (!part.triangles.empty()) mesh.parts.push_back(std::move(part));
+    }
+    if (problem_.empty() && mesh.parts.empty()) problem_ = "contains no triangle";
+    return problem_;
+  }
+
+ private:
+  using Key = std::array<float, 4>;
+
+  void walk(const aiNode& node, const aiMatrix4x4& parent, unsigned depth) {
+    if (depth > kMaxNodeDepth) {
+      problem_ = fmt::format("nests nodes deeper than {}", kMaxNodeDepth);
+      return;
+    }
+    const aiMatrix4x4 pose = parent * node.mTransformation;
+    for (unsigned k = 0; k < node.mNumMeshes && problem_.empty(); ++k) add(*scene_.mMeshes[node.mMeshes[k]], pose);
+    for (unsigned k = 0; k < node.mNumChildren && problem_.empty(); ++k) walk(*node.mChildren[k], pose, depth + 1);
+  }
+
+  void add(const aiMesh& mesh, const aiMatrix4x4& pose) {
+    if (!(mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) return;
+    Eigen::Matrix4f M;
+    M << pose.a1, pose.a2, pose.a3, pose.a4, pose.b1, pose.b2, pose.b3, pose.b4, pose.c1, pose.c2, pose.c3, pose.c4,
+        pose.d1, pose.d2, pose.d3, pose.d4;
+    const Eigen::Matrix3f linear = M.topLeftCorner<3, 3>();
+    const float volume = linear.determinant();
+    if (!M.allFinite() || volume == 0.0f) {
+      problem_ = "places a mesh by a singular transformation";
+      return;
+    }
+    const Eigen::Matrix3f turnNormal = linear.inverse().transpose();
+
+    Eigen::Vector4f rgba = colourOf(*scene_.mMaterials[mesh.mMaterialIndex], isGltf_);
+    if (mesh.HasVertexColors(0) && rgba == MeshPart().rgba) rgba = meanVertexColour(mesh);
+    MeshPart& part = parts_[Key{rgba[0], rgba[1], rgba[2], rgba[3]}];
+    part.rgba = rgba;
+
+    const auto first = static_cast<unsigned>(part.vertices.size());
+    part.vertices.reserve(first + mesh.mNumVertices);
+    part.normals.reserve(first + mesh.mNumVertices);
+    for (unsigned k = 0; k < mesh.mNumVertices; ++k) {
+      const aiVector3D& v = mesh.mVertices[k];
+      const Eigen::Vector3f vertex = linear * Eigen::Vector3f(v.x, v.y, v.z) + M.topRightCorner<3, 1>();
+      if (!vertex.allFinite()) {
+        problem_ = "contains a vertex that is not a finite number";
+        return;
+      }
+      part.vertices.push_back(vertex);
+      Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+      if (mesh.HasNormals()) {
+        const aiVector3D& n = mesh.mNormals[k];
+        normal = turnNormal * Eigen::Vector3f(n.x, n.y, n.z);
+      }
+      const float length = normal.norm();
+      part.normals.push_back(std::isfinite(length) && length > 0.0f ? (normal / length).eval()
+                                                                    : Eigen::Vector3f::Zero().eval());
+    }
+    for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
+      const aiFace& face = mesh.mFaces[k];
+      if (face.mNumIndices != 3) continue;
+      std::array<unsigned, 3> triangle{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
+      if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.mNumVertices) {
+        problem_ = "has a triangle that names a vertex which does not exist";
+        return;
+      }
+      if (volume < 0.0f) std::swap(triangle[1], triangle[2]);  // A mirror turns the surface inside out.
+      for (unsigned& corner : triangle) corner += first;
+      part.triangles.push_back(triangle);
+      repairNormals(part, triangle);
+    }
+  }
+
+  /// A vertex without a usable normal (zero or NaN in the file) takes its triangle's.
+  static void repairNormals(MeshPart& part, const std::array<unsigned, 3>& triangle) {
+    Eigen::Vector3f facet = (part.vertices[triangle[1]] - part.vertices[triangle[0]])
+                                .cross(part.vertices[triangle[2]] - part.vertices[triangle[0]]);
+    const float area = facet.norm();
+    facet = area > 0.0f ? (facet / area).eval() : Eigen::Vector3f::UnitZ().eval();
+    for (const unsigned corner : triangle) {
+      if (part.normals[corner].isZero(0.0f)) part.normals[corner] = facet;
+    }
+  }
+
+  const aiScene& scene_;
+  const bool isGltf_;
+  std::map<Key, MeshPart> parts_;
+  std::string problem_;
+};
+
+void configure(Assimp::Importer& importer) {
+  // URDF viewers take COLLADA coordinates as they stand; <up_axis> would turn the link on its side.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothingAngleDeg);
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS);
+}
+
+}  // namespace
+
+std::size_t Mesh::triangleCount() const {
+  std::size_t count = 0;
+  for (const MeshPart& part : parts) count += part.triangles.size();
+  return count;
+}
+
+Result<Mesh> loadMesh(const fs::path& file) {
+  const std::string name = file.string();
+  std::error_code problem;
+  if (!fs::is_regular_file(file, problem)) return Error{name + ": There is no such mesh file."};
+  const std::uintmax_t bytes = fs::file_size(file, problem);
+  if (problem || bytes == 0) return Error{name + ": The mesh file is empty or cannot be read."};
+  if (bytes > kMaxFileBytes) {
+    return Error{fmt::format("{}: The mesh file has {} MB; at most {} MB are read. Decimate it first.", name,
+                             bytes >> 20, kMaxFileBytes >> 20)};
+  }
+  const std::string extension = lowerExtension(file);
+  try {
+    Assimp::Importer importer;
+    configure(importer);
+    if (!importer.IsExtensionSupported(extension)) {
+      return Error{
+          fmt::format("{}: Meshes of kind \"{}\" are not known. Use .stl, .obj, .ply, .dae or .glb.", name, extension)};
+    }
+    unsigned steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
+                     aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals;
+    // STL stores a normal a facet, often zero: they are made afresh, smooth where the surface is.
+    if (extension == ".stl") steps |= aiProcess_RemoveComponent;
+    const aiScene* scene = importer.ReadFile(name, steps);
+    if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE)) {
+      const std::string reason = importer.GetErrorString();
+      return Error{fmt::format("{}: The mesh cannot be read: {}", name, reason.empty() ? "it is incomplete." : reason)};
+    }
+    Mesh mesh;
+    const std::string wrong = Collector(*scene, extension == ".glb" || extension == ".gltf").run(mesh);
+    if (!wrong.empty()) return Error{fmt::format("{}: The mesh {}.", name, wrong)};
+    return mesh;
+  } catch (const std::exception& failure) {
+    return Error{fmt::format("{}: The mesh cannot be read: {}", name, failure.what())};
+  }
+}
+
+}  // namespace heft

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/findings.h"
@@ -30,13 +31,16 @@ struct Joint {
   Vector3d axis = Vector3d::UnitZ();         ///< Unit vector in the joint frame.
   JointLimits limits;
   int index = -1;  ///< Column in q, or -1 for a fixed joint.
+  /// The joint's value is ratio * q[index] + offset: 1 and 0 unless it mimics the joint that owns the column.
+  double ratio = 1.0;
+  double offset = 0.0;
 };
 
 /// What a link looks like; the file is resolved but loaded only by loadMesh (core/mesh/mesh.h).
 struct Visual {
   enum class Kind { mesh, box, cylinder, sphere } kind = Kind::mesh;
-  std::filesystem::path file;              ///< For a mesh.
-  Vector3d size = Vector3d::Ones();        ///< Mesh: scale. Box: edges [m]. Cylinder: radius, length. Sphere: radius.
+  std::filesystem::path file;        ///< For a mesh.
+  Vector3d size = Vector3d::Ones();  ///< Mesh: scale. Box: edges [m]. Cylinder: radius, length. Sphere: radius.
   Isometry3d X_LV = Isometry3d::Identity();
   Eigen::Vector4d rgba{0.8, 0.8, 0.8, 1.0};
   bool hasColour = false;  ///< False: use the mesh's own colours if it has any.
@@ -57,10 +61,19 @@ struct FrameMotion {
   Vector3d a_BSo_B = Vector3d::Zero();     ///< acceleration of S's origin, without gravity [m/s2]
 };
 
-/// Immutable after loading, safe to share between threads.
+struct UrdfTree;
+
+/// Immutable after loading, safe to share between threads. B is the frame of the root link.
+///
+/// The columns of q are the moving joints on the way to the deepest turning joint. Joints beside that way (a gripper's
+/// fingers, a second arm) are held at zero, or at their nearest limit, with a finding; a joint that mimics one of q's
+/// joints follows it. A branching with only short chains behind an arm of four or more joints is taken as a hand.
+///
+/// Functions throw std::invalid_argument if q has not dof() entries or a link does not exist.
 class RobotModel {
  public:
-  /// Reads a URDF. Everything odd but survivable (unphysical inertia, missing mesh, unnormalised axis) is a finding.
+  /// Reads a URDF. Everything odd but survivable (unphysical inertia, missing mesh, unnormalised axis) is a finding;
+  /// what makes the kinematics unsure (two parents, zero axis, unexpanded xacro) is a finding and fails.
   static Result<RobotModel> fromUrdfFile(const std::filesystem::path& file, Findings& findings);
   static Result<RobotModel> fromUrdfText(const std::string& urdf, const std::filesystem::path& baseFolder,
                                          Findings& findings);
@@ -94,6 +107,27 @@ class RobotModel {
   std::vector<Joint> joints_;
   std::vector<int> moving_;
   int dof_ = 0;
+
+  /// One moving joint on the way to a link: pose of the joint frame, turned so that its axis is z, in the frame before.
+  struct Step {
+    Matrix3d R;
+    Vector3d p;
+    int index;
+    bool turns;
+    double ratio;
+    double offset;
+  };
+  /// The way from the root to a link with everything fixed merged into the steps.
+  struct Chain {
+    std::vector<Step> steps;
+    Matrix3d R_end = Matrix3d::Identity();  ///< Link in the last step's frame.
+    Vector3d p_end = Vector3d::Zero();
+  };
+  std::vector<Chain> chains_;  ///< One a link.
+
+  static Result<RobotModel> assemble(UrdfTree tree, const std::string& file, Findings& findings);
+  void buildChains();
+  const Chain& chainTo(int link, Eigen::Index columns) const;
 };
 
 }  // namespace heft
