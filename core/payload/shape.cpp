@@ -1,1 +1,202 @@
 #include "core/payload/shape.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/payload/mesh_volume.h"
+#include "core/payload/shape_moments.h"
+
+namespace heft {
+
+namespace {
+
+constexpr int kPointsPerBody = 1024;
+
+/// Sizes between these are taken for granted on a robot's wrist [m].
+constexpr double kLongTool = 2.0, kImpossible = 10.0, kTinyTool = 2e-3;
+
+std::string lengthText(double metres) {
+  return metres >= 1.0 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.3g} mm", 1e3 * metres);
+}
+
+/// Extent along the body's own axes [m].
+Vector3d extentOf(const Surface& surface) {
+  Eigen::Array3d low = surface.vertices.front(), high = low;
+  for (const Vector3d& v : surface.vertices) {
+    low = low.min(v.array());
+    high = high.max(v.array());
+  }
+  return high - low;
+}
+
+/// Which unit would make the mesh as large as a tool; empty if none.
+std::string betterUnit(double length, double unit) {
+  const auto fits = [&](double other) { return length / unit * other > 0.01 && length / unit * other < kLongTool; };
+  if (unit != 0.001 && fits(0.001)) return "mm";
+  if (unit != 1.0 && fits(1.0)) return "m";
+  if (unit != 0.01 && fits(0.01)) return "cm";
+  return {};
+}
+
+/// Adds findings about a size that is unlikely; the error if it is impossible.
+std::optional<Error> checkSize(const ShapeBody& body, double length, Findings& findings, const std::string& name) {
+  if (length <= kLongTool && length >= kTinyTool) return std::nullopt;
+  std::string remedy;
+  if (body.kind == BodyKind::mesh) {
+    const std::string unit = betterUnit(length, body.unit);
+    if (unit == "mm")
+      remedy = "If the file is in millimetres set unit to mm.";
+    else
+      remedy = unit.empty()
+                   ? "Check the unit of the file."
+                   : fmt::format("If the file is in {} set unit to {}.", unit == "m" ? "metres" : "centimetres", unit);
+  } else {
+    remedy = "Dimensions are in metres.";
+  }
+  const std::string text = fmt::format("{} is {} long.", name, lengthText(length));
+  if (length > kImpossible) return Error{fmt::format("{} {}", text, remedy)};
+  findings.push_back({Severity::warning, "shape_size", text, remedy, {body.file.string(), 0, 0}});
+  return std::nullopt;
+}
+
+void reportRepairs(const SurfaceReport& report, const Location& where, const std::string& name, Findings& findings) {
+  const auto add = [&](Severity severity, const char* code, std::string text, std::string remedy) {
+    findings.push_back({severity, code, std::move(text), std::move(remedy), where});
+  };
+  if (report.turnedTriangles > 0)
+    add(Severity::warning, "mesh_orientation",
+        fmt::format("{}: {} triangles pointed the other way than their neighbours and were turned.", name,
+                    report.turnedTriangles),
+        "Recompute the normals in the program that wrote the mesh.");
+  if (report.turnedBodies > 0)
+    add(Severity::warning, "mesh_inside_out",
+        fmt::format("{} is inside-out ({} of {} closed pieces); it was turned round.", name, report.turnedBodies,
+                    report.bodies),
+        "Flip the normals in the program that wrote the mesh if this is not wanted.");
+  if (report.openEdges > 0)
+    add(Severity::warning, "mesh_open",
+        fmt::format("{} is not closed: {} open edges; the holes were covered ({:.1f} % of the surface).", name,
+                    report.openEdges, 100.0 * report.holeArea / (report.area + report.holeArea)),
+        "Export a closed solid, or give a wall thickness if the tool is a thin shell.");
+  if (report.sharedEdges > 0)
+    add(Severity::info, "mesh_non_manifold",
+        fmt::format("{}: {} edges belong to more than two triangles (parts that touch along an edge).", name,
+                    report.sharedEdges),
+        "");
+}
+
+Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, Findings& findings) {
+  std::shared_ptr<const Mesh> mesh = body.mesh;
+  if (!mesh) {
+    auto loaded = loadMesh(body.file);
+    if (!loaded) return loaded.error();
+    mesh = std::make_shared<const Mesh>(std::move(*loaded));
+  }
+  const Location where{body.file.string(), 0, 0};
+  long dropped = 0;
+  Surface surface = weld(*mesh, body.unit, &dropped);
+  if (dropped > 0)
+    findings.push_back({Severity::warning, "mesh_bad_triangles",
+                        fmt::format("{}: {} triangles have a vertex that is missing or not a number.", name, dropped),
+                        "They were left out.", where});
+  if (surface.triangles.empty()) return Error{fmt::format("{} has no triangles: a shape needs a surface.", name)};
+  if (auto error = checkSize(body, extentOf(surface).maxCoeff(), findings, name)) return *error;
+
+  const Vector3d extent = extentOf(surface);
+  BodySamples result;
+  Matrix4d moments;
+  WeightedPoints fine;
+  if (body.wall) {
+    moments = sheetMoments(surface, *body.wall);
+    if (!(moments(3, 3) > 0.0)) return Error{fmt::format("{} has no area: all of its triangles are lines.", name)};
+    fine = sheetPoints(surface, *body.wall);
+  } else {
+    const SurfaceReport report = repair(surface);
+    moments = volumeMoments(surface);
+    const double box = std::max(extent.prod(), 1e-12 * std::pow(extent.maxCoeff(), 3));
+    const bool sheetLike = report.holeArea > 0.4 * (report.area + report.holeArea);
+    if (!(moments(3, 3) > 1e-6 * box) || sheetLike)
+      return Error{
+          fmt::format("{} encloses no volume ({} open edges): export a closed solid, or give its wall thickness so "
+                      "that it counts as a thin shell.",
+                      name, report.openEdges)};
+    reportRepairs(report, where, name, findings);
+    double overlap = 0.0;
+    fine = volumePoints(surface, moments, &overlap);
+    if (fine.points.cols() < 16 || !(fine.weights.sum() > 0.5 * moments(3, 3)))
+      return Error{
+          fmt::format("{} cuts through itself so badly that its inside cannot be told: export a clean solid, or "
+                      "give its wall thickness.",
+                      name)};
+    if (overlap > 0.02)
+      findings.push_back(
+          {Severity::info, "mesh_overlap",
+           fmt::format("{}: {:.0f} % of the volume is counted again because parts overlap.", name, 100.0 * overlap), "",
+           where});
+  }
+  result.volume = moments(3, 3);
+  result.unitPseudoInertia = moments / moments(3, 3);
+  WeightedPoints few = thinned(fine, kPointsPerBody);
+  if (!matchMoments(few, result.unitPseudoInertia))
+    return Error{fmt::format("{} is flat: it encloses no volume.", name)};
+  result.points = std::move(few.points);
+  result.weights = std::move(few.weights);
+  return result;
+}
+
+Result<BodySamples> samplePrimitive(const ShapeBody& body, const std::string& name, Findings& findings) {
+  double length = 0.0;
+  for (const double d : body.dims) length = std::max(length, d);
+  if (auto error = checkSize(body, length, findings, name)) return *error;
+  const Matrix4d moments = primitiveMoments(body);
+  WeightedPoints few = thinned(primitivePoints(body), kPointsPerBody);
+  BodySamples result;
+  result.volume = moments(3, 3);
+  result.unitPseudoInertia = moments / moments(3, 3);
+  if (!(result.volume > 0.0) || few.points.cols() < 4 || !matchMoments(few, result.unitPseudoInertia))
+    return Error{fmt::format("{} is too thin to have a volume.", name)};
+  result.points = std::move(few.points);
+  result.weights = std::move(few.weights);
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<BodySamples>> sampleShape(const Shape& shape, Findings& findings) {
+  if (const std::string why = whyInvalid(shape); !why.empty()) return Error{why};
+  std::vector<BodySamples> result;
+  for (std::size_t i = 0; i < shape.bodies.size(); ++i) {
+    const ShapeBody& body = shape.bodies[i];
+    const std::string name =
+        body.kind == BodyKind::mesh && !body.file.empty()
+            ? fmt::format("The mesh {}", body.file.filename().string())
+            : fmt::format("The {}{}", toString(body.kind),
+                          shape.bodies.size() > 1 ? fmt::format(" (body {})", i + 1) : std::string());
+    auto samples =
+        body.kind == BodyKind::mesh ? sampleMesh(body, name, findings) : samplePrimitive(body, name, findings);
+    if (!samples) return samples.error();
+    samples->points = body.X_SB * samples->points;
+    samples->unitPseudoInertia = body.X_SB.matrix() * samples->unitPseudoInertia * body.X_SB.matrix().transpose();
+    samples->mass = body.mass;
+    if (body.density) {
+      samples->mass = *body.density * samples->volume;
+      if (*body.density < 20.0 || *body.density > 25000.0)
+        findings.push_back({Severity::warning,
+                            "shape_density",
+                            fmt::format("{} has a density of {:.4g} kg/m3.", name, *body.density),
+                            *body.density < 20.0 ? "If it is in g/cm3, multiply it by 1000." : "Check it.",
+                            {}});
+    }
+    result.push_back(std::move(*samples));
+  }
+  double mass = 0.0;
+  for (const BodySamples& body : result) mass += body.mass.value_or(0.0);
+  if (shape.totalMass && mass > 1.05 * *shape.totalMass)
+    return Error{
+        fmt::format("The bodies with a known mass or density weigh {:.4g} kg, more than the total of {:.4g} kg.", mass,
+                    *shape.totalMass)};
+  return result;
+}
+
+}  // namespace heft
