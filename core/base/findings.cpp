@@ -21,18 +21,25 @@ bool hasErrors(const Findings& findings) {
                      [](const Finding& finding) { return finding.severity == Severity::error; });
 }
 
+std::string toString(const Location& where) {
+  if (where.file.empty()) return {};
+  std::string out = where.file;
+  if (where.line > 0) out += ":" + std::to_string(where.line);
+  if (where.line > 0 && where.column > 0) out += ":" + std::to_string(where.column);
+  if (where.line <= 0 && where.column > 0) out += ", column " + std::to_string(where.column);
+  return out;
+}
+
 std::string toLine(const Finding& finding) {
-  std::string line(toString(finding.severity));
-  line += ": ";
-  if (!finding.where.file.empty()) {
-    line += finding.where.file;
-    if (finding.where.line > 0) line += ":" + std::to_string(finding.where.line);
-    if (finding.where.line > 0 && finding.where.column > 0) line += ":" + std::to_string(finding.where.column);
-    line += ": ";
-  }
-  line += finding.text;
-  if (!finding.remedy.empty()) line += " " + finding.remedy;
-  return line;
+  return std::string(toString(finding.severity)) + ": " + errorAt(finding.where, finding.text, finding.remedy).message;
+}
+
+Error errorAt(const Location& where, const std::string& text, const std::string& remedy) {
+  std::string message = toString(where);
+  if (!message.empty()) message += ": ";
+  message += text;
+  if (!remedy.empty()) message += " " + remedy;
+  return Error{message};
 }
 
 }  // namespace heft

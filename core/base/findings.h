@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
+
 namespace heft {
 
 enum class Severity { info, warning, error };
@@ -31,7 +33,13 @@ using Findings = std::vector<Finding>;
 /// True if any finding is an error.
 bool hasErrors(const Findings& findings);
 
+/// "rec.csv:12:5", "rec.csv:12", "rec.csv, column 5" (the whole column), "rec.csv", or empty.
+std::string toString(const Location& where);
+
 /// "warning: rec.csv:12:5: text. Remedy." in one line, without the parts that are empty.
 std::string toLine(const Finding& finding);
+
+/// The failure that a defect causes: "rec.csv:12:5: text remedy".
+Error errorAt(const Location& where, const std::string& text, const std::string& remedy = {});
 
 }  // namespace heft

@@ -1,6 +1,8 @@
 #include "core/base/json_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,11 +10,43 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <system_error>
+
+#include "core/base/text.h"
 
 namespace heft {
 
+namespace {
+
+/// Deeper nesting is no file of ours, and would exhaust the stack of whoever walks or prints the value.
+constexpr int kMaxDepth = 200;
+
+int nestingDepth(std::string_view text) {
+  int depth = 0;
+  int deepest = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '[' || c == '{') {
+      deepest = std::max(deepest, ++depth);
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& name) {
+  if (nestingDepth(text) > kMaxDepth)
+    return Error{fmt::format("{}: this JSON is nested more than {} levels deep.", name, kMaxDepth)};
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
@@ -21,29 +55,57 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& name)
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const auto lineStart = before.rfind('\n');
     const auto column = 1 + (lineStart == std::string_view::npos ? before.size() : before.size() - lineStart - 1);
+    // what() is "[json.exception.parse_error.101] parse error at line 1, column 2: <reason>".
     std::string reason = error.what();
-    if (const auto colon = reason.rfind(": "); colon != std::string::npos) reason = reason.substr(colon + 2);
+    if (const auto colon = reason.find(": "); colon != std::string::npos) reason = reason.substr(colon + 2);
+    reason = printable(reason, 200);
     return Error{fmt::format("{}:{}:{}: this is not valid JSON ({}).", name, line, column, reason)};
+  } catch (const nlohmann::json::exception& error) {  // a number that no double holds
+    return Error{fmt::format("{}: this JSON cannot be used ({}).", name, printable(error.what(), 200))};
   }
 }
 
 Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t maxBytes) {
-  std::error_code ec;
-  if (std::filesystem::is_directory(path, ec)) return Error{fmt::format("{} is a folder, not a file.", path.string())};
-  const auto size = std::filesystem::file_size(path, ec);
-  if (!ec && size > maxBytes)
-    return Error{fmt::format("{} has {} MB; at most {} MB are expected here.", path.string(), size >> 20, maxBytes >> 20)};
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Error{fmt::format("{} cannot be opened: {}.", path.string(), std::strerror(errno))};
-  std::string text(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) return Error{fmt::format("{} cannot be read: {}.", path.string(), std::strerror(errno))};
+  const auto name = displayName(path);
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) {
+    if (errno == ENOENT) return Error{fmt::format("{}: there is no such file.", name)};
+    return Error{fmt::format("{} cannot be opened: {}.", name, std::strerror(errno))};
+  }
+  const auto close = [](const int* descriptor) { ::close(*descriptor); };
+  const std::unique_ptr<const int, decltype(close)> guard(&file, close);
+
+  struct stat status {};
+  if (::fstat(file, &status) != 0) return Error{fmt::format("{} cannot be read: {}.", name, std::strerror(errno))};
+  if (S_ISDIR(status.st_mode)) return Error{fmt::format("{} is a folder, not a file.", name)};
+  const auto tooLarge = [&](std::size_t bytes) {
+    return Error{fmt::format("{} has {} MB; at most {} MB can be read.", name, bytes >> 20, maxBytes >> 20)};
+  };
+  const auto size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+  if (size > maxBytes) return tooLarge(size);
+
+  // One byte more than the file's size: the read that meets the end needs no second buffer. Files that state no size
+  // (pipes, /proc) and files that still grow are read on, up to the limit.
+  std::string text(std::max<std::size_t>(size + 1, 1u << 12), '\0');
+  std::size_t used = 0;
+  for (;;) {
+    if (used == text.size()) text.resize(std::min(2 * text.size(), maxBytes + 1));
+    const auto got = ::read(file, text.data() + used, text.size() - used);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return Error{fmt::format("{} cannot be read: {}.", name, std::strerror(errno))};
+    if (got == 0) break;
+    used += static_cast<std::size_t>(got);
+    if (used > maxBytes)
+      return Error{fmt::format("{} has more than the {} MB that can be read.", name, maxBytes >> 20)};
+  }
+  text.resize(used);
   return text;
 }
 
 Result<nlohmann::json> readJsonFile(const std::filesystem::path& path) {
   auto text = readTextFile(path);
   if (!text) return text.error();
-  return parseJson(*text, path.string());
+  return parseJson(*text, displayName(path));
 }
 
 Result<bool> writeTextFile(const std::filesystem::path& path, std::string_view text) {
@@ -53,31 +115,32 @@ Result<bool> writeTextFile(const std::filesystem::path& path, std::string_view t
     return true;
   }
   std::error_code ec;
-  if (std::filesystem::is_directory(path, ec)) return Error{fmt::format("{} is a folder, not a file.", path.string())};
+  if (std::filesystem::is_directory(path, ec))
+    return Error{fmt::format("{} is a folder, not a file.", displayName(path))};
   if (std::filesystem::exists(path, ec) && !std::filesystem::is_regular_file(path, ec)) {  // a pipe or /dev/null
     std::ofstream out(path, std::ios::binary);
     out << text << std::flush;
-    if (!out) return Error{fmt::format("{} cannot be written: {}.", path.string(), std::strerror(errno))};
+    if (!out) return Error{fmt::format("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
     return true;
   }
   auto temporary = path;
   temporary += fmt::format(".{}.part", ::getpid());
   {
     std::ofstream out(temporary, std::ios::binary);
-    if (!out) return Error{fmt::format("{} cannot be written: {}.", path.string(), std::strerror(errno))};
+    if (!out) return Error{fmt::format("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
     out << text << std::flush;
     if (!out) {
       const int reason = errno;
       out.close();
       std::filesystem::remove(temporary, ec);
-      return Error{fmt::format("{} cannot be written: {}.", path.string(), std::strerror(reason))};
+      return Error{fmt::format("{} cannot be written: {}.", displayName(path), std::strerror(reason))};
     }
   }
   std::filesystem::rename(temporary, path, ec);
   if (ec) {
     const auto reason = ec.message();
     std::filesystem::remove(temporary, ec);
-    return Error{fmt::format("{} cannot be written: {}.", path.string(), reason)};
+    return Error{fmt::format("{} cannot be written: {}.", displayName(path), reason)};
   }
   return true;
 }

@@ -15,7 +15,8 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& name)
 /// Reads a whole JSON file of at most 64 MB.
 Result<nlohmann::json> readJsonFile(const std::filesystem::path& path);
 
-/// The whole content of a text file of at most `maxBytes`, or why it cannot be read.
+/// The whole content of a text file of at most `maxBytes`, or why it cannot be read. The limit also holds for pipes and
+/// devices, which state no size.
 Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t maxBytes = 64u << 20);
 
 /// Writes through a temporary file beside the target and renames it, so that a crash leaves the old file whole.

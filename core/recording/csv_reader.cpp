@@ -1,1 +1,346 @@
 #include "core/recording/csv_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/json_file.h"
+#include "core/base/text.h"
+#include "core/recording/checks.h"
+#include "core/recording/columns.h"
+#include "core/recording/csv_table.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kMissingShare = 0.05;              ///< Up to this share of rows may lack values.
+constexpr std::size_t kMaxExtraCells = 20'000'000;  ///< Cells kept as text cost about 32 bytes each.
+
+/// Where a row that lacks values shows it first.
+struct Missing {
+  Eigen::Index rows = 0;
+  long line = 0;
+  long field = 0;
+};
+
+class RecordingParser {
+ public:
+  RecordingParser(std::string_view csv, const std::string& name, RecordingMeta meta) : csv_(csv), name_(name) {
+    recording_.file = name;
+    recording_.meta = std::move(meta);
+  }
+
+  Result<ReadRecording> parse(const Progress& progress) {
+    auto header = csv::readHeader(csv_, name_);
+    if (!header) return header.error();
+    header_ = std::move(*header);
+    auto map = mapColumns(header_.names, recording_.meta, {name_, header_.line, 0}, findings_);
+    if (!map) return map.error();
+    map_ = std::move(*map);
+    if (auto failure = assumeRobot()) return *failure;
+
+    prepareFields(csv::countRows(header_));
+    auto rows = csv::readRows(header_, fields_, name_, progress);
+    if (!rows) return rows.error();
+    lines_ = std::move(rows->lines);
+    if (rows->cutLine > 0)
+      note(Severity::warning, "line_cut_off", rows->cutLine, "The last line ends in the middle and was left out.");
+    if (rows->firstBlankLine > 0)
+      note(Severity::info, "blank_lines", rows->firstBlankLine, "Blank lines between the rows were skipped.");
+    if (lines_.empty())
+      return errorAt({name_, header_.line, 0}, "there is a header but no row of data below it.",
+                     "Record again, or check the export.");
+    readLabels();
+    truncateRows(recording_, lines_, static_cast<Eigen::Index>(lines_.size()));
+    if (auto failure = removeMissing()) return *failure;
+    const Examined examined{recording_, map_, name_, lines_, findings_};
+    if (auto failure = checkTime(examined)) return *failure;
+    if (auto failure = checkQuaternions(examined)) return *failure;
+    if (auto failure = checkUnits(examined)) return *failure;
+    if (recording_.meta.wrenchSign == WrenchSign::payloadOnSensor) recording_.wrench = -recording_.wrench;
+    checkSignals(examined);
+    checkMarks();
+    return ReadRecording{std::move(recording_), std::move(findings_)};
+  }
+
+ private:
+  void note(Severity severity, const char* code, long line, std::string text, std::string remedy = {}, long field = 0) {
+    findings_.push_back({severity, code, std::move(text), std::move(remedy), {name_, line, field}});
+  }
+
+  std::optional<Error> assumeRobot() {
+    if (!map_.hasJoints() || recording_.meta.robot) return std::nullopt;
+    const auto joints = map_.joints.size();
+    if (joints == 7) {
+      recording_.meta.robot = "panda";
+      note(map_.hasOrientation() ? Severity::info : Severity::warning, "robot_assumed", 0,
+           "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange.",
+           "Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
+      return std::nullopt;
+    }
+    if (map_.hasOrientation()) return std::nullopt;
+    return errorAt({name_, header_.line, map_.joints[0]},
+                   fmt::format("there are {} joints but no robot is named.", joints),
+                   "Name it in the meta file: \"robot\": \"PATH.urdf\".");
+  }
+
+  /// Points every field at the memory that its column fills.
+  void prepareFields(Eigen::Index rows) {
+    fields_.resize(header_.names.size());
+    recording_.time.resize(rows);
+    recording_.wrench.resize(rows, 6);
+    if (map_.hasJoints()) recording_.q.resize(rows, static_cast<Eigen::Index>(map_.joints.size()));
+    if (map_.hasVelocities()) recording_.dq.resize(rows, static_cast<Eigen::Index>(map_.velocities.size()));
+    if (map_.hasPosition()) recording_.position.resize(rows, 3);
+    if (map_.hasOrientation()) recording_.quaternion.resize(rows, 4);
+    if (map_.hasTwist()) recording_.twist.resize(rows, 6);
+    if (map_.time == 0) recording_.time.setConstant(std::numeric_limits<double>::quiet_NaN());
+
+    const auto unknown = static_cast<std::size_t>(
+        std::count_if(map_.columns.begin(), map_.columns.end(), [](const Column& c) { return c.role == Role::extra; }));
+    const bool keepExtra = unknown * static_cast<std::size_t>(rows) <= kMaxExtraCells;
+    if (keepExtra)
+      recording_.extra.reserve(unknown);  // the fields point into it
+    else
+      note(Severity::warning, "extra_not_kept", header_.line,
+           fmt::format("{} unknown columns of {} rows are too many to keep.", unknown, rows));
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+      const auto [role, index] = map_.columns[f];
+      if (role == Role::label) {
+        fields_[f].text = &labelCells_;
+      } else if (role == Role::extra) {
+        if (!keepExtra) continue;
+        recording_.extra.push_back({header_.names[f], {}});
+        fields_[f].text = &recording_.extra.back().cells;
+      } else {
+        fields_[f].numbers = target(role, index);
+      }
+      if (fields_[f].text != nullptr) fields_[f].text->reserve(static_cast<std::size_t>(rows));
+    }
+  }
+
+  double* target(Role role, int index) {
+    switch (role) {
+      case Role::time:
+        return recording_.time.data();
+      case Role::joint:
+        return recording_.q.col(index).data();
+      case Role::jointVelocity:
+        return recording_.dq.col(index).data();
+      case Role::position:
+        return recording_.position.col(index).data();
+      case Role::quaternion:
+        return recording_.quaternion.col(index).data();
+      case Role::twist:
+        return recording_.twist.col(index).data();
+      case Role::wrench:
+        return recording_.wrench.col(index).data();
+      case Role::label:
+      case Role::extra:
+        return nullptr;
+    }
+    return nullptr;
+  }
+
+  bool lacks(Role role) const {
+    for (std::size_t f = 0; f < fields_.size(); ++f)
+      if (map_.columns[f].role == role && fields_[f].missing > 0) return true;
+    return false;
+  }
+
+  /// Clears the flag of every row in which a column of the role is NaN.
+  Missing findMissing(Role role, std::vector<char>& keep) const {
+    Missing missing;
+    std::vector<char> here(lines_.size(), 0);
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+      if (map_.columns[f].role != role || fields_[f].missing == 0) continue;
+      const auto* numbers = const_cast<RecordingParser*>(this)->target(role, map_.columns[f].index);
+      for (std::size_t k = 0; k < lines_.size(); ++k)
+        if (std::isnan(numbers[k])) here[k] = 1;
+      if (missing.line == 0 || fields_[f].firstMissingLine < missing.line) {
+        missing.line = fields_[f].firstMissingLine;
+        missing.field = static_cast<long>(f) + 1;
+      }
+    }
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      missing.rows += here[k];
+      if (here[k] != 0) keep[k] = 0;
+    }
+    return missing;
+  }
+
+  bool tooMany(Eigen::Index missing) const {
+    return static_cast<double>(missing) > kMissingShare * static_cast<double>(lines_.size());
+  }
+
+  void clear(Role role, const Missing& missing, const std::string& what) {
+    note(Severity::warning, "columns_set_aside", missing.line,
+         fmt::format("{} {} missing in {} of {} rows and left aside.", what, what.back() == 's' ? "are" : "is",
+                     missing.rows, lines_.size()),
+         {}, missing.field);
+    map_.setAside(role);
+    switch (role) {
+      case Role::joint:
+        recording_.q.resize(0, 0);
+        break;
+      case Role::jointVelocity:
+        recording_.dq.resize(0, 0);
+        break;
+      case Role::position:
+        recording_.position.resize(0, 3);
+        break;
+      case Role::quaternion:
+        recording_.quaternion.resize(0, 4);
+        break;
+      case Role::twist:
+        recording_.twist.resize(0, 6);
+        break;
+      default:
+        break;
+    }
+  }
+
+  /// Columns that can be spared go if they lack too much; then rows that lack anything go, if they are few.
+  std::optional<Error> removeMissing() {
+    const bool poses = recording_.meta.kind == RecordingKind::poses;
+    const auto sparse = [&](Role role) {
+      if (!lacks(role)) return Missing{};
+      std::vector<char> unused(lines_.size(), 1);
+      const auto missing = findMissing(role, unused);
+      return tooMany(missing.rows) ? missing : Missing{};
+    };
+    if (const auto missing = sparse(Role::jointVelocity); missing.rows > 0)
+      clear(Role::jointVelocity, missing, "The joint velocities");
+    if (const auto missing = sparse(Role::twist); missing.rows > 0) clear(Role::twist, missing, "The twist");
+    if (map_.hasJoints() && map_.hasOrientation()) {
+      const auto joints = sparse(Role::joint);
+      const auto quaternion = sparse(Role::quaternion);
+      const auto position = sparse(Role::position);
+      const auto& pose = quaternion.rows >= position.rows ? quaternion : position;
+      if (joints.rows > 0 && pose.rows == 0) {
+        clear(Role::joint, joints, "The joint angles");
+        if (map_.hasVelocities()) clear(Role::jointVelocity, joints, "The joint velocities");
+      } else if (pose.rows > 0 && joints.rows == 0) {
+        clear(Role::quaternion, pose, "The sensor's pose");
+        map_.setAside(Role::position);
+        map_.setAside(Role::twist);
+        recording_.position.resize(0, 3);
+        recording_.twist.resize(0, 6);
+      }
+    }
+
+    std::vector<char> keep(lines_.size(), 1);
+    Missing first;
+    for (const auto role :
+         {Role::time, Role::joint, Role::jointVelocity, Role::position, Role::quaternion, Role::twist, Role::wrench}) {
+      if ((role == Role::time && poses) || !lacks(role)) continue;
+      const auto missing = findMissing(role, keep);
+      if (first.line == 0 || missing.line < first.line) first = missing;
+    }
+    if (first.line == 0) return std::nullopt;
+    const auto dropped = std::count(keep.begin(), keep.end(), char{0});
+    const auto column = printable(header_.names[static_cast<std::size_t>(first.field) - 1]);
+    if (tooMany(dropped))
+      return errorAt({name_, first.line, first.field},
+                     fmt::format("values are missing or not finite in {} of {} rows, first in column {}.", dropped,
+                                 lines_.size(), column),
+                     "Merge streams of different rates onto one clock, or delete the rows without values.");
+    note(Severity::warning, "values_missing", first.line,
+         fmt::format("{} of {} rows lack a value (blank, NaN or infinite) and were left out, the first in column {}.",
+                     dropped, lines_.size(), column),
+         {}, first.field);
+    keepRows(recording_, lines_, keep);
+    return std::nullopt;
+  }
+
+  void readLabels() {
+    if (map_.label == 0) return;
+    recording_.labels.reserve(labelCells_.size());
+    std::size_t unknown = 0;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < labelCells_.size(); ++k) {
+      recording_.labels.push_back(markLabelFromString(labelCells_[k]));
+      if (!recording_.labels.back() && !labelCells_[k].empty() && unknown++ == 0) first = k;
+    }
+    if (unknown > 0)
+      note(Severity::warning, "label_unknown", lines_[first],
+           fmt::format("\"{}\" is no label ({} such rows, read as not labelled).", printable(labelCells_[first]),
+                       unknown),
+           "Labels are free, contact or ignore.", map_.label);
+    labelCells_.clear();
+  }
+
+  void checkMarks() {
+    if (recording_.meta.kind == RecordingKind::poses) return;
+    const double from = recording_.time(0);
+    const double to = recording_.time(recording_.rows() - 1);
+    for (const auto& mark : recording_.meta.marks)
+      if (mark.to < from || mark.from > to)
+        note(Severity::warning, "mark_outside", 0,
+             fmt::format("The mark \"{}\" from {} to {} s lies outside the recording, which runs from {} to {} s.",
+                         toString(mark.label), mark.from, mark.to, from, to),
+             "Marks are on the clock of the column time.");
+  }
+
+  const std::string_view csv_;
+  const std::string& name_;
+  Recording recording_;
+  Findings findings_;
+  csv::Header header_;
+  ColumnMap map_;
+  std::vector<csv::Field> fields_;
+  std::vector<std::uint32_t> lines_;
+  std::vector<std::string> labelCells_;
+};
+
+}  // namespace
+
+Result<ReadRecording> parseRecording(std::string_view csv, const std::string& name, RecordingMeta meta,
+                                     const Progress& progress) {
+  return RecordingParser(csv, name, std::move(meta)).parse(progress);
+}
+
+Result<ReadRecording> readRecording(const std::filesystem::path& csv, const ReadOptions& options,
+                                    const Progress& progress) {
+  const auto name = displayName(csv);
+  std::error_code ec;
+  const auto type = std::filesystem::status(csv, ec).type();
+  if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
+    return errorAt({name, 0, 0}, "this is a device, not a recording.", "Give a CSV file or a pipe.");
+  if (type == std::filesystem::file_type::directory)
+    return errorAt({name, 0, 0}, "this is a folder, not a recording.", "Give the CSV file in it.");
+  if (const auto size = std::filesystem::file_size(csv, ec); !ec && size > kMaxRecordingBytes)
+    return errorAt(
+        {name, 0, 0},
+        fmt::format("the file has {} MB; recordings of up to {} MB are read.", size >> 20, kMaxRecordingBytes >> 20),
+        "Split it, or keep fewer columns and a lower rate.");
+  progress(0.0, "reading");
+  const auto text = readTextFile(csv, kMaxRecordingBytes);
+  if (!text) return text.error();
+
+  Findings findings;
+  RecordingMeta meta;
+  auto metaFile = options.metaFile;
+  if (metaFile.empty() && std::filesystem::exists(metaFileOf(csv), ec)) metaFile = metaFileOf(csv);
+  if (metaFile.empty()) {
+    findings.push_back(
+        {Severity::info,
+         "no_meta",
+         fmt::format("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, "
+                     "gravity (0, 0, -9.81) m/s2.",
+                     displayName(metaFileOf(csv).filename())),
+         "",
+         {name, 0, 0}});
+  } else {
+    auto read = readMeta(metaFile, findings);
+    if (!read) return read.error();
+    meta = std::move(*read);
+  }
+  auto result = parseRecording(*text, name, std::move(meta), progress);
+  if (result) result->findings.insert(result->findings.begin(), findings.begin(), findings.end());
+  return result;
+}
+
+}  // namespace heft

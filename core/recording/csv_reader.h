@@ -1,12 +1,21 @@
 #pragma once
 // Reads a recording (CSV + sidecar, CONTRACT form) and says everything that is wrong with it.
+//
+// What cannot be trusted is an error that names file, line and field: text in a number, rows of a wrong length, time
+// that falls, values missing in more than 5 % of the rows, degrees or millimetres, quaternions that are none. What can
+// be repaired without guessing is repaired and said in a finding: rows with missing values or a repeated time stamp are
+// left out, quaternions brought to length 1 and one sign, a line cut off at the end dropped. Units are never converted.
 #include <filesystem>
+#include <string_view>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/recording/recording.h"
 
 namespace heft {
+
+/// Larger files are refused before they are read.
+inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
 
 struct ReadOptions {
   std::filesystem::path metaFile;  ///< Empty: NAME.meta.json beside NAME.csv if it exists.
@@ -16,6 +25,9 @@ struct ReadRecording {
   Recording recording;
   Findings findings;  ///< Warnings and information; what was repaired or skipped and where.
 };
+
+/// NAME.meta.json beside NAME.csv.
+std::filesystem::path metaFileOf(const std::filesystem::path& csv);
 
 /// The error holds the first fatal defect as one sentence with file:line:column and a remedy.
 Result<ReadRecording> readRecording(const std::filesystem::path& csv, const ReadOptions& options = {},
@@ -27,7 +39,12 @@ Result<ReadRecording> parseRecording(std::string_view csv, const std::string& na
 
 Result<RecordingMeta> readMeta(const std::filesystem::path& file, Findings& findings);
 
-/// Writes NAME.csv and NAME.meta.json in the file's own wrench sign; numbers survive the round trip bit by bit.
+/// Same from text in memory; `name` stands in messages, a relative robot path is taken against `folder`.
+Result<RecordingMeta> parseMeta(std::string_view json, const std::string& name, const std::filesystem::path& folder,
+                                Findings& findings);
+
+/// Writes NAME.csv and NAME.meta.json in the file's own wrench sign; numbers survive the round trip bit by bit. "-"
+/// writes the CSV alone to stdout. Refuses NaN, infinities and series of unequal length.
 Result<bool> writeRecording(const Recording& recording, const std::filesystem::path& csv);
 
 }  // namespace heft

@@ -1,1 +1,34 @@
 #include "core/recording/recording.h"
+
+#include <algorithm>
+
+namespace heft {
+
+std::string_view toString(MarkLabel label) {
+  switch (label) {
+    case MarkLabel::free:
+      return "free";
+    case MarkLabel::contact:
+      return "contact";
+    case MarkLabel::ignore:
+      return "ignore";
+  }
+  return "ignore";
+}
+
+std::optional<MarkLabel> markLabelFromString(std::string_view text) {
+  if (text == "free") return MarkLabel::free;
+  if (text == "contact") return MarkLabel::contact;
+  if (text == "ignore") return MarkLabel::ignore;
+  return std::nullopt;
+}
+
+double Recording::rateHz() const {
+  if (time.size() < 2) return 0.0;
+  VectorXd steps = time.tail(time.size() - 1) - time.head(time.size() - 1);
+  const auto middle = steps.begin() + steps.size() / 2;
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > 0.0 ? 1.0 / *middle : 0.0;
+}
+
+}  // namespace heft

@@ -52,15 +52,15 @@ struct ExtraColumn {
 struct Recording {
   std::string file;
   RecordingMeta meta;
-  VectorXd time;                                          ///< [s], strictly rising
-  MatrixXd q;                                             ///< N x dof [rad]
-  MatrixXd dq;                                            ///< N x dof [rad/s], optional
-  Eigen::Matrix<double, Eigen::Dynamic, 3> position;      ///< p_BSo_B [m]; absent for orientation only
-  Eigen::Matrix<double, Eigen::Dynamic, 4> quaternion;    ///< R_BS as x, y, z, w; unit length
-  Eigen::Matrix<double, Eigen::Dynamic, 6> twist;         ///< v_BSo_B [m/s], w_BS_B [rad/s], optional
-  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;        ///< F_PSo_S: sensor on payload, force [N], torque [N m]
-  std::vector<std::optional<MarkLabel>> labels;           ///< From the column `label`; empty if there is none.
-  std::vector<ExtraColumn> extra;                         ///< Columns that Heft does not know, kept for writing back.
+  VectorXd time;                                        ///< [s], strictly rising
+  MatrixXd q;                                           ///< N x dof [rad]
+  MatrixXd dq;                                          ///< N x dof [rad/s], optional
+  Eigen::Matrix<double, Eigen::Dynamic, 3> position;    ///< p_BSo_B [m]; absent for orientation only
+  Eigen::Matrix<double, Eigen::Dynamic, 4> quaternion;  ///< R_BS as x, y, z, w; unit length
+  Eigen::Matrix<double, Eigen::Dynamic, 6> twist;       ///< v_BSo_B [m/s], w_BS_B [rad/s], optional
+  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;      ///< F_PSo_S: sensor on payload, force [N], torque [N m]
+  std::vector<std::optional<MarkLabel>> labels;         ///< From the column `label`; empty if there is none.
+  std::vector<ExtraColumn> extra;                       ///< Columns that Heft does not know, kept for writing back.
 
   Eigen::Index rows() const { return time.size(); }
   bool hasJoints() const { return q.rows() > 0; }

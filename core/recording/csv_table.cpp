@@ -1,0 +1,313 @@
+#include "core/recording/csv_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "core/base/text.h"
+#include "core/recording/number.h"
+
+namespace heft::csv {
+
+namespace {
+
+constexpr std::size_t kMaxColumns = 10000;
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+std::string_view trimmed(std::string_view cell) {
+  while (!cell.empty() && isBlank(cell.front())) cell.remove_prefix(1);
+  while (!cell.empty() && isBlank(cell.back())) cell.remove_suffix(1);
+  return cell;
+}
+
+std::string unquoted(std::string_view cell) {
+  cell = trimmed(cell);
+  if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return std::string(cell);
+  cell = cell.substr(1, cell.size() - 2);
+  std::string out;
+  out.reserve(cell.size());
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    out += cell[i];
+    if (cell[i] == '"' && i + 1 < cell.size() && cell[i + 1] == '"') ++i;
+  }
+  return out;
+}
+
+/// End of the cell at `at`: the next separator or line break outside quotes. A quote that the line never closes is an
+/// ordinary character, lest one stray mark swallow the rest of the line.
+const char* cellEnd(const char* at, const char* end, char separator, char newline) {
+  const char* start = at;
+  while (start != end && *start != separator && isBlank(*start)) ++start;
+  if (start != end && *start == '"') {
+    for (const char* p = start + 1; p != end && *p != newline; ++p) {
+      if (*p != '"') continue;
+      if (p + 1 != end && p[1] == '"') {
+        ++p;
+        continue;
+      }
+      at = p;
+      break;
+    }
+  }
+  while (at != end && *at != separator && *at != newline) ++at;
+  return at;
+}
+
+std::vector<std::string> splitLine(std::string_view line, char separator) {
+  std::vector<std::string> cells;
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  for (;;) {
+    const char* const stop = cellEnd(at, end, separator, '\n');
+    cells.push_back(unquoted({at, static_cast<std::size_t>(stop - at)}));
+    if (stop == end || cells.size() > kMaxColumns) return cells;
+    at = stop + 1;
+  }
+}
+
+/// The most frequent candidate outside quotes; a comma where none occurs.
+char findSeparator(std::string_view line) {
+  std::array<std::size_t, 3> counts{};
+  constexpr std::string_view kCandidates = ",;\t";
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (const auto i = kCandidates.find(c); !quoted && i != std::string_view::npos) ++counts[i];
+  }
+  return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+bool isNumber(std::string_view cell) {
+  double value = 0.0;
+  return !cell.empty() && parseNumber(cell.data(), cell.data() + cell.size(), value) == cell.data() + cell.size();
+}
+
+/// Markers that programs write for "no value here".
+bool isMissingMarker(std::string_view cell) {
+  if (cell.empty()) return true;
+  if (cell.size() > 4) return false;
+  std::string lower(cell);
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return lower == "na" || lower == "n/a" || lower == "null" || lower == "none" || lower == "-";
+}
+
+std::optional<Error> otherFormat(std::string_view text, const std::string& file) {
+  struct Magic {
+    std::string_view start;
+    const char* what;
+    const char* remedy;
+  };
+  static constexpr std::array<Magic, 9> kMagics = {
+      Magic{"#ROSBAG", "a ROS 1 bag", "Export its topics to CSV first, for instance with PlotJuggler."},
+      Magic{"\x89MCAP", "an MCAP recording", "Export its topics to CSV first, for instance with PlotJuggler."},
+      Magic{"SQLite format 3", "an SQLite database, perhaps a ROS 2 bag", "Export its topics to CSV first."},
+      Magic{"\x1F\x8B", "a gzip archive", "Unpack it first with gunzip."},
+      Magic{"\x28\xB5\x2F\xFD", "a zstd archive", "Unpack it first with unzstd."},
+      Magic{"PK\x03\x04", "a ZIP archive or an office document", "Save the sheet as CSV first."},
+      Magic{"\xFF\xFE", "UTF-16 text", "Save it as UTF-8 first."},
+      Magic{"\xFE\xFF", "UTF-16 text", "Save it as UTF-8 first."},
+      Magic{"{", "JSON", "Give the CSV of the recording; its meta file is found beside it."},
+  };
+  for (const auto& magic : kMagics)
+    if (text.starts_with(magic.start))
+      return errorAt({file, 0, 0}, fmt::format("this is {}, not CSV.", magic.what), magic.remedy);
+  return std::nullopt;
+}
+
+Error notANumber(std::string_view cell, const Header& header, std::size_t field, const Location& where) {
+  const auto comma = cell.find(',');
+  const bool decimalComma = comma != std::string_view::npos && cell.find('.') == std::string_view::npos &&
+                            isNumber(cell.substr(0, comma)) && isNumber(cell.substr(comma + 1));
+  double value = 0.0;
+  const char* const rest = parseNumber(cell.data(), cell.data() + cell.size(), value);
+  std::string remedy = "Correct or delete that row.";
+  if (decimalComma)
+    remedy = "Write decimal points instead of decimal commas.";
+  else if (rest != cell.data() && isBlank(*rest))
+    remedy = "Write the number alone, in SI units.";
+  return errorAt(where,
+                 fmt::format("\"{}\" in column {} is not a number.", printable(cell), printable(header.names[field])),
+                 remedy);
+}
+
+/// Reads the body once from its start to its end.
+class RowReader {
+ public:
+  RowReader(const Header& header, std::vector<Field>& fields, const std::string& file)
+      : header_(header),
+        fields_(fields),
+        file_(file),
+        separator_(header.separator),
+        newline_(header.newline),
+        at_(header.body.data()),
+        end_(at_ + header.body.size()) {}
+
+  Result<Rows> read(const Progress& progress) {
+    rows_.lines.reserve(static_cast<std::size_t>(countRows(header_)));
+    long blankLine = 0;
+    for (line_ = header_.line + 1; at_ != end_; ++line_) {
+      skipBlanks();
+      if (at_ == end_) break;
+      if (*at_ == newline_) {
+        if (blankLine == 0) blankLine = line_;
+        ++at_;
+        continue;
+      }
+      if (blankLine != 0 && rows_.firstBlankLine == 0) rows_.firstBlankLine = blankLine;
+      if (auto failure = readRow()) return *failure;
+      if (rows_.lines.size() % 65536 == 65535) {
+        if (progress.cancelled()) return Error{"Reading was stopped.", true};
+        progress(static_cast<double>(at_ - header_.body.data()) / static_cast<double>(header_.body.size()), "reading");
+      }
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  void skipBlanks() {
+    while (at_ != end_ && *at_ != separator_ && *at_ != newline_ && isBlank(*at_)) ++at_;
+  }
+  bool atCellEnd() const { return at_ == end_ || *at_ == separator_ || *at_ == newline_; }
+
+  std::optional<Error> readRow() {
+    const auto row = rows_.lines.size();
+    const auto count = fields_.size();
+    for (std::size_t f = 0; f < count; ++f) {
+      auto& field = fields_[f];
+      if (field.numbers != nullptr) {
+        if (auto failure = readNumber(field, f, row)) return failure;
+      } else {
+        const char* const stop = cellEnd(at_, end_, separator_, newline_);
+        if (field.text != nullptr) field.text->push_back(unquoted({at_, static_cast<std::size_t>(stop - at_)}));
+        at_ = stop;
+      }
+      if (f + 1 == count) break;
+      if (at_ != end_ && *at_ == separator_) {
+        ++at_;
+        continue;
+      }
+      if (at_ == end_) {  // the recorder was stopped in the middle of a line
+        rows_.cutLine = line_;
+        for (auto& each : fields_)
+          if (each.text != nullptr) each.text->resize(row);
+        return std::nullopt;
+      }
+      return errorAt({file_, line_, 0},
+                     fmt::format("this row has {} cells but the header names {} columns.", f + 1, count),
+                     "Complete or delete the row.");
+    }
+    if (at_ != end_ && *at_ == separator_) {
+      const char* const next = at_ + 1;
+      const char* stop = next;
+      while (stop != end_ && *stop != newline_) ++stop;
+      if (!trimmed({next, static_cast<std::size_t>(stop - next)}).empty()) return tooManyCells(next, stop);
+      at_ = stop;
+    }
+    if (at_ != end_) ++at_;
+    rows_.lines.push_back(static_cast<std::uint32_t>(line_));
+    return std::nullopt;
+  }
+
+  std::optional<Error> readNumber(Field& field, std::size_t index, std::size_t row) {
+    skipBlanks();
+    const char* const start = at_;
+    double value = 0.0;
+    at_ = parseNumber(start, end_, value);
+    if (at_ != start) skipBlanks();
+    if (at_ == start || !atCellEnd()) {  // blank, quoted or no number
+      const char* const stop = cellEnd(start, end_, separator_, newline_);
+      const std::string cell = unquoted({start, static_cast<std::size_t>(stop - start)});
+      const auto content = trimmed(cell);
+      at_ = stop;
+      if (isMissingMarker(content)) {
+        value = std::numeric_limits<double>::quiet_NaN();
+      } else if (parseNumber(content.data(), content.data() + content.size(), value) !=
+                 content.data() + content.size()) {
+        return notANumber(content, header_, index, {file_, line_, static_cast<long>(index) + 1});
+      }
+    }
+    if (!std::isfinite(value)) {
+      value = std::numeric_limits<double>::quiet_NaN();
+      if (field.missing++ == 0) field.firstMissingLine = line_;
+    }
+    field.numbers[row] = value;
+    return std::nullopt;
+  }
+
+  Error tooManyCells(const char* from, const char* to) const {
+    const auto count = fields_.size();
+    const auto more = splitLine({from, static_cast<std::size_t>(to - from)}, separator_).size();
+    std::string remedy = "Give every column a name in the header, or delete the row.";
+    if (separator_ == ',' && count + more + 1 >= 2 * count)
+      remedy =
+          "If these are decimal commas, write decimal points, or separate the columns by semicolons and write points.";
+    return errorAt({file_, line_, static_cast<long>(count) + 1},
+                   fmt::format("this row has {} cells but the header names {} columns.", count + more, count), remedy);
+  }
+
+  const Header& header_;
+  std::vector<Field>& fields_;
+  const std::string& file_;
+  const char separator_;
+  const char newline_;
+  const char* at_;
+  const char* const end_;
+  long line_ = 0;
+  Rows rows_;
+};
+
+}  // namespace
+
+Result<Header> readHeader(std::string_view text, const std::string& file) {
+  const std::string remedy = "A recording starts with a row of column names, then one row a sample.";
+  if (text.empty()) return errorAt({file, 0, 0}, "the file is empty.", remedy);
+  if (auto other = otherFormat(text, file)) return *other;
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
+    return errorAt({file, line, 0},
+                   fmt::format("this is a binary or damaged file (byte {} is zero), not CSV.", nul + 1),
+                   "Export the recording as CSV text.");
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+
+  Header header;
+  header.newline = text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos ? '\r' : '\n';
+  std::string_view line;
+  for (;; ++header.line) {
+    if (text.empty()) return errorAt({file, 0, 0}, "the file holds nothing but blank lines.", remedy);
+    const auto stop = text.find(header.newline);
+    line = text.substr(0, stop);
+    text = stop == std::string_view::npos ? std::string_view() : text.substr(stop + 1);
+    if (!trimmed(line).empty()) break;
+  }
+  header.body = text;
+  header.separator = findSeparator(line);
+  header.names = splitLine(line, header.separator);
+  if (header.names.size() > kMaxColumns)
+    return errorAt({file, header.line, 0}, fmt::format("the header has more than {} columns.", kMaxColumns), remedy);
+  if (std::all_of(header.names.begin(), header.names.end(),
+                  [](const std::string& name) { return name.empty() || isNumber(name); }))
+    return errorAt({file, header.line, 0}, "the first row holds no column names.",
+                   "Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.");
+  if (header.names.size() > 1 && header.names.back().empty()) header.names.pop_back();
+  return header;
+}
+
+Eigen::Index countRows(const Header& header) {
+  const auto& body = header.body;
+  const auto breaks = std::count(body.begin(), body.end(), header.newline);
+  return static_cast<Eigen::Index>(breaks) + (body.empty() || body.back() == header.newline ? 0 : 1);
+}
+
+Result<Rows> readRows(const Header& header, std::vector<Field>& fields, const std::string& file,
+                      const Progress& progress) {
+  return RowReader(header, fields, file).read(progress);
+}
+
+}  // namespace heft::csv

@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/recording/checks.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kLargestReach = 10.0;  ///< [m] From the base; larger positions are millimetres.
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// How a column of rates relates to the changes of what it should be the rate of.
+struct RateFit {
+  double factor = 0.0;       ///< rate = factor * derivative, by least squares
+  double correlation = 0.0;  ///< -1..1
+  bool moves = false;        ///< Enough motion to say anything.
+};
+
+/// Compares changes over about 20 ms with the integral of the rates, so that neither quantisation nor noise of single
+/// steps matters. `change(k, n)` is the increment from row k to row n, `rate(k)` the stated rate, of the same
+/// dimension.
+template <class Change, class Rate>
+RateFit fitRates(const VectorXd& time, double stepSize, double smallest, Change change, Rate rate) {
+  const auto stride = std::max<Eigen::Index>(1, std::lround(0.02 / stepSize));
+  double aa = 0.0;
+  double ab = 0.0;
+  double bb = 0.0;
+  Eigen::Index count = 0;
+  for (Eigen::Index k = 0; k + stride < time.size(); k += stride, ++count) {
+    const VectorXd a = change(k, k + stride);
+    VectorXd b = VectorXd::Zero(a.size());
+    for (Eigen::Index i = k; i < k + stride; ++i) b += 0.5 * (time(i + 1) - time(i)) * (rate(i) + rate(i + 1));
+    aa += a.squaredNorm();
+    ab += a.dot(b);
+    bb += b.squaredNorm();
+  }
+  RateFit fit;
+  fit.moves = count >= 20 && aa > static_cast<double>(count) * smallest * smallest;
+  if (!fit.moves || bb == 0.0) return fit;
+  fit.factor = ab / aa;
+  fit.correlation = ab / std::sqrt(aa * bb);
+  return fit;
+}
+
+bool near(double value, double target) { return value > 0.7 * target && value < 1.4 * target; }
+
+/// What a factor between rates and derivatives gives away; `angle`: rad, otherwise m.
+std::optional<Error> judgeRates(const Examined& examined, const RateFit& fit, const std::string& columns, long field,
+                                bool angle, const std::string& axes) {
+  if (!fit.moves || fit.factor == 0.0) return std::nullopt;
+  const auto where = examined.column(field);
+  if (fit.correlation > 0.8) {
+    const auto text = [&](const char* what) {
+      return fmt::format("{} {} ({:.4g} times the change of the positions).", columns, what, fit.factor);
+    };
+    if (angle && near(fit.factor, kDegrees))
+      return errorAt(where, text("are in degrees per second"), "Convert them to rad/s.");
+    if (angle && near(fit.factor, 1.0 / kDegrees))
+      return errorAt(where, text("do not fit: the angles are in degrees"), "Convert the angles to rad.");
+    if (near(fit.factor, 1000.0))
+      return errorAt(where,
+                     text(angle ? "do not fit: time is in milliseconds" : "are in mm/s, or time is in milliseconds"),
+                     "Convert all columns to SI units.");
+    if (!angle && near(fit.factor, 1e-3))
+      return errorAt(where, text("do not fit: the positions are in millimetres"), "Convert all columns to SI units.");
+    if (fit.factor > 0.5 && fit.factor < 2.0) return std::nullopt;
+  } else if (fit.correlation > 0.6 && fit.factor > 0.5 && fit.factor < 2.0) {
+    return std::nullopt;  // rough or late, as velocities of many controllers are
+  }
+  examined.note(Severity::warning, "velocity_disagrees", where,
+                fmt::format("{} do not fit the positions: factor {:.3g}, correlation {:.2f}.", columns, fit.factor,
+                            fit.correlation),
+                "Check their unit, order and axes" + axes + ".");
+  return std::nullopt;
+}
+
+std::optional<Error> checkJointAngles(const Examined& examined) {
+  const auto& q = examined.recording.q;
+  if (q.rows() == 0) return std::nullopt;
+  // Arms without stops exist, but none of the Panda's joints passes 3.8 rad.
+  const bool ownArm = !examined.recording.meta.robot || examined.recording.meta.robot == "panda";
+  Eigen::Index row = 0;
+  Eigen::Index joint = 0;
+  const double largest = q.cwiseAbs().maxCoeff(&row, &joint);
+  if (largest <= kTurn + 0.1) return std::nullopt;
+  const auto field = examined.map.joints[static_cast<std::size_t>(joint)];
+  if (ownArm || largest > 4.0 * kTurn)
+    return errorAt(examined.at(row, field),
+                   fmt::format("{} is {:.6g}, more than a turn in radians.",
+                               columnName(Role::joint, static_cast<int>(joint)), q(row, joint)),
+                   fmt::format("If the joints are in degrees, convert {} to radians.",
+                               q.cols() == 1 ? "q1" : fmt::format("q1..q{}", q.cols())));
+  examined.note(Severity::warning, "joint_angle_large", examined.at(row, field),
+                fmt::format("{} reaches {:.6g} rad, more than a turn.",
+                            columnName(Role::joint, static_cast<int>(joint)), q(row, joint)),
+                "Check that joints are in radians.");
+  return std::nullopt;
+}
+
+std::optional<Error> checkPositions(const Examined& examined) {
+  const auto& position = examined.recording.position;
+  if (position.rows() == 0) return std::nullopt;
+  Eigen::Index row = 0;
+  Eigen::Index axis = 0;
+  const double largest = position.cwiseAbs().maxCoeff(&row, &axis);
+  if (largest <= kLargestReach) return std::nullopt;
+  return errorAt(examined.at(row, examined.map.position[static_cast<std::size_t>(axis)]),
+                 fmt::format("{} is {:.6g}: no arm reaches that many metres from its base.",
+                             columnName(Role::position, static_cast<int>(axis)), position(row, axis)),
+                 "If positions are in millimetres, convert px, py, pz to metres.");
+}
+
+Quaterniond quaternionAt(const Recording& recording, Eigen::Index row) {
+  const auto& q = recording.quaternion;
+  return {q(row, 3), q(row, 0), q(row, 1), q(row, 2)};
+}
+
+std::optional<Error> checkRates(const Examined& examined) {
+  const auto& recording = examined.recording;
+  const double rate = recording.rateHz();
+  if (rate <= 0.0 || recording.meta.kind == RecordingKind::poses) return std::nullopt;
+  if (recording.dq.rows() > 0) {
+    const auto fit = fitRates(
+        recording.time, 1.0 / rate, 1e-4,
+        [&](Eigen::Index k, Eigen::Index n) -> VectorXd {
+          return (recording.q.row(n) - recording.q.row(k)).transpose();
+        },
+        [&](Eigen::Index k) { return recording.dq.row(k).transpose(); });
+    if (auto failure = judgeRates(examined, fit, "the joint velocities", examined.map.velocities.front(), true, ""))
+      return failure;
+  }
+  if (recording.twist.rows() == 0) return std::nullopt;
+  if (recording.position.rows() > 0) {
+    const auto fit = fitRates(
+        recording.time, 1.0 / rate, 1e-4,
+        [&](Eigen::Index k, Eigen::Index n) -> VectorXd {
+          return (recording.position.row(n) - recording.position.row(k)).transpose();
+        },
+        [&](Eigen::Index k) { return recording.twist.row(k).head<3>().transpose(); });
+    if (auto failure = judgeRates(examined, fit, "vx, vy, vz", examined.map.twist[0], false,
+                                  " (base axes, at the sensor's origin)"))
+      return failure;
+  }
+  const auto fit = fitRates(
+      recording.time, 1.0 / rate, 1e-3,
+      [&](Eigen::Index k, Eigen::Index n) -> VectorXd {
+        const Eigen::AngleAxisd turn(quaternionAt(recording, n) * quaternionAt(recording, k).conjugate());
+        return turn.angle() * turn.axis();
+      },
+      [&](Eigen::Index k) { return recording.twist.row(k).tail<3>().transpose(); });
+  return judgeRates(examined, fit, "wx, wy, wz", examined.map.twist[3], true, " (base axes)");
+}
+
+}  // namespace
+
+std::optional<Error> checkQuaternions(const Examined& examined) {
+  auto& quaternions = examined.recording.quaternion;
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  constexpr double kFew = 1e-4;  // written with four or more decimals
+  constexpr double kFar = 0.05;  // beyond it, something else than rounding is wrong
+  double worst = 0.0;
+  Eigen::Index worstRow = 0;
+  Eigen::Index odd = 0;
+  for (Eigen::Index k = 0; k < quaternions.rows(); ++k) {
+    const double squared = quaternions.row(k).squaredNorm();
+    if (std::abs(squared - 1.0) <= kRounding) continue;  // scaling it again would only change its last bits
+    const double norm = std::sqrt(squared);
+    const double off = std::abs(norm - 1.0);
+    if (!(off <= kFar))
+      return errorAt(examined.at(k, examined.map.quaternion[0]),
+                     fmt::format("the quaternion ({:.4g}, {:.4g}, {:.4g}, {:.4g}) has length {:.4g} instead of 1.",
+                                 quaternions(k, 0), quaternions(k, 1), quaternions(k, 2), quaternions(k, 3), norm),
+                     norm < 1e-6 ? "Delete the rows in which the robot sent no pose yet."
+                                 : "Check that the columns qx, qy, qz, qw hold a unit quaternion.");
+    if (off > kFew) ++odd;
+    if (off > worst) {
+      worst = off;
+      worstRow = k;
+    }
+    quaternions.row(k) /= norm;
+  }
+  if (odd > 0)
+    examined.note(
+        worst > 0.01 ? Severity::warning : Severity::info, "quaternion_not_unit",
+        examined.at(worstRow, examined.map.quaternion[0]),
+        fmt::format("{} quaternions are not of length 1, at worst by {:.2g}; all were normalised.", odd, worst));
+  if (examined.recording.meta.kind == RecordingKind::poses) return std::nullopt;
+  for (Eigen::Index k = 1; k < quaternions.rows(); ++k)
+    if (quaternions.row(k).dot(quaternions.row(k - 1)) < 0.0) quaternions.row(k) *= -1.0;
+  return std::nullopt;
+}
+
+std::optional<Error> checkUnits(const Examined& examined) {
+  if (auto failure = checkJointAngles(examined)) return failure;
+  if (auto failure = checkPositions(examined)) return failure;
+  return checkRates(examined);
+}
+
+}  // namespace heft

@@ -1,0 +1,50 @@
+#include "core/recording/checks.h"
+
+namespace heft {
+
+namespace {
+
+/// Calls `act` with every series that has rows.
+template <class Act>
+void forEachSeries(Recording& recording, Act act) {
+  if (recording.time.rows() > 0) act(recording.time);
+  if (recording.q.rows() > 0) act(recording.q);
+  if (recording.dq.rows() > 0) act(recording.dq);
+  if (recording.position.rows() > 0) act(recording.position);
+  if (recording.quaternion.rows() > 0) act(recording.quaternion);
+  if (recording.twist.rows() > 0) act(recording.twist);
+  if (recording.wrench.rows() > 0) act(recording.wrench);
+}
+
+}  // namespace
+
+void truncateRows(Recording& recording, std::vector<std::uint32_t>& lines, Eigen::Index rows) {
+  forEachSeries(recording, [&](auto& series) {
+    if (series.rows() != rows) series.conservativeResize(rows, series.cols());
+  });
+  const auto count = static_cast<std::size_t>(rows);
+  if (!recording.labels.empty()) recording.labels.resize(count);
+  for (auto& extra : recording.extra) extra.cells.resize(count);
+  lines.resize(count);
+}
+
+void keepRows(Recording& recording, std::vector<std::uint32_t>& lines, const std::vector<char>& keep) {
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < keep.size(); ++k)
+    if (keep[k] != 0) kept.push_back(k);
+  const auto compact = [&](auto& list) {
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      if (kept[k] != k) list[k] = std::move(list[kept[k]]);
+  };
+  forEachSeries(recording, [&](auto& series) {
+    for (Eigen::Index c = 0; c < series.cols(); ++c)
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        series(static_cast<Eigen::Index>(k), c) = series(static_cast<Eigen::Index>(kept[k]), c);
+  });
+  if (!recording.labels.empty()) compact(recording.labels);
+  for (auto& extra : recording.extra) compact(extra.cells);
+  compact(lines);
+  truncateRows(recording, lines, static_cast<Eigen::Index>(kept.size()));
+}
+
+}  // namespace heft

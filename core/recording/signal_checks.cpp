@@ -1,0 +1,312 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/recording/checks.h"
+
+namespace heft {
+
+namespace {
+
+using Changes = std::vector<char>;  ///< By row: differs from the row before (the first row does).
+
+/// Rows in which any of the columns differs from the row before.
+template <class Matrix>
+Changes changesOf(const Matrix& values) {
+  Changes changes(static_cast<std::size_t>(values.rows()), 0);
+  if (!changes.empty()) changes[0] = 1;
+  for (Eigen::Index c = 0; c < values.cols(); ++c)
+    for (Eigen::Index k = 1; k < values.rows(); ++k)
+      changes[static_cast<std::size_t>(k)] |= values(k, c) != values(k - 1, c) ? 1 : 0;
+  return changes;
+}
+
+Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to) {
+  return std::count(changes.begin() + from, changes.begin() + to, char{1});
+}
+
+bool everChanges(const Changes& changes) {
+  return countIn(changes, std::min<Eigen::Index>(1, static_cast<Eigen::Index>(changes.size())),
+                 static_cast<Eigen::Index>(changes.size())) > 0;
+}
+
+/// Rows from..to-1 with the same value.
+struct Stretch {
+  Eigen::Index from = 0;
+  Eigen::Index to = 0;
+  Eigen::Index length() const { return to - from; }
+};
+
+/// The stretches without change that last at least `shortest` seconds and are twenty times longer than is usual in this
+/// channel, so that slow or coarse sensors do not count.
+std::vector<Stretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest) {
+  const auto rows = time.size();
+  const auto runs = countIn(changes, 0, rows);
+  std::vector<Stretch> stretches;
+  for (Eigen::Index from = 0; from < rows;) {
+    auto to = from + 1;
+    while (to < rows && changes[static_cast<std::size_t>(to)] == 0) ++to;
+    const double others = runs > 1 ? static_cast<double>(rows - (to - from)) / static_cast<double>(runs - 1) : 1.0;
+    if (to - from >= 10 && time(to - 1) - time(from) >= shortest && static_cast<double>(to - from) >= 20.0 * others)
+      stretches.push_back({from, to});
+    from = to;
+  }
+  return stretches;
+}
+
+struct Channel {
+  Role role;
+  int index;
+  long field;
+  Changes changes;
+  std::string name() const { return columnName(role, index); }
+};
+
+class SignalChecker {
+ public:
+  explicit SignalChecker(const Examined& examined)
+      : examined_(examined), recording_(examined.recording), rows_(recording_.rows()), time_(recording_.time) {}
+
+  void run() {
+    if (rows_ < 3) return;
+    wrenchChanges_ = changesOf(recording_.wrench);
+    motionChanges_.assign(static_cast<std::size_t>(rows_), 0);
+    mergeMotion(recording_.q);
+    mergeMotion(recording_.quaternion);
+    mergeMotion(recording_.position);
+    for (int c = 0; c < 6; ++c)
+      wrench_.push_back(
+          {Role::wrench, c, examined_.map.wrench[static_cast<std::size_t>(c)], changesOf(recording_.wrench.col(c))});
+    if (noteFrozenChannels() || recording_.meta.kind == RecordingKind::poses) return;
+    noteRepeats();
+    noteFrozenWrench();
+    noteFrozenMotion();
+    noteJumps();
+    noteTare();
+    noteTorqueUnit();
+  }
+
+ private:
+  template <class Matrix>
+  void mergeMotion(const Matrix& values) {
+    if (values.rows() == 0) return;
+    const auto changes = changesOf(values);
+    for (std::size_t k = 0; k < changes.size(); ++k) motionChanges_[k] |= changes[k];
+  }
+
+  /// True if nothing at all changes, and all else is pointless.
+  bool noteFrozenChannels() {
+    const bool wrenchLives = everChanges(wrenchChanges_);
+    const bool motionLives = everChanges(motionChanges_);
+    if (!wrenchLives && !motionLives) {
+      examined_.note(Severity::warning, "nothing_changes", {examined_.file, 0, 0},
+                     fmt::format("All {} rows hold the same wrench and the same posture.", rows_),
+                     "Check that the logger received new data; move the arm while recording.");
+      return true;
+    }
+    for (const auto& channel : wrench_)
+      if (!everChanges(channel.changes)) noteFrozen(channel.name(), channel.field, recording_.wrench(0, channel.index));
+    if (!motionLives) {
+      examined_.note(Severity::warning, "motion_frozen", {examined_.file, 0, 0},
+                     "The posture never changes while the wrench does.",
+                     "Check that the robot's state was logged; with one posture only the weight's direction is seen.");
+      return false;
+    }
+    for (Eigen::Index j = 0; j < recording_.q.cols(); ++j)
+      noteIfFrozen(Role::joint, static_cast<int>(j), examined_.map.joints[static_cast<std::size_t>(j)],
+                   recording_.q.col(j));
+    if (recording_.dq.rows() > 0)
+      for (Eigen::Index j = 0; j < recording_.dq.cols(); ++j)
+        if (everChanges(changesOf(recording_.q.col(j))))
+          noteIfFrozen(Role::jointVelocity, static_cast<int>(j), examined_.map.velocities[static_cast<std::size_t>(j)],
+                       recording_.dq.col(j));
+    noteGroup("qx, qy, qz, qw", examined_.map.quaternion[0], recording_.quaternion);
+    noteGroup("px, py, pz", examined_.map.position[0], recording_.position);
+    noteGroup("vx, vy, vz, wx, wy, wz", examined_.map.twist[0], recording_.twist);
+    return false;
+  }
+
+  template <class Column>
+  void noteIfFrozen(Role role, int index, long field, const Column& values) {
+    if (!everChanges(changesOf(values))) noteFrozen(columnName(role, index), field, values(0));
+  }
+  template <class Matrix>
+  void noteGroup(const char* names, long field, const Matrix& values) {
+    if (values.rows() == 0 || everChanges(changesOf(values))) return;
+    examined_.note(Severity::warning, "channel_frozen", examined_.column(field),
+                   fmt::format("{} never change while others do.", names), "Check that they were logged.");
+  }
+  void noteFrozen(const std::string& name, long field, double value) {
+    examined_.note(Severity::warning, "channel_frozen", examined_.column(field),
+                   fmt::format("{} is {} in every row while others change.", name, value), "Check that it was logged.");
+  }
+
+  void noteRepeats() {
+    const auto repeats = [&](const Changes& changes) { return rows_ - 1 - countIn(changes, 1, rows_); };
+    const auto say = [&](const char* what, const char* code, Eigen::Index count, const Changes& changes, double loud) {
+      const double share = static_cast<double>(count) / static_cast<double>(rows_ - 1);
+      if (share < 0.02) return;
+      const auto first = std::find(changes.begin() + 1, changes.end(), char{0}) - changes.begin();
+      examined_.note(share > loud ? Severity::warning : Severity::info, code, examined_.at(first),
+                     fmt::format("{:.2g} % of the rows repeat the {} of the row before: new values come at about "
+                                 "{:.3g} Hz, rows at {:.4g} Hz.",
+                                 100.0 * share, what, recording_.rateHz() * (1.0 - share), recording_.rateHz()),
+                     share > loud ? "Log each source at its own rate, or only when it has a new value." : "");
+    };
+    const auto wrench = repeats(wrenchChanges_);
+    if (everChanges(wrenchChanges_)) say("wrench", "wrench_repeated", wrench, wrenchChanges_, 0.2);
+    // An arm at rest repeats its posture honestly, so this is no warning until it is most of the recording.
+    if (everChanges(motionChanges_)) say("posture", "posture_repeated", repeats(motionChanges_), motionChanges_, 0.5);
+  }
+
+  void noteFrozenWrench() {
+    std::vector<Stretch> whole;
+    if (everChanges(wrenchChanges_))
+      for (const auto& stretch : frozenStretches(time_, wrenchChanges_, 0.1))
+        if (countIn(motionChanges_, stretch.from + 1, stretch.to) > 0) whole.push_back(stretch);
+    if (!whole.empty())
+      noteStretches("The wrench", examined_.map.wrench[0], whole,
+                    "The sensor's data stopped there; mark it as \"ignore\".");
+    for (const auto& channel : wrench_) {
+      if (!everChanges(channel.changes)) continue;
+      std::vector<Stretch> own;
+      for (const auto& stretch : frozenStretches(time_, channel.changes, 0.25)) {
+        const bool othersLive = 4 * countIn(wrenchChanges_, stretch.from + 1, stretch.to) > stretch.length();
+        if (othersLive) own.push_back(stretch);
+      }
+      if (!own.empty())
+        noteStretches(channel.name(), channel.field, own,
+                      "The channel was not measured there, or the sensor was saturated; mark it as \"ignore\".");
+    }
+  }
+
+  void noteStretches(const std::string& what, long field, const std::vector<Stretch>& stretches, const char* remedy) {
+    const auto& longest = *std::max_element(stretches.begin(), stretches.end(),
+                                            [](const Stretch& a, const Stretch& b) { return a.length() < b.length(); });
+    examined_.note(
+        Severity::warning, "stretch_frozen", examined_.at(longest.from, field),
+        fmt::format("{} stays the same from {:.6g} to {:.6g} s ({} rows){}.", what, time_(longest.from),
+                    time_(longest.to - 1), longest.length(),
+                    stretches.size() > 1 ? fmt::format(", and in {} more stretches", stretches.size() - 1) : ""),
+        remedy);
+  }
+
+  /// A logger that hung shows the arm standing, then suddenly elsewhere; an arm that stood starts gently.
+  void noteFrozenMotion() {
+    if (recording_.q.rows() > 0)
+      noteHang(recording_.q, examined_.map.joints[0]);
+    else
+      noteHang(recording_.quaternion, examined_.map.quaternion[0]);
+  }
+  template <class Matrix>
+  void noteHang(const Matrix& values, long field) {
+    const auto changes = changesOf(values);
+    if (!everChanges(changes)) return;
+    std::vector<double> steps;
+    for (Eigen::Index k = 1; k < rows_; ++k)
+      if (changes[static_cast<std::size_t>(k)] != 0) steps.push_back((values.row(k) - values.row(k - 1)).norm());
+    const auto ninth = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(steps.size() - 1));
+    std::nth_element(steps.begin(), ninth, steps.end());
+    std::vector<Stretch> hangs;
+    for (const auto& stretch : frozenStretches(time_, changes, 0.1))
+      if (stretch.to < rows_ && (values.row(stretch.to) - values.row(stretch.to - 1)).norm() > 10.0 * *ninth)
+        hangs.push_back(stretch);
+    if (!hangs.empty())
+      noteStretches("The posture", field, hangs,
+                    "It jumps afterwards: the robot's data stopped there; mark it as \"ignore\".");
+  }
+
+  void noteJumps() {
+    constexpr double kFastest = 30.0;        // [rad/s] ten times what arms reach
+    constexpr double kFastestLinear = 30.0;  // [m/s]
+    const auto find = [&](const auto& step, double fastest, double smallest) {
+      std::pair<Eigen::Index, Eigen::Index> countAndFirst{0, 0};
+      for (Eigen::Index k = 1; k < rows_; ++k) {
+        const double size = step(k);
+        if (size > smallest && size > fastest * (time_(k) - time_(k - 1)) && countAndFirst.first++ == 0)
+          countAndFirst.second = k;
+      }
+      return countAndFirst;
+    };
+    const auto say = [&](const std::pair<Eigen::Index, Eigen::Index>& found, long field, const std::string& what,
+                         double size, const char* unit) {
+      if (found.first == 0) return;
+      const bool turn = std::abs(size - 2.0 * std::numbers::pi) < 0.2 && recording_.q.rows() > 0;
+      examined_.note(Severity::warning, "motion_jump", examined_.at(found.second, field),
+                     fmt::format("{} jumps by {:.3g} {} within one row{}.", what, size, unit,
+                                 found.first > 1 ? fmt::format(", and {} times more", found.first - 1) : ""),
+                     turn ? "The angle wraps around; write it without turns of 2 pi taken off."
+                          : "Mark that place as \"ignore\" or split the recording there.");
+    };
+    if (recording_.q.rows() > 0) {
+      const auto step = [&](Eigen::Index k) {
+        return (recording_.q.row(k) - recording_.q.row(k - 1)).cwiseAbs().maxCoeff();
+      };
+      const auto found = find(step, kFastest, 0.2);
+      Eigen::Index joint = 0;
+      double size = 0.0;
+      if (found.first > 0)
+        size = (recording_.q.row(found.second) - recording_.q.row(found.second - 1)).cwiseAbs().maxCoeff(&joint);
+      say(found, examined_.map.joints[static_cast<std::size_t>(joint)],
+          columnName(Role::joint, static_cast<int>(joint)), size, "rad");
+    }
+    if (recording_.quaternion.rows() > 0) {
+      const auto step = [&](Eigen::Index k) {
+        return 2.0 * (recording_.quaternion.row(k) - recording_.quaternion.row(k - 1)).norm();
+      };
+      const auto found = find(step, kFastest, 0.2);
+      say(found, examined_.map.quaternion[0], "The orientation", found.first > 0 ? step(found.second) : 0.0,
+          "rad (about)");
+    }
+    if (recording_.position.rows() > 0) {
+      const auto step = [&](Eigen::Index k) {
+        return (recording_.position.row(k) - recording_.position.row(k - 1)).norm();
+      };
+      const auto found = find(step, kFastestLinear, 0.1);
+      say(found, examined_.map.position[0], "The position", found.first > 0 ? step(found.second) : 0.0, "m");
+    }
+  }
+
+  /// A sensor zeroed with the payload on starts at nothing. That is no harm, but surprises whoever compares biases.
+  void noteTare() {
+    Eigen::Index count = 1;
+    while (count < rows_ && time_(count) - time_(0) < 0.05) ++count;
+    if (count < 3 || rows_ < 20 * count) return;
+    const auto force = recording_.wrench.leftCols<3>();
+    const double start = force.topRows(count).colwise().mean().norm();
+    const double range = (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm();
+    if (range < 2.0 || start > 0.02 * range) return;
+    examined_.note(Severity::info, "wrench_tared", {examined_.file, 0, examined_.map.wrench[0]},
+                   fmt::format("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "
+                               "with the payload on.",
+                               start, range),
+                   "The estimated bias then holds the weight at that posture.");
+  }
+
+  void noteTorqueUnit() {
+    const auto spread = [](const auto& block) { return (block.rowwise() - block.colwise().mean()).norm(); };
+    const double force = spread(recording_.wrench.leftCols<3>());
+    const double torque = spread(recording_.wrench.rightCols<3>());
+    if (torque <= 5.0 * force || torque < 1e-9) return;
+    examined_.note(Severity::warning, "torque_unit", examined_.column(examined_.map.wrench[3]),
+                   fmt::format("Torques vary {:.3g} times as much as forces, as if the payload sat {:.3g} m away.",
+                               torque / force, torque / force),
+                   "Check that tx, ty, tz are in N m, not N mm, and forces in N.");
+  }
+
+  const Examined& examined_;
+  const Recording& recording_;
+  const Eigen::Index rows_;
+  const VectorXd& time_;
+  Changes wrenchChanges_;
+  Changes motionChanges_;
+  std::vector<Channel> wrench_;
+};
+
+}  // namespace
+
+void checkSignals(const Examined& examined) { SignalChecker(examined).run(); }
+
+}  // namespace heft
