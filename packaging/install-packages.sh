@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs what building and testing Heft needs on Debian 12, and nothing if it is all there. Run by start.sh and check.sh.
-# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot.
+# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot. (locales: a decimal comma for the tests.)
 set -eu
 
 core="g++ cmake ninja-build ccache mold pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
-      liburdfdom-dev libassimp-dev libgtest-dev libgmock-dev"
+      liburdfdom-dev libassimp-dev libgtest-dev libgmock-dev locales"
 gui="libvtk9-qt-dev qtbase5-dev libqt5svg5-dev libqcustomplot-dev xvfb libgl1-mesa-dri fonts-inter"
 
 packages=$core
@@ -32,6 +32,17 @@ elif command -v sudo >/dev/null; then
 else
   echo "Packages are missing and there is no sudo. As root run: apt-get install --no-install-recommends$missing" >&2
   exit 1
+fi
+
+# Java, which Debian's VTK headers depend on, cannot be set up in a chroot without /proc.
+if [ ! -e /proc/self ]; then
+  echo "== Packages: mounting /proc meanwhile, which this chroot lacks"
+  if $as_root mount -t proc proc /proc; then
+    # shellcheck disable=SC2064  # as it is now
+    trap "$as_root umount /proc" EXIT
+  else
+    echo "/proc cannot be mounted; if apt-get fails below, mount it from outside and run again." >&2
+  fi
 fi
 
 echo "== Packages: installing with apt-get:$missing"

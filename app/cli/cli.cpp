@@ -10,6 +10,7 @@
 
 #include "app/cli/numbers.h"
 #include "core/base/json_file.h"
+#include "core/base/text.h"
 
 namespace heft::cli {
 namespace {
@@ -50,8 +51,8 @@ std::string didYouMean(std::string_view text, const std::vector<std::string>& ca
 std::size_t chooseWord(const std::string& option, const std::string& text, const std::vector<std::string>& words) {
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end())
-    throw WrongUsage(fmt::format("{} does not know '{}'.{} Choose one of {}.", option, text, didYouMean(text, words),
-                                 fmt::join(words, ", ")));
+    throw WrongUsage(fmt::format("{} does not know '{}'.{} Choose one of {}.", option, printable(text),
+                                 didYouMean(text, words), fmt::join(words, ", ")));
   return static_cast<std::size_t>(found - words.begin());
 }
 
@@ -90,6 +91,14 @@ nlohmann::json toJson(const Findings& findings) {
   return list;
 }
 
+std::string dump(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string fileText(const nlohmann::json& json) {
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 void requireWritable(const std::filesystem::path& path, const Overwrite& overwrite) {
   std::error_code ec;
   if (overwrite.force || path == "-" || !std::filesystem::is_regular_file(path, ec)) return;
@@ -98,8 +107,9 @@ void requireWritable(const std::filesystem::path& path, const Overwrite& overwri
     const auto old = readTextFile(path);
     if (old && overwrite.expendable(*old)) return;
   }
-  throw Failed(fmt::format(
-      "{} exists already and was left as it is: choose another name, or give --force to replace it.", path.string()));
+  throw Failed(
+      fmt::format("{} exists already and was left as it is: choose another name, or give --force to replace it.",
+                  displayName(path)));
 }
 
 void writeOutput(const std::filesystem::path& path, std::string_view text, const Overwrite& overwrite) {

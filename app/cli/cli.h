@@ -73,6 +73,12 @@ void printFindings(const Findings& findings, bool all);
 
 nlohmann::json toJson(const Findings& findings);
 
+/// On one line; a file name that is not UTF-8 becomes readable instead of an exception.
+std::string dump(const nlohmann::json& json);
+
+/// As a file has it: indented, ending in a line break.
+std::string fileText(const nlohmann::json& json);
+
 /// What may happen to a file that is already there.
 struct Overwrite {
   bool force = false;  ///< --force was given.

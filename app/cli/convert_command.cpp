@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
+#include "core/base/text.h"
 #include "core/recording/csv_reader.h"
 
 namespace heft::cli {
@@ -47,16 +48,16 @@ void run(const Options& options) {
   const Recording& recording = read.recording;
   if (!options.json.empty()) {
     const json summary{
-        {"schema", "heft.convert/1"},      {"file", csv.string()},           {"meta", metaOut.string()},
+        {"schema", "heft.convert/1"},      {"file", displayName(csv)},       {"meta", displayName(metaOut)},
         {"samples", recording.rows()},     {"rate_hz", recording.rateHz()},  {"duration_s", recording.duration()},
         {"motion", motionForm(recording)}, {"wrench_sign_changed", flipped}, {"findings", toJson(read.findings)}};
-    writeOutput(options.json, summary.dump(2) + "\n",
+    writeOutput(options.json, fileText(summary),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.convert/1"); }});
   }
   if (options.json == "-") return;
-  std::string text =
-      fmt::format("{} and {}: {} samples, {:.1f} s at {:.0f} Hz, {}\n", csv.string(), metaOut.filename().string(),
-                  recording.rows(), recording.duration(), recording.rateHz(), motionForm(recording));
+  std::string text = fmt::format("{} and {}: {} samples, {:.1f} s at {:.0f} Hz, {}\n", displayName(csv),
+                                 displayName(metaOut.filename()), recording.rows(), recording.duration(),
+                                 recording.rateHz(), motionForm(recording));
   if (flipped) text += "  the wrench's sign was turned: it is now what the sensor exerts on the payload\n";
   print(text);
   printFindings(read.findings, true);

@@ -107,7 +107,7 @@ void run(const Options& options) {
   const EstimateReport report = estimateFile(options, settings, line.progress(), start);
   line.clear();
   const nlohmann::json result = toJson(report);
-  if (!options.json.empty()) writeOutput(options.json, result.dump(2) + "\n", overwriteResult);
+  if (!options.json.empty()) writeOutput(options.json, fileText(result), overwriteResult);
   if (options.json != "-") print(toText(report));
   if (format) {
     FlangePayload payload = toFlange(result, options.recording, {});

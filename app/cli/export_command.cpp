@@ -45,7 +45,7 @@ void run(Options options) {
                                  {"file", toStdout ? nlohmann::json() : nlohmann::json(options.output)},
                                  {"payload", toJson(p)},
                                  {"findings", toJson(payload.findings)}};
-    writeOutput(options.json, summary.dump(2) + "\n",
+    writeOutput(options.json, fileText(summary),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.export/1"); }});
   }
   if (!toStdout && options.json != "-")

@@ -8,6 +8,7 @@
 
 #include "app/cli/cli.h"
 #include "core/base/json_file.h"
+#include "core/base/text.h"
 #include "core/payload/inertial_parameters.h"
 #include "core/robot/robot_model.h"
 
@@ -27,7 +28,7 @@ Vector3d vectorOf(const json& object, const char* key, const std::string& where)
   if (!list) return Vector3d::Zero();
   if (!list->is_array() || list->size() != 3 || !(*list)[0].is_number() || !(*list)[1].is_number() ||
       !(*list)[2].is_number())
-    throw Failed(fmt::format("{}: {} must be three numbers, not {}.", where, key, list->dump()));
+    throw Failed(fmt::format("{}: {} must be three numbers, not {}.", where, key, printable(dump(*list))));
   return {(*list)[0].get<double>(), (*list)[1].get<double>(), (*list)[2].get<double>()};
 }
 
@@ -78,8 +79,8 @@ Isometry3d parentInFlange(const std::string& parent, Findings& findings) {
   }
   findings.push_back({Severity::warning,
                       "flange_assumed",
-                      fmt::format("The sensor's parent link {} is not known as a flange and was taken for it", parent),
-                      "Give the sensor's pose on the flange with --xyz and --rpy if it is not",
+                      fmt::format("The sensor's parent link {} is not known as a flange and was taken for it.", parent),
+                      "Give the sensor's pose on the flange with --xyz and --rpy if it is not.",
                       {}});
   return Isometry3d::Identity();
 }
@@ -108,16 +109,17 @@ void reportSources(const json& identifiability, Findings& findings) {
     for (std::size_t j = i; j < 3; ++j)
       sort(sourceAt(inertia, {i, j}), fmt::format("inertia {}{}", kAxes[i], kAxes[j]));
   if (!unknown.empty())
-    findings.push_back({Severity::warning,
-                        "not_known",
-                        fmt::format("Not known from this motion, only a placeholder: {}", fmt::join(unknown, ", ")),
-                        "Record a motion that turns the tool faster, or tell its shape, before you trust these numbers",
-                        {}});
+    findings.push_back(
+        {Severity::warning,
+         "not_known",
+         fmt::format("Not known from this motion, so only a guess: {}.", fmt::join(unknown, ", ")),
+         "Record a motion that turns the tool faster, or tell its shape, before you trust these numbers.",
+         {}});
   if (!fromPrior.empty())
     findings.push_back({Severity::warning,
                         "rests_on_prior",
-                        fmt::format("From the shape or values you gave, not measured: {}", fmt::join(fromPrior, ", ")),
-                        "Check them before the robot relies on them",
+                        fmt::format("From the shape or values you gave, not measured: {}.", fmt::join(fromPrior, ", ")),
+                        "Check them before the robot relies on them.",
                         {}});
 }
 
@@ -146,10 +148,10 @@ std::string uncertaintyOf(const json& result) {
 
 std::string provenanceOf(const json& result, const std::string& where) {
   std::string text =
-      fmt::format("Written by {} from {}", programVersion(), std::filesystem::path(where).filename().string());
+      fmt::format("Written by {} from {}", programVersion(), displayName(std::filesystem::path(where).filename()));
   if (const json* recording = member(result, "recording"))
     if (const json* file = member(*recording, "file"); file && file->is_string())
-      text += fmt::format(", recording {}", std::filesystem::path(file->get<std::string>()).filename().string());
+      text += fmt::format(", recording {}", displayName(std::filesystem::path(file->get<std::string>()).filename()));
   if (const json* method = member(result, "method"); method && method->is_string())
     text += fmt::format(", method {}", method->get<std::string>());
   return text;
@@ -177,16 +179,13 @@ FlangePayload toFlange(const json& result, const std::string& where, const Flang
   else if (isEstimate && !options.xyz)
     out.findings.push_back({Severity::warning,
                             "mount_unknown",
-                            "The result does not say where the sensor sits; its frame was taken for the flange's",
-                            "Give the sensor's pose on the flange with --xyz and --rpy",
+                            "The result does not say where the sensor sits; its frame was taken for the flange's.",
+                            "Give the sensor's pose on the flange with --xyz and --rpy.",
                             {}});
-  // A pose on the command line is one on the flange itself, whatever link the recording named.
-  Isometry3d X_FL = Isometry3d::Identity();
-  if (!options.xyz && !options.rpy) X_FL = parentInFlange(mount.parent, out.findings);
-  if (options.xyz) mount.xyz = *options.xyz;
-  if (options.rpy) mount.rpy = *options.rpy;
-  if (!options.xyz && options.rpy) X_FL = parentInFlange(mount.parent, out.findings);
-  out.X_FS = X_FL * poseFromXyzRpy(mount.xyz, mount.rpy);
+  if (!options.xyz || !options.rpy)
+    out.X_FS = parentInFlange(mount.parent, out.findings) * poseFromXyzRpy(mount.xyz, mount.rpy);
+  if (options.xyz) out.X_FS.translation() = *options.xyz;
+  if (options.rpy) out.X_FS.linear() = rotationFromRpy(*options.rpy);
 
   payload = transformed(payload, out.X_FS);
   for (const auto& file : options.add)
@@ -196,14 +195,14 @@ FlangePayload toFlange(const json& result, const std::string& where, const Flang
   if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
     out.findings.push_back({Severity::warning,
                             "not_consistent",
-                            "The estimate itself says that it is not physically possible",
-                            "Use the method map, or a longer recording that turns the tool faster",
+                            "The estimate itself says that it is not physically possible.",
+                            "Use the method map, or a longer recording that turns the tool faster.",
                             {}});
   out.input.payload = payload;
   out.input.name = options.name;
   out.input.provenance = provenanceOf(result, where);
   for (const auto& file : options.add)
-    out.input.provenance += fmt::format(", with {} added", std::filesystem::path(file).filename().string());
+    out.input.provenance += fmt::format(", with {} added", displayName(std::filesystem::path(file).filename()));
   out.input.uncertainty = uncertaintyOf(result);
   return out;
 }

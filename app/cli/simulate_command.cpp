@@ -8,6 +8,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/default_tool.h"
 #include "core/base/json_file.h"
+#include "core/base/text.h"
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/simulation/simulate.h"
@@ -82,7 +83,7 @@ void run(Options options) {
       fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
   orFail(writeRecording(simulated.recording, csv));
   if (!options.truth.empty())
-    writeOutput(options.truth, truthJson(simulated.truth, options).dump(2) + "\n",
+    writeOutput(options.truth, fileText(truthJson(simulated.truth, options)),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.truth/1"); }});
 
   auto meta = csv;
@@ -92,19 +93,20 @@ void run(Options options) {
                  {"motion", options.motion},
                  {"seed", options.simulate.seed},
                  {"recording",
-                  {{"file", csv.string()},
-                   {"meta", meta.string()},
+                  {{"file", displayName(csv)},
+                   {"meta", displayName(meta)},
                    {"samples", simulated.recording.rows()},
                    {"rate_hz", options.simulate.rateHz},
                    {"duration_s", simulated.recording.duration()}}}};
     if (!options.truth.empty()) summary["truth"] = options.truth;
-    writeOutput(options.json, summary.dump(2) + "\n",
+    writeOutput(options.json, fileText(summary),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.simulate/1"); }});
   }
   if (options.json == "-") return;
-  std::string text = fmt::format("{} and {}: {} samples, {:.1f} s of {} at {:g} Hz, seed {}\n", csv.string(),
-                                 meta.filename().string(), simulated.recording.rows(), simulated.recording.duration(),
-                                 kTitles[motion], options.simulate.rateHz, options.simulate.seed);
+  std::string text =
+      fmt::format("{} and {}: {} samples, {:.1f} s of {} at {:g} Hz, seed {}\n", displayName(csv),
+                  displayName(meta.filename()), simulated.recording.rows(), simulated.recording.duration(),
+                  kTitles[motion], options.simulate.rateHz, options.simulate.seed);
   if (options.payload.empty()) text += fmt::format("  carries the built-in tool of {:.2f} kg\n", payload.mass);
   if (!options.truth.empty()) text += fmt::format("  the truth is in {}\n", options.truth);
   print(text);

@@ -1,0 +1,214 @@
+// heft export: frames, what else is mounted, warnings, refusals, and files that are never lost.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "core/payload/inertial_parameters.h"
+#include "tests/cli/process.h"
+
+namespace heft::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+Payload tool() {
+  Payload payload{0.8, {0.01, -0.02, 0.06}, Matrix3d::Zero()};
+  payload.inertiaCom << 1.2e-3, 1e-4, -5e-5, 1e-4, 1.0e-3, 3e-5, -5e-5, 3e-5, 8e-4;
+  return payload;
+}
+
+Payload adapter() { return {0.35, {0.0, 0.001, 0.012}, Vector3d(2e-4, 2.5e-4, 3e-4).asDiagonal().toDenseMatrix()}; }
+
+void expectSame(const Payload& actual, const Payload& expected) {
+  EXPECT_NEAR(actual.mass, expected.mass, 1e-12);
+  EXPECT_TRUE(actual.com.isApprox(expected.com, 1e-9)) << actual.com.transpose() << " | " << expected.com.transpose();
+  EXPECT_TRUE(actual.inertiaCom.isApprox(expected.inertiaCom, 1e-9)) << actual.inertiaCom << "\n\n"
+                                                                     << expected.inertiaCom;
+}
+
+class ExportTest : public CliTest {
+ protected:
+  json result() const {
+    const json fromData{{"mass", "data"},
+                        {"com", {"data", "data", "data"}},
+                        {"inertia", {{"data", "data", "data"}, {"data", "data", "data"}, {"data", "data", "data"}}}};
+    return {{"schema", "heft.estimate/1"},
+            {"method", "map"},
+            {"recording", {{"file", "rec.csv"}}},
+            {"sensor_mount", {{"parent", "panda_link8"}, {"xyz_m", {0.01, 0.0, 0.04}}, {"rpy_rad", {0.0, 0.0, -0.5}}}},
+            {"payload", toJson(tool())},
+            {"interval95", {{"mass_kg", {0.79, 0.81}}}},
+            {"physically_consistent", true},
+            {"identifiability", fromData}};
+  }
+  void writeResult(const json& content) const { write("result.json", content.dump()); }
+
+  /// Exports as json with these further arguments and reads the payload back.
+  Payload exported(std::vector<std::string> arguments = {}) const {
+    std::vector<std::string> all{"export", "result.json", "--format", "json"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Run run = heft(all);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    auto payload = payloadFromJson(json::parse(run.out), "exported");
+    EXPECT_TRUE(payload.ok());
+    return *payload;
+  }
+};
+
+TEST_F(ExportTest, TurnsSensorAxesIntoFlangeAxes) {
+  writeResult(result());
+  expectSame(exported(), transformed(tool(), poseFromXyzRpy({0.01, 0.0, 0.04}, {0.0, 0.0, -0.5})));
+}
+
+TEST_F(ExportTest, OptionsOverrideTheMount) {
+  writeResult(result());
+  expectSame(exported({"--xyz", "0,0.02,0.03"}), transformed(tool(), poseFromXyzRpy({0, 0.02, 0.03}, {0, 0, -0.5})));
+  expectSame(exported({"--rpy", "0.3,-0.2,1"}), transformed(tool(), poseFromXyzRpy({0.01, 0, 0.04}, {0.3, -0.2, 1})));
+  write("rec.meta.json",
+        R"({"sensor": {"mount": {"parent": "panda_link8", "xyz_m": [0, 0, 0.1], "rpy_rad": [0.1, 0, 0]}}})");
+  expectSame(exported({"--mount", "rec.meta.json"}), transformed(tool(), poseFromXyzRpy({0, 0, 0.1}, {0.1, 0, 0})));
+}
+
+TEST_F(ExportTest, MountOnAnotherLinkOfTheArmIsCarriedToTheFlange) {
+  json content = result();
+  content["sensor_mount"] = {{"parent", "panda_link7"}, {"xyz_m", {0.0, 0.0, 0.147}}, {"rpy_rad", {0.0, 0.0, 0.0}}};
+  writeResult(content);
+  expectSame(exported(), transformed(tool(), poseFromXyzRpy({0, 0, 0.04}, {0, 0, 0})));  // the flange is at 0.107 m
+
+  content["sensor_mount"]["parent"] = "panda_link3";
+  writeResult(content);
+  EXPECT_TRUE(failedWithOneSentence(heft({"export", "result.json", "--format", "json"}), "panda_link3"));
+}
+
+TEST_F(ExportTest, UnknownParentLinkIsSaid) {
+  json content = result();
+  content["sensor_mount"]["parent"] = "gripper_base";
+  writeResult(content);
+  EXPECT_THAT(heft({"export", "result.json", "--format", "json"}).err, HasSubstr("gripper_base"));
+}
+
+TEST_F(ExportTest, AddsWhatElseIsMounted) {
+  writeResult(result());
+  write("adapter.json", toJson(adapter()).dump());
+  write("sensor.json",
+        json{{"payload", toJson(Payload{0.2, {0, 0, 0.02}, Matrix3d(1e-4 * Matrix3d::Identity())})}}.dump());
+  const Payload atFlange = transformed(tool(), poseFromXyzRpy({0.01, 0.0, 0.04}, {0.0, 0.0, -0.5}));
+  const Payload both =
+      composed(composed(atFlange, adapter()), {0.2, {0, 0, 0.02}, Matrix3d(1e-4 * Matrix3d::Identity())});
+  expectSame(exported({"--add", "adapter.json", "--add", "sensor.json"}), both);
+}
+
+TEST_F(ExportTest, BarePayloadIsAlreadyInTheFlangeFrame) {
+  writeResult(toJson(tool()));
+  expectSame(exported(), tool());
+  expectSame(exported({"--xyz", "0,0,0.04"}), transformed(tool(), poseFromXyzRpy({0, 0, 0.04}, {0, 0, 0})));
+}
+
+TEST_F(ExportTest, ItsOwnJsonGoesThroughUnchanged) {
+  writeResult(result());
+  const Payload first = exported();
+  ASSERT_EQ(heft({"export", "result.json", "--format", "json", "-o", "tool.json"}).exitCode, 0);
+  std::filesystem::rename(path("tool.json"), path("result.json"));
+  expectSame(exported(), first);
+}
+
+TEST_F(ExportTest, WarnsOfNumbersThatNobodyMeasured) {
+  json content = result();
+  writeResult(content);
+  EXPECT_THAT(heft({"export", "result.json", "--format", "json"}).err, Not(HasSubstr("warning")));
+
+  content["identifiability"]["com"][1] = "prior";
+  content["identifiability"]["inertia"][0][2] = "none";
+  content["physically_consistent"] = true;
+  writeResult(content);
+  const Run run = heft({"export", "result.json", "--format", "json"});
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_THAT(run.err, HasSubstr("Not known from this motion"));
+  EXPECT_THAT(run.err, HasSubstr("inertia xz"));
+  EXPECT_THAT(run.err, HasSubstr("not measured: centre of mass y"));
+  EXPECT_THAT(run.err, Not(HasSubstr("inertia xx")));
+}
+
+TEST_F(ExportTest, WarnsWhereTheMountIsUnknown) {
+  json content = result();
+  content.erase("sensor_mount");
+  writeResult(content);
+  EXPECT_THAT(heft({"export", "result.json", "--format", "json"}).err, HasSubstr("does not say where the sensor sits"));
+  EXPECT_THAT(heft({"export", "result.json", "--format", "json", "--xyz", "0,0,0"}).err,
+              Not(HasSubstr("where the sensor")));
+}
+
+TEST_F(ExportTest, RefusesWhatCannotExist) {
+  json content = result();
+  content["payload"]["inertia_com_kgm2"] = {
+      {1e-3, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-4}};  // breaks the triangle inequality
+  writeResult(content);
+  EXPECT_TRUE(failedWithOneSentence(heft({"export", "result.json", "--format", "urdf", "-o", "t.urdf"}), ""));
+  EXPECT_FALSE(exists("t.urdf"));
+}
+
+TEST_F(ExportTest, NeverOverwritesSilently) {
+  writeResult(result());
+  write("tool.urdf", "mine");
+  const Run run = heft({"export", "result.json", "--format", "urdf", "-o", "tool.urdf"});
+  EXPECT_TRUE(failedWithOneSentence(run, "--force"));
+  EXPECT_EQ(read("tool.urdf"), "mine");
+  ASSERT_EQ(heft({"export", "result.json", "--format", "urdf", "-o", "tool.urdf", "--force"}).exitCode, 0);
+  EXPECT_THAT(read("tool.urdf"), HasSubstr("<inertia"));
+  // The same bytes once more lose nothing.
+  EXPECT_EQ(heft({"export", "result.json", "--format", "urdf", "-o", "tool.urdf"}).exitCode, 0);
+}
+
+TEST_F(ExportTest, EveryFormatThatHelpNamesIsWritten) {
+  writeResult(result());
+  const std::string help = heft({"export", "--help"}).out;
+  std::istringstream lines(help.substr(help.find("Formats:\n") + 9));
+  int count = 0;
+  for (std::string line; std::getline(lines, line) && line.starts_with("  "); ++count) {
+    const std::string id = line.substr(2, line.find(' ', 2) - 2);
+    const Run run = heft({"export", "result.json", "--format", id, "-o", "out-" + id});
+    EXPECT_EQ(run.exitCode, 0) << id << ": " << run.err;
+    EXPECT_THAT(run.out, HasSubstr("out-" + id));
+    EXPECT_THAT(read("out-" + id), HasSubstr("0.8")) << id;  // the mass
+  }
+  EXPECT_GE(count, 4);
+}
+
+TEST_F(ExportTest, SummaryAsJson) {
+  writeResult(result());
+  const Run run = heft({"export", "result.json", "--format", "franka-desk", "-o", "tool.json", "--json", "-"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json summary = json::parse(run.out);
+  EXPECT_EQ(summary["schema"], "heft.export/1");
+  EXPECT_EQ(summary["file"], "tool.json");
+  EXPECT_DOUBLE_EQ(summary["payload"]["mass_kg"].get<double>(), 0.8);
+}
+
+TEST_F(ExportTest, BrokenResultsAreOneSentence) {
+  const auto run = [&] { return heft({"export", "result.json", "--format", "json"}); };
+  EXPECT_TRUE(failedWithOneSentence(run(), "result.json"));
+  write("result.json", "{\"payload\": {\"mass_kg\": 1,,}}");
+  EXPECT_TRUE(failedWithOneSentence(run(), "result.json:1:"));
+  write("result.json", "[1, 2, 3]");
+  EXPECT_TRUE(failedWithOneSentence(run(), "result.json"));
+  write("result.json", "{\"schema\": \"heft.convert/1\"}");
+  EXPECT_TRUE(failedWithOneSentence(run(), "heft estimate"));
+  json content = result();
+  content["payload"]["com_m"] = {1, 2};
+  writeResult(content);
+  EXPECT_TRUE(failedWithOneSentence(run(), "com_m"));
+  content = result();
+  content["sensor_mount"]["xyz_m"] = {0, "a", 0};
+  writeResult(content);
+  EXPECT_TRUE(failedWithOneSentence(run(), "xyz_m"));
+  writeResult(result());
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"export", "result.json", "--format", "json", "--add", "none.json"}), "none.json"));
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"export", "result.json", "--format", "json", "-o", "no/such/tool.json"}), "no/such"));
+}
+
+}  // namespace
+}  // namespace heft::test

@@ -1,0 +1,166 @@
+// The main job, end to end: simulate, estimate, export, with a truth to compare against.
+#include <gmock/gmock.h>
+
+#include "core/payload/inertial_parameters.h"
+#include "tests/cli/process.h"
+
+namespace heft::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class RoundTripTest : public CliTest {
+ protected:
+  Payload payloadIn(const std::string& file) const {
+    auto payload = payloadFromJson(readJson(file), file);
+    EXPECT_TRUE(payload.ok());
+    return *payload;
+  }
+};
+
+TEST_F(RoundTripTest, SimulateEstimateExport) {
+  simulate("rec", {"--seed", "5"});
+  const Run run = heft({"estimate", "rec.csv", "--json", "result.json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("kg"));
+  EXPECT_THAT(run.err, IsEmpty());
+
+  const Payload truth = payloadIn("rec.truth.json"), estimate = payloadIn("result.json");
+  EXPECT_NEAR(estimate.mass, truth.mass, 0.002 * truth.mass);
+  EXPECT_LT((estimate.com - truth.com).norm(), 0.01 * truth.com.norm());
+  EXPECT_LT((estimate.inertiaCom - truth.inertiaCom).norm(), 0.10 * truth.inertiaCom.norm())
+      << estimate.inertiaCom << "\n\n"
+      << truth.inertiaCom;
+  const json bias = readJson("rec.truth.json")["bias"], found = readJson("result.json")["bias"];
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(found["force_n"][i].get<double>(), bias["force_n"][i].get<double>(), 0.05);
+    EXPECT_NEAR(found["torque_nm"][i].get<double>(), bias["torque_nm"][i].get<double>(), 0.005);
+  }
+
+  ASSERT_EQ(heft({"export", "result.json", "--format", "json", "-o", "tool.json"}).exitCode, 0);
+  const Payload flange = payloadIn("tool.json");
+  EXPECT_TRUE(flange.com.isApprox(estimate.com + Vector3d(0, 0, 0.04), 1e-9));  // the simulator's own mount
+  EXPECT_TRUE(flange.inertiaCom.isApprox(estimate.inertiaCom, 1e-9));
+}
+
+TEST_F(RoundTripTest, EstimateWritesTheSamePayloadFileAsExport) {
+  simulate("rec");
+  ASSERT_EQ(
+      heft({"estimate", "rec.csv", "--json", "result.json", "-o", "direct.json", "--format", "franka-desk"}).exitCode,
+      0);
+  ASSERT_EQ(heft({"export", "result.json", "--format", "franka-desk", "-o", "tool.json"}).exitCode, 0);
+  EXPECT_EQ(readJson("direct.json"), readJson("tool.json"));
+}
+
+TEST_F(RoundTripTest, SimulationIsDeterministicAndSeeded) {
+  for (const std::string motion : {"excitation", "pick-and-place", "free"}) {
+    simulate("a", {"--motion", motion, "--seed", "3", "--duration", "8", "--rate", "200"});
+    simulate("b", {"--motion", motion, "--seed", "3", "--duration", "8", "--rate", "200"});
+    simulate("c", {"--motion", motion, "--seed", "4", "--duration", "8", "--rate", "200"});
+    EXPECT_EQ(read("a.csv"), read("b.csv")) << motion;
+    EXPECT_EQ(read("a.meta.json"), read("b.meta.json"));
+    EXPECT_EQ(read("a.truth.json"), read("b.truth.json"));
+    EXPECT_NE(read("a.csv"), read("c.csv"));
+  }
+}
+
+TEST_F(RoundTripTest, EstimateIsDeterministicApartFromItsClock) {
+  simulate("rec", {"--motion", "free"});
+  ASSERT_EQ(heft({"estimate", "rec.csv", "--json", "first.json"}).exitCode, 0);
+  const Run run = heft({"estimate", "rec.csv", "--json", "-"});
+  ASSERT_EQ(run.exitCode, 0);
+  json first = readJson("first.json"), second = json::parse(run.out);  // so - writes JSON and nothing else
+  first.erase("timing_s");
+  second.erase("timing_s");
+  EXPECT_EQ(first, second);
+}
+
+TEST_F(RoundTripTest, TruthStaysOutOfTheRecording) {
+  simulate("rec", {"--motion", "pick-and-place", "--duration", "8", "--rate", "200"});
+  const json meta = readJson("rec.meta.json");
+  EXPECT_FALSE(meta.contains("known_payload") && !meta["known_payload"].is_null()) << meta;
+  EXPECT_TRUE(!meta.contains("marks") || meta["marks"].empty()) << meta;
+  EXPECT_EQ(read("rec.csv").find("label"), std::string::npos);
+  EXPECT_FALSE(readJson("rec.truth.json")["marks"].empty());
+}
+
+TEST_F(RoundTripTest, SimulatesTheGivenPayload) {
+  write("payload.json", R"({"mass_kg": 0.5, "com_m": [0.02, 0.01, 0.05],
+                            "inertia_com_kgm2": [[0.001, 0, 0], [0, 0.0012, 0], [0, 0, 0.0008]]})");
+  simulate("rec", {"--payload", "payload.json", "--duration", "6", "--rate", "250"});
+  EXPECT_EQ(payloadIn("rec.truth.json").mass, 0.5);
+  ASSERT_EQ(heft({"estimate", "rec.csv", "--json", "result.json"}).exitCode, 0);
+  EXPECT_NEAR(payloadIn("result.json").mass, 0.5, 0.005);
+}
+
+TEST_F(RoundTripTest, KnownValuesGiveRelativeErrors) {
+  simulate("rec");
+  ASSERT_EQ(heft({"estimate", "rec.csv", "--known", "rec.truth.json", "--json", "result.json"}).exitCode, 0);
+  const json error = readJson("result.json")["relative_error"];
+  EXPECT_LT(error["mass"].get<double>(), 0.01) << error;
+}
+
+TEST_F(RoundTripTest, MassComKeepsTheKnownInertia) {
+  simulate("rec");
+  ASSERT_EQ(heft({"estimate", "rec.csv", "--parameters", "mass-com", "--known", "rec.truth.json", "--json", "r.json"})
+                .exitCode,
+            0);
+  const Payload truth = payloadIn("rec.truth.json"), estimate = payloadIn("r.json");
+  EXPECT_TRUE(estimate.inertiaCom.isApprox(truth.inertiaCom, 1e-9)) << estimate.inertiaCom;
+  EXPECT_NE(estimate.mass, truth.mass);
+}
+
+TEST_F(RoundTripTest, OptionsReachTheEstimator) {
+  simulate("rec");
+  const auto result = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"estimate", "rec.csv", "--json", "-"});
+    const Run run = heft(arguments);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return json::parse(run.out);
+  };
+  const json standard = result({});
+  EXPECT_EQ(result({"--method", "ls"})["method"], "ls");
+  EXPECT_EQ(result({"--parameters", "mass"})["parameters"], "mass");
+  EXPECT_LT(result({"--trim", "0.3"})["recording"]["used_s"], standard["recording"]["used_s"]);
+  EXPECT_EQ(result({"--no-bias"})["bias"]["force_n"], json({0.0, 0.0, 0.0}));
+  for (const std::vector<std::string>& option :
+       std::vector<std::vector<std::string>>{{"--cutoff", "6"},
+                                             {"--smoothing", "savitzky-golay"},
+                                             {"--smoothing", "savitzky-golay", "--sg-order", "5", "--sg-window", "31"}})
+    EXPECT_NE(result(option)["payload"], standard["payload"]) << option.back();
+}
+
+TEST_F(RoundTripTest, RecordingsOfRealRobotsAreNotSimulatedOver) {
+  write("real.csv", "time,q1\n0,0\n");
+  EXPECT_TRUE(failedWithOneSentence(heft({"simulate", "--motion", "free", "-o", "real.csv"}), "--force"));
+  EXPECT_EQ(read("real.csv"), "time,q1\n0,0\n");
+  simulate("rec", {"--duration", "4", "--rate", "100", "--seed", "1"});
+  const std::string first = read("rec.csv");
+  simulate("rec", {"--duration", "4", "--rate", "100", "--seed", "2"});  // its own can be made again
+  EXPECT_NE(read("rec.csv"), first);
+}
+
+TEST_F(RoundTripTest, OtherPeoplesJsonIsNotOverwrittenByAResult) {
+  simulate("rec");
+  write("notes.json", R"({"mine": true})");
+  EXPECT_TRUE(failedWithOneSentence(heft({"estimate", "rec.csv", "--json", "notes.json"}), "--force"));
+  EXPECT_EQ(read("notes.json"), R"({"mine": true})");
+  ASSERT_EQ(heft({"estimate", "rec.csv", "--json", "result.json"}).exitCode, 0);
+  EXPECT_EQ(heft({"estimate", "rec.csv", "--json", "result.json", "--trim", "0.2"}).exitCode, 0);
+  EXPECT_EQ(heft({"estimate", "rec.csv", "--json", "notes.json", "--force"}).exitCode, 0);
+}
+
+TEST_F(RoundTripTest, SimulateSummaryAsJson) {
+  const Run run =
+      heft({"simulate", "--motion", "free", "--duration", "3", "--rate", "100", "-o", "r.csv", "--json", "-"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const json summary = json::parse(run.out);
+  EXPECT_EQ(summary["schema"], "heft.simulate/1");
+  EXPECT_NEAR(summary["recording"]["duration_s"].get<double>(), 3.0, 0.02);
+  EXPECT_NEAR(summary["recording"]["samples"].get<double>(), 300, 2);
+}
+
+}  // namespace
+}  // namespace heft::test
