@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <unordered_map>
 
 #include "core/payload/mesh_volume.h"
@@ -86,8 +88,7 @@ double diagonal(const Surface& surface) {
 
 /// Turns triangles so that the two at each simple edge run through it in opposite directions. Returns how many were
 /// turned.
-long makeNeighboursAgree(Surface& surface) {
-  const auto edges = halfEdges(surface);
+long makeNeighboursAgree(Surface& surface, const std::vector<HalfEdge>& edges) {
   bool agree = true;
   forEachEdge(edges, [&](std::size_t i, std::size_t end) {
     if (end - i == 2 && edges[i].forward == edges[i + 1].forward) agree = false;
@@ -136,8 +137,7 @@ long makeNeighboursAgree(Surface& surface) {
 
 /// Piece number of each triangle: triangles that share a simple edge belong together. Bodies that only touch along
 /// edges with four triangles stay apart.
-std::vector<int> pieces(const Surface& surface, int& count) {
-  const auto edges = halfEdges(surface);
+std::vector<int> pieces(const Surface& surface, const std::vector<HalfEdge>& edges, int& count) {
   Sets sets(surface.triangles.size());
   forEachEdge(edges, [&](std::size_t i, std::size_t end) {
     if (end - i == 2) sets.join(edges[i].triangle, edges[i + 1].triangle);
@@ -152,33 +152,26 @@ std::vector<int> pieces(const Surface& surface, int& count) {
   return result;
 }
 
-/// How often the surface winds around p: solid angle over 4 pi (Van Oosterom and Strackee 1983).
-double winding(const Surface& surface, const std::vector<int>& label, const std::vector<char>& use, const Vector3d& p) {
-  double angle = 0.0;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    if (!use[static_cast<std::size_t>(label[i])]) continue;
-    const auto& t = surface.triangles[i];
-    const Vector3d a = surface.vertices[static_cast<std::size_t>(t[0])] - p;
-    const Vector3d b = surface.vertices[static_cast<std::size_t>(t[1])] - p;
-    const Vector3d c = surface.vertices[static_cast<std::size_t>(t[2])] - p;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return angle / (4.0 * std::numbers::pi);
-}
-
-/// Closes each group of connected open edges with a fan about its centre.
-void fillHoles(Surface& surface, SurfaceReport& report) {
-  const auto edges = halfEdges(surface);
-  std::vector<std::array<int, 2>> open;  // in the direction that a filling triangle has to run
+/// Edges that are run through more often in one direction than in the other, in the direction that a filling triangle
+/// needs.
+std::vector<std::array<int, 2>> openEdges(const std::vector<HalfEdge>& edges) {
+  std::vector<std::array<int, 2>> open;
   forEachEdge(edges, [&](std::size_t i, std::size_t end) {
     int balance = 0;
     for (std::size_t k = i; k < end; ++k) balance += edges[k].forward ? 1 : -1;
     for (; balance > 0; --balance) open.push_back({edges[i].high, edges[i].low});
     for (; balance < 0; ++balance) open.push_back({edges[i].low, edges[i].high});
   });
-  report.openEdges = static_cast<long>(open.size());
-  if (open.empty()) return;
+  return open;
+}
+
+/// Closes each group of connected open edges with a fan about its centre. Returns the area of the fans at edges for
+/// which isHole(a, b) holds.
+template <class IsHole>
+double fillHoles(Surface& surface, IsHole isHole) {
+  const auto open = openEdges(halfEdges(surface));
+  if (open.empty()) return 0.0;
+  const auto at = [&](int i) -> const Vector3d& { return surface.vertices[static_cast<std::size_t>(i)]; };
   Sets sets(surface.vertices.size());
   for (const auto& e : open) sets.join(e[0], e[1]);
   struct Hole {
@@ -188,23 +181,101 @@ void fillHoles(Surface& surface, SurfaceReport& report) {
   };
   std::unordered_map<int, Hole> holes;
   for (const auto& e : open) {
-    const Vector3d &a = surface.vertices[static_cast<std::size_t>(e[0])],
-                   &b = surface.vertices[static_cast<std::size_t>(e[1])];
     Hole& hole = holes[sets.find(e[0])];
-    const double length = (a - b).norm();
-    hole.sum += 0.5 * length * (a + b);
+    const double length = (at(e[0]) - at(e[1])).norm();
+    hole.sum += 0.5 * length * (at(e[0]) + at(e[1]));
     hole.length += length;
   }
+  double area = 0.0;
   for (const auto& e : open) {
     Hole& hole = holes[sets.find(e[0])];
     if (hole.center < 0) {
       hole.center = static_cast<int>(surface.vertices.size());
-      surface.vertices.push_back(hole.length > 0 ? Vector3d(hole.sum / hole.length)
-                                                 : surface.vertices[static_cast<std::size_t>(e[0])]);
+      const Vector3d center = hole.length > 0 ? Vector3d(hole.sum / hole.length) : at(e[0]);
+      surface.vertices.push_back(center);
     }
     surface.triangles.push_back({e[0], e[1], hole.center});
-    report.holeArea += areaOf(surface, surface.triangles.back());
+    if (isHole(e[0], e[1])) area += areaOf(surface, surface.triangles.back());
   }
+  return area;
+}
+
+double totalArea(const Surface& surface) {
+  double area = 0.0;
+  for (const auto& t : surface.triangles) area += areaOf(surface, t);
+  return area;
+}
+
+/// How often the surface winds around p: solid angle over 4 pi (Van Oosterom and Strackee 1983).
+double winding(const Surface& surface, const Vector3d& p) {
+  double angle = 0.0;
+  for (const auto& t : surface.triangles) {
+    const Vector3d a = surface.vertices[static_cast<std::size_t>(t[0])] - p;
+    const Vector3d b = surface.vertices[static_cast<std::size_t>(t[1])] - p;
+    const Vector3d c = surface.vertices[static_cast<std::size_t>(t[2])] - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return angle / (4.0 * std::numbers::pi);
+}
+
+/// A part of a surface with its own vertices, and where they come from.
+struct Part {
+  Surface surface;
+  std::vector<int> origin;  ///< Of each vertex, in the whole surface; fans add vertices without one.
+  double holeArea = 0.0;
+  double volume = 0.0;
+};
+
+std::vector<Part> split(const Surface& surface, const std::vector<int>& label, int count) {
+  std::vector<Part> parts(static_cast<std::size_t>(count));
+  std::vector<std::vector<std::size_t>> members(parts.size());
+  for (std::size_t i = 0; i < label.size(); ++i) members[static_cast<std::size_t>(label[i])].push_back(i);
+  std::vector<int> local(surface.vertices.size(), -1);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Part& part = parts[k];
+    for (const std::size_t i : members[k]) {
+      std::array<int, 3> triangle{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        int& number = local[static_cast<std::size_t>(surface.triangles[i][c])];
+        if (number < 0) {
+          number = static_cast<int>(part.surface.vertices.size());
+          part.surface.vertices.push_back(surface.vertices[static_cast<std::size_t>(surface.triangles[i][c])]);
+          part.origin.push_back(surface.triangles[i][c]);
+        }
+        triangle[c] = number;
+      }
+      part.surface.triangles.push_back(triangle);
+    }
+    for (const int v : part.origin) local[static_cast<std::size_t>(v)] = -1;
+  }
+  return parts;
+}
+
+/// Joins vertices on open edges that lie closer together than `tolerance` [m]. True if it changed anything.
+bool closeSeams(Surface& surface, const std::vector<HalfEdge>& edges, double tolerance) {
+  std::vector<char> isOpen(surface.vertices.size(), 0);
+  forEachEdge(edges, [&](std::size_t i, std::size_t end) {
+    if ((end - i) % 2 == 0) return;
+    isOpen[static_cast<std::size_t>(edges[i].low)] = 1;
+    isOpen[static_cast<std::size_t>(edges[i].high)] = 1;
+  });
+  std::vector<int> open;
+  for (std::size_t i = 0; i < isOpen.size(); ++i)
+    if (isOpen[i]) open.push_back(static_cast<int>(i));
+  if (open.empty()) return false;
+  const auto at = [&](int i) -> const Vector3d& { return surface.vertices[static_cast<std::size_t>(i)]; };
+  std::sort(open.begin(), open.end(),
+            [&](int a, int b) { return at(a).x() < at(b).x() || (at(a).x() == at(b).x() && a < b); });
+  Sets sets(surface.vertices.size());
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (std::size_t k = i + 1; k < open.size() && at(open[k]).x() - at(open[i]).x() <= tolerance; ++k)
+      if ((at(open[k]) - at(open[i])).squaredNorm() <= tolerance * tolerance) sets.join(open[k], open[i]);
+  for (auto& t : surface.triangles)
+    for (int& v : t)
+      if (isOpen[static_cast<std::size_t>(v)]) v = sets.find(v);
+  dropLines(surface);
+  return true;
 }
 
 }  // namespace
@@ -255,84 +326,101 @@ Surface weld(const Mesh& mesh, double unit, long* dropped) {
   return surface;
 }
 
-void closeSeams(Surface& surface, double tolerance) {
-  if (!(tolerance > 0.0)) return;
-  const auto edges = halfEdges(surface);
-  std::vector<char> isOpen(surface.vertices.size(), 0);
-  forEachEdge(edges, [&](std::size_t i, std::size_t end) {
-    if ((end - i) % 2 == 0) return;
-    isOpen[static_cast<std::size_t>(edges[i].low)] = 1;
-    isOpen[static_cast<std::size_t>(edges[i].high)] = 1;
-  });
-  std::vector<int> open;
-  for (std::size_t i = 0; i < isOpen.size(); ++i)
-    if (isOpen[i]) open.push_back(static_cast<int>(i));
-  if (open.empty()) return;
-  const auto at = [&](int i) -> const Vector3d& { return surface.vertices[static_cast<std::size_t>(i)]; };
-  std::sort(open.begin(), open.end(),
-            [&](int a, int b) { return at(a).x() < at(b).x() || (at(a).x() == at(b).x() && a < b); });
-  Sets sets(surface.vertices.size());
-  for (std::size_t i = 0; i < open.size(); ++i)
-    for (std::size_t k = i + 1; k < open.size() && at(open[k]).x() - at(open[i]).x() <= tolerance; ++k)
-      if ((at(open[k]) - at(open[i])).squaredNorm() <= tolerance * tolerance) sets.join(open[k], open[i]);
-  for (auto& t : surface.triangles)
-    for (int& v : t)
-      if (isOpen[static_cast<std::size_t>(v)]) v = sets.find(v);
-  dropLines(surface);
+void append(Surface& surface, const Surface& other) {
+  const int offset = static_cast<int>(surface.vertices.size());
+  surface.vertices.insert(surface.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& t : other.triangles) surface.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
-SurfaceReport repair(Surface& surface) {
-  SurfaceReport report;
-  closeSeams(surface, 1e-6 * diagonal(surface));
-  for (const auto& t : surface.triangles) report.area += areaOf(surface, t);
-  report.turnedTriangles = makeNeighboursAgree(surface);
-  forEachEdge(halfEdges(surface), [&](std::size_t i, std::size_t end) {
+ClosedPieces closePieces(Surface surface) {
+  // More than this share of covers, and a piece is rather a patch of something larger.
+  constexpr double kPatch = 0.1;
+  ClosedPieces result;
+  SurfaceReport& report = result.report;
+  auto edges = halfEdges(surface);
+  if (closeSeams(surface, edges, 1e-6 * diagonal(surface))) edges = halfEdges(surface);
+  report.area = totalArea(surface);
+  report.turnedTriangles = makeNeighboursAgree(surface, edges);
+  if (report.turnedTriangles > 0) edges = halfEdges(surface);
+  forEachEdge(edges, [&](std::size_t i, std::size_t end) {
     if (end - i > 2) ++report.sharedEdges;
   });
+  const auto open = openEdges(edges);
+  report.openEdges = static_cast<long>(open.size());
+  const std::set<std::pair<int, int>> holes = [&] {
+    std::set<std::pair<int, int>> all;
+    for (const auto& e : open) all.insert(std::minmax(e[0], e[1]));
+    return all;
+  }();
+  const auto close = [&](Part& part) {
+    if (open.empty() && report.sharedEdges == 0) return;  // pieces of a closed surface are closed
+    part.holeArea = fillHoles(part.surface, [&](int a, int b) {
+      return holes.contains(
+          std::minmax(part.origin[static_cast<std::size_t>(a)], part.origin[static_cast<std::size_t>(b)]));
+    });
+  };
 
-  // Volume of each piece about its own centre, so that an open piece far from the origin is not misjudged.
   int count = 0;
-  const auto label = pieces(surface, count);
-  report.bodies = count;
-  std::vector<Vector3d> center(static_cast<std::size_t>(count), Vector3d::Zero());
-  std::vector<double> corners(center.size(), 0.0), volume(center.size(), 0.0);
-  for (std::size_t i = 0; i < label.size(); ++i)
-    for (const int v : surface.triangles[i]) {
-      center[static_cast<std::size_t>(label[i])] += surface.vertices[static_cast<std::size_t>(v)];
-      corners[static_cast<std::size_t>(label[i])] += 1.0;
-    }
-  for (std::size_t k = 0; k < center.size(); ++k) center[k] /= corners[k];
-  for (std::size_t i = 0; i < label.size(); ++i) {
-    const auto k = static_cast<std::size_t>(label[i]);
-    const auto& t = surface.triangles[i];
-    const Vector3d a = surface.vertices[static_cast<std::size_t>(t[0])] - center[k];
-    const Vector3d b = surface.vertices[static_cast<std::size_t>(t[1])] - center[k];
-    const Vector3d c = surface.vertices[static_cast<std::size_t>(t[2])] - center[k];
-    volume[k] += a.dot(b.cross(c)) / 6.0;
+  auto label = pieces(surface, edges, count);
+  std::vector<Part> parts = split(surface, label, count);
+  int patches = -1;  // all patches become one piece: only together they can be closed
+  std::vector<int> renamed(parts.size());
+  int next = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double area = totalArea(parts[k].surface);
+    close(parts[k]);
+    const bool patch = parts[k].holeArea > kPatch * area;
+    if (patch && patches < 0) patches = next++;
+    renamed[k] = patch ? patches : next++;
   }
-  const bool insideOut = std::accumulate(volume.begin(), volume.end(), 0.0) < 0.0;
-  std::vector<char> turnPiece(volume.size(), 0), outward(volume.size(), 0);
-  if (insideOut) {
-    for (auto& t : surface.triangles) turn(t);
-    for (double& v : volume) v = -v;
+  if (patches >= 0) {
+    for (int& l : label) l = renamed[static_cast<std::size_t>(l)];
+    parts = split(surface, label, next);
   }
-  for (std::size_t k = 0; k < volume.size(); ++k) outward[k] = volume[k] > 0.0;
-  for (std::size_t k = 0; k < volume.size(); ++k) {
-    if (volume[k] >= 0.0) continue;
-    const auto i = static_cast<std::size_t>(std::find(label.begin(), label.end(), static_cast<int>(k)) - label.begin());
+  double total = 0.0;
+  for (Part& part : parts) {
+    if (patches >= 0) close(part);
+    report.holeArea += part.holeArea;
+    part.volume = volumeMoments(part.surface)(3, 3);
+    total += part.volume;
+  }
+  report.bodies = static_cast<long>(parts.size());
+
+  const auto turnPart = [](Part& part) {
+    for (auto& t : part.surface.triangles) turn(t);
+    part.volume = -part.volume;
+  };
+  const bool insideOut = total < 0.0;
+  const double sliver = 1e-6 * std::abs(total);  // smaller volumes have no sign worth minding
+  if (insideOut)
+    for (Part& part : parts) turnPart(part);
+  std::vector<std::size_t> outward, inward;
+  for (std::size_t k = 0; k < parts.size(); ++k) (parts[k].volume >= -sliver ? outward : inward).push_back(k);
+  std::vector<std::vector<std::size_t>> cavities(parts.size());
+  if (insideOut) report.turnedBodies = static_cast<long>(parts.size());
+  for (const std::size_t k : inward) {
+    const auto& t = parts[k].surface.triangles.front();
     Vector3d p = Vector3d::Zero();  // on the piece
-    for (const int v : surface.triangles[i]) p += surface.vertices[static_cast<std::size_t>(v)] / 3.0;
-    if (winding(surface, label, outward, p) > 0.5)
+    for (const int v : t) p += parts[k].surface.vertices[static_cast<std::size_t>(v)] / 3.0;
+    std::optional<std::size_t> around;
+    for (const std::size_t other : outward)
+      if (parts[other].volume > -parts[k].volume && (!around || parts[other].volume < parts[*around].volume) &&
+          winding(parts[other].surface, p) > 0.5)
+        around = other;
+    if (around) {
+      cavities[*around].push_back(k);
       ++report.cavities;
-    else
-      turnPiece[k] = 1;
+    } else {
+      turnPart(parts[k]);
+      report.turnedBodies += insideOut ? -1 : 1;
+      outward.push_back(k);
+    }
   }
-  for (std::size_t i = 0; i < label.size(); ++i)
-    if (turnPiece[static_cast<std::size_t>(label[i])]) turn(surface.triangles[i]);
-  for (std::size_t k = 0; k < volume.size(); ++k)
-    report.turnedBodies += turnPiece[k] != static_cast<char>(insideOut) && volume[k] != 0.0;
-  fillHoles(surface, report);
-  return report;
+  for (const std::size_t k : outward) {
+    for (const std::size_t hollow : cavities[k]) append(parts[k].surface, parts[hollow].surface);
+    result.pieces.push_back(std::move(parts[k].surface));
+  }
+  return result;
 }
 
 }  // namespace heft

@@ -90,7 +90,7 @@ Columns castRays(const Surface& surface, const std::vector<Vector3d>& v, double 
 struct Span {
   std::uint32_t column;
   double from, to;
-  double layers;  ///< How many pieces overlap here.
+  double layers;  ///< How often the surface winds around these points.
 };
 
 std::vector<Span> spansOf(const Columns& columns) {
@@ -111,6 +111,32 @@ std::vector<Span> spansOf(const Columns& columns) {
     i = end;
   }
   return spans;
+}
+
+/// Rays run along the shortest principal axis: flat bodies are hit by many rays, and turning a body turns its points.
+struct RayFrame {
+  Vector3d center;
+  Matrix3d axes;                   ///< Columns: longest, middle, shortest.
+  std::vector<Vector3d> vertices;  ///< In these axes.
+  Eigen::Array3d size;             ///< Extent along them [m].
+};
+
+RayFrame rayFrame(const Surface& surface, const Matrix4d& moments) {
+  RayFrame frame;
+  frame.center = moments.topRightCorner<3, 1>() / moments(3, 3);
+  const Matrix3d cov = moments.topLeftCorner<3, 3>() / moments(3, 3) - frame.center * frame.center.transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(cov);
+  frame.axes << solver.eigenvectors().col(2), solver.eigenvectors().col(1),
+      solver.eigenvectors().col(2).cross(solver.eigenvectors().col(1));
+  frame.vertices.reserve(surface.vertices.size());
+  Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
+  for (const Vector3d& p : surface.vertices) {
+    frame.vertices.push_back(frame.axes.transpose() * (p - frame.center));
+    low = low.min(frame.vertices.back().array());
+    high = high.max(frame.vertices.back().array());
+  }
+  frame.size = high - low;
+  return frame;
 }
 
 }  // namespace
@@ -160,31 +186,15 @@ Matrix4d sheetMoments(const Surface& surface, double thickness) {
   return M * thickness;
 }
 
-WeightedPoints volumePoints(const Surface& surface, const Matrix4d& moments, double* overlap) {
-  constexpr double kRays = 12000;
-  constexpr std::size_t kWantedSpans = 3000;
+WeightedPoints volumePoints(const Surface& surface, const Matrix4d& moments, double rays) {
+  const double wantedSpans = rays / 4;
   WeightedPoints result;
   result.points.resize(3, 0);
-  if (overlap) *overlap = 0.0;
   if (surface.triangles.empty()) return result;
 
-  // Rays run along the shortest principal axis: flat bodies are hit by many rays, and turning a body turns its points.
-  const Vector3d center = moments.topRightCorner<3, 1>() / moments(3, 3);
-  const Matrix3d cov = moments.topLeftCorner<3, 3>() / moments(3, 3) - center * center.transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(cov);
-  Matrix3d axes;  // columns: longest, middle, shortest
-  axes << solver.eigenvectors().col(2), solver.eigenvectors().col(1),
-      solver.eigenvectors().col(2).cross(solver.eigenvectors().col(1));
-  std::vector<Vector3d> v;
-  v.reserve(surface.vertices.size());
-  Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
-  for (const Vector3d& p : surface.vertices) {
-    v.push_back(axes.transpose() * (p - center));
-    low = low.min(v.back().array());
-    high = high.max(v.back().array());
-  }
-  const Eigen::Array3d size = high - low;
-  double spacing = std::sqrt(size.x() * size.y() / kRays);
+  const RayFrame frame = rayFrame(surface, moments);
+  const auto& v = frame.vertices;
+  double spacing = std::sqrt(frame.size.x() * frame.size.y() / rays);
   if (!(spacing > 0.0)) return result;
 
   Columns columns;
@@ -192,19 +202,19 @@ WeightedPoints volumePoints(const Surface& surface, const Matrix4d& moments, dou
   for (int attempt = 0; attempt < 4; ++attempt) {  // thin-walled bodies need a finer grid
     columns = castRays(surface, v, spacing);
     spans = spansOf(columns);
-    if (spans.size() >= kWantedSpans) break;
-    spacing /= std::clamp(std::sqrt(1.3 * kWantedSpans / (static_cast<double>(spans.size()) + 1.0)), 1.5, 4.0);
+    if (static_cast<double>(spans.size()) >= wantedSpans) break;
+    spacing /= std::clamp(std::sqrt(1.3 * wantedSpans / (static_cast<double>(spans.size()) + 1.0)), 1.5, 4.0);
   }
 
   std::vector<Vector3d> points;
   std::vector<double> weights;
-  double once = 0.0, all = 0.0;
   long number = 0;
+  double total = 0.0;
+  for (const Span& span : spans) total += span.to - span.from;
+  const double step = std::max(columns.spacing, total / (2.0 * rays));
   for (const Span& span : spans) {
     const double length = span.to - span.from;
-    once += length;
-    all += length * span.layers;
-    const long pieces = std::clamp(static_cast<long>(std::ceil(length / columns.spacing)), 2L, 64L);
+    const long pieces = std::max(2L, std::lround(length / step));
     const double x = columns.origin.x() + columns.spacing * static_cast<double>(span.column % columns.nx);
     const double y = columns.origin.y() + columns.spacing * static_cast<double>(span.column / columns.nx);
     for (long k = 0; k < pieces; ++k) {
@@ -217,11 +227,22 @@ WeightedPoints volumePoints(const Surface& surface, const Matrix4d& moments, dou
   result.points.resize(3, static_cast<Eigen::Index>(points.size()));
   result.weights.resize(static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    result.points.col(static_cast<Eigen::Index>(i)) = center + axes * points[i];
+    result.points.col(static_cast<Eigen::Index>(i)) = frame.center + frame.axes * points[i];
     result.weights[static_cast<Eigen::Index>(i)] = weights[i];
   }
-  if (overlap && all > 0.0) *overlap = (all - once) / all;
   return result;
+}
+
+double overlapShare(const Surface& surface, const Matrix4d& moments) {
+  const RayFrame frame = rayFrame(surface, moments);
+  const double spacing = std::sqrt(frame.size.x() * frame.size.y() / 6000);
+  if (!(spacing > 0.0)) return 0.0;
+  double once = 0.0, all = 0.0;
+  for (const Span& span : spansOf(castRays(surface, frame.vertices, spacing))) {
+    once += span.to - span.from;
+    all += (span.to - span.from) * span.layers;
+  }
+  return all > 0.0 ? (all - once) / all : 0.0;
 }
 
 WeightedPoints sheetPoints(const Surface& surface, double thickness) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/payload/mesh_volume.h"
@@ -86,6 +87,82 @@ void reportRepairs(const SurfaceReport& report, const Location& where, const std
         "");
 }
 
+/// Few pieces with most of the volume; each small one (a screw, a sliver) joins the piece whose box is nearest.
+std::vector<Surface> mainPieces(std::vector<Surface> pieces, double total) {
+  constexpr double kLeastShare = 0.005;
+  constexpr std::size_t kMost = 24;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < pieces.size(); ++i) order.emplace_back(-volumeMoments(pieces[i])(3, 3), i);
+  std::sort(order.begin(), order.end());
+  std::vector<Surface> result;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const auto& [negativeVolume, i] : order) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& v : pieces[i].vertices) box.extend(v);
+    if (result.empty() || (-negativeVolume >= kLeastShare * total && result.size() < kMost)) {
+      result.push_back(std::move(pieces[i]));
+      boxes.push_back(box);
+      continue;
+    }
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < result.size(); ++k) {
+      const double difference =
+          boxes[k].squaredExteriorDistance(box.center()) - boxes[nearest].squaredExteriorDistance(box.center());
+      if (difference < 0.0 || (difference == 0.0 && boxes[k].volume() < boxes[nearest].volume())) nearest = k;
+    }
+    append(result[nearest], pieces[i]);
+  }
+  return result;
+}
+
+/// Points of each piece in proportion to its volume; nothing if the pieces have no inside.
+std::optional<BodySamples> samplePieces(const std::vector<Surface>& pieces, const Matrix4d& moments) {
+  constexpr int kLeastPoints = 24;  // of a piece
+  const int pieceCount = static_cast<int>(pieces.size());
+  BodySamples result;
+  result.volume = moments(3, 3);
+  result.unitPseudoInertia = moments / moments(3, 3);
+  WeightedPoints all{Eigen::Matrix3Xd(3, 0), VectorXd(0)};
+  double reached = 0.0;
+  for (int i = 0; i < pieceCount; ++i) {
+    const Surface& piece = pieces[static_cast<std::size_t>(i)];
+    const Matrix4d own = volumeMoments(piece);
+    if (!(own(3, 3) > 0.0)) continue;
+    const double share = own(3, 3) / moments(3, 3);
+    const WeightedPoints fine = volumePoints(piece, own, std::max(2000.0, 12000.0 * share));
+    if (fine.points.cols() < 8) continue;
+    reached += fine.weights.sum();
+    const int spare = std::max(0, kPointsPerBody - kLeastPoints * pieceCount);
+    WeightedPoints few = thinned(fine, kLeastPoints + static_cast<int>(std::lround(share * spare)));
+    matchMoments(few, own / own(3, 3));  // where it cannot, the whole is matched below
+    const Eigen::Index before = all.points.cols(), added = few.points.cols();
+    all.points.conservativeResize(3, before + added);
+    all.points.rightCols(added) = few.points;
+    all.weights.conservativeResize(before + added);
+    all.weights.tail(added) = few.weights * share;
+    result.piece.conservativeResize(before + added);
+    result.piece.tail(added).setConstant(i);
+  }
+  if (reached < 0.5 * moments(3, 3) || !matchMoments(all, result.unitPseudoInertia)) return std::nullopt;
+  result.points = std::move(all.points);
+  result.weights = std::move(all.weights);
+  return result;
+}
+
+Result<BodySamples> sampleSheet(const Surface& surface, double thickness, const std::string& name) {
+  const Matrix4d moments = sheetMoments(surface, thickness);
+  if (!(moments(3, 3) > 0.0)) return Error{fmt::format("{} has no area: all of its triangles are lines.", name)};
+  BodySamples result;
+  result.volume = moments(3, 3);
+  result.unitPseudoInertia = moments / moments(3, 3);
+  WeightedPoints few = thinned(sheetPoints(surface, thickness), kPointsPerBody);
+  if (!matchMoments(few, result.unitPseudoInertia)) return Error{fmt::format("{} is too thin to have a volume.", name)};
+  result.piece = Eigen::VectorXi::Zero(few.points.cols());
+  result.points = std::move(few.points);
+  result.weights = std::move(few.weights);
+  return result;
+}
+
 Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, Findings& findings) {
   std::shared_ptr<const Mesh> mesh = body.mesh;
   if (!mesh) {
@@ -103,46 +180,33 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
   if (surface.triangles.empty()) return Error{fmt::format("{} has no triangles: a shape needs a surface.", name)};
   if (auto error = checkSize(body, extentOf(surface).maxCoeff(), findings, name)) return *error;
 
-  const Vector3d extent = extentOf(surface);
-  BodySamples result;
-  Matrix4d moments;
-  WeightedPoints fine;
-  if (body.wall) {
-    moments = sheetMoments(surface, *body.wall);
-    if (!(moments(3, 3) > 0.0)) return Error{fmt::format("{} has no area: all of its triangles are lines.", name)};
-    fine = sheetPoints(surface, *body.wall);
-  } else {
-    const SurfaceReport report = repair(surface);
-    moments = volumeMoments(surface);
-    const double box = std::max(extent.prod(), 1e-12 * std::pow(extent.maxCoeff(), 3));
-    const bool sheetLike = report.holeArea > 0.4 * (report.area + report.holeArea);
-    if (!(moments(3, 3) > 1e-6 * box) || sheetLike)
-      return Error{
-          fmt::format("{} encloses no volume ({} open edges): export a closed solid, or give its wall thickness so "
-                      "that it counts as a thin shell.",
-                      name, report.openEdges)};
-    reportRepairs(report, where, name, findings);
-    double overlap = 0.0;
-    fine = volumePoints(surface, moments, &overlap);
-    if (fine.points.cols() < 16 || !(fine.weights.sum() > 0.5 * moments(3, 3)))
-      return Error{
-          fmt::format("{} cuts through itself so badly that its inside cannot be told: export a clean solid, or "
-                      "give its wall thickness.",
-                      name)};
-    if (overlap > 0.02)
-      findings.push_back(
-          {Severity::info, "mesh_overlap",
-           fmt::format("{}: {:.0f} % of the volume is counted again because parts overlap.", name, 100.0 * overlap), "",
-           where});
-  }
-  result.volume = moments(3, 3);
-  result.unitPseudoInertia = moments / moments(3, 3);
-  WeightedPoints few = thinned(fine, kPointsPerBody);
-  if (!matchMoments(few, result.unitPseudoInertia))
-    return Error{fmt::format("{} is flat: it encloses no volume.", name)};
-  result.points = std::move(few.points);
-  result.weights = std::move(few.weights);
-  return result;
+  if (body.wall) return sampleSheet(surface, *body.wall, name);
+
+  const double size = extentOf(surface).maxCoeff();
+  const double box = std::max(extentOf(surface).prod(), 1e-12 * size * size * size);
+  ClosedPieces closed = closePieces(std::move(surface));
+  const SurfaceReport& report = closed.report;
+  Surface whole;
+  for (const Surface& piece : closed.pieces) append(whole, piece);
+  const Matrix4d moments = volumeMoments(whole);
+  if (!(moments(3, 3) > 1e-6 * box) || report.holeArea > 0.4 * (report.area + report.holeArea))
+    return Error{
+        fmt::format("{} encloses no volume ({} open edges): export a closed solid, or give its wall thickness so "
+                    "that it counts as a thin shell.",
+                    name, report.openEdges)};
+  reportRepairs(report, where, name, findings);
+  if (const double overlap = overlapShare(whole, moments); overlap > 0.02)
+    findings.push_back(
+        {Severity::info, "mesh_overlap",
+         fmt::format("{}: {:.0f} % of the volume is counted again because parts overlap.", name, 100.0 * overlap), "",
+         where});
+  auto result = samplePieces(mainPieces(std::move(closed.pieces), moments(3, 3)), moments);
+  if (!result)
+    return Error{
+        fmt::format("{} is so flat, or cuts through itself so badly, that its inside cannot be told: export a clean "
+                    "solid, or give its wall thickness.",
+                    name)};
+  return *result;
 }
 
 Result<BodySamples> samplePrimitive(const ShapeBody& body, const std::string& name, Findings& findings) {
@@ -156,6 +220,7 @@ Result<BodySamples> samplePrimitive(const ShapeBody& body, const std::string& na
   result.unitPseudoInertia = moments / moments(3, 3);
   if (!(result.volume > 0.0) || few.points.cols() < 4 || !matchMoments(few, result.unitPseudoInertia))
     return Error{fmt::format("{} is too thin to have a volume.", name)};
+  result.piece = Eigen::VectorXi::Zero(few.points.cols());
   result.points = std::move(few.points);
   result.weights = std::move(few.weights);
   return result;

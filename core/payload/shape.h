@@ -52,6 +52,7 @@ struct Shape {
 struct BodySamples {
   Eigen::Matrix3Xd points;  ///< S axes [m], about a thousand
   VectorXd weights;         ///< Volume shares, positive, sum to 1. First and second moments are the exact ones.
+  Eigen::VectorXi piece;    ///< Of each point: which separate part of a CAD assembly it is in, from 0.
   Matrix4d unitPseudoInertia = Matrix4d::Zero();  ///< Exact, of this body with mass 1 kg, about S's origin.
   double volume = 0.0;                            ///< [m3], of the material
   std::optional<double> mass;                     ///< [kg], from mass or density

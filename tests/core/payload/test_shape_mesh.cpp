@@ -153,8 +153,10 @@ TEST(MeshVolume, SphereOfTrianglesApproachesTheSphere) {
 }
 
 TEST(MeshVolume, PointsBeforeTheCorrectionAreWithinOnePercent) {
-  Surface surface = weld(turned({{0, 0}, {0.05, 0}, {0.05, 0.01}, {0.01, 0.02}, {0.01, 0.3}, {0, 0.3}}, 64), 1.0);
-  repair(surface);
+  const ClosedPieces closed =
+      closePieces(weld(turned({{0, 0}, {0.05, 0}, {0.05, 0.01}, {0.01, 0.02}, {0.01, 0.3}, {0, 0.3}}, 64), 1.0));
+  ASSERT_EQ(closed.pieces.size(), 1u);
+  const Surface& surface = closed.pieces[0];
   const Matrix4d moments = volumeMoments(surface);
   const WeightedPoints fine = volumePoints(surface, moments);
   EXPECT_NEAR(fine.weights.sum(), moments(3, 3), 0.01 * moments(3, 3));
@@ -289,6 +291,42 @@ TEST(MeshVolume, BodiesThatTouchAlongAnEdgeAreBothCounted) {
   ASSERT_EQ(got.error, "");
   EXPECT_TRUE(got.has("mesh_non_manifold"));
   EXPECT_NEAR(got.samples.volume, 0.002, 1e-8);
+}
+
+TEST(MeshVolume, PointsKnowTheirPieceAndEachPieceHasItsOwnMoments) {
+  Mesh mesh;
+  addBox(mesh, {0, 0, 0}, {0.04, 0.04, 0.2});
+  addBox(mesh, {0, 0, 0.12}, {0.1, 0.03, 0.04});  // touches the first one's end without sharing vertices
+  const Sampled got = sample(shapeOf(mesh));
+  ASSERT_EQ(got.error, "");
+  ASSERT_EQ(got.samples.piece.size(), got.samples.points.cols());
+  ASSERT_EQ(got.samples.piece.maxCoeff(), 1);
+  for (int piece = 0; piece < 2; ++piece) {
+    Matrix4d P = Matrix4d::Zero();
+    for (Eigen::Index i = 0; i < got.samples.points.cols(); ++i) {
+      if (got.samples.piece[i] != piece) continue;
+      const Eigen::Vector4d x = got.samples.points.col(i).homogeneous();
+      EXPECT_EQ(x.z() > 0.1, piece == 1) << "pieces are ordered by volume";
+      P += got.samples.weights[i] * x * x.transpose();
+    }
+    const Matrix4d exact =
+        piece == 0 ? boxMoments({0, 0, 0}, {0.04, 0.04, 0.2}) : boxMoments({0, 0, 0.12}, {0.1, 0.03, 0.04});
+    EXPECT_LT((got.samples.volume * P - exact).cwiseAbs().maxCoeff(), 1e-5 * exact(3, 3));
+  }
+}
+
+TEST(MeshVolume, LoosePatchesAreClosedTogether) {
+  Mesh whole = boxMesh(kCenter, kSize, 1), mesh;  // the six faces of a box, each a little smaller than it should be
+  for (const auto& t : whole.parts[0].triangles) {
+    std::array<Vector3d, 3> v;
+    for (std::size_t k = 0; k < 3; ++k) v[k] = whole.parts[0].vertices[t[k]].cast<double>();
+    const Vector3d middle = (v[0] + v[1] + v[2]) / 3.0;
+    for (Vector3d& p : v) p += 1e-3 * (middle - p);
+    addTriangle(mesh, v[0], v[1], v[2]);
+  }
+  const Sampled got = sample(shapeOf(mesh));
+  ASSERT_NE(got.error, "") << "nothing connects these triangles";
+  EXPECT_THAT(got.error, HasSubstr("encloses no volume"));
 }
 
 TEST(MeshVolume, OverlapIsCountedTwiceAndSaid) {
