@@ -41,12 +41,15 @@ std::string whatIsWrong(const SimulateOptions& options) {
       {"force bias", " N", s.forceBias, true},
       {"torque bias", " N m", s.torqueBias, true},
       {"torque range", " N m", s.torqueRange, false},
-      {"force resolution", " N", s.forceResolution.minCoeff(), true},
-      {"force resolution", " N", s.forceResolution.maxCoeff(), true},
-      {"torque resolution", " N m", s.torqueResolution.minCoeff(), true},
-      {"torque resolution", " N m", s.torqueResolution.maxCoeff(), true},
-      {"force range", " N", s.forceRange.minCoeff(), false},
-      {"force range", " N", s.forceRange.maxCoeff(), false},
+      {"force resolution (x)", " N", s.forceResolution.x(), true},
+      {"force resolution (y)", " N", s.forceResolution.y(), true},
+      {"force resolution (z)", " N", s.forceResolution.z(), true},
+      {"torque resolution (x)", " N m", s.torqueResolution.x(), true},
+      {"torque resolution (y)", " N m", s.torqueResolution.y(), true},
+      {"torque resolution (z)", " N m", s.torqueResolution.z(), true},
+      {"force range (x)", " N", s.forceRange.x(), false},
+      {"force range (y)", " N", s.forceRange.y(), false},
+      {"force range (z)", " N", s.forceRange.z(), false},
   };
   for (const Check& check : checks) {
     if (std::isfinite(check.value) && (check.value > 0.0 || (check.mayBeZero && check.value == 0.0))) continue;

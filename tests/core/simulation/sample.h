@@ -14,7 +14,8 @@ inline Payload sampleTool(double mass = 0.75) {
       (mass / 12.0 * Vector3d(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y()))
           .asDiagonal();
   const Matrix3d R = rotationFromRpy({0.3, -0.2, 0.5});
-  payload.inertiaCom = R * payload.inertiaCom * R.transpose();
+  const Matrix3d I = R * payload.inertiaCom * R.transpose();
+  payload.inertiaCom = 0.5 * (I + I.transpose());
   return payload;
 }
 
