@@ -1,5 +1,5 @@
 #pragma once
-// Payload files in the forms that controllers read.
+// Payload files in the forms that controllers and simulators read.
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -17,6 +17,7 @@ struct ExportInput {
   std::string name = "tool";  ///< For formats that carry a name
   std::string provenance;     ///< One line: program, version, recording; written as a comment where there are comments
   std::string uncertainty;    ///< One line with intervals; likewise
+  Isometry3d X_FE = Isometry3d::Identity();  ///< Pose of the tool centre point; only Franka's tool files carry it
 };
 
 struct ExportFormat {
@@ -24,14 +25,23 @@ struct ExportFormat {
   std::string_view title;      ///< "Franka Desk end effector (JSON)"
   std::string_view extension;  ///< ".json"
   std::string (*write)(const ExportInput& input);
+  std::string_view unverified = {};  ///< What about this format Heft's authors could not check; empty: all checked
+  double heaviest = 0.0;             ///< Largest mass that its controller is made for [kg]; 0: not known
 };
 
 /// Every format that this build writes, in the order shown to a user.
 const std::vector<ExportFormat>& exportFormats();
+/// Null if there is none of that id.
 const ExportFormat* findExportFormat(std::string_view id);
 
-/// Refuses unphysical payloads (positive definite and triangle inequality) and names why; warns in `findings` about
-/// limits (Panda: 3 kg).
+/// Refuses unphysical payloads (positive definite and triangle inequality) and names why. `findings` gets warnings
+/// about limits (Panda: 3 kg), about what the format cannot hold and about what is unverified in it.
+///
+/// Numbers are rounded to what an estimate can carry (mass 10 mg, centre of mass 1 um, inertia to six digits of its
+/// largest entry), finer where coarse rounding would make the body impossible; what is written is always physical.
 Result<std::string> exportPayload(const ExportFormat& format, const ExportInput& input, Findings& findings);
+
+/// The payload with the rounding described above.
+Payload roundedForExport(const Payload& payload);
 
 }  // namespace heft
