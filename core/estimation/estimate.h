@@ -7,39 +7,14 @@
 #include "core/base/findings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/estimation/identifiability.h"
 #include "core/estimation/options.h"
+#include "core/estimation/uncertainty.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
 #include "core/segmentation/segmentation.h"
 
 namespace heft {
-
-/// Where a number comes from.
-enum class Source {
-  data,   ///< Measured: the data alone tell it.
-  prior,  ///< From the shape or values that the user gave.
-  none,   ///< Not known: a placeholder of plausible size with a wide interval.
-};
-std::string_view toString(Source source);
-
-struct Interval {
-  double lower = 0.0, upper = 0.0;
-};
-
-struct PayloadInterval {
-  Interval mass;
-  std::array<Interval, 3> com;
-  std::array<std::array<Interval, 3>, 3> inertiaCom;
-};
-
-struct Identifiability {
-  Source mass = Source::none;
-  std::array<Source, 3> com{Source::none, Source::none, Source::none};
-  std::array<std::array<Source, 3>, 3> inertia{};
-  double conditionNumber = 0.0;                          ///< Of the scaled, whitened regressor.
-  double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
-  std::vector<std::string> weakDirections;               ///< In words: what this motion told too little about.
-};
 
 struct RelativeError {
   double mass = 0, com = 0, inertiaCom = 0, inertiaOrigin = 0;
@@ -57,6 +32,7 @@ struct EstimateReport {
   Method method = Method::map;
   ParameterSet parameters = ParameterSet::full;
   std::string file;
+  SensorMount mount;  ///< S in the robot's link, for writing the payload in the flange's frame.
   Eigen::Index samples = 0;
   double rateHz = 0, duration = 0, usedDuration = 0;
   Payload payload;

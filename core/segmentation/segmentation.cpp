@@ -253,7 +253,7 @@ std::vector<Segment> segmentsOf(const Recording& recording, const WrenchRows& ro
     if (!segments.empty() && segments.back().label == label && segments.back().reason == reason) {
       segments.back().to = rows.time(k) + half;
     } else {
-      segments.push_back({rows.time(k) - half, rows.time(k) + half, label, reason, byUser ? 1.0 : 0.9});
+      segments.push_back({rows.time(k) - half, rows.time(k) + half, label, reason});
     }
   }
   return segments;

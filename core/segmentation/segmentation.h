@@ -12,7 +12,6 @@ struct Segment {
   double from = 0, to = 0;  ///< [s]
   MarkLabel label = MarkLabel::free;
   std::string reason;       ///< In plain words.
-  double confidence = 1.0;  ///< 0..1
 };
 
 enum class SegmentMode { automatic, marks, all };

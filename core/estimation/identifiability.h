@@ -1,0 +1,44 @@
+#pragma once
+// What this motion can tell: shares of data and prior, and the weak directions in words.
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/estimation/map.h"
+#include "core/estimation/options.h"
+#include "core/motion/motion.h"
+
+namespace heft {
+
+/// Where a number comes from.
+enum class Source {
+  data,   ///< Measured: the data alone tell it.
+  prior,  ///< From the shape or values that the user gave.
+  none,   ///< Not known: a placeholder of plausible size with a wide interval.
+};
+std::string_view toString(Source source);
+
+struct Identifiability {
+  Source mass = Source::none;
+  std::array<Source, 3> com{Source::none, Source::none, Source::none};
+  std::array<std::array<Source, 3>, 3> inertia{};
+  double conditionNumber = 0.0;  ///< Of the whitened regressor, biases eliminated, columns scaled to unit length.
+  double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
+  std::vector<std::string> weakDirections;               ///< In words: what this motion told too little about.
+};
+
+/// Condition number of the trailing 10 columns of a whitened triangle, each scaled to unit length; infinite if
+/// singular.
+double scaledCondition(const Triangle& R);
+
+/// Judges a map solution. With `userPrior` (a shape) a number that the data tell less than half of comes from the
+/// prior. Without one, a number whose relative standard deviation exceeds 30 % is not identified (Gautier): mass
+/// relative to itself, centre of mass to the body's radius of gyration, inertia to the geometric mean of its two
+/// moments.
+Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, bool userPrior);
+
+/// Says which rotation or tilt was missing for what is not measured.
+std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion);
+
+}  // namespace heft

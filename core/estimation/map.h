@@ -1,0 +1,48 @@
+#pragma once
+// Maximum a posteriori estimate in coordinates in which every payload is physically possible.
+//
+// P = U0 V V^T U0^T with P0 = U0 U0^T the prior's pseudo-inertia and V upper triangular with positive diagonal
+// v_ii = exp(delta_i). Coordinates v = [delta_1, delta_2, delta_3, v12, v13, v23, v14, v24, v34, delta_4]:
+// delta_4 is half the logarithm of the mass ratio, (v14, v24, v34) / v44 the shift of the centre of mass in the prior
+// body's own standard deviations, the first six its shape (Rucker & Wensing 2022, corrected; Lee, Wensing, Park 2020).
+#include "core/estimation/triangle.h"
+
+namespace heft {
+
+using Matrix10d = Eigen::Matrix<double, 10, 10>;
+
+/// Upper-triangular U with P = U U^T. Throws std::invalid_argument unless P is positive definite.
+Matrix4d upperFactor(const Matrix4d& P);
+
+/// Normal distribution of v about `mean` with inverse covariance `information`, relative to P0 = U0 U0^T.
+struct MapPrior {
+  Matrix4d U0 = Matrix4d::Identity();
+  Vector10d mean = Vector10d::Zero();
+  Matrix10d information = Matrix10d::Identity();
+};
+
+/// A tool of hand size about which nothing is known: mass within a factor of 20, centre within 30 cm of `com`, radius
+/// of gyration 5 cm within a factor of about 5 (all at two standard deviations). Its weight against data is negligible.
+MapPrior vaguePrior(double mass, const Vector3d& com);
+
+Vector10d parametersFromV(const MapPrior& prior, const Vector10d& v);
+/// d phi / d v, 10 x 10.
+Matrix10d parametersJacobian(const MapPrior& prior, const Vector10d& v);
+/// The coordinates of a physical payload. Throws std::invalid_argument for another.
+Vector10d vFromParameters(const MapPrior& prior, const Vector10d& phi);
+
+struct MapSolution {
+  Vector10d v = Vector10d::Zero();
+  Vector10d phi = Vector10d::Zero();
+  Vector6d bias = Vector6d::Zero();
+  Matrix10d dataInformation = Matrix10d::Zero();  ///< J^T A^T A J in v, biases eliminated
+  Matrix10d covariance = Matrix10d::Zero();       ///< of v: inverse of data plus prior information (Laplace)
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Minimises |R [bias; phi(v); -1]|^2 + (v - mean)^T information (v - mean) by Gauss-Newton with Levenberg damping.
+/// `R` must be whitened. Without `bias` the six biases are held at zero.
+MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& start);
+
+}  // namespace heft

@@ -1,0 +1,125 @@
+#include "core/estimation/noise_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace heft {
+
+namespace {
+
+using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// Innovation of channel c at block k of a run that has enough blocks before it.
+template <class Row>
+auto predictionError(const ArModel& model, Eigen::Index k, const Row& at) {
+  auto error = at(k);
+  for (int i = 0; i < model.order(); ++i) error -= model.coefficients(i) * at(k - 1 - i);
+  return error;
+}
+
+}  // namespace
+
+NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters) {
+  NoiseModel noise;
+  double used = 0.0;
+  for (int c = 0; c < 6; ++c) {
+    AutoCovariance sums(kMaxArOrder);
+    for (const auto& run : runs)
+      sums.add(residual.row(c).segment(run.from, run.to - run.from).transpose(),
+               weights.row(c).segment(run.from, run.to - run.from).transpose());
+    noise.channels[static_cast<std::size_t>(c)] = sums.fit();
+    noise.order = std::max(noise.order, noise.channels[static_cast<std::size_t>(c)].order());
+    used += sums.count();
+  }
+  // The fitted parameters took their share of the residual's energy.
+  const double freedom = used > parameters + 6.0 ? used / (used - parameters) : 1.0;
+  Matrix6d covariance = Matrix6d::Zero();
+  double count = 0.0;
+  for (const auto& run : runs) {
+    for (Eigen::Index k = run.from + noise.order; k < run.to; ++k) {
+      Vector6d e;
+      for (int c = 0; c < 6; ++c)
+        e(c) = predictionError(noise.channels[static_cast<std::size_t>(c)], k,
+                               [&](Eigen::Index j) { return residual(c, j); }) *
+               weights(c, k);
+      covariance += e * e.transpose();
+      count += 1.0;
+    }
+  }
+  covariance *= freedom / std::max(1.0, count);
+  // Correlations need many samples; with few the channels are taken as independent.
+  const Vector6d variance = covariance.diagonal().cwiseMax(Vector6d(Vector6d::Constant(1e-16)));
+  covariance *= count / (count + 60.0);
+  covariance.diagonal() = variance;
+  for (int c = 0; c < 6; ++c) noise.channels[static_cast<std::size_t>(c)].sigma = std::sqrt(variance(c));
+  noise.whitener = covariance.llt().matrixL().solve(Matrix6d::Identity());
+  return noise;
+}
+
+Wrenches innovations(const NoiseModel& noise, const Wrenches& residual, const std::vector<Run>& runs) {
+  Wrenches out = Wrenches::Zero(6, residual.cols());
+  for (const auto& run : runs)
+    for (Eigen::Index k = run.from + noise.order; k < run.to; ++k) {
+      Vector6d e;
+      for (int c = 0; c < 6; ++c)
+        e(c) = predictionError(noise.channels[static_cast<std::size_t>(c)], k,
+                               [&](Eigen::Index j) { return residual(c, j); });
+      out.col(k) = noise.whitener * e;
+    }
+  return out;
+}
+
+std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel& noise, const Wrenches& weights,
+                                        const std::vector<Run>& runs, int folds) {
+  Eigen::Index total = 0;
+  for (const auto& run : runs) total += std::max<Eigen::Index>(0, run.to - run.from - noise.order);
+  std::vector<TriangleBuilder> builders(static_cast<std::size_t>(folds));
+  Eigen::Index seen = 0;
+  std::vector<Eigen::Matrix<double, 6, kColumns + 1>> blocks;
+  Eigen::Matrix<double, 6, kColumns + 1> E;
+  for (const auto& run : runs) {
+    blocks.clear();
+    for (Eigen::Index k = run.from; k < run.to; ++k) blocks.push_back(blockRows(rows, k));
+    for (Eigen::Index k = noise.order; k < run.to - run.from; ++k, ++seen) {
+      for (int c = 0; c < 6; ++c) {
+        const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+        E.row(c) = blocks[static_cast<std::size_t>(k)].row(c);
+        for (int i = 0; i < model.order(); ++i)
+          E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c);
+      }
+      const Eigen::Matrix<double, 6, kColumns + 1> white = noise.whitener * E;
+      auto& builder = builders[static_cast<std::size_t>(
+          std::min<Eigen::Index>(folds - 1, seen * folds / std::max<Eigen::Index>(1, total)))];
+      for (int c = 0; c < 6; ++c) builder.add(std::sqrt(weights(c, run.from + k)) * white.row(c));
+    }
+  }
+  std::vector<Triangle> triangles;
+  for (auto& builder : builders) triangles.push_back(builder.finish());
+  return triangles;
+}
+
+Eigen::Matrix<double, kColumns, kColumns> scoreCovariance(const WrenchRows& rows, const NoiseModel& noise,
+                                                          const Vector6d& channelWeights,
+                                                          const std::vector<Run>& runs) {
+  // e = F u with F the autoregressive filter and u white: cov(A^T e) = (F^T A)^T (F^T A) sigma^2, and F^T runs
+  // backwards in time. Correlations between channels are neglected here.
+  Eigen::Matrix<double, kColumns, kColumns> sum = Eigen::Matrix<double, kColumns, kColumns>::Zero();
+  for (int c = 0; c < 6; ++c) {
+    const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+    for (const auto& run : runs) {
+      const Eigen::Index n = run.to - run.from;
+      MatrixXd G(n, kColumns);
+      for (Eigen::Index k = n - 1; k >= 0; --k) {
+        G.row(k).setZero();
+        G(k, c) = 1.0;
+        G.row(k).segment<10>(6) = rows.Y[static_cast<std::size_t>(run.from + k)].row(c);
+        for (int i = 0; i < model.order() && k + 1 + i < n; ++i) G.row(k) += model.coefficients(i) * G.row(k + 1 + i);
+      }
+      const double scale = model.sigma * channelWeights(c);
+      sum.noalias() += scale * scale * (G.transpose() * G);
+    }
+  }
+  return sum;
+}
+
+}  // namespace heft

@@ -1,0 +1,49 @@
+#pragma once
+// What the residual of a good fit looks like: coloured, correlated between channels, now and then a spike.
+#include <array>
+#include <vector>
+
+#include "core/estimation/triangle.h"
+#include "core/math/statistics.h"
+
+namespace heft {
+
+/// A contiguous run of blocks that are used: [from, to).
+struct Run {
+  Eigen::Index from = 0, to = 0;
+};
+
+/// One autoregressive model a channel and the correlation of their innovations.
+struct NoiseModel {
+  std::array<ArModel, 6> channels;
+  Matrix6d whitener = Matrix6d::Identity();  ///< L^-1 with L L^T = covariance of the innovations of the six channels
+  int order = 0;                             ///< Largest order; that many blocks of each run serve as start values.
+};
+
+/// Longest autoregressive memory that is tried [blocks].
+constexpr int kMaxArOrder = 8;
+
+/// Fits to residuals (6 x K); `weights` (6 x K in 0..1) leave spikes out. `parameters` is the number of parameters that
+/// the residual was fitted with, for the degrees of freedom.
+NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
+                    const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
+                    int parameters);
+
+/// Innovations of the residual, whitened: standard normal if the model is right. Columns before a run's memory is full
+/// are zero.
+Eigen::Matrix<double, 6, Eigen::Dynamic> innovations(const NoiseModel& noise,
+                                                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
+                                                     const std::vector<Run>& runs);
+
+/// Whitened rows of the given runs as triangles, one for each of `folds` consecutive parts (for held-out checks); their
+/// merger is the whole problem. `weights` are those of the innovations (robust fit).
+std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel& noise,
+                                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights,
+                                        const std::vector<Run>& runs, int folds);
+
+/// Covariance of A^T e for the noise's e, when A are the unwhitened rows of the runs (16 x 16): the middle of the
+/// sandwich for estimators that ignore the noise's colour.
+Eigen::Matrix<double, kColumns, kColumns> scoreCovariance(const WrenchRows& rows, const NoiseModel& noise,
+                                                          const Vector6d& channelWeights, const std::vector<Run>& runs);
+
+}  // namespace heft

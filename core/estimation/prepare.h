@@ -1,0 +1,42 @@
+#pragma once
+// Everything that comes before solving: motion, blocks, labels, runs, spikes, noise.
+#include "core/base/progress.h"
+#include "core/estimation/noise_model.h"
+#include "core/estimation/options.h"
+#include "core/recording/recording.h"
+#include "core/robot/robot_model.h"
+
+namespace heft {
+
+/// Blocks that the noise model and the map estimator work on [Hz].
+constexpr double kBlockRate = 50.0;
+/// Consecutive parts for held-out checks.
+constexpr int kFolds = 5;
+
+struct Prepared {
+  Motion motion;
+  WrenchRows blocks;              ///< About kBlockRate
+  std::vector<MarkLabel> labels;  ///< One a block
+  std::vector<Segment> segments;
+  std::vector<Run> runs;  ///< Free blocks inside the trim, as contiguous runs
+  Eigen::Index usedBlocks = 0;
+  double usedDuration = 0.0;  ///< [s]
+  NoiseModel noise;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> weights;  ///< Robust weights of the innovations, 0..1
+  std::vector<Triangle> whitened;                    ///< One a fold
+  Findings findings;
+
+  bool used(Eigen::Index block) const;
+  int foldOf(Eigen::Index block) const;  ///< Of a used block.
+};
+
+/// Fails with one sentence if nothing is left to estimate from.
+Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                         const Progress& progress);
+
+/// The wrench without isolated spikes: samples further than eight times the local scatter from the median of their
+/// seven neighbours take that median. Counts what was replaced.
+Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench,
+                                                       Eigen::Index& replaced);
+
+}  // namespace heft

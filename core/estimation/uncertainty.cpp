@@ -1,0 +1,108 @@
+#include "core/estimation/uncertainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace heft {
+
+namespace {
+
+constexpr double kNormal95 = 1.959963984540054;
+constexpr int kPairs = 2000;
+
+/// Standard normal draws, the same on every platform and in every run.
+const std::vector<Vector10d>& draws() {
+  static const std::vector<Vector10d> kDraws = [] {
+    std::mt19937_64 random(42);
+    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1.0p-53; };
+    std::vector<Vector10d> out(kPairs);
+    for (auto& z : out)
+      for (int i = 0; i < 10; i += 2) {
+        const double radius = std::sqrt(-2.0 * std::log(uniform()));
+        const double angle = 2.0 * std::numbers::pi * uniform();
+        z(i) = radius * std::cos(angle);
+        z(i + 1) = radius * std::sin(angle);
+      }
+    return out;
+  }();
+  return kDraws;
+}
+
+PayloadInterval fromArrays(const std::array<Interval, 10>& i) {
+  PayloadInterval out;
+  out.mass = i[0];
+  out.com = {i[1], i[2], i[3]};
+  out.inertiaCom = {{{i[4], i[5], i[6]}, {i[5], i[7], i[8]}, {i[6], i[8], i[9]}}};
+  return out;
+}
+
+}  // namespace
+
+Vector10d componentsOf(const Payload& payload) {
+  const Matrix3d& I = payload.inertiaCom;
+  Vector10d out;
+  out << payload.mass, payload.com, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2);
+  return out;
+}
+
+Payload payloadFromComponents(const Vector10d& x) { return {x(0), x.segment<3>(1), inertiaTensor(x)}; }
+
+Matrix10d componentsJacobian(const Vector10d& phi) {
+  Matrix10d J;
+  for (int i = 0; i < 10; ++i) {
+    const double step = 1e-6 * std::max({std::abs(phi(i)), 1e-3 * std::abs(phi(0)), 1e-9});
+    Vector10d up = phi, down = phi;
+    up(i) += step;
+    down(i) -= step;
+    J.col(i) = (componentsOf(fromParameters(up)) - componentsOf(fromParameters(down))) / (2.0 * step);
+  }
+  return J;
+}
+
+PayloadInterval intervalsFromV(const MapPrior& prior, const MapSolution& solution) {
+  const Matrix10d L = solution.covariance.llt().matrixL();
+  std::array<std::vector<double>, 10> values;
+  for (auto& list : values) list.reserve(2 * kPairs);
+  for (const auto& z : draws())
+    for (const double sign : {1.0, -1.0}) {
+      const Vector10d x = componentsOf(fromParameters(parametersFromV(prior, solution.v + sign * (L * z))));
+      for (std::size_t i = 0; i < 10; ++i) values[i].push_back(x(static_cast<Eigen::Index>(i)));
+    }
+  std::array<Interval, 10> intervals;
+  for (std::size_t i = 0; i < 10; ++i) {
+    auto& list = values[i];
+    const auto tail = static_cast<std::ptrdiff_t>(0.025 * static_cast<double>(list.size()));
+    std::nth_element(list.begin(), list.begin() + tail, list.end());
+    intervals[i].lower = list[static_cast<std::size_t>(tail)];
+    std::nth_element(list.begin(), list.end() - 1 - tail, list.end());
+    intervals[i].upper = *(list.end() - 1 - tail);
+  }
+  return fromArrays(intervals);
+}
+
+PayloadInterval intervalsFromCovariance(const Vector10d& components, const Matrix10d& covariance) {
+  std::array<Interval, 10> intervals;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double half = kNormal95 * std::sqrt(std::max(0.0, covariance(k, k)));
+    intervals[i] = {components(k) - half, components(k) + half};
+  }
+  return fromArrays(intervals);
+}
+
+Payload standardDeviations(const PayloadInterval& intervals) {
+  const auto std = [](const Interval& i) { return (i.upper - i.lower) / (2.0 * kNormal95); };
+  Payload out;
+  out.mass = std(intervals.mass);
+  for (std::size_t r = 0; r < 3; ++r) {
+    out.com(static_cast<Eigen::Index>(r)) = std(intervals.com[r]);
+    for (std::size_t c = 0; c < 3; ++c)
+      out.inertiaCom(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = std(intervals.inertiaCom[r][c]);
+  }
+  return out;
+}
+
+}  // namespace heft

@@ -1,0 +1,35 @@
+#pragma once
+// Intervals for every reported number.
+#include <array>
+
+#include "core/estimation/map.h"
+
+namespace heft {
+
+struct Interval {
+  double lower = 0.0, upper = 0.0;
+};
+
+struct PayloadInterval {
+  Interval mass;
+  std::array<Interval, 3> com;
+  std::array<std::array<Interval, 3>, 3> inertiaCom;
+};
+
+/// What files hold, as one vector: mass, com, Ixx, Ixy, Ixz, Iyy, Iyz, Izz about the centre of mass.
+Vector10d componentsOf(const Payload& payload);
+Payload payloadFromComponents(const Vector10d& components);
+/// d components / d phi at phi.
+Matrix10d componentsJacobian(const Vector10d& phi);
+
+/// 95 % intervals by draws of v from the posterior (Laplace) carried through to the payload, so that intervals of
+/// positive quantities stay positive. Deterministic: the draws are fixed and come in opposite pairs.
+PayloadInterval intervalsFromV(const MapPrior& prior, const MapSolution& solution);
+
+/// value +- 1.96 standard deviations, for linear estimates with the covariance of the ten components.
+PayloadInterval intervalsFromCovariance(const Vector10d& components, const Matrix10d& covariance);
+
+/// Half the intervals' width over 1.96: the standard deviation of a normal distribution with these intervals.
+Payload standardDeviations(const PayloadInterval& intervals);
+
+}  // namespace heft
