@@ -11,6 +11,13 @@ namespace {
 
 using heft::cli::Command;
 
+// CLI11 separates groups by two empty lines; and a subcommand does not know whose it is.
+std::string helpText(const CLI::App& app, const CLI::App& root) {
+  std::string text = app.help(&app == &root ? "" : "heft");
+  for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;) text.erase(at, 1);
+  return text;
+}
+
 std::vector<std::string> optionNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const auto* option : app.get_options())
@@ -45,7 +52,7 @@ int runCommandLine(int argc, char** argv) {
   root.set_help_flag("-h,--help", "Print this help and end");
   root.get_formatter()->column_width(34);
   root.footer(
-      "\nThe usual way:\n"
+      "The usual way:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv      (or use your own recording)\n"
       "  heft estimate rec.csv --json result.json\n"
       "  heft export result.json --format franka-desk -o tool.json\n\n"
@@ -59,7 +66,7 @@ int runCommandLine(int argc, char** argv) {
     return list;
   }();
   if (argc < 2) {
-    fmt::print(stderr, "{}", root.help());
+    fmt::print(stderr, "{}", helpText(root, root));
     return heft::cli::kWrongUsage;
   }
   if (const std::string first = argv[1]; !first.starts_with("-") && std::ranges::find(names, first) == names.end()) {
@@ -81,7 +88,7 @@ int runCommandLine(int argc, char** argv) {
   } catch (const CLI::CallForHelp&) {
     for (const Command& command : commands)
       if (command.app->parsed()) at = command.app;
-    heft::cli::print(at == &root ? root.help() : at->help());
+    heft::cli::print(helpText(*at, root));
     return heft::cli::kDone;
   } catch (const CLI::CallForVersion& version) {
     heft::cli::print(fmt::format("{}\n", version.what()));

@@ -68,13 +68,15 @@ void run(const Options& options) {
 Command makeConvertCommand(CLI::App& root) {
   auto options = std::make_shared<Options>();
   CLI::App* app = root.add_subcommand("convert", "Check a recording and write it in the plain form");
-  app->add_option("IN", options->input, "The recording, CSV with a header row")->required();
-  app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")->required();
-  app->add_option("--meta", options->meta, "Meta file; otherwise IN's own .meta.json if it exists");
-  app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout");
+  app->add_option("IN", options->input, "The recording, CSV with a header row")->type_name("")->required();
+  app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")
+      ->type_name("")
+      ->required();
+  app->add_option("--meta", options->meta, "Meta file; otherwise IN's own .meta.json if it exists")->type_name("FILE");
+  app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace files that exist");
   app->footer(
-      "\nExamples:\n"
+      "Examples:\n"
       "  heft convert raw.csv rec.csv\n"
       "  heft convert raw.csv rec.csv --meta sensor.meta.json --json check.json\n\n"
       "Commas between columns, SI units, time rising, unit quaternions, wrench as the sensor exerts it on the\n"

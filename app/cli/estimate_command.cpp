@@ -128,52 +128,75 @@ Command makeEstimateCommand(CLI::App& root) {
   auto& estimate = options->estimate;
   auto& motion = estimate.motion;
   CLI::App* app = root.add_subcommand("estimate", "Find mass, centre of mass and inertia from a recording");
-  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")->required();
-  app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text");
-  app->add_option("--meta", options->meta, "Meta file; otherwise RECORDING's own .meta.json if it exists");
+  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")
+      ->type_name("")
+      ->required();
+  app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
+      ->type_name("FILE");
+  app->add_option("--meta", options->meta, "Meta file; otherwise RECORDING's own .meta.json if it exists")
+      ->type_name("FILE");
   app->add_option("-o,--output", options->output,
-                  "Also write the payload file, in flange axes, ready for the controller");
-  app->add_option("-f,--format", options->format, "Its format, see 'heft export --help'")->capture_default_str();
+                  "Also write the payload file, in flange axes, ready for the controller")
+      ->type_name("FILE");
+  app->add_option("-f,--format", options->format, "Its format, see 'heft export --help'")
+      ->type_name("NAME")
+      ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist");
   const char* const kMethodGroup = "Method";
   app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kMethods), ", ")))
+      ->type_name("NAME")
       ->capture_default_str()
       ->group(kMethodGroup);
   app->add_option("--parameters", options->parameters, "What to estimate: mass, mass-com or full")
+      ->type_name("NAME")
       ->capture_default_str()
       ->group(kMethodGroup);
   app->add_option("--known", options->known,
                   "Payload JSON: values of what is not estimated; errors are told against it")
+      ->type_name("FILE")
       ->group(kMethodGroup);
   app->add_flag("--no-bias", options->noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
   app->add_flag("--uncompressed", estimate.uncompressed, "Solve on all rows instead of the triangle they reduce to")
       ->group(kMethodGroup);
   const char* const kDataGroup = "Which data";
   app->add_option("--trim", estimate.trim, "Fraction of the time dropped at each end")
+      ->type_name("FRACTION")
       ->capture_default_str()
       ->group(kDataGroup);
   app->add_option("--segments", options->segments,
                   "auto: find contact; marks: only what is marked free; all: everything.\n"
                   "Otherwise marks where the recording has any, else auto")
+      ->type_name("NAME")
       ->group(kDataGroup);
   const char* const kShapeGroup = "Shape of the tool, where the motion cannot tell its inertia";
   app->add_option("--shape", options->shape,
                   "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
                   "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
                   "POSE is x,y,z[,roll,pitch,yaw] in sensor axes")
+      ->type_name("SHAPE")
       ->group(kShapeGroup);
-  app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")->group(kShapeGroup);
+  app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")
+      ->type_name("FILE")
+      ->group(kShapeGroup);
   const char* const kSmoothGroup = "Smoothing of motion and wrench";
   app->add_option("--smoothing", options->smoothing, "low-pass or savitzky-golay")
+      ->type_name("NAME")
       ->capture_default_str()
       ->group(kSmoothGroup);
-  app->add_option("--cutoff", motion.cutoffHz, "Of the low-pass [Hz]")->capture_default_str()->group(kSmoothGroup);
+  app->add_option("--cutoff", motion.cutoffHz, "Of the low-pass [Hz]")
+      ->type_name("HZ")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
   app->add_option("--sg-order", motion.order, "Polynomial order of Savitzky-Golay")
+      ->type_name("N")
       ->capture_default_str()
       ->group(kSmoothGroup);
-  app->add_option("--sg-window", motion.window, "Its window [samples]")->capture_default_str()->group(kSmoothGroup);
+  app->add_option("--sg-window", motion.window, "Its window [samples]")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
   app->footer(
-      "\nExamples:\n"
+      "Examples:\n"
       "  heft estimate rec.csv\n"
       "  heft estimate rec.csv --json result.json -o tool.json --format franka-desk\n"
       "  heft estimate rec.csv --parameters mass-com --known cad.json\n"

@@ -59,20 +59,26 @@ Command makeExportCommand(CLI::App& root) {
   auto options = std::make_shared<Options>();
   CLI::App* app = root.add_subcommand("export", "Write a payload file for a controller");
   app->add_option("RESULT", options->result, "The --json file of 'heft estimate', or a payload in the flange frame")
+      ->type_name("")
       ->required();
-  app->add_option("-f,--format", options->format, "Which file to write, see below")->required();
-  app->add_option("-o,--output", options->output, "Where to; otherwise to stdout");
-  app->add_option("--name", options->flange.name, "Name of the tool in formats that carry one")->capture_default_str();
-  app->add_option("--mount", options->flange.mountFile, "Take the sensor's pose on the flange from this meta file");
-  app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]");
-  app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes");
+  app->add_option("-f,--format", options->format, "Which file to write, see below")->type_name("NAME")->required();
+  app->add_option("-o,--output", options->output, "Where to; otherwise to stdout")->type_name("FILE");
+  app->add_option("--name", options->flange.name, "Name of the tool in formats that carry one")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app->add_option("--mount", options->flange.mountFile, "Take the sensor's pose on the flange from this meta file")
+      ->type_name("FILE");
+  app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]")->type_name("X,Y,Z");
+  app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes")
+      ->type_name("R,P,Y");
   app->add_option("--add", options->flange.add,
                   "Payload JSON in the flange frame of something else that is mounted, such as the\n"
                   "sensor and its adapter, which the estimate does not contain; may be repeated")
+      ->type_name("FILE")
       ->allow_extra_args(false);
-  app->add_option("--json", options->json, "Also write payload and findings as JSON; - is stdout");
+  app->add_option("--json", options->json, "Also write payload and findings as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace files that exist");
-  app->footer("\nFormats:\n" + formatList() +
+  app->footer("Formats:\n" + formatList() +
               "\nExamples:\n"
               "  heft export result.json --format franka-desk -o tool.json\n"
               "  heft export result.json --format urdf --add sensor.json\n"

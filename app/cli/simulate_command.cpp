@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 struct Options {
-  std::string motion, payload, output, truth, json, xyz, rpy;
+  std::string motion, payload, output, truth, json, xyz, rpy, seed = "1";
   SimulateOptions simulate;
   bool force = false;
 };
@@ -49,12 +50,23 @@ bool wasSimulated(const std::filesystem::path& csv) {
   return read && read->note.starts_with(kNote);
 }
 
+// Not left to CLI11, which wraps -1 round to 2^64 - 1.
+std::uint64_t parseSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc{} || next != end)
+    throw WrongUsage(fmt::format("--seed expects a whole number from 0 to 2^64 - 1, not '{}'.", printable(text)));
+  return seed;
+}
+
 void run(Options options) {
   const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
   constexpr std::array kTitles{"superposed sines", "pick and place", "free hand guiding"};
   const std::size_t motion = chooseWord("--motion", options.motion, words);
   options.simulate.motion = kMotions[motion];
+  options.simulate.seed = parseSeed(options.seed);
   requireRange("--duration", options.simulate.duration, 1.0, 3600.0, "s");
   requireRange("--rate", options.simulate.rateHz, 10.0, 8000.0, "Hz");
   requireRange("--speed", options.simulate.speed, 0.01, 2.0, "");
@@ -121,25 +133,37 @@ Command makeSimulateCommand(CLI::App& root) {
   app->add_option("-m,--motion", options->motion,
                   "excitation: superposed sines inside all limits; pick-and-place: with contact phases;\n"
                   "free: hand guiding with tremor")
+      ->type_name("NAME")
       ->required();
-  app->add_option("-o,--output", options->output, "REC.csv to write; REC.meta.json is written beside it")->required();
-  app->add_option("-p,--payload", options->payload, "Payload JSON in sensor axes; otherwise a built-in tool of 0.8 kg");
-  app->add_option("--seed", simulate.seed, "The same seed gives the same recording")->capture_default_str();
-  app->add_option("--duration", simulate.duration, "Length [s]")->capture_default_str();
-  app->add_option("--rate", simulate.rateHz, "Samples a second [Hz]")->capture_default_str();
+  app->add_option("-o,--output", options->output, "REC.csv to write; REC.meta.json is written beside it")
+      ->type_name("FILE")
+      ->required();
+  app->add_option("-p,--payload", options->payload, "Payload JSON in sensor axes; otherwise a built-in tool of 0.8 kg")
+      ->type_name("FILE");
+  app->add_option("--seed", options->seed, "The same seed gives the same recording")
+      ->type_name("N")
+      ->capture_default_str();
+  app->add_option("--duration", simulate.duration, "Length [s]")->type_name("S")->capture_default_str();
+  app->add_option("--rate", simulate.rateHz, "Samples a second [Hz]")->type_name("HZ")->capture_default_str();
   app->add_option("--speed", simulate.speed, "How fast the arm moves: 1 brisk hand guiding, 0.3 slow")
+      ->type_name("FACTOR")
       ->capture_default_str();
   app->add_option("--force-noise", simulate.sensor.forceNoise, "White noise of the forces, standard deviation [N]")
+      ->type_name("N")
       ->capture_default_str();
   app->add_option("--torque-noise", simulate.sensor.torqueNoise, "White noise of the torques [N m]")
+      ->type_name("NM")
       ->capture_default_str();
-  app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]; otherwise 0,0,0.04");
-  app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad]; otherwise 0,0,0");
-  app->add_option("--truth", options->truth, "Write the hidden payload, biases and marks to this file");
-  app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout");
+  app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]; otherwise 0,0,0.04")
+      ->type_name("X,Y,Z");
+  app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad]; otherwise 0,0,0")
+      ->type_name("R,P,Y");
+  app->add_option("--truth", options->truth, "Write the hidden payload, biases and marks to this file")
+      ->type_name("FILE");
+  app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace a recording that was not simulated");
   app->footer(
-      "\nExamples:\n"
+      "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"
       "  heft simulate --motion free --payload tool.json --speed 0.3 --duration 10 -o slow.csv");
   return {app, [options] { run(*options); }};

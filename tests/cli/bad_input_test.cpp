@@ -33,7 +33,7 @@ TEST_F(BadInputTest, TextInANumberIsNamedByLineAndColumn) {
   const std::size_t second = text.find(',', line) + 1;
   text.replace(second, text.find(',', second) - second, "oops");
   write("rec.csv", text);
-  const Run run = heft({"estimate", "rec.csv"});
+  const Outcome run = heft({"estimate", "rec.csv"});
   const std::string place = "rec.csv:42:2";
   if (run.exitCode == 0)
     EXPECT_THAT(run.out + run.err, HasSubstr(place));  // a row may be left out, but not in silence
@@ -43,7 +43,7 @@ TEST_F(BadInputTest, TextInANumberIsNamedByLineAndColumn) {
 
 TEST_F(BadInputTest, NeitherMotionFormNamesBoth) {
   write("rec.csv", "time,fx,fy,fz,tx,ty,tz\n0,0,0,0,0,0,0\n0.01,0,0,0,0,0,0\n");
-  const Run run = heft({"estimate", "rec.csv"});
+  const Outcome run = heft({"estimate", "rec.csv"});
   EXPECT_TRUE(failedWithOneSentence(run, "q1"));
   EXPECT_THAT(run.err, HasSubstr("qw"));
 }
@@ -78,7 +78,7 @@ TEST_F(BadInputTest, PlacesThatCannotBeWritten) {
   EXPECT_TRUE(failedWithOneSentence(heft({"convert", "rec.csv", "no/such/r.csv"}), "no/such"));
   EXPECT_TRUE(failedWithOneSentence(heft({"estimate", "rec.csv", "--json", "no/such/r.json"}), "no/such"));
   if (std::filesystem::exists("/dev/full")) {
-    const Run run = heft({"estimate", "rec.csv", "--json", "/dev/full"});
+    const Outcome run = heft({"estimate", "rec.csv", "--json", "/dev/full"});
     EXPECT_TRUE(failedWithOneSentence(run, "/dev/full"));
   }
 }
@@ -87,11 +87,11 @@ TEST_F(BadInputTest, NamesThatAreNotUtf8) {
   simulate("rec");
   std::filesystem::rename(path("rec.csv"), path("r\xff\xfe.csv"));
   std::filesystem::rename(path("rec.meta.json"), path("r\xff\xfe.meta.json"));
-  const Run run = heft({"estimate", "r\xff\xfe.csv", "--json", "-"});
+  const Outcome run = heft({"estimate", "r\xff\xfe.csv", "--json", "-"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_NO_THROW(static_cast<void>(nlohmann::json::parse(run.out)));
+  EXPECT_TRUE(nlohmann::json::accept(run.out));
   EXPECT_EQ(heft({"convert", "r\xff\xfe.csv", "\xfe.csv", "--json", "check.json"}).exitCode, 0);
-  EXPECT_NO_THROW(static_cast<void>(readJson("check.json")));
+  EXPECT_TRUE(nlohmann::json::accept(read("check.json")));
 }
 
 TEST_F(BadInputTest, NullDeviceTakesEverything) {

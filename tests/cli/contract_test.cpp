@@ -78,7 +78,7 @@ TEST_F(ContractTest, EveryMotionKind) {
   for (const std::string motion : {"excitation", "pick-and-place", "free"}) {
     SCOPED_TRACE(motion);
     simulate("rec", {"--motion", motion, "--duration", "12", "--rate", "250"});
-    const Run run = heft({"estimate", "rec.csv", "--json", "-"});
+    const Outcome run = heft({"estimate", "rec.csv", "--json", "-"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     expectContract(json::parse(run.out));
   }
@@ -112,7 +112,7 @@ TEST_F(ContractTest, RealRecordings) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".csv") continue;
     SCOPED_TRACE(entry.path().filename());
-    const Run run = heft({"estimate", entry.path().string(), "--json", "-"});
+    const Outcome run = heft({"estimate", entry.path().string(), "--json", "-"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     expectContract(json::parse(run.out));
     ++count;

@@ -51,7 +51,7 @@ TEST_F(ConvertTest, ConvertsToItself) {
 TEST_F(ConvertTest, TurnsTheWrenchIntoOneSign) {
   write("raw.csv", posesCsv(50));
   write("raw.meta.json", R"({"sensor": {"wrench_sign": "payload_on_sensor"}})");
-  const Run run = heft({"convert", "raw.csv", "rec.csv", "--json", "check.json"});
+  const Outcome run = heft({"convert", "raw.csv", "rec.csv", "--json", "check.json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("sign"));
   EXPECT_EQ(readJson("rec.meta.json")["sensor"]["wrench_sign"], "sensor_on_payload");
@@ -87,7 +87,7 @@ TEST_F(ConvertTest, NeverOverwritesSilently) {
 
 TEST_F(ConvertTest, SaysWhatIsOdd) {
   write("raw.csv", posesCsv(50));
-  const Run run = heft({"convert", "raw.csv", "rec.csv"});
+  const Outcome run = heft({"convert", "raw.csv", "rec.csv"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("raw.csv"));  // the column that it does not know, at least
 }

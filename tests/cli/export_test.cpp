@@ -49,7 +49,7 @@ class ExportTest : public CliTest {
   Payload exported(std::vector<std::string> arguments = {}) const {
     std::vector<std::string> all{"export", "result.json", "--format", "json"};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    const Run run = heft(all);
+    const Outcome run = heft(all);
     EXPECT_EQ(run.exitCode, 0) << run.err;
     auto payload = payloadFromJson(json::parse(run.out), "exported");
     EXPECT_TRUE(payload.ok());
@@ -123,7 +123,7 @@ TEST_F(ExportTest, WarnsOfNumbersThatNobodyMeasured) {
   content["identifiability"]["inertia"][0][2] = "none";
   content["physically_consistent"] = true;
   writeResult(content);
-  const Run run = heft({"export", "result.json", "--format", "json"});
+  const Outcome run = heft({"export", "result.json", "--format", "json"});
   EXPECT_EQ(run.exitCode, 0);
   EXPECT_THAT(run.err, HasSubstr("Not known from this motion"));
   EXPECT_THAT(run.err, HasSubstr("inertia xz"));
@@ -152,7 +152,7 @@ TEST_F(ExportTest, RefusesWhatCannotExist) {
 TEST_F(ExportTest, NeverOverwritesSilently) {
   writeResult(result());
   write("tool.urdf", "mine");
-  const Run run = heft({"export", "result.json", "--format", "urdf", "-o", "tool.urdf"});
+  const Outcome run = heft({"export", "result.json", "--format", "urdf", "-o", "tool.urdf"});
   EXPECT_TRUE(failedWithOneSentence(run, "--force"));
   EXPECT_EQ(read("tool.urdf"), "mine");
   ASSERT_EQ(heft({"export", "result.json", "--format", "urdf", "-o", "tool.urdf", "--force"}).exitCode, 0);
@@ -168,7 +168,7 @@ TEST_F(ExportTest, EveryFormatThatHelpNamesIsWritten) {
   int count = 0;
   for (std::string line; std::getline(lines, line) && line.starts_with("  "); ++count) {
     const std::string id = line.substr(2, line.find(' ', 2) - 2);
-    const Run run = heft({"export", "result.json", "--format", id, "-o", "out-" + id});
+    const Outcome run = heft({"export", "result.json", "--format", id, "-o", "out-" + id});
     EXPECT_EQ(run.exitCode, 0) << id << ": " << run.err;
     EXPECT_THAT(run.out, HasSubstr("out-" + id));
     EXPECT_THAT(read("out-" + id), HasSubstr("0.8")) << id;  // the mass
@@ -178,7 +178,7 @@ TEST_F(ExportTest, EveryFormatThatHelpNamesIsWritten) {
 
 TEST_F(ExportTest, SummaryAsJson) {
   writeResult(result());
-  const Run run = heft({"export", "result.json", "--format", "franka-desk", "-o", "tool.json", "--json", "-"});
+  const Outcome run = heft({"export", "result.json", "--format", "franka-desk", "-o", "tool.json", "--json", "-"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const json summary = json::parse(run.out);
   EXPECT_EQ(summary["schema"], "heft.export/1");

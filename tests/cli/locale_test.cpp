@@ -30,13 +30,13 @@ TEST_F(LocaleTest, DecimalCommaChangesNothing) {
   const std::vector<std::string> again{"simulate", "--motion",    "excitation", "-o",      "german.csv",
                                        "--truth",  "german.json", "--duration", "6",       "--rate",
                                        "250",      "--xyz",       "0,0,0.04",   "--speed", "1.0"};
-  const Run simulated = runHeft(again, path(""), environment);
+  const Outcome simulated = runHeft(again, path(""), environment);
   ASSERT_EQ(simulated.exitCode, 0) << simulated.err;
   EXPECT_EQ(read("german.csv"), read("rec.csv"));
   EXPECT_EQ(read("german.json"), read("rec.truth.json"));
 
-  const Run plain = heft({"estimate", "rec.csv", "--trim", "0.15", "--cutoff", "12.5", "--json", "plain.json"});
-  const Run german =
+  const Outcome plain = heft({"estimate", "rec.csv", "--trim", "0.15", "--cutoff", "12.5", "--json", "plain.json"});
+  const Outcome german =
       runHeft({"estimate", "rec.csv", "--trim", "0.15", "--cutoff", "12.5", "--json", "german.result.json"}, path(""),
               environment);
   ASSERT_EQ(german.exitCode, 0) << german.err;

@@ -25,8 +25,8 @@ void redirect(int descriptor, const char* file, int flags) {
 
 }  // namespace
 
-Run runHeft(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-            const std::vector<std::pair<std::string, std::string>>& environment) {
+Outcome runHeft(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                const std::vector<std::pair<std::string, std::string>>& environment) {
   // Files instead of pipes: no output is so large that it blocks the child.
   const auto out = folder / ".stdout", err = folder / ".stderr";
   std::vector<std::string> words{HEFT_BINARY};
@@ -74,11 +74,11 @@ void CliTest::simulate(const std::string& name, std::vector<std::string> argumen
   if (std::find(arguments.begin(), arguments.end(), "--motion") == arguments.end())
     all.insert(all.end(), {"--motion", "excitation"});
   all.insert(all.end(), arguments.begin(), arguments.end());
-  const Run run = heft(all);
+  const Outcome run = heft(all);
   ASSERT_EQ(run.exitCode, 0) << run.err;
 }
 
-testing::AssertionResult failedWithOneSentence(const Run& run, const std::string& mustSay) {
+testing::AssertionResult failedWithOneSentence(const Outcome& run, const std::string& mustSay) {
   if (run.exitCode != 1) return testing::AssertionFailure() << "exit code " << run.exitCode << ", stderr: " << run.err;
   if (!run.out.empty()) return testing::AssertionFailure() << "stdout is not empty: " << run.out;
   if (!run.err.starts_with("heft: ") || std::count(run.err.begin(), run.err.end(), '\n') != 1 || run.err.back() != '\n')

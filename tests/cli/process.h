@@ -10,14 +10,14 @@
 
 namespace heft::test {
 
-struct Run {
+struct Outcome {
   int exitCode = -1;  ///< 128 + n where signal n ended it.
   std::string out, err;
 };
 
 /// Runs `heft` with these arguments in `folder`; `environment` is added to this process's own.
-Run runHeft(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-            const std::vector<std::pair<std::string, std::string>>& environment = {});
+Outcome runHeft(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                const std::vector<std::pair<std::string, std::string>>& environment = {});
 
 /// A fresh folder for each test, removed after it.
 class CliTest : public testing::Test {
@@ -25,7 +25,7 @@ class CliTest : public testing::Test {
   CliTest();
   ~CliTest() override;
 
-  Run heft(const std::vector<std::string>& arguments) const { return runHeft(arguments, folder_); }
+  Outcome heft(const std::vector<std::string>& arguments) const { return runHeft(arguments, folder_); }
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
@@ -40,6 +40,6 @@ class CliTest : public testing::Test {
 };
 
 /// Exit code, and exactly one line on stderr that begins with "heft": no trace, no second sentence from elsewhere.
-testing::AssertionResult failedWithOneSentence(const Run& run, const std::string& mustSay);
+testing::AssertionResult failedWithOneSentence(const Outcome& run, const std::string& mustSay);
 
 }  // namespace heft::test

@@ -22,7 +22,7 @@ class RoundTripTest : public CliTest {
 
 TEST_F(RoundTripTest, SimulateEstimateExport) {
   simulate("rec", {"--seed", "5"});
-  const Run run = heft({"estimate", "rec.csv", "--json", "result.json"});
+  const Outcome run = heft({"estimate", "rec.csv", "--json", "result.json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("kg"));
   EXPECT_THAT(run.err, IsEmpty());
@@ -69,7 +69,7 @@ TEST_F(RoundTripTest, SimulationIsDeterministicAndSeeded) {
 TEST_F(RoundTripTest, EstimateIsDeterministicApartFromItsClock) {
   simulate("rec", {"--motion", "free"});
   ASSERT_EQ(heft({"estimate", "rec.csv", "--json", "first.json"}).exitCode, 0);
-  const Run run = heft({"estimate", "rec.csv", "--json", "-"});
+  const Outcome run = heft({"estimate", "rec.csv", "--json", "-"});
   ASSERT_EQ(run.exitCode, 0);
   json first = readJson("first.json"), second = json::parse(run.out);  // so - writes JSON and nothing else
   first.erase("timing_s");
@@ -116,7 +116,7 @@ TEST_F(RoundTripTest, OptionsReachTheEstimator) {
   simulate("rec");
   const auto result = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"estimate", "rec.csv", "--json", "-"});
-    const Run run = heft(arguments);
+    const Outcome run = heft(arguments);
     EXPECT_EQ(run.exitCode, 0) << run.err;
     return json::parse(run.out);
   };
@@ -153,7 +153,7 @@ TEST_F(RoundTripTest, OtherPeoplesJsonIsNotOverwrittenByAResult) {
 }
 
 TEST_F(RoundTripTest, SimulateSummaryAsJson) {
-  const Run run =
+  const Outcome run =
       heft({"simulate", "--motion", "free", "--duration", "3", "--rate", "100", "-o", "r.csv", "--json", "-"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const json summary = json::parse(run.out);

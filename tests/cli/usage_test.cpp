@@ -18,7 +18,7 @@ const std::vector<std::string> kCommands{"estimate", "simulate", "export", "conv
 
 TEST_F(UsageTest, HelpGoesToStdoutAndEndsWell) {
   for (const auto& flag : {"--help", "-h"}) {
-    const Run run = heft({flag});
+    const Outcome run = heft({flag});
     EXPECT_EQ(run.exitCode, 0);
     EXPECT_THAT(run.err, IsEmpty());
     for (const auto& command : kCommands) EXPECT_THAT(run.out, HasSubstr("  " + command + " "));
@@ -27,7 +27,7 @@ TEST_F(UsageTest, HelpGoesToStdoutAndEndsWell) {
 
 TEST_F(UsageTest, EveryCommandHasHelpWithExamplesThatNameIt) {
   for (const auto& command : kCommands) {
-    const Run run = heft({command, "--help"});
+    const Outcome run = heft({command, "--help"});
     EXPECT_EQ(run.exitCode, 0) << command;
     EXPECT_THAT(run.err, IsEmpty());
     EXPECT_THAT(run.out, HasSubstr("Examples:\n  heft " + command + " "));
@@ -43,14 +43,14 @@ TEST_F(UsageTest, HelpNamesEveryMethodAndFormat) {
 }
 
 TEST_F(UsageTest, VersionIsTheProjects) {
-  const Run run = heft({"--version"});
+  const Outcome run = heft({"--version"});
   EXPECT_EQ(run.exitCode, 0);
   EXPECT_EQ(run.out, "heft " HEFT_VERSION "\n");
   EXPECT_THAT(run.err, IsEmpty());
 }
 
 TEST_F(UsageTest, NothingAtAllShowsHelpOnStderr) {
-  const Run run = heft({});
+  const Outcome run = heft({});
   EXPECT_EQ(run.exitCode, 2);
   EXPECT_THAT(run.out, IsEmpty());
   EXPECT_THAT(run.err, HasSubstr("estimate"));
@@ -65,7 +65,7 @@ class MistakeTest : public CliTest, public testing::WithParamInterface<Mistake> 
 
 TEST_P(MistakeTest, EndsWithTwoAndAHint) {
   write("rec.csv", "time,q1\n");
-  const Run run = heft(GetParam().arguments);
+  const Outcome run = heft(GetParam().arguments);
   EXPECT_EQ(run.exitCode, 2) << run.err;
   EXPECT_THAT(run.out, IsEmpty());
   EXPECT_THAT(run.err, StartsWith("heft"));
@@ -115,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"convert", "rec.csv", "out"}, ".csv"}));
 
 TEST_F(UsageTest, NegativeNumbersAreValuesNotOptions) {
-  const Run run = heft({"simulate", "--motion", "free", "-o", "r.csv", "--duration", "2", "--rate", "100", "--xyz",
-                        "-0.01,0,0.05", "--rpy", "-0.1,0,0"});
+  const Outcome run = heft({"simulate", "--motion", "free", "-o", "r.csv", "--duration", "2", "--rate", "100", "--xyz",
+                            "-0.01,0,0.05", "--rpy", "-0.1,0,0"});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const auto mount = readJson("r.meta.json")["sensor"]["mount"];
   EXPECT_EQ(mount["xyz_m"], nlohmann::json({-0.01, 0.0, 0.05}));
