@@ -38,12 +38,12 @@ std::string writeKuka(const ExportInput& input) {
   // A, B, C turn about Z, then the new Y, then the new X: yaw, pitch and roll about fixed axes in reverse order.
   const Vector3d angles = scaled(rpyFromRotation(axes.R_FA), 180.0 / std::numbers::pi, 7);
   const Vector3d com = scaled(payload.com, kMillimetres, 3);
-  return comment(
-             remarksOf(input, {"M [kg]; CM from the flange [mm], A B C: principal axes [deg]; J: principal moments "
-                               "about the centre of mass [kg m2].",
-                               "The syntax of this line is not verified: compare with your controller's $config.dat. "
-                               "Change the index to your tool's."}),
-             ";") +
+  return comment(remarksOf(input,
+                           {"M [kg]; CM from the flange [mm], A B C: principal axes [deg]; J: principal moments "
+                            "about the centre of mass [kg m2].",
+                            "The syntax of this line is not verified: compare it with one that your controller wrote, "
+                            "and change the index to your tool's."}),
+                 ";") +
          fmt::format("LOAD_DATA[1]={{M {},CM {{X {},Y {},Z {},A {},B {},C {}}},J {{X {},Y {},Z {}}}}}\n",
                      number(payload.mass), number(com.x()), number(com.y()), number(com.z()), number(angles.z()),
                      number(angles.y()), number(angles.x()), number(axes.moments.x()), number(axes.moments.y()),

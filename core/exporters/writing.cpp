@@ -62,6 +62,9 @@ std::string comment(const std::vector<std::string>& remarks, std::string_view pr
   for (const std::string& remark : remarks) {
     // Controllers' editors know ASCII only.
     std::string line = printable(remark, 1000);
+    constexpr std::string_view kPlusMinus = "\u00b1";
+    for (auto at = line.find(kPlusMinus); at != std::string::npos; at = line.find(kPlusMinus))
+      line.replace(at, kPlusMinus.size(), "+-");
     std::string ascii;
     for (const char c : line) {
       const auto byte = static_cast<unsigned char>(c);
