@@ -29,6 +29,9 @@ struct Examined {
   }
 };
 
+/// "34 %", "3.2 %", "0.05 %".
+std::string percent(double share);
+
 /// Shortens every series and `lines` to the first `rows` rows.
 void truncateRows(Recording& recording, std::vector<std::uint32_t>& lines, Eigen::Index rows);
 

@@ -93,15 +93,27 @@ const char* siUnit(Column column) {
   return "";
 }
 
+/// Lower case, without blanks, dots and multiplication signs.
+std::string squeezedUnit(std::string_view text) {
+  std::string out;
+  for (const char c : lowered(text))
+    if (c != ' ' && c != '*' && c != '.' && c != '^' && c != '\xC2' && c != '\xB7') out += c;
+  return out;
+}
+
 bool isUnit(std::string_view stated, std::string_view si) {
-  const auto squeezed = [](std::string_view text) {
-    std::string out;
-    for (const char c : lowered(text))
-      if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '/') out += c;
-    return out;
-  };
-  const auto unit = squeezed(stated);
-  return unit.empty() || unit == squeezed(si) || (si == "s" && (unit == "sec" || unit == "seconds"));
+  const auto unit = squeezedUnit(stated);
+  return unit.empty() || unit == squeezedUnit(si) || (si == "s" && (unit == "sec" || unit == "seconds"));
+}
+
+/// Anything else in brackets ("q1 (filtered)") is a remark, and the column another one than the name before it says.
+bool isForeignUnit(std::string_view stated) {
+  static constexpr std::array kUnits = {"deg", "degree", "degrees", "\xB0", "deg/s", "\xB0/s", "degrees/s", "rpm",
+                                        "mm",  "cm",     "mm/s",    "cm/s", "in",    "inch",   "ms",        "us",
+                                        "ns",  "min",    "mn",      "kn",   "nmm",   "ncm",    "mnm",       "kgf",
+                                        "lbf", "g",      "kg",      "gf",   "lbfin", "lbfft"};
+  const auto unit = squeezedUnit(stated);
+  return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
 }
 
 class Mapper {
@@ -144,13 +156,14 @@ class Mapper {
       const auto meaning = meaningOf(name);
       if (meaning.role == Role::extra || map_.columns[f].role != Role::extra) continue;
       const std::pair key(meaning.role, meaning.index);
-      if (exact.contains(key)) continue;
-      const auto [first, fresh] = loose.emplace(key, field);
-      if (!fresh) return duplicate(field, first->second);
-      if (!isUnit(unit, siUnit(meaning)))
+      const bool si = isUnit(unit, siUnit(meaning));
+      if (exact.contains(key) || (!si && !isForeignUnit(unit))) continue;
+      if (!si)
         return errorAt(
             at(field), fmt::format("column \"{}\" is not in SI units.", printable(names_[f])),
             fmt::format("Convert it to {} and name it {}.", siUnit(meaning), columnName(meaning.role, meaning.index)));
+      const auto [first, fresh] = loose.emplace(key, field);
+      if (!fresh) return duplicate(field, first->second);
       map_.columns[f] = meaning;
       normalised.push_back(fmt::format("\"{}\" as {}", printable(names_[f]), columnName(meaning.role, meaning.index)));
     }

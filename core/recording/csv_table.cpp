@@ -17,6 +17,7 @@ namespace heft::csv {
 namespace {
 
 constexpr std::size_t kMaxColumns = 10000;
+constexpr std::size_t kMaxHeaderBytes = 1u << 20;
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -286,6 +287,9 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
     text = stop == std::string_view::npos ? std::string_view() : text.substr(stop + 1);
     if (!trimmed(line).empty()) break;
   }
+  if (line.size() > kMaxHeaderBytes)
+    return errorAt({file, header.line, 0},
+                   fmt::format("the first line is {} MB long and no header.", line.size() >> 20), remedy);
   header.body = text;
   header.separator = findSeparator(line);
   header.names = splitLine(line, header.separator);

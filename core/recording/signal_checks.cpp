@@ -150,9 +150,9 @@ class SignalChecker {
       if (share < 0.02) return;
       const auto first = std::find(changes.begin() + 1, changes.end(), char{0}) - changes.begin();
       examined_.note(share > loud ? Severity::warning : Severity::info, code, examined_.at(first),
-                     fmt::format("{:.2g} % of the rows repeat the {} of the row before: new values come at about "
+                     fmt::format("{} of the rows repeat the {} of the row before: new values come at about "
                                  "{:.3g} Hz, rows at {:.4g} Hz.",
-                                 100.0 * share, what, recording_.rateHz() * (1.0 - share), recording_.rateHz()),
+                                 percent(share), what, recording_.rateHz() * (1.0 - share), recording_.rateHz()),
                      share > loud ? "Log each source at its own rate, or only when it has a new value." : "");
     };
     const auto wrench = repeats(wrenchChanges_);

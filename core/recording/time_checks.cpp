@@ -45,11 +45,11 @@ std::optional<Error> makeRise(const Examined& examined) {
   if (repeated == rows - 1)
     return errorAt(examined.at(1, field), fmt::format("time stays at {} s in all {} rows.", time(0), rows),
                    "Write the time of each sample in seconds, or say \"kind\": \"poses\" in the meta file.");
-  const double share = 100.0 * static_cast<double>(repeated) / static_cast<double>(rows);
+  const double share = static_cast<double>(repeated) / static_cast<double>(rows);
   examined.note(Severity::warning, "time_repeated", examined.at(first, field),
-                fmt::format("{} of {} rows ({:.2g} %) repeat the time of the row before and were left out.", repeated,
-                            rows, share),
-                share > 20.0 ? "The time seems to be written with too few digits." : "");
+                fmt::format("{} of {} rows ({}) repeat the time of the row before and were left out.", repeated, rows,
+                            percent(share)),
+                share > 0.2 ? "The time seems to be written with too few digits." : "");
   keepRows(examined.recording, examined.lines, keep);
   return std::nullopt;
 }

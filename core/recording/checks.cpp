@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "core/recording/checks.h"
 
 namespace heft {
@@ -17,6 +19,10 @@ void forEachSeries(Recording& recording, Act act) {
 }
 
 }  // namespace
+
+std::string percent(double share) {
+  return share >= 0.1 ? fmt::format("{:.0f} %", 100.0 * share) : fmt::format("{:.2g} %", 100.0 * share);
+}
 
 void truncateRows(Recording& recording, std::vector<std::uint32_t>& lines, Eigen::Index rows) {
   forEachSeries(recording, [&](auto& series) {
