@@ -150,7 +150,6 @@ class RowReader {
         end_(at_ + header.body.size()) {}
 
   Result<Rows> read(const Progress& progress) {
-    rows_.lines.reserve(static_cast<std::size_t>(countRows(header_)));
     long blankLine = 0;
     for (line_ = header_.line + 1; at_ != end_; ++line_) {
       skipBlanks();
@@ -304,9 +303,15 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
 }
 
 Eigen::Index countRows(const Header& header) {
-  const auto& body = header.body;
-  const auto breaks = std::count(body.begin(), body.end(), header.newline);
-  return static_cast<Eigen::Index>(breaks) + (body.empty() || body.back() == header.newline ? 0 : 1);
+  Eigen::Index rows = 0;
+  const char* at = header.body.data();
+  const char* const end = at + header.body.size();
+  while (at != end) {
+    const auto* stop = static_cast<const char*>(std::memchr(at, header.newline, static_cast<std::size_t>(end - at)));
+    ++rows;
+    at = stop == nullptr ? end : stop + 1;
+  }
+  return rows;
 }
 
 Result<Rows> readRows(const Header& header, std::vector<Field>& fields, const std::string& file,
