@@ -59,9 +59,18 @@ std::size_t chooseWord(const std::string& option, const std::string& text, const
 Vector3d parseVector3(const std::string& option, const std::string& text) {
   const auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() != 3)
-    throw WrongUsage(
-        fmt::format("{} expects three numbers separated by commas such as 0,0,0.04, not '{}'.", option, text));
+    throw WrongUsage(fmt::format("{} expects three numbers separated by commas such as 0,0,0.04, not '{}'.", option,
+                                 printable(text)));
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+Isometry3d parsePose(const std::string& option, const std::string& text) {
+  const auto numbers = parseNumbers(text);
+  if (!numbers || (numbers->size() != 3 && numbers->size() != 6))
+    throw WrongUsage(fmt::format("{} expects x,y,z or x,y,z,roll,pitch,yaw, numbers separated by commas, not '{}'.",
+                                 option, printable(text)));
+  const Eigen::Map<const VectorXd> v(numbers->data(), static_cast<Eigen::Index>(numbers->size()));
+  return poseFromXyzRpy(v.head<3>(), v.size() == 6 ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero()));
 }
 
 void requireRange(const std::string& option, double value, double lower, double upper, const std::string& unit) {

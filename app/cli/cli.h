@@ -62,6 +62,9 @@ std::size_t chooseWord(const std::string& option, const std::string& text, const
 /// "x,y,z" with from_chars; throws WrongUsage.
 Vector3d parseVector3(const std::string& option, const std::string& text);
 
+/// "x,y,z[,roll,pitch,yaw]" in metres and radians, fixed axes; throws WrongUsage.
+Isometry3d parsePose(const std::string& option, const std::string& text);
+
 /// Throws WrongUsage unless lower <= value <= upper (so also for NaN). `unit` may be empty.
 void requireRange(const std::string& option, double value, double lower, double upper, const std::string& unit);
 

@@ -51,7 +51,7 @@ EstimateOptions estimateOptions(const Options& options) {
   out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
   out.bias = !options.noBias;
   requireRange("--trim", out.trim, 0.0, 0.45, "");
-  requireRange("--cutoff", out.motion.cutoffHz, 0.1, 1000.0, "Hz");
+  if (out.motion.cutoffHz != 0.0) requireRange("--cutoff", out.motion.cutoffHz, 0.1, 1000.0, "Hz");
   requireRange("--sg-order", out.motion.order, 2, 9, "");
   requireRange("--sg-window", out.motion.window, 5, 1001, "samples");
   if (out.motion.order >= out.motion.window)
@@ -183,7 +183,7 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str()
       ->group(kSmoothGroup);
-  app->add_option("--cutoff", motion.cutoffHz, "Of the low-pass [Hz]")
+  app->add_option("--cutoff", motion.cutoffHz, "Of the low-pass [Hz]; chosen from the data if absent")
       ->type_name("HZ")
       ->capture_default_str()
       ->group(kSmoothGroup);

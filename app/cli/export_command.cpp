@@ -12,7 +12,7 @@ namespace heft::cli {
 namespace {
 
 struct Options {
-  std::string result, format, output, json, xyz, rpy;
+  std::string result, format, output, json, xyz, rpy, tcp;
   FlangeOptions flange;
   bool force = false;
 };
@@ -29,6 +29,7 @@ void run(Options options) {
   const ExportFormat& format = exportFormats()[chooseWord("--format", options.format, ids)];
   if (!options.xyz.empty()) options.flange.xyz = parseVector3("--xyz", options.xyz);
   if (!options.rpy.empty()) options.flange.rpy = parseVector3("--rpy", options.rpy);
+  if (!options.tcp.empty()) options.flange.X_FE = parsePose("--tcp", options.tcp);
   const bool toStdout = options.output.empty() || options.output == "-";
   if (toStdout && options.json == "-")
     throw WrongUsage("The payload file and --json cannot both go to stdout; give -o FILE as well.");
@@ -71,6 +72,9 @@ Command makeExportCommand(CLI::App& root) {
   app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]")->type_name("X,Y,Z");
   app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes")
       ->type_name("R,P,Y");
+  app->add_option("--tcp", options->tcp,
+                  "Tool centre point on the flange, for the formats that carry it (Franka's tool files)")
+      ->type_name("X,Y,Z[,R,P,Y]");
   app->add_option("--add", options->flange.add,
                   "Payload JSON in the flange frame of something else that is mounted, such as the\n"
                   "sensor and its adapter, which the estimate does not contain; may be repeated")

@@ -160,11 +160,10 @@ std::string provenanceOf(const json& result, const std::string& where) {
 }  // namespace
 
 FlangePayload toFlange(const json& result, const std::string& where, const FlangeOptions& options) {
-  if (const json* schema = member(result, "schema"); schema && schema->is_string() &&
-                                                     schema->get<std::string>().starts_with("heft.") &&
-                                                     *schema != "heft.estimate/1" && !member(result, "payload"))
+  if (const json* schema = member(result, "schema");
+      schema && schema->is_string() && !member(result, "payload") && !member(result, "mass_kg"))
     throw Failed(fmt::format("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
-                             schema->get<std::string>()));
+                             printable(schema->get<std::string>())));
   FlangePayload out;
   Payload payload = orFail(payloadFromJson(result, where));
 
@@ -199,6 +198,7 @@ FlangePayload toFlange(const json& result, const std::string& where, const Flang
                             "Use the method map, or a longer recording that turns the tool faster.",
                             {}});
   out.input.payload = payload;
+  out.input.X_FE = options.X_FE;
   out.input.name = options.name;
   out.input.provenance = provenanceOf(result, where);
   for (const auto& file : options.add)

@@ -11,10 +11,11 @@
 namespace heft::cli {
 
 struct FlangeOptions {
-  std::optional<Vector3d> xyz;   ///< Position of S in F [m], instead of the mount's
-  std::optional<Vector3d> rpy;   ///< Fixed-axis rotation of S in F [rad], likewise
-  std::string mountFile;         ///< A meta file, or an object {"parent","xyz_m","rpy_rad"}
-  std::vector<std::string> add;  ///< Payload files in F: what else is mounted (sensor's tool side, adapter)
+  std::optional<Vector3d> xyz;               ///< Position of S in F [m], instead of the mount's
+  std::optional<Vector3d> rpy;               ///< Fixed-axis rotation of S in F [rad], likewise
+  Isometry3d X_FE = Isometry3d::Identity();  ///< Tool centre point
+  std::string mountFile;                     ///< A meta file, or an object {"parent","xyz_m","rpy_rad"}
+  std::vector<std::string> add;              ///< Payload files in F: what else is mounted (sensor's tool side, adapter)
   std::string name = "tool";
 };
 

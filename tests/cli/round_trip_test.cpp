@@ -41,8 +41,9 @@ TEST_F(RoundTripTest, SimulateEstimateExport) {
 
   ASSERT_EQ(heft({"export", "result.json", "--format", "json", "-o", "tool.json"}).exitCode, 0);
   const Payload flange = payloadIn("tool.json");
-  EXPECT_TRUE(flange.com.isApprox(estimate.com + Vector3d(0, 0, 0.04), 1e-9));  // the simulator's own mount
-  EXPECT_TRUE(flange.inertiaCom.isApprox(estimate.inertiaCom, 1e-9));
+  // The simulator's own mount; the file is rounded to what a controller can use.
+  EXPECT_LT((flange.com - estimate.com - Vector3d(0, 0, 0.04)).norm(), 2e-6);
+  EXPECT_LT((flange.inertiaCom - estimate.inertiaCom).norm(), 3e-8);
 }
 
 TEST_F(RoundTripTest, EstimateWritesTheSamePayloadFileAsExport) {
@@ -108,7 +109,7 @@ TEST_F(RoundTripTest, MassComKeepsTheKnownInertia) {
                 .exitCode,
             0);
   const Payload truth = payloadIn("rec.truth.json"), estimate = payloadIn("r.json");
-  EXPECT_TRUE(estimate.inertiaCom.isApprox(truth.inertiaCom, 1e-9)) << estimate.inertiaCom;
+  EXPECT_TRUE(estimate.inertiaCom.isApprox(truth.inertiaCom, 1e-6)) << estimate.inertiaCom;
   EXPECT_NE(estimate.mass, truth.mass);
 }
 
