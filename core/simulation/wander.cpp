@@ -92,9 +92,9 @@ std::vector<Wave> drawWaves(const SimulateOptions& options, RandomStream& random
   const double pace = std::sqrt(std::min(options.speed, 1.0));
   std::vector<Wave> waves;
   if (options.motion == MotionKind::excitation) {
-    constexpr int kHarmonics = 5;
-    constexpr double kBaseHz = 0.2;
-    for (int k = 1; k <= kHarmonics; ++k) {
+    // Slow waves turn the tool far against gravity, fast ones shake its inertia.
+    constexpr double kBaseHz = 0.1;
+    for (const int k : {1, 2, 3, 5, 7, 10}) {
       const double a = random.normal(), b = random.normal();
       waves.push_back({kTwoPi * kBaseHz * k * pace, std::atan2(b, a), std::hypot(a, b) / k});
     }
