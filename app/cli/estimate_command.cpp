@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
-#include "app/cli/flange_payload.h"
 #include "core/base/json_file.h"
+#include "core/exporters/flange.h"
 #include "core/recording/csv_reader.h"
 
 namespace heft::cli {
@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string recording, meta, known, shape, shapeFile, json, output, format = "json";
+  std::string recording, meta, robot, known, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
   bool noBias = false, force = false;
   EstimateOptions estimate;
@@ -51,7 +51,7 @@ EstimateOptions estimateOptions(const Options& options) {
   out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
   out.bias = !options.noBias;
   requireRange("--trim", out.trim, 0.0, 0.45, "");
-  if (out.motion.cutoffHz != 0.0) requireRange("--cutoff", out.motion.cutoffHz, 0.1, 1000.0, "Hz");
+  if (out.motion.cutoffHz != 0.0) requireRange("--cutoff", out.motion.cutoffHz, 0.0, 1000.0, "Hz");
   requireRange("--sg-order", out.motion.order, 2, 9, "");
   requireRange("--sg-window", out.motion.window, 5, 1001, "samples");
   if (out.motion.order >= out.motion.window)
@@ -74,12 +74,23 @@ EstimateOptions estimateOptions(const Options& options) {
   return out;
 }
 
+/// The arm that the joints belong to, if they are needed: poses in the file do without it.
+std::optional<RobotModel> robotOf(ReadRecording& read) {
+  const Recording& recording = read.recording;
+  if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) return std::nullopt;
+  if (!recording.meta.robot)
+    throw Failed(
+        fmt::format("{} has joint angles, but nothing says of which arm: give --robot panda or --robot ARM.urdf, or "
+                    "\"robot\" in its meta file.",
+                    recording.file));
+  return orFail(robotFor(recording.meta, read.findings));
+}
+
 EstimateReport estimateFile(const Options& options, const EstimateOptions& estimateOptions, const Progress& progress,
                             Clock::time_point start) {
   ReadRecording read = orFail(readRecording(options.recording, {options.meta}, progress));
-  // A recording with poses needs no robot, even where its meta names one that cannot be read.
-  std::optional<RobotModel> robot;
-  if (read.recording.hasJoints()) robot = orFail(robotFor(read.recording.meta, read.findings));
+  if (!options.robot.empty()) read.recording.meta.robot = options.robot;
+  const auto robot = robotOf(read);
   const double readSeconds = secondsSince(start);
   EstimateReport report = orFail(estimate(read.recording, robot ? &*robot : nullptr, estimateOptions, progress));
   report.findings.insert(report.findings.begin(), read.findings.begin(), read.findings.end());
@@ -110,7 +121,9 @@ void run(const Options& options) {
   if (!options.json.empty()) writeOutput(options.json, fileText(result), overwriteResult);
   if (options.json != "-") print(toText(report));
   if (format) {
-    FlangePayload payload = toFlange(result, options.recording, {});
+    FlangeOptions flange;
+    flange.program = programVersion();
+    FlangePayload payload = orFail(toFlange(result, options.recording, flange));
     const std::string text = orFail(exportPayload(*format, payload.input, payload.findings));
     writeOutput(options.output, text, {options.force, {}});
     printFindings(payload.findings, false);
@@ -135,6 +148,9 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--meta", options->meta, "Meta file; otherwise RECORDING's own .meta.json if it exists")
       ->type_name("FILE");
+  app->add_option("--robot", options->robot,
+                  "panda, or a URDF: the arm that the joint angles belong to, if no meta file says")
+      ->type_name("NAME");
   app->add_option("-o,--output", options->output,
                   "Also write the payload file, in flange axes, ready for the controller")
       ->type_name("FILE");

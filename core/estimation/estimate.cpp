@@ -319,7 +319,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   report.segments = prepared.segments;
   report.findings = prepared.findings;
   report.findings.insert(report.findings.end(), prepared.motion.findings.begin(), prepared.motion.findings.end());
-  const Triangle whitened = merged(prepared.whitened);
+  const Triangle& whitened = prepared.whitened;
 
   PartialPayload known = recording.meta.knownPayload;
   if (options.known.mass) known.mass = options.known.mass;
@@ -360,7 +360,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   Vector6d weights = Vector6d::Ones();
   AllRows all;
   Eigen::Matrix<double, 11, 1> noise = Eigen::Matrix<double, 11, 1>::Ones();
-  std::vector<Triangle> folds = prepared.whitened;
+  std::vector<Triangle> folds = prepared.folds;
   if (isMapFull(options)) {
     solution = {map.phi, map.bias, map.converged, map.iterations,
                 map.converged ? "Converged: the gradient vanished." : "Stopped before the gradient vanished."};

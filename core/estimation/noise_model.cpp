@@ -98,6 +98,84 @@ std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel
   return triangles;
 }
 
+NoiseModel bounded(const NoiseModel& noise) {
+  NoiseModel out = noise;
+  for (auto& channel : out.channels) {
+    const auto shortened = [&channel](double factor) {
+      ArModel model = channel;
+      double power = 1.0;
+      for (Eigen::Index i = 0; i < model.coefficients.size(); ++i) model.coefficients(i) *= (power *= factor);
+      return model;
+    };
+    const auto tooSlow = [](const ArModel& model) { return !(model.gain() > 0.0 && model.gain() <= kLargestGain); };
+    if (!tooSlow(channel)) continue;
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 40; ++i) (tooSlow(shortened(0.5 * (low + high))) ? high : low) = 0.5 * (low + high);
+    channel = shortened(low);
+  }
+  return out;
+}
+
+Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
+                        const Wrenches& weights, const std::vector<Run>& runs) {
+  const Triangle plain = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
+  // With z = Wt Fb F^-1 L u (u white; F, Fb the autoregressive filters of noise and weighting, Wt = L^-1 the whitener)
+  // the scores are sum_k A_k^T w z_k, so their covariance is that of the rows sent backwards through the same filters.
+  const Matrix6d L = noise.whitener.inverse();
+  Eigen::Matrix<double, kColumns, kColumns> M = Eigen::Matrix<double, kColumns, kColumns>::Zero();
+  for (const auto& run : runs) {
+    const Eigen::Index n = run.to - run.from;
+    if (n <= weighting.order) continue;
+    std::array<MatrixXd, 6> B;
+    for (auto& channel : B) channel = MatrixXd::Zero(n, kColumns);
+    std::vector<Eigen::Matrix<double, 6, kColumns + 1>> blocks;
+    for (Eigen::Index k = run.from; k < run.to; ++k) blocks.push_back(blockRows(rows, k));
+    Eigen::Matrix<double, 6, kColumns> E;
+    for (Eigen::Index k = weighting.order; k < n; ++k) {
+      for (int c = 0; c < 6; ++c) {
+        const ArModel& model = weighting.channels[static_cast<std::size_t>(c)];
+        E.row(c) = blocks[static_cast<std::size_t>(k)].row(c).head<kColumns>();
+        for (int i = 0; i < model.order(); ++i)
+          E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c).head<kColumns>();
+      }
+      const Eigen::Matrix<double, 6, kColumns> back =
+          weighting.whitener.transpose() * weights.col(run.from + k).asDiagonal() * weighting.whitener * E;
+      for (int c = 0; c < 6; ++c) B[static_cast<std::size_t>(c)].row(k) = back.row(c);
+    }
+    for (int c = 0; c < 6; ++c) {
+      const ArModel& found = noise.channels[static_cast<std::size_t>(c)];
+      const ArModel& used = weighting.channels[static_cast<std::size_t>(c)];
+      MatrixXd& G = B[static_cast<std::size_t>(c)];
+      MatrixXd X = G;
+      for (Eigen::Index k = 0; k < n; ++k)
+        for (int i = 0; i < used.order() && k + 1 + i < n; ++i) X.row(k) -= used.coefficients(i) * G.row(k + 1 + i);
+      for (Eigen::Index k = n - 1; k >= 0; --k) {
+        G.row(k) = X.row(k);
+        for (int i = 0; i < found.order() && k + 1 + i < n; ++i) G.row(k) += found.coefficients(i) * G.row(k + 1 + i);
+      }
+    }
+    for (Eigen::Index k = 0; k < n; ++k) {
+      Eigen::Matrix<double, 6, kColumns> G;
+      for (int c = 0; c < 6; ++c) G.row(c) = B[static_cast<std::size_t>(c)].row(k);
+      const Eigen::Matrix<double, 6, kColumns> v = L.transpose() * G;
+      M.noalias() += v.transpose() * v;
+    }
+  }
+  const Eigen::Matrix<double, kColumns, kColumns> A = plain.topLeftCorner<kColumns, kColumns>();
+  const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-12).cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
+  // Directions without any motion have neither score nor variance.
+  const VectorXd inverseRoot = eigen.eigenvalues().unaryExpr([top = eigen.eigenvalues().maxCoeff()](double value) {
+    return value > 1e-11 * top ? 1.0 / std::sqrt(value) : 0.0;
+  });
+  const MatrixXd left = inverseRoot.asDiagonal() * eigen.eigenvectors().transpose() * scale.asDiagonal();
+  TriangleBuilder builder;
+  const MatrixXd system = left * A.transpose() * plain.topRows<kColumns>();
+  for (Eigen::Index i = 0; i < kColumns; ++i) builder.add(system.row(i));
+  return builder.finish();
+}
+
 Eigen::Matrix<double, kColumns, kColumns> scoreCovariance(const WrenchRows& rows, const NoiseModel& noise,
                                                           const Vector6d& channelWeights,
                                                           const std::vector<Run>& runs) {

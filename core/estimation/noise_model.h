@@ -41,8 +41,20 @@ std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel
                                         const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights,
                                         const std::vector<Run>& runs, int folds);
 
-/// Covariance of A^T e for the noise's e, when A are the unwhitened rows of the runs (16 x 16): the middle of the
-/// sandwich for estimators that ignore the noise's colour.
+/// The noise model with each channel's memory shortened until slow noise is at most `kLargestGain` times stronger than
+/// the fast one. Whitening by a near unit root would throw away the slow band, where gravity tells most, and trust the
+/// fast one, where a delay or noisy accelerations tell lies: what looks like such noise is mostly misfit.
+constexpr double kLargestGain = 3.5;
+NoiseModel bounded(const NoiseModel& noise);
+
+/// Least squares of rows whitened by `weighting`, judged by the noise that was found: score equations H x = g whose
+/// error has the covariance M. Returned as a triangle R with R^T R = H M^-1 H, so that a fit to R has honest variances;
+/// where both models agree it is the merged whitened triangle itself.
+Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
+                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs);
+
+/// Covariance of A^T W e for the found noise e, when A are the unwhitened rows of the runs (16 x 16) and W the
+/// channels' row weights: the middle of the sandwich for estimators that ignore the noise's colour.
 Eigen::Matrix<double, kColumns, kColumns> scoreCovariance(const WrenchRows& rows, const NoiseModel& noise,
                                                           const Vector6d& channelWeights, const std::vector<Run>& runs);
 

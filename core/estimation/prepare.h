@@ -23,14 +23,19 @@ struct Prepared {
   double usedDuration = 0.0;  ///< [s]
   NoiseModel noise;
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;  ///< Robust weights of the innovations, 0..1
-  std::vector<Triangle> whitened;                    ///< One a fold
+  std::vector<Triangle> folds;                       ///< Whitened rows, one triangle a fold
+  Triangle whitened = Triangle::Zero();              ///< The whole problem with honest variances
+  double cutoffHz = 0.0;                             ///< That the motion was smoothed with; 0 for other smoothing
+  double score = 0.0;                                ///< Sum of the channels' log robust innovation: less is better
   Findings findings;
 
   bool used(Eigen::Index block) const;
   int foldOf(Eigen::Index block) const;  ///< Of a used block.
 };
 
-/// Fails with one sentence if nothing is left to estimate from.
+/// Without a cutoff in the options the motion is smoothed with 25, 12, 6 or 3 Hz, whichever predicts the unsmoothed
+/// wrench best: accelerations from coarse or late positions are noise above some frequency, and noise in the regressor
+/// pulls every estimate towards zero. Fails with one sentence if nothing is left to estimate from.
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress);
 

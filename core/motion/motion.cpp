@@ -39,7 +39,7 @@ class Smoother {
     if (kind_ == SmoothingKind::savitzkyGolay) {
       savitzkyGolay_ = SavitzkyGolay(options.order, options.window);
     } else {
-      cutoff_ = std::min(options.cutoffHz, 0.4 * grid.rateHz);
+      cutoff_ = std::min(options.cutoffHz > 0.0 ? options.cutoffHz : kDefaultCutoffHz, 0.4 * grid.rateHz);
       sections_ = butterworthLowPass(6, cutoff_, grid.rateHz);
       kernel_ = averagingKernel(output_.stride);
       pad_ = static_cast<Eigen::Index>(std::ceil(2.0 * grid.rateHz / cutoff_)) + output_.stride + 4;
@@ -302,8 +302,8 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
         fmt::format("Savitzky-Golay needs an order of at least 2 and a window above the order, not order {} and "
                     "window {}.",
                     options.order, options.window)};
-  if (!savitzkyGolay && !(options.cutoffHz > 0.0))
-    return Error{fmt::format("The low-pass cutoff must be above 0 Hz, not {}.", options.cutoffHz)};
+  if (!savitzkyGolay && !(options.cutoffHz >= 0.0))
+    return Error{fmt::format("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
   const Eigen::Index needed = std::max<Eigen::Index>(10, savitzkyGolay ? window : 0);
   if (recording.rows() < needed)
     return Error{fmt::format("The recording has {} rows; at least {} are needed to know how the tool moved.",

@@ -7,6 +7,8 @@
 
 namespace heft {
 
+constexpr double kDefaultCutoffHz = 25.0;
+
 enum class SmoothingKind {
   lowPass,        ///< Zero-phase Butterworth of order 6, then eighth-order central differences (default).
   savitzkyGolay,  ///< Local polynomials, as in the seed paper.
@@ -14,9 +16,11 @@ enum class SmoothingKind {
 
 struct MotionOptions {
   SmoothingKind smoothing = SmoothingKind::lowPass;
-  double cutoffHz = 25.0;  ///< lowPass: -6 dB of the zero-phase filter; lowered to 0.4 of a slower recording's rate.
-  int order = 3;           ///< savitzkyGolay: polynomial order
-  int window = 11;         ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
+  /// lowPass: -6 dB of the zero-phase filter [Hz]; lowered to 0.4 of a slower recording's rate. 0: 25 Hz here, chosen
+  /// from the data where a payload is estimated.
+  double cutoffHz = 0.0;
+  int order = 3;    ///< savitzkyGolay: polynomial order
+  int window = 11;  ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
   double outputRateHz = 200.0;  ///< The motion is evaluated at this rate at most (0: every sample of the grid).
 };
 

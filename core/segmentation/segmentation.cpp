@@ -15,15 +15,17 @@ namespace {
 using Matrix17d = Eigen::Matrix<double, 17, 17>;
 using Vector16d = Eigen::Matrix<double, 16, 1>;
 
-constexpr double kWindow = 0.2;     // [s] unit of the trimmed fit
-constexpr double kCoverage = 0.6;   // share of windows that the trimmed fit must explain
-constexpr int kStarts = 60;         // random starts; each costs a few small factorisations
-constexpr double kOuter = 6.0;      // scatter multiples that open a contact,
-constexpr double kInner = 3.5;      // and those that end it
+constexpr double kWindow = 0.2;  // [s] unit of the robust fit
+constexpr int kStarts = 60;      // random starts; each costs a few small factorisations
+constexpr double kCap = 4.0;     // root-mean-square misfit of a window, in allowances, beyond which it is not free
+constexpr double kOuter = 6.0;   // scatter multiples that open a contact,
+constexpr double kInner = 3.5;   // and those that end it
+constexpr double kOuterAllowed = 2.0;  // but never less than so many allowances
+constexpr double kInnerAllowed = 1.0;
 constexpr double kMargin = 0.06;    // [s] kept away from a contact on both sides
 constexpr double kShortest = 0.05;  // [s] shorter excursions are spikes, which the robust fit handles
 
-/// Normal matrix of [Y, bias, y] over a stretch of blocks, channels scaled by their noise.
+/// Normal matrix of [Y, bias, y] over a stretch of blocks, channels scaled by what they may miss.
 Matrix17d normalMatrix(const WrenchRows& rows, const Vector6d& scale, Eigen::Index from, Eigen::Index to) {
   Matrix17d N = Matrix17d::Zero();
   Eigen::Matrix<double, 6, 17> A;
@@ -53,39 +55,47 @@ double energy(const Matrix17d& N, const Vector16d& x) {
   return std::max(0.0, z.dot(N * z));
 }
 
-/// Scatter of each channel from differences between neighbouring blocks: blind to slow misfit.
-Vector6d blockNoise(const WrenchRows& rows) {
-  Vector6d noise;
+/// What a rigid model may miss in each channel without anything touching the tool: three times the sensor's own scatter
+/// (from differences between neighbouring blocks, blind to slow misfit), or what delay, drift and cables usually do, up
+/// to 0.15 N and 0.015 N m.
+Vector6d allowances(const WrenchRows& rows) {
+  Vector6d allowed;
   for (int c = 0; c < 6; ++c) {
-    std::vector<double> differences;
-    for (Eigen::Index k = 1; k < rows.size(); ++k) differences.push_back(rows.wrench(c, k) - rows.wrench(c, k - 1));
-    noise(c) = robustStd(differences);
+    std::vector<double> differences, values;
+    for (Eigen::Index k = 0; k < rows.size(); ++k) {
+      values.push_back(rows.wrench(c, k));
+      if (k > 0) differences.push_back(rows.wrench(c, k) - rows.wrench(c, k - 1));
+    }
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double usual = std::min(c < 3 ? 0.15 : 0.015, 0.03 * (*high - *low));
+    allowed(c) = std::max(3.0 * robustStd(differences), usual);
   }
-  const double force = std::max(noise.head<3>().maxCoeff(), 1e-4);
-  const double torque = std::max(noise.tail<3>().maxCoeff(), 1e-5);
-  // Quantised channels may not change at all between blocks; they are no better than the others.
-  for (int c = 0; c < 6; ++c) noise(c) = std::max(noise(c), 0.3 * (c < 3 ? force : torque));
-  return noise;
+  // A channel that hardly moves is no better than its neighbours.
+  const double force = std::max(allowed.head<3>().maxCoeff(), 1e-3),
+               torque = std::max(allowed.tail<3>().maxCoeff(), 1e-4);
+  for (int c = 0; c < 6; ++c) allowed(c) = std::max(allowed(c), 0.5 * (c < 3 ? force : torque));
+  return allowed;
 }
 
-/// Least trimmed squares over windows: the fit whose best `kCoverage` of windows have the least energy.
-Vector16d trimmedFit(const std::vector<Matrix17d>& windows) {
+/// The fit with the least sum of window energies, each capped: windows beyond the cap are not free and pull no further.
+/// Random starts and concentration on the windows below the cap (after Rousseeuw & Van Driessen's fast LTS).
+Vector16d cappedFit(const std::vector<Matrix17d>& windows, double rowsPerWindow) {
   const auto count = windows.size();
-  const auto kept = std::max<std::size_t>(std::min<std::size_t>(count, 5),
-                                          static_cast<std::size_t>(kCoverage * static_cast<double>(count)));
-  std::vector<std::size_t> order(count);
-  std::vector<double> energies(count);
+  const double cap = kCap * kCap * rowsPerWindow;
   const auto concentrate = [&](Vector16d x, int steps, double& total) {
     for (int s = 0; s < steps; ++s) {
-      for (std::size_t w = 0; w < count; ++w) energies[w] = energy(windows[w], x);
-      std::iota(order.begin(), order.end(), 0u);
-      std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept - 1), order.end(),
-                       [&](std::size_t a, std::size_t b) { return energies[a] < energies[b]; });
       Matrix17d N = Matrix17d::Zero();
-      for (std::size_t i = 0; i < kept; ++i) N += windows[order[i]];
+      std::size_t kept = 0;
+      for (const auto& window : windows)
+        if (energy(window, x) < cap) {
+          N += window;
+          ++kept;
+        }
+      if (kept < 5) break;
       x = solveNormal(N);
-      total = energy(N, x);
     }
+    total = 0.0;
+    for (const auto& window : windows) total += std::min(cap, energy(window, x));
     return x;
   };
   std::mt19937 random(20240229);  // raw engine output only: the same on every platform
@@ -108,41 +118,47 @@ Vector16d trimmedFit(const std::vector<Matrix17d>& windows) {
   return std::min_element(best.begin(), best.end(), byEnergy)->second;
 }
 
-/// Residual of every block in multiples of its channels' scatter, as one number (root mean square over six channels,
-/// each capped by nothing: one channel far off is enough).
-VectorXd blockScores(const WrenchRows& rows, const Vector16d& x, const std::vector<MarkLabel>& labels) {
+/// Residual of every block, worst channel: 1 where a contact ends, 2 where one opens.
+VectorXd blockScores(const WrenchRows& rows, const Vector16d& x, const std::vector<MarkLabel>& labels,
+                     const Vector6d& allowed) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> residual(6, rows.size());
   for (Eigen::Index k = 0; k < rows.size(); ++k)
     residual.col(k) = rows.wrench.col(k) - rows.Y[static_cast<std::size_t>(k)] * x.head<10>() - x.tail<6>();
-  Vector6d scatter;
+  Vector6d inner, outer;
   for (int c = 0; c < 6; ++c) {
     std::vector<double> values;
     for (Eigen::Index k = 0; k < rows.size(); ++k)
       if (labels[static_cast<std::size_t>(k)] == MarkLabel::free) values.push_back(residual(c, k));
-    scatter(c) = std::max(robustStd(values), c < 3 ? 1e-4 : 1e-5);
+    const double scatter = robustStd(values);
+    inner(c) = std::max(kInner * scatter, kInnerAllowed * allowed(c));
+    outer(c) = std::max(kOuter * scatter, kOuterAllowed * allowed(c));
   }
   VectorXd scores(rows.size());
-  for (Eigen::Index k = 0; k < rows.size(); ++k)
-    scores(k) = residual.col(k).cwiseQuotient(scatter).cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < rows.size(); ++k) {
+    const Vector6d size = residual.col(k).cwiseAbs();
+    // 1 at the inner limit, 2 at the outer one.
+    const double in = size.cwiseQuotient(inner).maxCoeff(), out = size.cwiseQuotient(outer).maxCoeff();
+    scores(k) = out >= 1.0 ? 2.0 * out : std::min(in, 1.999);
+  }
   return scores;
 }
 
-/// Contact where the score passes kOuter, grown while it stays above kInner, widened by kMargin, spikes left out.
+/// Contact where the score passes 2, grown while it stays above 1, widened by kMargin, spikes left out.
 std::vector<MarkLabel> labelsFromScores(const VectorXd& scores, double rateHz) {
   const Eigen::Index n = scores.size();
   std::vector<MarkLabel> labels(static_cast<std::size_t>(n), MarkLabel::free);
   const auto margin = static_cast<Eigen::Index>(std::ceil(kMargin * rateHz));
   const auto shortest = static_cast<Eigen::Index>(std::ceil(kShortest * rateHz));
   for (Eigen::Index k = 0; k < n; ++k) {
-    if (scores(k) < kInner) continue;
+    if (scores(k) < 1.0) continue;
     Eigen::Index end = k;
     double peak = 0.0;
     // Two blocks below the inner limit end the stretch; one may be a zero crossing.
-    for (Eigen::Index j = k; j < n && (scores(j) >= kInner || (j + 1 < n && scores(j + 1) >= kInner)); ++j) {
+    for (Eigen::Index j = k; j < n && (scores(j) >= 1.0 || (j + 1 < n && scores(j + 1) >= 1.0)); ++j) {
       end = j;
       peak = std::max(peak, scores(j));
     }
-    if (peak >= kOuter && end - k + 1 >= shortest)
+    if (peak >= 2.0 && end - k + 1 >= shortest)
       for (Eigen::Index j = std::max<Eigen::Index>(0, k - margin); j <= std::min(n - 1, end + margin); ++j)
         labels[static_cast<std::size_t>(j)] = MarkLabel::contact;
     k = end;
@@ -153,14 +169,14 @@ std::vector<MarkLabel> labelsFromScores(const VectorXd& scores, double rateHz) {
 std::vector<MarkLabel> automaticLabels(const WrenchRows& rows) {
   std::vector<MarkLabel> labels(static_cast<std::size_t>(rows.size()), MarkLabel::free);
   const auto length = std::max<Eigen::Index>(1, std::lround(kWindow * rows.rateHz));
-  const Vector6d noise = blockNoise(rows);
+  const Vector6d allowed = allowances(rows);
   std::vector<Matrix17d> windows;
   for (Eigen::Index k = 0; k + length <= rows.size(); k += length)
-    windows.push_back(normalMatrix(rows, noise, k, k + length));
+    windows.push_back(normalMatrix(rows, allowed, k, k + length));
   if (windows.size() < 10) return labels;
-  Vector16d x = trimmedFit(windows);
+  Vector16d x = cappedFit(windows, 6.0 * static_cast<double>(length));
   for (int round = 0; round < 4; ++round) {
-    const auto next = labelsFromScores(blockScores(rows, x, labels), rows.rateHz);
+    const auto next = labelsFromScores(blockScores(rows, x, labels, allowed), rows.rateHz);
     Matrix17d N = Matrix17d::Zero();
     std::size_t used = 0;
     for (std::size_t w = 0; w < windows.size(); ++w) {
