@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/payload/mesh_volume.h"
 #include "core/payload/shape_moments.h"
 
@@ -57,7 +58,7 @@ std::optional<Error> checkSize(const ShapeBody& body, double length, Findings& f
   }
   const std::string text = fmt::format("{} is {} long.", name, lengthText(length));
   if (length > kImpossible) return Error{fmt::format("{} {}", text, remedy)};
-  findings.push_back({Severity::warning, "shape_size", text, remedy, {body.file.string(), 0, 0}});
+  findings.push_back({Severity::warning, "shape_size", text, remedy, {displayName(body.file), 0, 0}});
   return std::nullopt;
 }
 
@@ -170,7 +171,7 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
     if (!loaded) return loaded.error();
     mesh = std::make_shared<const Mesh>(std::move(*loaded));
   }
-  const Location where{body.file.string(), 0, 0};
+  const Location where{displayName(body.file), 0, 0};
   long dropped = 0;
   Surface surface = weld(*mesh, body.unit, &dropped);
   if (dropped > 0)
@@ -235,7 +236,7 @@ Result<std::vector<BodySamples>> sampleShape(const Shape& shape, Findings& findi
     const ShapeBody& body = shape.bodies[i];
     const std::string name =
         body.kind == BodyKind::mesh && !body.file.empty()
-            ? fmt::format("The mesh {}", body.file.filename().string())
+            ? fmt::format("The mesh {}", displayName(body.file.filename()))
             : fmt::format("The {}{}", toString(body.kind),
                           shape.bodies.size() > 1 ? fmt::format(" (body {})", i + 1) : std::string());
     auto samples =

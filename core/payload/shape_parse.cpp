@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/json_file.h"
+#include "core/base/text.h"
 #include "core/payload/shape_moments.h"
 
 namespace heft {
@@ -70,7 +71,8 @@ Result<std::vector<double>> numbers(std::string_view text, std::string_view what
     double value = 0.0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value))
-      return Error{fmt::format("{}: '{}' is not a number.", what, trimmed(text.substr(start, comma - start)))};
+      return Error{
+          fmt::format("{}: '{}' is not a number.", what, printable(trimmed(text.substr(start, comma - start))))};
     values.push_back(value);
     start = comma + 1;
   }
@@ -152,7 +154,7 @@ Result<ShapeBody> bodyFromJson(const json& object, const std::string& where, con
   for (const KindInfo& each : kinds()) names.push_back(each.name);
   if (info == kinds().end())
     return Error{fmt::format("{}.kind must be one of {}{}.", where, fmt::join(names, ", "),
-                             kindText.is_null() ? std::string() : ", not " + kindText.dump())};
+                             kindText.is_null() ? std::string() : ", not " + printable(kindText.dump()))};
   ShapeBody body;
   body.kind = info->kind;
   if (info->kind == BodyKind::mesh) {
@@ -167,7 +169,8 @@ Result<ShapeBody> bodyFromJson(const json& object, const std::string& where, con
         return unitText.is_string() && unitText.get<std::string>() == u.name;
       });
       if (unit == kUnits.end())
-        return Error{fmt::format("{}.unit must be \"m\", \"cm\", \"mm\" or \"in\", not {}.", where, unitText.dump())};
+        return Error{
+            fmt::format("{}.unit must be \"m\", \"cm\", \"mm\" or \"in\", not {}.", where, printable(unitText.dump()))};
       body.unit = unit->metres;
     }
   } else {
@@ -248,7 +251,7 @@ Result<Shape> parseShape(const std::string& text) {
   const auto colon = bodyText.find(':');
   const std::string_view kindText = trimmed(bodyText.substr(0, colon));
   const auto kind = bodyKindFromString(kindText);
-  if (!kind || *kind == BodyKind::mesh) return fail(fmt::format("'{}' is not one of the kinds.", kindText));
+  if (!kind || *kind == BodyKind::mesh) return fail(fmt::format("'{}' is not one of the kinds.", printable(kindText)));
   if (colon == std::string_view::npos) return fail(fmt::format("the dimensions of the {} are missing.", kindText));
   ShapeBody body;
   body.kind = *kind;
@@ -256,7 +259,7 @@ Result<Shape> parseShape(const std::string& text) {
   if (const auto second = dimsText.find(':'); second != std::string_view::npos) {
     constexpr std::string_view kWall = "wall=";
     const std::string_view extra = trimmed(dimsText.substr(second + 1));
-    if (!extra.starts_with(kWall)) return fail(fmt::format("'{}' is not wall=THICKNESS.", extra));
+    if (!extra.starts_with(kWall)) return fail(fmt::format("'{}' is not wall=THICKNESS.", printable(extra)));
     auto wall = numbers(extra.substr(kWall.size()), "wall");
     if (!wall) return fail(wall.error().message);
     if (wall->size() != 1) return fail("wall is one number.");
@@ -302,8 +305,8 @@ Result<Shape> shapeFromJson(const json& object, const std::string& where, const 
         known = true;
       }
     if (!known)
-      return Error{
-          fmt::format("{}: certainty must be \"rough\", \"good\" or \"exact\", not {}.", where, certainty.dump())};
+      return Error{fmt::format("{}: certainty must be \"rough\", \"good\" or \"exact\", not {}.", where,
+                               printable(certainty.dump()))};
   }
   auto total = optionalNumber(object, "total_mass_kg", where + ": shape");
   if (!total) return total.error();
@@ -315,7 +318,7 @@ Result<Shape> shapeFromJson(const json& object, const std::string& where, const 
 Result<Shape> readShapeFile(const std::filesystem::path& file) {
   auto object = readJsonFile(file);
   if (!object) return object.error();
-  return shapeFromJson(*object, file.string(), file.parent_path());
+  return shapeFromJson(*object, displayName(file), file.parent_path());
 }
 
 nlohmann::json toJson(const Shape& shape) {
@@ -330,7 +333,7 @@ nlohmann::json toJson(const Shape& shape) {
                {"density_kg_m3", number(body.density)}};
     if (body.wall) entry["wall_m"] = *body.wall;
     if (body.kind == BodyKind::mesh) {
-      entry["file"] = body.file.string();
+      entry["file"] = displayName(body.file);
       for (const UnitInfo& unit : kUnits)
         if (std::abs(body.unit - unit.metres) <= 1e-9 * unit.metres) entry["unit"] = unit.name;
     } else {

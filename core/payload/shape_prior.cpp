@@ -103,7 +103,7 @@ ShapeTrust trustIn(Certainty certainty, BodyKind kind, int parts) {
   const double within = parts > 1 ? 0.2 : 0.6;
   switch (certainty) {
     case Certainty::rough:
-      return mesh ? ShapeTrust{0.05, 0.03, 0.05, 0.8, within, 0.10} : ShapeTrust{0.20, 0.10, 0.15, 0.8, within, 0.10};
+      return mesh ? ShapeTrust{0.10, 0.05, 0.10, 0.8, within, 0.10} : ShapeTrust{0.20, 0.10, 0.15, 0.8, within, 0.10};
     case Certainty::good:
       return mesh ? ShapeTrust{0.02, 0.01, 0.02, 0.5, 0.5 * within, 0.03}
                   : ShapeTrust{0.04, 0.02, 0.05, 0.5, 0.5 * within, 0.03};
