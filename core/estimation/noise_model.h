@@ -44,7 +44,7 @@ std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel
 /// The noise model with each channel's memory shortened until slow noise is at most `kLargestGain` times stronger than
 /// the fast one. Whitening by a near unit root would throw away the slow band, where gravity tells most, and trust the
 /// fast one, where a delay or noisy accelerations tell lies: what looks like such noise is mostly misfit.
-constexpr double kLargestGain = 3.5;
+constexpr double kLargestGain = 2.5;
 NoiseModel bounded(const NoiseModel& noise);
 
 /// Least squares of rows whitened by `weighting`, judged by the noise that was found: score equations H x = g whose
