@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string recording, meta, robot, known, shape, shapeFile, json, output, format = "json";
+  std::string recording, meta, known, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
   bool noBias = false, force = false;
   EstimateOptions estimate;
@@ -80,8 +80,8 @@ std::optional<RobotModel> robotOf(ReadRecording& read) {
   if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) return std::nullopt;
   if (!recording.meta.robot)
     throw Failed(
-        fmt::format("{} has joint angles, but nothing says of which arm: give --robot panda or --robot ARM.urdf, or "
-                    "\"robot\" in its meta file.",
+        fmt::format("{} has joint angles, but nothing says of which arm: state \"robot\", \"panda\" or a URDF, in its "
+                    "meta file.",
                     recording.file));
   return orFail(robotFor(recording.meta, read.findings));
 }
@@ -89,7 +89,6 @@ std::optional<RobotModel> robotOf(ReadRecording& read) {
 EstimateReport estimateFile(const Options& options, const EstimateOptions& estimateOptions, const Progress& progress,
                             Clock::time_point start) {
   ReadRecording read = orFail(readRecording(options.recording, {options.meta}, progress));
-  if (!options.robot.empty()) read.recording.meta.robot = options.robot;
   const auto robot = robotOf(read);
   const double readSeconds = secondsSince(start);
   EstimateReport report = orFail(estimate(read.recording, robot ? &*robot : nullptr, estimateOptions, progress));
@@ -148,9 +147,6 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("FILE");
   app->add_option("--meta", options->meta, "Meta file; otherwise RECORDING's own .meta.json if it exists")
       ->type_name("FILE");
-  app->add_option("--robot", options->robot,
-                  "panda, or a URDF: the arm that the joint angles belong to, if no meta file says")
-      ->type_name("NAME");
   app->add_option("-o,--output", options->output,
                   "Also write the payload file, in flange axes, ready for the controller")
       ->type_name("FILE");

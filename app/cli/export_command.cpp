@@ -5,14 +5,16 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
-#include "app/cli/flange_payload.h"
 #include "core/base/json_file.h"
+#include "core/base/text.h"
+#include "core/exporters/flange.h"
 
 namespace heft::cli {
 namespace {
 
 struct Options {
-  std::string result, format, output, json, xyz, rpy, tcp;
+  std::string result, format, output, json, xyz, rpy, tcp, mount;
+  std::vector<std::string> add;
   FlangeOptions flange;
   bool force = false;
 };
@@ -34,7 +36,14 @@ void run(Options options) {
   if (toStdout && options.json == "-")
     throw WrongUsage("The payload file and --json cannot both go to stdout; give -o FILE as well.");
 
-  FlangePayload payload = toFlange(orFail(readJsonFile(options.result)), options.result, options.flange);
+  if (!options.mount.empty())
+    options.flange.mount = orFail(sensorMountFromJson(orFail(readJsonFile(options.mount)), options.mount));
+  for (const auto& file : options.add) {
+    options.flange.add.push_back(orFail(payloadFromJson(orFail(readJsonFile(file)), file)));
+    options.flange.addNames.push_back(displayName(std::filesystem::path(file).filename()));
+  }
+  options.flange.program = programVersion();
+  FlangePayload payload = orFail(toFlange(orFail(readJsonFile(options.result)), options.result, options.flange));
   const std::string text = orFail(exportPayload(format, payload.input, payload.findings));
   writeOutput(toStdout ? "-" : options.output, text, {options.force, {}});
   printFindings(payload.findings, true);
@@ -67,7 +76,7 @@ Command makeExportCommand(CLI::App& root) {
   app->add_option("--name", options->flange.name, "Name of the tool in formats that carry one")
       ->type_name("NAME")
       ->capture_default_str();
-  app->add_option("--mount", options->flange.mountFile, "Take the sensor's pose on the flange from this meta file")
+  app->add_option("--mount", options->mount, "Take the sensor's pose on the flange from this meta file")
       ->type_name("FILE");
   app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]")->type_name("X,Y,Z");
   app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad], fixed axes")
@@ -75,7 +84,7 @@ Command makeExportCommand(CLI::App& root) {
   app->add_option("--tcp", options->tcp,
                   "Tool centre point on the flange, for the formats that carry it (Franka's tool files)")
       ->type_name("X,Y,Z[,R,P,Y]");
-  app->add_option("--add", options->flange.add,
+  app->add_option("--add", options->add,
                   "Payload JSON in the flange frame of something else that is mounted, such as the\n"
                   "sensor and its adapter, which the estimate does not contain; may be repeated")
       ->type_name("FILE")

@@ -133,6 +133,24 @@ TEST_F(RoundTripTest, OptionsReachTheEstimator) {
     EXPECT_NE(result(option)["payload"], standard["payload"]) << option.back();
 }
 
+TEST_F(RoundTripTest, SevenJointsWithoutAMetaFileAreAPanda) {
+  simulate("rec", {"--xyz", "0,0,0", "--duration", "6", "--rate", "250"});
+  const json expected = json::parse(heft({"estimate", "rec.csv", "--json", "-"}).out);
+  std::filesystem::remove(path("rec.meta.json"));
+  const Outcome run = heft({"estimate", "rec.csv", "--json", "-"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["payload"], expected["payload"]);
+  EXPECT_THAT(json::parse(run.out)["findings"].dump(), HasSubstr("Panda"));
+}
+
+TEST_F(RoundTripTest, AnUnknownArmIsAskedFor) {
+  simulate("rec");
+  std::string text = read("rec.csv");
+  text.replace(text.find("q7"), 2, "Q0");  // six joints are nobody's in particular
+  write("six.csv", text);
+  EXPECT_TRUE(failedWithOneSentence(heft({"estimate", "six.csv"}), "robot"));
+}
+
 TEST_F(RoundTripTest, RecordingsOfRealRobotsAreNotSimulatedOver) {
   write("real.csv", "time,q1\n0,0\n");
   EXPECT_TRUE(failedWithOneSentence(heft({"simulate", "--motion", "free", "-o", "real.csv"}), "--force"));

@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"estimate", "rec.csv", "--trim", "0.6"}, "between 0 and 0.45"},
         Mistake{{"estimate", "rec.csv", "--trim", "nan"}, "--trim"},
         Mistake{{"estimate", "rec.csv", "--trim", "ten"}, "--trim"},
-        Mistake{{"estimate", "rec.csv", "--cutoff", "0"}, "--cutoff"},
+        Mistake{{"estimate", "rec.csv", "--cutoff", "-1"}, "--cutoff"},
         Mistake{{"estimate", "rec.csv", "--sg-order", "7", "--sg-window", "7"}, "--sg-window"},
         Mistake{{"estimate", "rec.csv", "--shape", "sphere:0.1", "--shape-file", "s.json"}, "exclude each other"},
         Mistake{{"estimate", "rec.csv", "--shape", "cube:0.1"}, "cube"},

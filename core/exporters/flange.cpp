@@ -1,4 +1,4 @@
-#include "app/cli/flange_payload.h"
+#include "core/exporters/flange.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/cli.h"
-#include "core/base/json_file.h"
 #include "core/base/text.h"
 #include "core/payload/inertial_parameters.h"
 #include "core/robot/robot_model.h"
 
-namespace heft::cli {
+namespace heft {
 namespace {
 
 using nlohmann::json;
@@ -23,36 +21,22 @@ const json* member(const json& object, const char* key) {
   return found == object.end() || found->is_null() ? nullptr : &*found;
 }
 
-Vector3d vectorOf(const json& object, const char* key, const std::string& where) {
-  const json* list = member(object, key);
-  if (!list) return Vector3d::Zero();
-  if (!list->is_array() || list->size() != 3 || !(*list)[0].is_number() || !(*list)[1].is_number() ||
-      !(*list)[2].is_number())
-    throw Failed(fmt::format("{}: {} must be three numbers, not {}.", where, key, printable(dump(*list))));
-  return {(*list)[0].get<double>(), (*list)[1].get<double>(), (*list)[2].get<double>()};
+bool isVector3(const json& list) {
+  return list.is_array() && list.size() == 3 && list[0].is_number() && list[1].is_number() && list[2].is_number();
 }
 
-SensorMount mountFromJson(const json& object, const std::string& where) {
+Result<SensorMount> readMount(const json& object, const std::string& where) {
   SensorMount mount;
   mount.parent.clear();
   if (const json* parent = member(object, "parent"); parent && parent->is_string())
     mount.parent = parent->get<std::string>();
-  mount.xyz = vectorOf(object, "xyz_m", where);
-  mount.rpy = vectorOf(object, "rpy_rad", where);
+  for (const auto& [key, target] : {std::pair{"xyz_m", &mount.xyz}, std::pair{"rpy_rad", &mount.rpy}}) {
+    const json* list = member(object, key);
+    if (!list) continue;
+    if (!isVector3(*list)) return Error{fmt::format("{}: {} of the sensor mount must be three numbers.", where, key)};
+    *target = {(*list)[0].get<double>(), (*list)[1].get<double>(), (*list)[2].get<double>()};
+  }
   return mount;
-}
-
-SensorMount mountFromFile(const std::string& file) {
-  const json content = orFail(readJsonFile(file));
-  if (const json* sensor = member(content, "sensor"))
-    if (const json* mount = member(*sensor, "mount")) return mountFromJson(*mount, file);
-  for (const char* key : {"sensor_mount", "mount"})
-    if (const json* mount = member(content, key)) return mountFromJson(*mount, file);
-  if (member(content, "xyz_m")) return mountFromJson(content, file);
-  throw Failed(
-      fmt::format("{} holds no sensor mount: expected \"sensor\": {{\"mount\": {{\"xyz_m\": [x,y,z], \"rpy_rad\": "
-                  "[r,p,y]}}}} as in a meta file.",
-                  file));
 }
 
 bool isFlange(const std::string& link) {
@@ -60,8 +44,8 @@ bool isFlange(const std::string& link) {
 }
 
 /// Pose of the mount's parent link in the flange frame; identity with a finding where it cannot be told.
-Isometry3d parentInFlange(const std::string& parent, Findings& findings) {
-  if (isFlange(parent)) return Isometry3d::Identity();
+Result<Isometry3d> parentInFlange(const std::string& parent, Findings& findings) {
+  if (isFlange(parent)) return Isometry3d(Isometry3d::Identity());
   const RobotModel& panda = RobotModel::panda();
   const auto flange = panda.findLink("panda_link8");
   const auto link = panda.findLink(parent);
@@ -72,17 +56,17 @@ Isometry3d parentInFlange(const std::string& parent, Findings& findings) {
     const VectorXd moved = panda.clampToLimits(q + VectorXd::Constant(q.size(), 0.3));
     const Isometry3d X_FL_moved = panda.linkPose(moved, *flange).inverse() * panda.linkPose(moved, *link);
     if (X_FL.isApprox(X_FL_moved, 1e-9)) return X_FL;
-    throw Failed(
-        fmt::format("The sensor is mounted on {}, which moves against the flange: give its pose on the flange with "
-                    "--xyz and --rpy.",
-                    parent));
+    return Error{
+        fmt::format("The sensor is mounted on {}, which moves against the flange: state its pose on the flange.",
+                    printable(parent))};
   }
-  findings.push_back({Severity::warning,
-                      "flange_assumed",
-                      fmt::format("The sensor's parent link {} is not known as a flange and was taken for it.", parent),
-                      "Give the sensor's pose on the flange with --xyz and --rpy if it is not.",
-                      {}});
-  return Isometry3d::Identity();
+  findings.push_back(
+      {Severity::warning,
+       "flange_assumed",
+       fmt::format("The sensor's parent link {} is not known as a flange and was taken for it.", printable(parent)),
+       "State the sensor's pose on the flange if it is not.",
+       {}});
+  return Isometry3d(Isometry3d::Identity());
 }
 
 std::string sourceAt(const json* list, std::initializer_list<std::size_t> path) {
@@ -146,50 +130,68 @@ std::string uncertaintyOf(const json& result) {
   return parts.empty() ? "" : fmt::format("95 % intervals in sensor axes: {}", fmt::join(parts, ", "));
 }
 
-std::string provenanceOf(const json& result, const std::string& where) {
+std::string provenanceOf(const json& result, const std::string& where, const FlangeOptions& options) {
   std::string text =
-      fmt::format("Written by {} from {}", programVersion(), displayName(std::filesystem::path(where).filename()));
+      fmt::format("Written by {} from {}", options.program, displayName(std::filesystem::path(where).filename()));
   if (const json* recording = member(result, "recording"))
     if (const json* file = member(*recording, "file"); file && file->is_string())
-      text += fmt::format(", recording {}", displayName(std::filesystem::path(file->get<std::string>()).filename()));
+      if (const auto name = displayName(std::filesystem::path(file->get<std::string>()).filename());
+          name != displayName(std::filesystem::path(where).filename()))
+        text += fmt::format(", recording {}", name);
   if (const json* method = member(result, "method"); method && method->is_string())
     text += fmt::format(", method {}", method->get<std::string>());
+  if (!options.addNames.empty()) text += fmt::format(", with {} added", fmt::join(options.addNames, " and "));
   return text;
 }
 
 }  // namespace
 
-FlangePayload toFlange(const json& result, const std::string& where, const FlangeOptions& options) {
+Result<SensorMount> sensorMountFromJson(const json& content, const std::string& where) {
+  if (const json* sensor = member(content, "sensor"))
+    if (const json* mount = member(*sensor, "mount")) return readMount(*mount, where);
+  for (const char* key : {"sensor_mount", "mount"})
+    if (const json* mount = member(content, key)) return readMount(*mount, where);
+  if (member(content, "xyz_m")) return readMount(content, where);
+  return Error{fmt::format(
+      "{} holds no sensor mount: expected \"sensor\": {{\"mount\": {{\"xyz_m\": [x,y,z], \"rpy_rad\": [r,p,y]}}}} "
+      "as in a meta file.",
+      where)};
+}
+
+Result<FlangePayload> toFlange(const json& result, const std::string& where, const FlangeOptions& options) {
   if (const json* schema = member(result, "schema");
       schema && schema->is_string() && !member(result, "payload") && !member(result, "mass_kg"))
-    throw Failed(fmt::format("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
-                             printable(schema->get<std::string>())));
+    return Error{fmt::format("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
+                             printable(schema->get<std::string>()))};
   FlangePayload out;
-  Payload payload = orFail(payloadFromJson(result, where));
+  const auto payload = payloadFromJson(result, where);
+  if (!payload) return payload.error();
 
-  const bool isEstimate = member(result, "identifiability") || member(result, "recording");
-  const json* recorded = member(result, "sensor_mount");
   SensorMount mount;
   mount.parent.clear();
-  if (!options.mountFile.empty())
-    mount = mountFromFile(options.mountFile);
-  else if (recorded)
-    mount = mountFromJson(*recorded, where);
-  else if (isEstimate && !options.xyz)
+  if (options.mount) {
+    mount = *options.mount;
+  } else if (const json* recorded = member(result, "sensor_mount")) {
+    const auto read = readMount(*recorded, where);
+    if (!read) return read.error();
+    mount = *read;
+  } else if (member(result, "identifiability") && !options.xyz) {
     out.findings.push_back({Severity::warning,
                             "mount_unknown",
                             "The result does not say where the sensor sits; its frame was taken for the flange's.",
-                            "Give the sensor's pose on the flange with --xyz and --rpy.",
+                            "State the sensor's pose on the flange.",
                             {}});
-  if (!options.xyz || !options.rpy)
-    out.X_FS = parentInFlange(mount.parent, out.findings) * poseFromXyzRpy(mount.xyz, mount.rpy);
+  }
+  if (!options.xyz || !options.rpy) {
+    const auto X_FL = parentInFlange(mount.parent, out.findings);
+    if (!X_FL) return X_FL.error();
+    out.X_FS = *X_FL * poseFromXyzRpy(mount.xyz, mount.rpy);
+  }
   if (options.xyz) out.X_FS.translation() = *options.xyz;
   if (options.rpy) out.X_FS.linear() = rotationFromRpy(*options.rpy);
 
-  payload = transformed(payload, out.X_FS);
-  for (const auto& file : options.add)
-    payload = composed(payload, orFail(payloadFromJson(orFail(readJsonFile(file)), file)));
-
+  out.input.payload = transformed(*payload, out.X_FS);
+  for (const Payload& other : options.add) out.input.payload = composed(out.input.payload, other);
   if (const json* identifiability = member(result, "identifiability")) reportSources(*identifiability, out.findings);
   if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
     out.findings.push_back({Severity::warning,
@@ -197,14 +199,11 @@ FlangePayload toFlange(const json& result, const std::string& where, const Flang
                             "The estimate itself says that it is not physically possible.",
                             "Use the method map, or a longer recording that turns the tool faster.",
                             {}});
-  out.input.payload = payload;
   out.input.X_FE = options.X_FE;
   out.input.name = options.name;
-  out.input.provenance = provenanceOf(result, where);
-  for (const auto& file : options.add)
-    out.input.provenance += fmt::format(", with {} added", displayName(std::filesystem::path(file).filename()));
+  out.input.provenance = provenanceOf(result, where, options);
   out.input.uncertainty = uncertaintyOf(result);
   return out;
 }
 
-}  // namespace heft::cli
+}  // namespace heft
