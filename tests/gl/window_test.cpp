@@ -1,0 +1,258 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QUrl>
+#include <set>
+
+#include "core/recording/csv_reader.h"
+#include "core/simulation/simulate.h"
+#include "ui/controller/workspace.h"
+#include "ui/main_window/main_window.h"
+#include "ui/results/result_panel.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/wrench_plots/recording_pane.h"
+#include "ui/wrench_plots/wrench_plots.h"
+
+namespace heft {
+namespace {
+
+constexpr double kTrueMass = 0.9;
+
+/// A short simulated recording on disk, made once.
+const QString& simulatedFile() {
+  static QTemporaryDir folder;
+  static const QString file = [] {
+    Payload payload;
+    payload.mass = kTrueMass;
+    payload.com = {0.005, -0.01, 0.06};
+    payload.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+    SimulateOptions options;
+    options.motion = MotionKind::excitation;
+    options.duration = 8.0;
+    options.seed = 3;
+    const auto simulated = simulate(RobotModel::panda(), payload, options);
+    if (!simulated) throw std::runtime_error(simulated.error().message);
+    const QString path = folder.filePath("simulated.csv");
+    const auto written = writeRecording(simulated->recording, path.toStdString());
+    if (!written) throw std::runtime_error(written.error().message);
+    return path;
+  }();
+  return file;
+}
+
+int distinctColours(const QImage& image) {
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
+  return static_cast<int>(colours.size());
+}
+
+/// Share of pixels that differ by more than a hair.
+double difference(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 1.0;
+  int different = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QColor ca = a.pixelColor(x, y), cb = b.pixelColor(x, y);
+      different += std::abs(ca.red() - cb.red()) + std::abs(ca.green() - cb.green()) + std::abs(ca.blue() - cb.blue()) > 24;
+    }
+  }
+  return static_cast<double>(different) / (a.width() * a.height());
+}
+
+class WindowTest : public testing::Test {
+ protected:
+  WindowTest() : window(&workspace, false) {
+    window.resize(1440, 900);
+    window.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+  }
+  ~WindowTest() override {
+    if (HasFailure()) {
+      const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+      const QString path = QDir::current().filePath(QStringLiteral("failed_%1.png").arg(info->name()));
+      window.picture().save(path);
+      std::printf("The window as it was: %s\n", qPrintable(path));
+    }
+  }
+
+  void waitUntilSettled() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));
+    QTest::qWait(250);
+  }
+  void openSimulated() {
+    workspace.open(simulatedFile());
+    waitUntilSettled();
+    ASSERT_TRUE(workspace.opened());
+    ASSERT_TRUE(workspace.report());
+  }
+  QImage viewPicture() {
+    window.robotView()->renderNow();
+    return window.robotView()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+  }
+
+  Workspace workspace;
+  MainWindow window;
+};
+
+TEST_F(WindowTest, WelcomesWithAnArmAndOneThingToDo) {
+  waitUntilSettled();
+  EXPECT_FALSE(window.recordingPane()->isVisible());
+  auto* main = window.resultPanel()->findChild<QPushButton*>("mainButton");
+  ASSERT_NE(main, nullptr);
+  EXPECT_TRUE(main->isVisible());
+  EXPECT_GT(distinctColours(viewPicture()), 500);
+}
+
+TEST_F(WindowTest, A3dViewThatIsBlankFails) {
+  openSimulated();
+  const QImage view = viewPicture();
+  // An empty stage is a gradient with a grid: some hundred greys. The arm fills a good part of the picture.
+  EXPECT_GT(distinctColours(view), 2000);
+  window.robotView()->showRobot(nullptr, nullptr);
+  Workspace emptyWorkspace;
+  const QColor background = view.pixelColor(view.width() / 2, 4);
+  int arm = 0;
+  for (int y = 0; y < view.height(); ++y) {
+    for (int x = 0; x < view.width(); ++x) {
+      const QColor c = view.pixelColor(x, y);
+      arm += std::abs(c.lightness() - background.lightness()) > 25;
+    }
+  }
+  EXPECT_GT(arm, view.width() * view.height() / 50);
+}
+
+TEST_F(WindowTest, TheArmMovesWithTime) {
+  openSimulated();
+  window.playback()->setTime(1.0);
+  const QImage first = viewPicture();
+  window.playback()->setTime(4.0);
+  const QImage second = viewPicture();
+  window.playback()->setTime(1.0);
+  const QImage again = viewPicture();
+  EXPECT_GT(difference(first, second), 0.02);
+  EXPECT_LT(difference(first, again), 0.001);
+}
+
+TEST_F(WindowTest, TheEstimateIsShownAndNearTheTruth) {
+  openSimulated();
+  EXPECT_NEAR(workspace.report()->payload.mass, kTrueMass, 0.02);
+  bool found = false;
+  for (const QLabel* label : window.resultPanel()->findChildren<QLabel*>()) found = found || label->text() == "Your tool weighs 0.90 kg.";
+  EXPECT_TRUE(found);
+  EXPECT_GT(window.recordingPane()->plots()->pointsDrawn(), 5000);
+}
+
+TEST_F(WindowTest, MouseTurnsTheView) {
+  openSimulated();
+  const QImage before = viewPicture();
+  auto* viewport = window.robotView()->findChild<QWidget*>("viewport");
+  ASSERT_NE(viewport, nullptr);
+  QTest::mousePress(viewport, Qt::LeftButton, {}, {300, 200});
+  QMouseEvent move(QEvent::MouseMove, QPointF(400, 220), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(viewport, &move);
+  QTest::mouseRelease(viewport, Qt::LeftButton, {}, {400, 220});
+  EXPECT_GT(difference(before, viewPicture()), 0.02);
+  QTest::mouseClick(window.findChild<QToolButton*>("fitButton"), Qt::LeftButton);
+  EXPECT_LT(difference(before, viewPicture()), 0.005);
+}
+
+TEST_F(WindowTest, SpacePlaysAndPauses) {
+  openSimulated();
+  window.setFocus();
+  QTest::keyClick(&window, Qt::Key_Space);
+  EXPECT_TRUE(window.playback()->playing());
+  const double before = window.playback()->time();
+  QTest::qWait(300);
+  EXPECT_GT(window.playback()->time(), before);
+  QTest::keyClick(&window, Qt::Key_Space);
+  EXPECT_FALSE(window.playback()->playing());
+  const double paused = window.playback()->time();
+  QTest::keyClick(&window, Qt::Key_Right);
+  EXPECT_NEAR(window.playback()->time(), paused + 0.1, 1e-9);
+}
+
+TEST_F(WindowTest, ABadFileIsOneSentenceAndKeepsWhatIsOpen) {
+  openSimulated();
+  QTemporaryDir folder;
+  const QString bad = folder.filePath("bad.csv");
+  QFile file(bad);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("time,fx\n0,hello\n");
+  file.close();
+  workspace.open(bad);
+  waitUntilSettled();
+  EXPECT_TRUE(window.messageBar()->isVisible());
+  EXPECT_TRUE(window.messageBar()->text().contains("bad.csv")) << window.messageBar()->text().toStdString();
+  EXPECT_EQ(workspace.opened()->path, simulatedFile());
+  EXPECT_TRUE(workspace.report());
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+}
+
+TEST_F(WindowTest, ADroppedFileOpens) {
+  waitUntilSettled();
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(simulatedFile())});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &drop);
+  waitUntilSettled();
+  ASSERT_TRUE(workspace.opened());
+  EXPECT_EQ(workspace.opened()->path, simulatedFile());
+}
+
+TEST_F(WindowTest, StoppingTheEstimateLeavesTheRecordingOpen) {
+  workspace.open(simulatedFile());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.opened() != nullptr; }, 60000));
+  workspace.cancel();
+  waitUntilSettled();
+  // Either it was stopped in time, or the estimate was quicker: both leave a usable window.
+  auto* main = window.resultPanel()->findChild<QPushButton*>("mainButton");
+  EXPECT_TRUE(main->isVisible());
+  if (!workspace.report()) {
+    QTest::mouseClick(main, Qt::LeftButton);
+    waitUntilSettled();
+  }
+  EXPECT_TRUE(workspace.report());
+}
+
+TEST_F(WindowTest, DarkThemeReachesEveryPart) {
+  openSimulated();
+  const QImage light = window.picture();
+  applyTheme(*qApp, ThemeKind::dark);
+  QTest::qWait(300);
+  const QImage dark = window.picture();
+  applyTheme(*qApp, ThemeKind::light);
+  int bright = 0;
+  for (int y = 0; y < dark.height(); y += 2)
+    for (int x = 0; x < dark.width(); x += 2) bright += dark.pixelColor(x, y).lightness() > 150;
+  EXPECT_LT(bright, dark.width() * dark.height() / 4 / 8);
+  QTest::qWait(300);
+  EXPECT_LT(difference(light, window.picture()), 0.01);
+}
+
+TEST_F(WindowTest, EveryControlCanBeReachedAndHasAName) {
+  openSimulated();
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->focusPolicy() == Qt::NoFocus) continue;
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    if (button == nullptr) continue;
+    EXPECT_FALSE(button->text().isEmpty() && button->accessibleName().isEmpty()) << widget->objectName().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace heft

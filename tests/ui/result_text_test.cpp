@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/ui/fixtures.h"
+#include "ui/models/numbers.h"
+#include "ui/models/result_text.h"
+
+namespace heft {
+namespace {
+
+TEST(NumberText, HasARealMinusAndFixedDecimals) {
+  EXPECT_EQ(numberText(-0.5, 1), QString::fromUtf8("−0.5"));
+  EXPECT_EQ(numberText(45.8, 1), "45.8");
+  EXPECT_EQ(numberText(12345.6, 0), "12346");
+  EXPECT_EQ(numberText(-0.04, 1), "0.0");
+  EXPECT_EQ(numberText(std::nan(""), 1), QString::fromUtf8("—"));
+}
+
+TEST(DecimalsFor, FollowsTheUncertainty) {
+  EXPECT_EQ(decimalsFor(0.004, 4), 3);
+  EXPECT_EQ(decimalsFor(0.6, 2), 1);
+  EXPECT_EQ(decimalsFor(1.3, 3), 1);
+  EXPECT_EQ(decimalsFor(0.0151, 4), 3);
+  EXPECT_EQ(decimalsFor(70, 3), 0);
+  EXPECT_EQ(decimalsFor(1e-9, 4), 4);
+  EXPECT_EQ(decimalsFor(0, 3), 3);
+}
+
+TEST(DescribeResult, SaysItInWordsFirst) {
+  const Recording recording = test::sineRecording(1000, 100);
+  const ResultText text = describeResult(test::reportOn(recording), {});
+  EXPECT_EQ(text.question, "Your tool weighs 0.81 kg.");
+  EXPECT_EQ(text.answer, "Mass, centre and inertia are measured.");
+  EXPECT_EQ(text.mass.value, "0.812");
+  EXPECT_EQ(text.mass.plusMinus, QString::fromUtf8("± 0.004 kg"));
+  ASSERT_EQ(text.com.size(), 3u);
+  EXPECT_EQ(text.com[0].value, "1.4");
+  EXPECT_EQ(text.com[1].value, QString::fromUtf8("−0.5"));
+  EXPECT_EQ(text.com[2].value, "45.8");
+  EXPECT_EQ(text.com[2].plusMinus, QString::fromUtf8("± 0.6 mm"));
+  ASSERT_EQ(text.inertia.size(), 6u);
+  EXPECT_EQ(text.inertia[0].value, "16.0");
+  EXPECT_EQ(text.inertiaUnit, QString::fromUtf8("kg cm²"));
+}
+
+TEST(DescribeResult, SaysWhatIsNotKnown) {
+  const Recording recording = test::sineRecording(1000, 100);
+  EstimateReport report = test::reportOn(recording);
+  for (auto& row : report.identifiability.inertia) row.fill(Source::none);
+  report.identifiability.weakDirections = {"turn the tool faster about its long axis"};
+  report.findings = {{Severity::info, "weak_direction", "turn the tool faster about its long axis", "", {}},
+                     {Severity::info, "note", "a note", "", {}},
+                     {Severity::warning, "misfit", "the model misses", "look", {}}};
+  const ResultText text = describeResult(report, {});
+  EXPECT_EQ(text.answer, "Mass and centre are measured; inertia is not fully known from this motion.");
+  EXPECT_EQ(text.advice, "Turn the tool faster about its long axis");
+  // The three products share one row; the advice is not said twice; the gravest finding comes first.
+  ASSERT_EQ(text.inertia.size(), 4u);
+  EXPECT_EQ(text.inertia[3].name, "Ixy, Ixz, Iyz");
+  ASSERT_EQ(text.findings.size(), 2u);
+  EXPECT_EQ(text.findings[0].severity, Severity::warning);
+  report.identifiability.mass = Source::none;
+  EXPECT_EQ(describeResult(report, {}).question, "This motion does not tell the mass.");
+}
+
+TEST(DescribeResult, ComparesWithWhatIsStated) {
+  const Recording recording = test::sineRecording(1000, 100);
+  PartialPayload stated;
+  stated.mass = 0.815;
+  const ResultText text = describeResult(test::reportOn(recording), stated);
+  EXPECT_EQ(text.massNote, "you stated 0.815 kg, 0.4 % away");
+  EXPECT_GT(text.massScale.stated, text.massScale.value);
+  EXPECT_LT(text.massScale.from, text.massScale.value);
+  EXPECT_GT(text.massScale.to, text.massScale.value);
+}
+
+TEST(DescribeResult, SurvivesEmptyAndInfiniteNumbers) {
+  EXPECT_FALSE(describeResult(EstimateReport{}, {}).question.isEmpty());
+  const Recording recording = test::sineRecording(1000, 100);
+  EstimateReport report = test::reportOn(recording);
+  report.interval95.mass = {-INFINITY, INFINITY};
+  report.interval95.com[1] = {-INFINITY, INFINITY};
+  report.payload.inertiaCom(0, 0) = std::nan("");
+  const ResultText text = describeResult(report, {});
+  EXPECT_TRUE(text.mass.plusMinus.contains(QString::fromUtf8("—")));
+}
+
+}  // namespace
+}  // namespace heft

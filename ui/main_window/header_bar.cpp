@@ -1,0 +1,72 @@
+#include "ui/main_window/header_bar.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPushButton>
+
+#include "ui/widgets/basics.h"
+
+namespace heft {
+
+HeaderBar::HeaderBar(QWidget* parent) : QWidget(parent) {
+  setObjectName("header");
+  setAttribute(Qt::WA_StyledBackground);
+  setFixedHeight(38);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 0, 12, 0);
+  row->setSpacing(8);
+  row->addWidget(new IconLabel("heft", 20, this));
+  row->addWidget(styledLabel(tr("Heft Studio"), "productName", this));
+  row->addSpacing(4);
+  menus_ = new QMenuBar(this);
+  menus_->setNativeMenuBar(false);
+  menus_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  row->addWidget(menus_, 0, Qt::AlignVCenter);
+  row->addStretch(1);
+  auto* segmented = new QFrame(this);
+  segmented->setObjectName("segmented");
+  auto* segments = new QHBoxLayout(segmented);
+  segments->setContentsMargins(1, 1, 1, 1);
+  segments->setSpacing(0);
+  simple_ = new QPushButton(tr("Simple"), segmented);
+  details_ = new QPushButton(tr("Details"), segmented);
+  simple_->setToolTip(tr("The result in plain words"));
+  details_->setToolTip(tr("Also method, residuals and the sensor’s zero"));
+  auto* group = new QButtonGroup(this);
+  for (QPushButton* button : {simple_, details_}) {
+    button->setCheckable(true);
+    segments->addWidget(button);
+    group->addButton(button);
+  }
+  simple_->setObjectName("simpleButton");
+  details_->setObjectName("detailsButton");
+  simple_->setChecked(true);
+  row->addWidget(segmented);
+  connect(details_, &QPushButton::toggled, this, &HeaderBar::detailsWanted);
+  // Outside the layout, so that it stands in the middle of the window and not of what is left.
+  file_ = styledLabel({}, "fileName", this);
+  file_->setAlignment(Qt::AlignCenter);
+}
+
+void HeaderBar::setDetails(bool shown) { (shown ? details_ : simple_)->setChecked(true); }
+
+void HeaderBar::setFileName(const QString& name, const QString& path) {
+  file_->setText(name);
+  file_->setToolTip(path);
+  placeFileName();
+}
+
+void HeaderBar::placeFileName() {
+  const int room = width() - 2 * (menus_->geometry().right() + 16);
+  const int wanted = std::min(file_->sizeHint().width() + 8, std::max(0, room));
+  file_->setGeometry((width() - wanted) / 2, 0, wanted, height() - 1);
+}
+
+void HeaderBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeFileName();
+}
+
+}  // namespace heft

@@ -1,0 +1,32 @@
+#pragma once
+// The top of the window: name, menus, the open file, Simple or Details.
+#include <QWidget>
+
+class QLabel;
+class QMenuBar;
+class QPushButton;
+
+namespace heft {
+
+class HeaderBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HeaderBar(QWidget* parent = nullptr);
+  QMenuBar* menuBar() { return menus_; }
+  void setDetails(bool shown);
+  void setFileName(const QString& name, const QString& path);
+
+ signals:
+  void detailsWanted(bool details);
+
+ private:
+  void placeFileName();
+  void resizeEvent(QResizeEvent* event) override;
+
+  QMenuBar* menus_;
+  QLabel* file_;
+  QPushButton* simple_;
+  QPushButton* details_;
+};
+
+}  // namespace heft

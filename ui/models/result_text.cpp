@@ -1,0 +1,227 @@
+#include "ui/models/result_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/models/numbers.h"
+
+namespace heft {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ResultText", text); }
+
+QString capitalised(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+NumberText number(const QString& name, double value, const Interval& interval, double scale, int mostDecimals,
+                  const QString& unit, Source source, const QString& meaning) {
+  NumberText out;
+  const double half = 0.5 * (interval.upper - interval.lower) * scale;
+  const int decimals = decimalsFor(half, mostDecimals);
+  out.name = name;
+  out.value = numberText(value * scale, decimals);
+  out.plusMinus = QStringLiteral("± ") + numberText(std::max(half, 0.5 * std::pow(10.0, -decimals)), decimals);
+  out.source = source;
+  out.tip = tr("%1\n95 % interval: %2 to %3 %4")
+                .arg(meaning, numberText(interval.lower * scale, decimals + 1),
+                     numberText(interval.upper * scale, decimals + 1), unit);
+  return out;
+}
+
+MassScale massScale(const EstimateReport& report, const std::optional<double>& stated) {
+  MassScale scale;
+  const Interval& interval = report.interval95.mass;
+  const double half = 0.5 * (interval.upper - interval.lower);
+  if (!std::isfinite(half)) return scale;
+  double reach = std::max(6.0 * half, 0.02 * std::abs(report.payload.mass));
+  if (stated) reach = std::max(reach, 1.3 * std::abs(*stated - report.payload.mass));
+  reach = std::max(reach, 1e-4);
+  // Ends on round numbers, so that the scale can be read.
+  const double step = std::pow(10.0, std::floor(std::log10(reach)));
+  const double lowest = std::max(0.0, std::floor((report.payload.mass - reach) / step) * step);
+  const double highest = std::ceil((report.payload.mass + reach) / step) * step;
+  const auto share = [&](double mass) { return std::clamp((mass - lowest) / (highest - lowest), 0.0, 1.0); };
+  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step))), 0, 4);
+  scale.value = share(report.payload.mass);
+  scale.from = share(interval.lower);
+  scale.to = share(interval.upper);
+  scale.lowest = numberText(lowest, decimals);
+  scale.highest = numberText(highest, decimals) + QStringLiteral(" kg");
+  if (stated) scale.stated = share(*stated);
+  return scale;
+}
+
+Source most(Source a, Source b) { return static_cast<int>(a) > static_cast<int>(b) ? a : b; }
+
+QString answerText(Source mass, Source com, Source inertia) {
+  if (mass == Source::data && com == Source::data && inertia == Source::data) {
+    return tr("Mass, centre and inertia are measured.");
+  }
+  const struct {
+    QString name;
+    Source source;
+  } parts[] = {{tr("mass"), mass}, {tr("centre"), com}, {tr("inertia"), inertia}};
+  QStringList clauses;
+  for (const Source source : {Source::data, Source::prior, Source::none}) {
+    QStringList names;
+    for (const auto& part : parts) {
+      if (part.source == source) names << part.name;
+    }
+    if (names.isEmpty()) continue;
+    const bool several = names.size() > 1;
+    const QString who = names.size() == 3 ? tr("%1, %2 and %3").arg(names[0], names[1], names[2])
+                        : several         ? tr("%1 and %2").arg(names[0], names[1])
+                                          : names[0];
+    clauses << (source == Source::data    ? (several ? tr("%1 are measured") : tr("%1 is measured"))
+                : source == Source::prior ? (several ? tr("%1 lean on what you stated") : tr("%1 leans on what you stated"))
+                                          : (several ? tr("%1 are not fully known from this motion")
+                                                     : tr("%1 is not fully known from this motion")))
+                   .arg(who);
+  }
+  return capitalised(clauses.join(tr("; "))) + tr(".");
+}
+
+std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scale, const QString& unit) {
+  static constexpr int kIndex[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+  static constexpr const char* kNames[6] = {"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
+  const auto& id = report.identifiability.inertia;
+  std::vector<NumberText> rows;
+  const bool productsUnknown =
+      id[0][1] == Source::none && id[0][2] == Source::none && id[1][2] == Source::none;
+  for (int k = 0; k < (productsUnknown ? 3 : 6); ++k) {
+    const auto [i, j] = std::pair(kIndex[k][0], kIndex[k][1]);
+    rows.push_back(number(QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j),
+                          report.interval95.inertiaCom[i][j], scale, 3, unit, id[i][j],
+                          i == j ? tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
+                                 : tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+  }
+  if (productsUnknown) {
+    NumberText widest;
+    double width = -1.0;
+    for (int k = 3; k < 6; ++k) {
+      const Interval& interval = report.interval95.inertiaCom[kIndex[k][0]][kIndex[k][1]];
+      if (interval.upper - interval.lower <= width) continue;
+      width = interval.upper - interval.lower;
+      const double middle = 0.5 * (interval.upper + interval.lower);
+      widest = number(tr("Ixy, Ixz, Iyz"), middle, interval, scale, 3, unit, Source::none,
+                      tr("Products of inertia; the widest of the three intervals"));
+    }
+    rows.push_back(widest);
+  }
+  return rows;
+}
+
+QString adviceText(const EstimateReport& report) {
+  const auto& id = report.identifiability;
+  if (!id.weakDirections.empty()) return capitalised(QString::fromStdString(id.weakDirections.front()));
+  return {};
+}
+
+std::vector<DetailText> detailTexts(const EstimateReport& r) {
+  std::vector<DetailText> rows;
+  const auto add = [&](const QString& name, const QString& value, const QString& tip) { rows.push_back({name, value, tip}); };
+  const auto triple = [](const Vector3d& v, int decimals) {
+    return QStringLiteral("%1  %2  %3").arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
+  };
+  add(tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
+      r.termination.why.empty() ? tr("How the numbers were found") : QString::fromStdString(r.termination.why));
+  add(tr("Used"), tr("%1 of %2 s, %3 Hz").arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
+      tr("Free parts without the ends that were trimmed"));
+  add(tr("Left over, force"), tr("%1 N").arg(numberText(r.forceRms, 3)), tr("Root mean square of the difference, free parts"));
+  add(tr("Left over, torque"), tr("%1 N m").arg(numberText(r.torqueRms, 4)), tr("Root mean square of the difference, free parts"));
+  if (r.heldoutForceRms > 0) {
+    add(tr("On unseen parts"), tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
+        tr("The same on parts that the estimate did not see"));
+  }
+  add(tr("Sensor zero, force"), tr("%1 N").arg(triple(r.forceBias, 2)), tr("Constant offset x, y, z of the sensor"));
+  add(tr("Sensor zero, torque"), tr("%1 N m").arg(triple(r.torqueBias, 3)), tr("Constant offset x, y, z of the sensor"));
+  if (r.identifiability.conditionNumber > 0) {
+    add(tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
+        tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
+  }
+  if (r.relativeError) {
+    QStringList errors;
+    if (r.relativeError->hasMass) errors << tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
+    if (r.relativeError->hasCom) errors << tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
+    if (r.relativeError->hasInertia) errors << tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
+    if (!errors.isEmpty()) add(tr("Off what you stated"), errors.join(", "), tr("Relative error |estimate − stated| / |stated|"));
+  }
+  add(tr("A real body could be so"), r.physicallyConsistent ? tr("yes") : tr("no"),
+      tr("Positive mass and an inertia that some distribution of mass can have"));
+  add(tr("Time to compute"), tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)), tr("Preparing and solving"));
+  return rows;
+}
+
+}  // namespace
+
+QString sourceWord(Source source) {
+  switch (source) {
+    case Source::data: return tr("measured");
+    case Source::prior: return tr("from your shape");
+    case Source::none: return tr("not known from this motion");
+  }
+  return {};
+}
+
+Source jointSource(const std::vector<NumberText>& numbers) {
+  Source joint = Source::data;
+  for (const NumberText& n : numbers) joint = most(joint, n.source);
+  return joint;
+}
+
+ResultText describeResult(const EstimateReport& report, const PartialPayload& stated) {
+  ResultText out;
+  const auto& id = report.identifiability;
+  const auto& interval = report.interval95;
+
+  out.mass = number(tr("Mass"), report.payload.mass, interval.mass, 1.0, 4, tr("kg"), id.mass, tr("Mass of the tool"));
+  out.mass.plusMinus += tr(" kg");
+  out.massScale = massScale(report, stated.mass);
+  if (stated.mass && *stated.mass > 0) {
+    const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
+    out.massNote = tr("you stated %1 kg, %2 % away").arg(numberText(*stated.mass, 3), numberText(away, 1));
+  }
+
+  double comAway = -1.0;
+  if (stated.com) comAway = 1e3 * (report.payload.com - *stated.com).norm();
+  for (int i = 0; i < 3; ++i) {
+    out.com.push_back(number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 2, tr("mm"), id.com[i],
+                             tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
+    out.com.back().plusMinus += tr(" mm");
+  }
+  if (comAway >= 0) out.comNote = tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
+
+  // Small tools read better in g cm² than as 0.02 kg cm².
+  const double largest = report.payload.inertiaCom.diagonal().cwiseAbs().maxCoeff();
+  const bool small = largest * 1e4 < 0.5;
+  out.inertiaUnit = small ? tr("kg mm²") : tr("kg cm²");
+  out.inertia = inertiaNumbers(report, small ? 1e6 : 1e4, out.inertiaUnit);
+  if (report.relativeError && report.relativeError->hasInertia) {
+    out.inertiaNote = tr("%1 % from the inertia you stated").arg(numberText(100 * report.relativeError->inertiaCom, 1));
+  }
+
+  const Source comSource = jointSource(out.com), inertiaSource = jointSource(out.inertia);
+  const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
+  out.question = id.mass == Source::none
+                     ? tr("This motion does not tell the mass.")
+                     : tr("Your tool weighs %1 kg.").arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
+  out.answer = answerText(id.mass, comSource, inertiaSource);
+  out.advice = adviceText(report);
+
+  for (const Finding& finding : report.findings) {
+    // Already said as advice.
+    if (finding.code == "weak_direction" && capitalised(QString::fromStdString(finding.text)) == out.advice) continue;
+    out.findings.push_back({finding.severity, capitalised(QString::fromStdString(finding.text)),
+                            capitalised(QString::fromStdString(finding.remedy))});
+  }
+  std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
+    return static_cast<int>(a.severity) > static_cast<int>(b.severity);
+  });
+  out.details = detailTexts(report);
+  return out;
+}
+
+}  // namespace heft

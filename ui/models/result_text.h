@@ -1,0 +1,60 @@
+#pragma once
+// What the result panel says, as plain data: words, numbers and lights of an estimate, computed without widgets.
+#include <QString>
+#include <vector>
+
+#include "core/estimation/estimate.h"
+
+namespace heft {
+
+/// One number with its 95 % interval as half a width, in the unit shown.
+struct NumberText {
+  QString name;       ///< "Ixx", "x"
+  QString value;      ///< "16.0"
+  QString plusMinus;  ///< "± 1.3"
+  Source source = Source::none;
+  QString tip;        ///< The interval in full and what the number means.
+};
+
+/// A position on the mass card's scale, 0 to 1.
+struct MassScale {
+  double value = 0.5, from = 0.5, to = 0.5;  ///< Shares of the scale's width.
+  QString lowest, highest;                   ///< Numbers at its ends.
+  double stated = -1.0;                      ///< What the user knows, or below 0.
+};
+
+struct FindingText {
+  Severity severity = Severity::info;
+  QString text, remedy;
+};
+
+struct DetailText {
+  QString name, value, tip;
+};
+
+struct ResultText {
+  QString question;  ///< "Your tool weighs 0.81 kg."
+  QString answer;    ///< "Mass and centre are measured; inertia is not known from this motion."
+  NumberText mass;
+  MassScale massScale;
+  QString massNote;               ///< "you stated 0.815 kg, 0.4 % away"; may be empty
+  std::vector<NumberText> com;    ///< Three, in mm
+  QString comNote;
+  std::vector<NumberText> inertia;  ///< In inertiaUnit; unknown products of inertia share one row.
+  QString inertiaUnit;              ///< "kg cm²"
+  QString inertiaNote;
+  QString advice;                   ///< What would make it better; may be empty.
+  std::vector<FindingText> findings;  ///< Gravest first.
+  std::vector<DetailText> details;
+};
+
+/// `stated` is what the recording's sidecar says about the payload.
+ResultText describeResult(const EstimateReport& report, const PartialPayload& stated);
+
+/// "measured", "from your shape", "not known from this motion".
+QString sourceWord(Source source);
+
+/// The most modest source of several: one unknown makes the whole unknown or partly known.
+Source jointSource(const std::vector<NumberText>& numbers);
+
+}  // namespace heft

@@ -1,0 +1,358 @@
+#include "ui/results/result_panel.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "ui/results/mass_scale.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/basics.h"
+
+namespace heft {
+namespace {
+
+Light lightOf(Source source) {
+  return source == Source::data ? Light::measured : source == Source::prior ? Light::partly : Light::unknown;
+}
+
+Light lightOf(Severity severity) {
+  return severity == Severity::error ? Light::notPossible : severity == Severity::warning ? Light::look : Light::info;
+}
+
+/// A light for several numbers: partly known if only some of them are.
+Light jointLight(const std::vector<NumberText>& numbers) {
+  bool any = false, all = true;
+  for (const NumberText& n : numbers) {
+    any = any || n.source != Source::none;
+    all = all && n.source == Source::data;
+  }
+  return all ? Light::measured : any ? Light::partly : Light::unknown;
+}
+
+QLabel* wrapped(const QString& text, const char* style, QWidget* parent) {
+  QLabel* label = styledLabel(text, style, parent);
+  label->setWordWrap(true);
+  return label;
+}
+
+/// "● x  1.4 ± 0.6 mm" with the axis colour as a dot.
+class AxisDot : public QLabel {
+ public:
+  AxisDot(int axis, QWidget* parent) : QLabel(parent), axis_(axis) { paint(); }
+
+ protected:
+  void changeEvent(QEvent* event) override {
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) paint();
+  }
+
+ private:
+  void paint() {
+    const QString sheet = QStringLiteral("background: %1; border-radius: 4px;").arg(theme().axis[axis_].name());
+    setFixedSize(8, 8);
+    if (styleSheet() != sheet) setStyleSheet(sheet);
+  }
+  int axis_;
+};
+
+}  // namespace
+
+ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
+  setMinimumWidth(360);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(1, 0, 0, 0);
+  column->setSpacing(0);
+  scroll_ = new QScrollArea(this);
+  scroll_->setObjectName("panelScroll");
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  column->addWidget(scroll_, 1);
+  foot_ = new QWidget(this);
+  foot_->setObjectName("panelFoot");
+  foot_->setAttribute(Qt::WA_StyledBackground);
+  auto* footRow = new QHBoxLayout(foot_);
+  footRow->setContentsMargins(20, 14, 20, 14);
+  main_ = new QPushButton(foot_);
+  main_->setObjectName("mainButton");
+  footRow->addWidget(main_, 1);
+  column->addWidget(foot_);
+}
+
+QVBoxLayout* ResultPanel::restart(const QString& question, const QString& answer) {
+  auto* content = new QWidget;
+  content->setObjectName("panelContent");
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(20, 18, 20, 16);
+  column->setSpacing(10);
+  QLabel* title = wrapped(question, "question", content);
+  column->addWidget(title);
+  if (!answer.isEmpty()) column->addWidget(wrapped(answer, "answer", content));
+  column->addSpacing(2);
+  scroll_->setWidget(content);  // Deletes the one before.
+  return column;
+}
+
+void ResultPanel::setMainButton(const QString& text, void (ResultPanel::*signal)()) {
+  foot_->setVisible(!text.isEmpty());
+  main_->setText(text);
+  disconnect(mainConnection_);
+  if (signal) mainConnection_ = connect(main_, &QPushButton::clicked, this, signal);
+}
+
+void ResultPanel::showWelcome(const QStringList& recentFiles) {
+  again_ = [this, recentFiles] { showWelcome(recentFiles); };
+  auto* column = restart(tr("What does your tool weigh?"),
+                         tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and inertia, "
+                            "and tells how sure each number is."));
+  QWidget* content = scroll_->widget();
+  const Card card = makeCard("card", content);
+  card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
+  card.layout->addWidget(wrapped(tr("A CSV with time, joint angles or sensor poses, and force and torque. A file "
+                                    "NAME.meta.json beside it may name the robot and how the sensor is mounted."),
+                                 "caption", content));
+  card.layout->addWidget(wrapped(tr("You can also drop a file anywhere in this window."), "caption", content));
+  column->addWidget(card.frame);
+  if (!recentFiles.isEmpty()) {
+    column->addSpacing(6);
+    column->addWidget(styledLabel(tr("Opened lately"), "sectionTitle", content));
+    for (const QString& path : recentFiles) {
+      auto* button = new QPushButton(QFileInfo(path).fileName(), content);
+      button->setObjectName("linkButton");
+      button->setToolTip(path);
+      button->setAccessibleName(tr("Open %1").arg(path));
+      connect(button, &QPushButton::clicked, this, [this, path] { emit fileWanted(path); });
+      column->addWidget(button);
+    }
+  }
+  column->addStretch(1);
+  setMainButton(tr("Open a recording …"), &ResultPanel::openWanted);
+}
+
+void ResultPanel::showWorking(const QString& fileName) {
+  again_ = [this, fileName] { showWorking(fileName); };
+  restart(tr("Weighing the tool …"), tr("Heft reads the motion and the forces in %1.").arg(fileName))->addStretch(1);
+  setMainButton({}, nullptr);
+}
+
+void ResultPanel::showNoResult(const QString& reason) {
+  again_ = [this, reason] { showNoResult(reason); };
+  restart(tr("No estimate yet"), reason)->addStretch(1);
+  setMainButton(tr("Estimate"), &ResultPanel::estimateWanted);
+}
+
+void ResultPanel::showResult(const ResultText& result) {
+  again_ = [this, result] { showResult(result); };
+  auto* column = restart(result.question, result.answer);
+  QWidget* content = scroll_->widget();
+
+  // What calls for a decision comes before the numbers it concerns.
+  std::vector<FindingText> urgent, calm;
+  for (const FindingText& finding : result.findings) {
+    (finding.severity == Severity::info ? calm : urgent).push_back(finding);
+  }
+  if (!urgent.empty() && urgent.front().severity == Severity::error) {
+    addFindings(column, urgent);
+    urgent.clear();
+  }
+  addMass(column, result);
+  addCentre(column, result);
+  addInertia(column, result);
+  if (!result.advice.isEmpty()) {
+    const Card card = makeCard("cardSuggested", content);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(12);
+    row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
+    row->addWidget(wrapped(result.advice, "advice", content), 1);
+    card.layout->addLayout(row);
+    column->addWidget(card.frame);
+  }
+  if (!urgent.empty()) addFindings(column, urgent);
+  if (details_) {
+    addDetails(column, result.details);
+    if (!calm.empty()) addFindings(column, calm);
+  } else if (!calm.empty()) {
+    column->addWidget(wrapped(calm.size() == 1 ? tr("One more note under Details.")
+                                               : tr("%1 more notes under Details.").arg(calm.size()),
+                              "caption", content));
+  }
+  column->addStretch(1);
+  setMainButton(tr("Save the payload file …"), &ResultPanel::saveWanted);
+}
+
+void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
+  QWidget* content = scroll_->widget();
+  const Card card = makeCard("card", content);
+  card.frame->setToolTip(result.mass.tip);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(new LightIcon(lightOf(result.mass.source), 22, content));
+  row->addWidget(styledLabel(tr("Mass"), "cardTitle", content));
+  row->addStretch(1);
+  QLabel* value = styledLabel(result.mass.value, "bigNumber", content);
+  value->setProperty("role", "mass");
+  row->addWidget(value);
+  row->addWidget(styledLabel(result.mass.plusMinus, "plusMinusLarge", content));
+  card.layout->addLayout(row);
+  card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(makeTag(sourceWord(result.mass.source), lightOf(result.mass.source), content));
+  foot->addStretch(1);
+  if (!result.massNote.isEmpty()) foot->addWidget(styledLabel(QStringLiteral("| ") + result.massNote, "caption", content));
+  card.layout->addLayout(foot);
+  column->addWidget(card.frame);
+}
+
+void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
+  QWidget* content = scroll_->widget();
+  const Card card = makeCard("card", content);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(new LightIcon(jointLight(result.com), 22, content));
+  row->addWidget(styledLabel(tr("Centre of mass"), "cardTitle", content));
+  row->addStretch(1);
+  const Source joint = jointSource(result.com);
+  const bool same = std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
+  if (same) row->addWidget(makeTag(sourceWord(joint), lightOf(joint), content));
+  card.layout->addLayout(row);
+
+  auto* numbers = new QHBoxLayout;
+  numbers->setSpacing(4);
+  for (int i = 0; i < static_cast<int>(result.com.size()); ++i) {
+    const NumberText& n = result.com[i];
+    if (i > 0) numbers->addStretch(1);
+    numbers->addWidget(new AxisDot(i, content), 0, Qt::AlignVCenter);
+    numbers->addWidget(styledLabel(n.name, "rowName", content));
+    QLabel* value = styledLabel(n.value, "midNumber", content);
+    value->setToolTip(n.tip);
+    value->setAccessibleName(n.name + QStringLiteral(" ") + n.value + QStringLiteral(" ") + n.plusMinus);
+    numbers->addWidget(value);
+    QLabel* spread = styledLabel(n.plusMinus, "plusMinus", content);
+    spread->setToolTip(n.tip);
+    numbers->addWidget(spread);
+  }
+  card.layout->addLayout(numbers);
+  if (!same) {
+    auto* tags = new QHBoxLayout;
+    for (const NumberText& n : result.com) {
+      tags->addWidget(makeTag(n.name + QStringLiteral(": ") + (n.source == Source::none ? tr("not known") : sourceWord(n.source)),
+                              lightOf(n.source), content));
+    }
+    tags->addStretch(1);
+    card.layout->addLayout(tags);
+  }
+  card.layout->addWidget(wrapped(result.comNote.isEmpty() ? tr("From the sensor’s origin, along its axes.") : result.comNote,
+                                 "caption", content));
+  column->addWidget(card.frame);
+}
+
+void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
+  QWidget* content = scroll_->widget();
+  const Card card = makeCard("card", content);
+  card.layout->setSpacing(0);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(new LightIcon(jointLight(result.inertia), 22, content));
+  row->addWidget(styledLabel(tr("Inertia"), "cardTitle", content));
+  row->addStretch(1);
+  row->addWidget(styledLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content));
+  card.layout->addLayout(row);
+  card.layout->addSpacing(8);
+
+  for (const NumberText& n : result.inertia) {
+    card.layout->addWidget(makeDivider(content));
+    auto* line = new QWidget(content);
+    line->setFixedHeight(30);
+    line->setToolTip(n.tip);
+    auto* lineRow = new QHBoxLayout(line);
+    lineRow->setContentsMargins(0, 0, 0, 0);
+    lineRow->setSpacing(8);
+    lineRow->addWidget(new LightIcon(lightOf(n.source), 18, line));
+    QLabel* name = styledLabel(n.name, "rowName", line);
+    name->setMinimumWidth(40);
+    lineRow->addWidget(name);
+    lineRow->addWidget(makeTag(sourceWord(n.source), lightOf(n.source), line));
+    lineRow->addStretch(1);
+    QLabel* value = styledLabel(n.value, "smallNumber", line);
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    lineRow->addWidget(value);
+    QLabel* spread = styledLabel(n.plusMinus, "plusMinus", line);
+    // One width for all rows keeps the values in a column.
+    spread->setMinimumWidth(58);
+    lineRow->addWidget(spread);
+    card.layout->addWidget(line);
+  }
+  if (!result.inertiaNote.isEmpty()) {
+    card.layout->addWidget(makeDivider(content));
+    card.layout->addSpacing(8);
+    card.layout->addWidget(wrapped(result.inertiaNote, "caption", content));
+  }
+  column->addWidget(card.frame);
+}
+
+void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText>& findings) {
+  QWidget* content = scroll_->widget();
+  const bool grave = findings.front().severity == Severity::error;
+  const Card card = makeCard(grave ? "cardBad" : findings.front().severity == Severity::warning ? "cardLook" : "card", content);
+  card.frame->setProperty("role", "findings");
+  for (const FindingText& finding : findings) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addWidget(new LightIcon(lightOf(finding.severity), 18, content), 0, Qt::AlignTop);
+    auto* text = new QVBoxLayout;
+    text->setSpacing(2);
+    text->addWidget(wrapped(finding.text, "findingText", content));
+    if (!finding.remedy.isEmpty()) text->addWidget(wrapped(finding.remedy, "caption", content));
+    row->addLayout(text, 1);
+    card.layout->addLayout(row);
+  }
+  column->addWidget(card.frame);
+}
+
+void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
+  QWidget* content = scroll_->widget();
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("Details"), "sectionTitle", content));
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  int r = 0;
+  for (const DetailText& detail : details) {
+    QLabel* name = styledLabel(detail.name, "caption", content);
+    QLabel* value = styledLabel(detail.value, "detailValue", content);
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    name->setToolTip(detail.tip);
+    value->setToolTip(detail.tip);
+    grid->addWidget(name, r, 0);
+    grid->addWidget(value, r, 1);
+    ++r;
+  }
+  column->addLayout(grid);
+}
+
+void ResultPanel::setDetailsShown(bool shown) {
+  if (shown == details_) return;
+  details_ = shown;
+  const int position = scroll_->verticalScrollBar()->value();
+  if (again_) {
+    // A copy, since the call replaces the member.
+    const auto again = again_;
+    again();
+  }
+  scroll_->verticalScrollBar()->setValue(position);
+}
+
+}  // namespace heft

@@ -1,0 +1,37 @@
+#pragma once
+// Names of what the 3D view shows: labels in the free column at the right, joined to their points by thin leaders.
+#include <QPointF>
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+namespace heft {
+
+struct ViewLabel {
+  QPointF anchor;  ///< In widget pixels
+  QString title;
+  QString note;    ///< Second line; may be empty
+};
+
+class LabelOverlay : public QWidget {
+ public:
+  explicit LabelOverlay(QWidget* parent);
+
+  void setLabels(std::vector<ViewLabel> labels);
+  /// Little circled letters at the ends of the sensor's axes; a point outside the widget hides its letter.
+  void setAxisLetters(const std::array<QPointF, 3>& ends, bool shown);
+
+  /// Where the labels stand, in the order of the anchors' height; for tests.
+  std::vector<QRectF> placed() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::vector<ViewLabel> labels_;
+  std::array<QPointF, 3> axisEnds_;
+  bool axesShown_ = false;
+};
+
+}  // namespace heft

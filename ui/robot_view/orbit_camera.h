@@ -1,0 +1,29 @@
+#pragma once
+// A camera that circles a point with the vertical kept upright: azimuth, elevation, distance.
+#include "core/math/rigid.h"
+
+namespace heft {
+
+struct OrbitCamera {
+  Vector3d target{0.0, 0.0, 0.45};  ///< [m], B axes
+  double azimuth = 0.6;             ///< [rad] about z; 0 looks along -x, from the front
+  double elevation = 0.25;          ///< [rad] above the horizon
+  double distance = 2.4;            ///< [m]
+  double viewAngle = 0.5236;        ///< [rad], vertical
+
+  Vector3d position() const;
+  Vector3d up() const;
+  /// Unit vectors of the picture: right and up.
+  Vector3d right() const;
+  Vector3d pictureUp() const;
+
+  /// By pixels of a mouse drag.
+  void orbit(double dx, double dy);
+  void pan(double dx, double dy, int viewportHeight);
+  /// Factor below 1 comes nearer.
+  void dolly(double factor);
+  /// Moves so that a ball of `radius` [m] about `centre` just fits a viewport of this aspect (width / height).
+  void fit(const Vector3d& centre, double radius, double aspect);
+};
+
+}  // namespace heft

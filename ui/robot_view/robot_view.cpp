@@ -1,0 +1,315 @@
+#include "ui/robot_view/robot_view.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/models/numbers.h"
+#include "ui/robot_view/label_overlay.h"
+#include "ui/robot_view/scene3d.h"
+#include "ui/robot_view/scene_track.h"
+#include "ui/robot_view/viewport.h"
+#include "ui/widgets/basics.h"
+
+namespace heft {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kGravity = 9.81;
+
+MarkLabel labelAt(const std::vector<Segment>& segments, double time) {
+  for (const Segment& segment : segments) {
+    if (time >= segment.from && time <= segment.to) return segment.label;
+  }
+  return MarkLabel::free;
+}
+
+/// Thickness of the sensor's body [m]: what the mount leaves between its parent and S, kept in a plausible range.
+double sensorBodyLength(const SensorMount& mount) { return std::clamp(mount.xyz.norm(), 0.012, 0.045); }
+
+}  // namespace
+
+PayloadLook payloadLook(const EstimateReport& report) {
+  PayloadLook look;
+  look.com = report.payload.com;
+  // 95 % of a three-dimensional normal distribution lie within 2.80 standard deviations.
+  look.region = 2.7955 * report.std.com.cwiseAbs();
+  const double largest = look.region.maxCoeff();
+  if (!std::isfinite(largest) || largest <= 0) {
+    look.region.setZero();
+  } else {
+    look.region = look.region.cwiseMax(0.12 * largest);
+    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+      look.enlargement = factor;
+      if (2.0 * factor * largest > 0.032) break;
+    }
+  }
+  bool inertiaKnown = report.physicallyConsistent && report.payload.mass > 0;
+  for (int i = 0; i < 3; ++i) inertiaKnown = inertiaKnown && report.identifiability.inertia[i][i] != Source::none;
+  if (inertiaKnown) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(report.payload.inertiaCom);
+    const Vector3d moments = solver.eigenvalues();
+    Vector3d edges;
+    for (int i = 0; i < 3; ++i) {
+      const double squared = 6.0 / report.payload.mass * (moments.sum() - 2.0 * moments(i));
+      edges(i) = std::sqrt(std::max(0.0, squared));
+    }
+    look.boxEdges = edges;
+    look.R_SBox = solver.eigenvectors();
+    if (look.R_SBox.determinant() < 0) look.R_SBox.col(0) *= -1.0;
+  }
+  return look;
+}
+
+RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<SceneParts>()) {
+  setObjectName("robotView");
+  setMinimumSize(240, 180);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  viewport_ = new Viewport(this);
+  viewport_->setObjectName("viewport");
+  viewport_->setAccessibleName(tr("3D view of robot and tool"));
+  viewport_->setAccessibleDescription(tr("Arrow keys turn the view, with Shift they move it, plus and minus zoom"));
+  layout->addWidget(viewport_);
+  scene_ = std::make_unique<Scene3d>(viewport_->renderer());
+  overlay_ = new LabelOverlay(viewport_);
+  note_ = styledLabel({}, "viewNote", viewport_);
+  note_->move(16, 14);
+  note_->hide();
+  buildTools();
+  connect(viewport_, &Viewport::aboutToRender, this, [this](bool smooth) {
+    scene_->setSmooth(smooth);
+    scene_->applyCamera(viewport_->camera(), viewport_->aspect());
+  });
+  connect(viewport_, &Viewport::rendered, this, &RobotView::updateLabels);
+  connect(viewport_, &Viewport::cameraMoved, this, [this] { cameraTouched_ = true; });
+  usePreset(Preset::overview);
+}
+
+RobotView::~RobotView() = default;
+
+void RobotView::buildTools() {
+  tools_ = new QWidget(viewport_);
+  tools_->setObjectName("viewTools");
+  tools_->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(tools_);
+  column->setContentsMargins(3, 3, 3, 3);
+  column->setSpacing(2);
+  auto* fit = new IconButton("fit", tr("Show the whole arm (F)"), tools_);
+  fit->setObjectName("fitButton");
+  connect(fit, &QToolButton::clicked, this, [this] { usePreset(Preset::overview); });
+  auto* tool = new IconButton("tool", tr("Go close to the tool (T)"), tools_);
+  tool->setObjectName("toolButton");
+  connect(tool, &QToolButton::clicked, this, [this] { usePreset(Preset::tool); });
+
+  auto* views = new IconButton("view", tr("Look from another side"), tools_);
+  views->setPopupMode(QToolButton::InstantPopup);
+  auto* viewMenu = new QMenu(views);
+  const std::pair<QString, Preset> presets[] = {{tr("Front"), Preset::front}, {tr("Side"), Preset::side}, {tr("Top"), Preset::top}};
+  for (const auto& [text, preset] : presets) {
+    viewMenu->addAction(text, this, [this, p = preset] { usePreset(p); });
+  }
+  views->setMenu(viewMenu);
+
+  auto* eye = new IconButton("eye", tr("Choose what is shown"), tools_);
+  eye->setPopupMode(QToolButton::InstantPopup);
+  auto* shown = new QMenu(eye);
+  const auto addToggle = [&](const QString& text, bool* flag) {
+    QAction* action = shown->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(*flag);
+    connect(action, &QAction::toggled, this, [this, flag](bool on) {
+      *flag = on;
+      scene_->setParts(*parts_);
+      viewport_->requestFrame();
+    });
+  };
+  addToggle(tr("Path"), &parts_->path);
+  addToggle(tr("Force, torque and gravity"), &parts_->arrows);
+  addToggle(tr("Sensor axes"), &parts_->axes);
+  addToggle(tr("Centre of mass"), &parts_->payload);
+  addToggle(tr("Floor grid"), &parts_->grid);
+  addToggle(tr("Labels"), &labelsShown_);
+  eye->setMenu(shown);
+
+  auto* picture = new IconButton("camera", tr("Save a picture of this view"), tools_);
+  connect(picture, &QToolButton::clicked, this, &RobotView::pictureWanted);
+  for (auto* button : {fit, tool, views, eye, picture}) column->addWidget(button);
+  tools_->adjustSize();
+}
+
+void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look) {
+  if (recording_) return;
+  robot_ = std::move(robot);
+  scene_->setRobot(std::move(look));
+  if (robot_) {
+    std::vector<Isometry3d> X_BL;
+    robot_->linkPoses(robot_->homePosture(), X_BL);
+    scene_->setLinkPoses(X_BL);
+  }
+  usePreset(Preset::overview);
+}
+
+void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
+                              std::shared_ptr<const RobotLook> look) {
+  recording_ = std::move(recording);
+  robot_ = std::move(robot);
+  report_.reset();
+  enlargement_.reset();
+  track_ = std::make_unique<SceneTrack>(recording_, robot_);
+  scene_->setPayload(std::nullopt);
+  scene_->setWrench(std::nullopt, 1, 1);
+  scene_->setRobot(robot_ ? std::move(look) : nullptr);
+  scene_->setSensor(sensorBodyLength(recording_->meta.mount));
+  scene_->setGravityDirection(recording_->meta.gravity);
+  time_ = recording_->meta.kind == RecordingKind::poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
+  rebuildPath();
+  updateInstant();
+  cameraTouched_ = false;
+  usePreset(Preset::overview);
+  updateNote();
+}
+
+void RobotView::showReport(std::shared_ptr<const EstimateReport> report) {
+  report_ = std::move(report);
+  if (report_ && recording_) {
+    const PayloadLook look = payloadLook(*report_);
+    scene_->setPayload(look);
+    enlargement_ = look.region.minCoeff() > 0 ? std::optional(look.enlargement) : std::nullopt;
+    rebuildPath();
+  } else {
+    scene_->setPayload(std::nullopt);
+    enlargement_.reset();
+  }
+  updateInstant();
+}
+
+void RobotView::showTime(double time) {
+  if (time == time_) return;
+  time_ = time;
+  updateInstant();
+}
+
+void RobotView::rebuildPath() {
+  std::vector<PathSample> samples;
+  if (track_) {
+    for (const auto& point : track_->path(1500)) {
+      samples.push_back({point.p_BSo_B, report_ ? labelAt(report_->segments, point.time) : MarkLabel::free});
+    }
+  }
+  scene_->setPath(samples);
+}
+
+void RobotView::updateInstant() {
+  if (!track_) return;
+  if (track_->hasJoints()) {
+    std::vector<Isometry3d> X_BL;
+    robot_->linkPoses(track_->jointsAt(time_), X_BL);
+    scene_->setLinkPoses(X_BL);
+  }
+  const Isometry3d X_BS = track_->sensorAt(time_);
+  if (report_) {
+    // Without bias the arrows show what the tool really needs: its weight and the forces that move it.
+    Vector6d wrench = track_->wrenchAt(time_);
+    wrench.head<3>() -= report_->forceBias;
+    wrench.tail<3>() -= report_->torqueBias;
+    Vector6d inBase;
+    inBase << X_BS.linear() * wrench.head<3>(), X_BS.linear() * wrench.tail<3>();
+    const double weight = std::max(0.5, report_->payload.mass * kGravity);
+    scene_->setWrench(inBase, weight, std::max(0.05, weight * report_->payload.com.norm() * 1.5));
+  }
+  scene_->setSensorPose(X_BS);
+  viewport_->requestFrame();
+}
+
+void RobotView::usePreset(Preset preset) {
+  preset_ = preset;
+  cameraTouched_ = false;
+  OrbitCamera& camera = viewport_->camera();
+  auto [centre, radius] = preset == Preset::tool ? scene_->toolBounds() : scene_->bounds();
+  switch (preset) {
+    case Preset::overview:
+      camera.azimuth = -0.95;
+      camera.elevation = 0.20;
+      break;
+    case Preset::front:
+      camera.azimuth = 0.0;
+      camera.elevation = 0.05;
+      break;
+    case Preset::side:
+      camera.azimuth = -kPi / 2;
+      camera.elevation = 0.05;
+      break;
+    case Preset::top:
+      camera.azimuth = -kPi / 2;
+      camera.elevation = kPi / 2 - 0.01;
+      break;
+    case Preset::tool: camera.elevation = std::clamp(camera.elevation, 0.0, 0.35); break;
+  }
+  camera.fit(centre, radius, viewport_->aspect());
+  viewport_->requestFrame();
+}
+
+void RobotView::renderNow() { viewport_->renderNow(true); }
+
+double RobotView::lastFrameMilliseconds() const { return viewport_->lastFrameMilliseconds(); }
+
+void RobotView::updateLabels() {
+  overlay_->setGeometry(viewport_->rect());
+  const Scene3d::Anchors anchors = scene_->anchors();
+  std::vector<ViewLabel> labels;
+  const auto add = [&](const std::optional<Vector3d>& point, const QString& title, const QString& note = {}) {
+    if (!point) return;
+    const QPointF pixel = viewport_->toPixels(*point);
+    if (viewport_->rect().contains(pixel.toPoint())) labels.push_back({pixel, title, note});
+  };
+  if (labelsShown_) {
+    add(anchors.wrench, tr("force and torque"));
+    add(anchors.centre, tr("Centre of mass"),
+        enlargement_ ? (*enlargement_ > 1 ? tr("95 % region, drawn %1× larger").arg(numberText(*enlargement_, 0)) : tr("95 % region"))
+                     : QString());
+    add(anchors.box, tr("equal-inertia box"));
+    add(anchors.gravity, tr("gravity"));
+  }
+  overlay_->setLabels(std::move(labels));
+  std::array<QPointF, 3> ends;
+  bool axesShown = labelsShown_;
+  for (int a = 0; a < 3; ++a) {
+    axesShown = axesShown && anchors.axes[a].has_value();
+    if (anchors.axes[a]) ends[a] = viewport_->toPixels(*anchors.axes[a]);
+  }
+  overlay_->setAxisLetters(ends, axesShown);
+}
+
+void RobotView::updateNote() {
+  QString text;
+  if (track_ && !track_->hasJoints()) {
+    text = track_->positionKnown() ? tr("This recording has no robot: the sensor is shown alone")
+                                   : tr("This recording has no position: the sensor turns in place");
+  }
+  note_->setText(text);
+  note_->adjustSize();
+  note_->setVisible(!text.isEmpty());
+}
+
+void RobotView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && scene_) {
+    scene_->restyle();
+    viewport_->requestFrame();
+  }
+}
+
+void RobotView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  tools_->move(width() - tools_->width() - 12, 12);
+  overlay_->setGeometry(viewport_->rect());
+  tools_->raise();
+  if (!cameraTouched_) usePreset(preset_);
+}
+
+}  // namespace heft

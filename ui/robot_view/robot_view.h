@@ -1,0 +1,80 @@
+#pragma once
+// The 3D half of the window: arm, tool and path at one instant of the recording, with labels and view tools.
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/estimation/estimate.h"
+#include "core/recording/recording.h"
+#include "core/robot/robot_model.h"
+#include "ui/robot_view/robot_look.h"
+
+class QLabel;
+
+namespace heft {
+
+class LabelOverlay;
+class SceneTrack;
+class Viewport;
+class Scene3d;
+struct SceneParts;
+struct PayloadLook;
+
+class RobotView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RobotView(QWidget* parent = nullptr);
+  ~RobotView() override;
+
+  /// An arm standing in its home posture, before any recording is open.
+  void showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look);
+  /// A recording; robot and look are null where it carries poses only.
+  void showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
+                     std::shared_ptr<const RobotLook> look);
+  /// The estimate on that recording, or null.
+  void showReport(std::shared_ptr<const EstimateReport> report);
+  void showTime(double time);
+
+  enum class Preset { overview, front, side, top, tool };
+  void usePreset(Preset preset);
+
+  /// Renders the present state at once and smoothly, for pictures.
+  void renderNow();
+  double lastFrameMilliseconds() const;
+
+ signals:
+  void pictureWanted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void buildTools();
+  void rebuildPath();
+  void updateInstant();
+  void updateLabels();
+  void updateNote();
+
+  Viewport* viewport_;
+  LabelOverlay* overlay_;
+  QWidget* tools_;
+  QLabel* note_;
+  std::unique_ptr<Scene3d> scene_;
+  std::unique_ptr<SceneParts> parts_;
+  std::unique_ptr<SceneTrack> track_;
+  std::shared_ptr<const Recording> recording_;
+  std::shared_ptr<const RobotModel> robot_;
+  std::shared_ptr<const EstimateReport> report_;
+  std::optional<double> enlargement_;  ///< Of the region drawn; absent if none is.
+  double time_ = 0.0;
+  bool labelsShown_ = true;
+  Preset preset_ = Preset::overview;
+  bool cameraTouched_ = false;  ///< The user moved it: no automatic fit on resize.
+};
+
+/// What to draw of an estimate: region enlarged to a readable size, box only where the inertia is known.
+PayloadLook payloadLook(const EstimateReport& report);
+
+}  // namespace heft

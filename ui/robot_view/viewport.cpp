@@ -1,0 +1,143 @@
+#include "ui/robot_view/viewport.h"
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkMatrix4x4.h>
+#include <vtkRendererCollection.h>
+
+#include <cmath>
+
+namespace heft {
+
+Viewport::Viewport(QWidget* parent) : QVTKOpenGLNativeWidget(parent), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+  auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
+  window->SetMultiSamples(0);
+  setRenderWindow(window);
+  window->AddRenderer(renderer_);
+  // Our own mouse handling replaces VTK's interactor styles.
+  setEnableHiDPI(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(false);
+  frame_.setSingleShot(true);
+  frame_.setInterval(0);
+  connect(&frame_, &QTimer::timeout, this, [this] { renderNow(false); });
+  settle_.setSingleShot(true);
+  settle_.setInterval(160);
+  connect(&settle_, &QTimer::timeout, this, [this] { renderNow(true); });
+}
+
+QPointF Viewport::toPixels(const Vector3d& point) const {
+  vtkMatrix4x4* matrix = renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect(), -1, 1);
+  const double in[4] = {point.x(), point.y(), point.z(), 1.0};
+  double out[4];
+  matrix->MultiplyPoint(in, out);
+  if (out[3] <= 1e-9) return {-1e6, -1e6};
+  return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+}
+
+void Viewport::requestFrame() {
+  if (!frame_.isActive()) frame_.start();
+}
+
+void Viewport::renderNow(bool smooth) {
+  frame_.stop();
+  if (!isValid() || width() < 2 || height() < 2) return;
+  emit aboutToRender(smooth);
+  QElapsedTimer clock;
+  clock.start();
+  renderWindow()->Render();
+  lastFrame_ = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+  update();
+  emit rendered();
+  if (smooth) {
+    settle_.stop();
+  } else {
+    settle_.start();
+  }
+}
+
+bool Viewport::event(QEvent* event) {
+  switch (event->type()) {
+    // VTK's own widget would hand these to its interactor first.
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease: return QOpenGLWidget::event(event);
+    default: return QVTKOpenGLNativeWidget::event(event);
+  }
+}
+
+void Viewport::cameraChanged() {
+  emit cameraMoved();
+  requestFrame();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  last_ = event->pos();
+  event->accept();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  const QPoint step = event->pos() - last_;
+  last_ = event->pos();
+  const bool shift = event->modifiers() & Qt::ShiftModifier;
+  if ((event->buttons() & Qt::LeftButton) && !shift) {
+    camera_.orbit(step.x(), step.y());
+  } else if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton)) {
+    camera_.pan(step.x(), step.y(), height());
+  } else {
+    return;
+  }
+  cameraChanged();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { event->accept(); }
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  camera_.dolly(std::pow(0.87, event->angleDelta().y() / 120.0));
+  cameraChanged();
+  event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  constexpr double kStep = 12;
+  const bool shift = event->modifiers() & Qt::ShiftModifier;
+  const auto move = [&](double dx, double dy) {
+    if (shift) {
+      camera_.pan(dx, dy, height());
+    } else {
+      camera_.orbit(dx, dy);
+    }
+    cameraChanged();
+  };
+  switch (event->key()) {
+    case Qt::Key_Left: return move(-kStep, 0);
+    case Qt::Key_Right: return move(kStep, 0);
+    case Qt::Key_Up: return move(0, -kStep);
+    case Qt::Key_Down: return move(0, kStep);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: camera_.dolly(0.9); return cameraChanged();
+    case Qt::Key_Minus: camera_.dolly(1.0 / 0.9); return cameraChanged();
+    default: event->ignore();
+  }
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  requestFrame();
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QVTKOpenGLNativeWidget::showEvent(event);
+  requestFrame();
+}
+
+}  // namespace heft

@@ -1,0 +1,55 @@
+#include "ui/wrench_plots/min_max_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace heft {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// fmin and fmax take the number where the other is NaN, which is just what "absent" means here.
+void include(MinMax& extremes, const MinMax& other) {
+  extremes.lowest = std::fmin(extremes.lowest, other.lowest);
+  extremes.highest = std::fmax(extremes.highest, other.highest);
+}
+
+}  // namespace
+
+MinMaxPyramid::MinMaxPyramid(std::vector<double> values) : values_(std::move(values)) {
+  if (values_.size() < 2 * kBase) return;
+  std::vector<MinMax> level((values_.size() + kBase - 1) / kBase, MinMax{kNan, kNan});
+  for (std::size_t i = 0; i < values_.size(); ++i) include(level[i / kBase], {values_[i], values_[i]});
+  while (level.size() >= 2 * kFactor) {
+    std::vector<MinMax> next((level.size() + kFactor - 1) / kFactor, MinMax{kNan, kNan});
+    for (std::size_t i = 0; i < level.size(); ++i) include(next[i / kFactor], level[i]);
+    levels_.push_back(std::move(level));
+    level = std::move(next);
+  }
+  levels_.push_back(std::move(level));
+}
+
+MinMax MinMaxPyramid::range(std::size_t from, std::size_t to) const {
+  MinMax extremes{kNan, kNan};
+  to = std::min(to, values_.size());
+  // Climb: single samples up to the next block border, then whole blocks, each time as large as fits.
+  while (from < to) {
+    std::size_t span = 1, level = 0;
+    std::size_t candidate = kBase;
+    while (level < levels_.size() && from % candidate == 0 && from + candidate <= to) {
+      span = candidate;
+      candidate *= kFactor;
+      ++level;
+    }
+    if (span == 1) {
+      include(extremes, {values_[from], values_[from]});
+    } else {
+      include(extremes, levels_[level - 1][from / span]);
+    }
+    from += span;
+  }
+  return extremes;
+}
+
+}  // namespace heft

@@ -1,0 +1,111 @@
+#include "ui/wrench_plots/recording_pane.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "ui/timeline/marks_bar.h"
+#include "ui/timeline/playback.h"
+#include "ui/timeline/playback_bar.h"
+#include "ui/timeline/time_cursor.h"
+#include "ui/widgets/basics.h"
+#include "ui/wrench_plots/legend.h"
+#include "ui/wrench_plots/wrench_plots.h"
+
+namespace heft {
+namespace {
+
+/// Marks that came with the recording, for the time before an estimate has looked at it.
+std::vector<Segment> givenSegments(const Recording& recording) {
+  std::vector<Segment> segments;
+  for (const Mark& mark : recording.meta.marks) {
+    segments.push_back({mark.from, mark.to, mark.label, MarksBar::tr("marked in the file").toStdString()});
+  }
+  return segments;
+}
+
+}  // namespace
+
+RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(parent), playback_(playback) {
+  setObjectName("plotArea");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 1, 0, 0);
+  column->setSpacing(0);
+
+  auto* header = new QWidget(this);
+  header->setObjectName("plotHeader");
+  header->setAttribute(Qt::WA_StyledBackground);
+  header->setFixedHeight(36);
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(12, 0, 8, 0);
+  row->setSpacing(2);
+  row->addWidget(styledLabel(tr("Force and torque at the sensor"), "plotTitle", header));
+  row->addSpacing(8);
+
+  auto* body = new QWidget(this);
+  auto* bodyColumn = new QVBoxLayout(body);
+  bodyColumn->setContentsMargins(0, 0, 0, 0);
+  bodyColumn->setSpacing(0);
+  plots_ = new WrenchPlots(&axis_, body);
+  bodyColumn->addWidget(plots_, 1);
+  marks_ = new MarksBar(&axis_, body);
+  bodyColumn->addWidget(marks_);
+  constexpr int kTicksHeight = 24;
+  cursor_ = new TimeCursor(&axis_, body, kTicksHeight);
+
+  using Shown = WrenchPlots::Shown;
+  const std::pair<Shown, QString> entries[] = {{Shown::x, tr("x")},
+                                               {Shown::y, tr("y")},
+                                               {Shown::z, tr("z")},
+                                               {Shown::measured, tr("measured")},
+                                               {Shown::simulated, tr("simulated")},
+                                               {Shown::difference, tr("difference, grey = noise")}};
+  for (const auto& [what, text] : entries) {
+    auto* entry = new LegendEntry(what, text, header);
+    entry->setObjectName(QStringLiteral("legend%1").arg(static_cast<int>(what)));
+    connect(entry, &QAbstractButton::toggled, plots_, [this, shown = what](bool on) { plots_->setShown(shown, on); });
+    row->addWidget(entry);
+  }
+  row->addStretch(1);
+  auto* all = new IconButton("fit", tr("Show the whole recording (0)"), header);
+  all->setObjectName("showAllButton");
+  row->addWidget(all);
+  auto* picture = new IconButton("camera", tr("Save a picture of the plots"), header);
+  row->addWidget(picture);
+  column->addWidget(header);
+  column->addWidget(body, 1);
+  bar_ = new PlaybackBar(playback, this);
+  column->addWidget(bar_);
+
+  connect(all, &QToolButton::clicked, &axis_, &TimeAxis::showAll);
+  connect(picture, &QToolButton::clicked, this, &RecordingPane::pictureWanted);
+  connect(plots_, &WrenchPlots::timePicked, playback_, &Playback::setTime);
+  connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
+  connect(playback_, &Playback::timeChanged, cursor_, &TimeCursor::setTime);
+}
+
+void RecordingPane::setRecording(const Recording* recording) {
+  auto traces = recording ? std::make_shared<const WrenchTraces>(*recording, nullptr) : nullptr;
+  const bool present = traces && !traces->empty();
+  const bool poses = present && traces->poses();
+  const double first = present ? traces->firstTime() : 0.0, last = present ? traces->lastTime() : 1.0;
+  playback_->setRange(first, last, poses);
+  axis_.setFull(first, last, poses);
+  plots_->setTraces(traces);
+  const auto segments = recording ? givenSegments(*recording) : std::vector<Segment>{};
+  plots_->setSegments(segments);
+  marks_->setSegments(segments);
+  cursor_->setTime(playback_->time());
+  cursor_->setShown(present);
+  bar_->setRecording(present, poses);
+}
+
+void RecordingPane::setReport(const Recording* recording, const EstimateReport* report) {
+  if (!recording) return;
+  plots_->setTraces(std::make_shared<const WrenchTraces>(*recording, report));
+  if (!report) return;
+  plots_->setSegments(report->segments);
+  marks_->setSegments(report->segments);
+}
+
+}  // namespace heft

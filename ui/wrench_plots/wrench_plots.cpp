@@ -1,0 +1,420 @@
+#include "ui/wrench_plots/wrench_plots.h"
+
+#include <qcustomplot.h>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/models/numbers.h"
+#include "ui/theme/theme.h"
+
+namespace heft {
+namespace {
+
+constexpr int kLanes = 4;
+constexpr int kLaneGap = 6;
+
+bool isDifference(int lane) { return lane % 2 == 1; }
+int firstChannel(int lane) { return lane < 2 ? 0 : 3; }
+
+/// Few ticks with a real minus sign.
+class LaneTicker : public QCPAxisTicker {
+ protected:
+  QString getTickLabel(double tick, const QLocale&, QChar, int) override {
+    const double step = std::abs(mTickStep_);
+    int decimals = 0;
+    while (decimals < 6 && std::abs(std::round(step * std::pow(10, decimals)) - step * std::pow(10, decimals)) > 1e-6) {
+      ++decimals;
+    }
+    return numberText(tick, decimals);
+  }
+  double getTickStep(const QCPRange& range) override {
+    mTickStep_ = QCPAxisTicker::getTickStep(range);
+    return mTickStep_;
+  }
+
+ private:
+  double mTickStep_ = 1.0;
+};
+
+/// QCustomPlot with the mouse as the studio uses it, the same in all lanes.
+class PlotCanvas : public QCustomPlot {
+ public:
+  PlotCanvas(TimeAxis* axis, WrenchPlots* owner) : QCustomPlot(owner), axis_(axis), owner_(owner) {
+    setInteractions(QCP::Interactions());
+    setMouseTracking(true);
+  }
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    const QPoint delta = event->angleDelta();
+    const bool sideways = std::abs(delta.x()) > std::abs(delta.y()) || (event->modifiers() & Qt::ShiftModifier);
+    if (sideways) {
+      const int steps = delta.x() != 0 ? delta.x() : delta.y();
+      axis_->pan(-axis_->span() * steps / 1200.0);
+    } else {
+      axis_->zoom(std::pow(0.8, delta.y() / 120.0), axis_->toTime(event->position().x(), width()));
+    }
+    event->accept();
+  }
+
+  void mousePressEvent(QMouseEvent* event) override {
+    owner_->setFocus(Qt::MouseFocusReason);
+    pressed_ = event->pos();
+    moved_ = false;
+    const bool pans =
+        event->button() == Qt::MiddleButton ||
+        (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier));
+    mode_ = pans ? Mode::pan : event->button() == Qt::LeftButton ? Mode::band : Mode::none;
+    pressedLower_ = axis_->lower();
+  }
+
+  void mouseMoveEvent(QMouseEvent* event) override {
+    if (mode_ == Mode::none || !(event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) return;
+    if ((event->pos() - pressed_).manhattanLength() > 4) moved_ = true;
+    if (!moved_) return;
+    if (mode_ == Mode::pan) {
+      const double seconds = axis_->toTime(pressed_.x(), width()) - axis_->toTime(event->pos().x(), width());
+      axis_->show(pressedLower_ + seconds, pressedLower_ + seconds + axis_->span());
+      setCursor(Qt::ClosedHandCursor);
+    } else {
+      band_ = {pressed_.x(), event->pos().x()};
+      update();
+    }
+  }
+
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    const Mode mode = mode_;
+    mode_ = Mode::none;
+    unsetCursor();
+    band_ = {0, 0};
+    update();
+    if (mode == Mode::none) return;
+    const double from = axis_->toTime(pressed_.x(), width()), to = axis_->toTime(event->pos().x(), width());
+    if (!moved_) {
+      emit owner_->timePicked(to);
+    } else if (mode == Mode::band) {
+      axis_->show(std::min(from, to), std::max(from, to));
+    }
+  }
+
+  void mouseDoubleClickEvent(QMouseEvent*) override { axis_->showAll(); }
+
+  void paintEvent(QPaintEvent* event) override {
+    QCustomPlot::paintEvent(event);
+    if (band_.first == band_.second) return;
+    QPainter painter(this);
+    QColor fill = theme().text2;
+    fill.setAlpha(40);
+    const QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
+    painter.fillRect(area, fill);
+    painter.setPen(theme().text2);
+    painter.drawLine(area.topLeft(), area.bottomLeft());
+    painter.drawLine(area.topRight(), area.bottomRight());
+  }
+
+ private:
+  enum class Mode { none, band, pan };
+  TimeAxis* axis_;
+  WrenchPlots* owner_;
+  Mode mode_ = Mode::none;
+  QPoint pressed_;
+  bool moved_ = false;
+  double pressedLower_ = 0.0;
+  std::pair<int, int> band_{0, 0};
+};
+
+}  // namespace
+
+struct WrenchPlots::Parts {
+  PlotCanvas* canvas = nullptr;
+  std::array<QCPAxisRect*, kLanes> rects{};
+  /// Main lanes: measured 0-2, simulated 3-5. Difference lanes: 0-2.
+  std::array<std::array<QCPGraph*, 6>, kLanes> graphs{};
+  std::array<QCPItemRect*, kLanes> noise{};
+  std::array<QCPItemText*, kLanes> titles{};
+  std::array<QCPItemText*, kLanes> units{};
+  std::vector<QCPItemRect*> marks;
+  QTimer settle;        ///< After the last zoom or pan: draw once more, smoothly.
+  bool moving = false;  ///< While zooming and panning lines are drawn without antialiasing, three times as fast.
+  int points = 0;
+};
+
+WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
+    : QWidget(parent), axis_(axis), traces_(std::make_shared<WrenchTraces>()), parts_(std::make_unique<Parts>()) {
+  setObjectName("wrenchPlots");
+  setAccessibleName(tr("Force and torque plots"));
+  setAccessibleDescription(tr("Measured, simulated and difference over time. Arrow keys move the time, plus and minus zoom."));
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumHeight(160);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  Parts& p = *parts_;
+  p.canvas = new PlotCanvas(axis, this);
+  p.canvas->setFocusProxy(this);
+  p.canvas->setMinimumSize(100, 100);
+  p.canvas->setNoAntialiasingOnDrag(false);
+  p.canvas->setPlottingHints(QCP::phCacheLabels | QCP::phImmediateRefresh);
+  layout->addWidget(p.canvas);
+
+  p.canvas->plotLayout()->clear();
+  p.canvas->plotLayout()->setRowSpacing(kLaneGap);
+  p.canvas->addLayer("marks", p.canvas->layer("grid"), QCustomPlot::limBelow);
+  const QString titles[kLanes] = {tr("Force"), tr("difference"), tr("Torque"), tr("difference")};
+  const QString units[kLanes] = {tr("N"), QString(), tr("N m"), QString()};
+  for (int lane = 0; lane < kLanes; ++lane) {
+    auto* rect = new QCPAxisRect(p.canvas, true);
+    p.rects[lane] = rect;
+    p.canvas->plotLayout()->addElement(lane, 0, rect);
+    p.canvas->plotLayout()->setRowStretchFactor(lane, isDifference(lane) ? 0.5 : 1.1);
+    rect->setAutoMargins(QCP::msNone);
+    rect->setMargins(QMargins(TimeAxis::kLeft, lane == 0 ? 6 : 0, TimeAxis::kRight, lane == kLanes - 1 ? 4 : 0));
+    rect->setMinimumSize(40, 14);
+    for (auto* line : rect->axes()) {
+      line->setVisible(true);
+      line->setTicks(line->axisType() == QCPAxis::atLeft);
+      line->setTickLabels(line->axisType() == QCPAxis::atLeft);
+      line->setTickLength(0, 0);
+      line->setSubTickLength(0, 0);
+      line->setLayer("axes");
+      line->grid()->setLayer("grid");
+    }
+    // The vertical grid needs ticks, which are invisible with length zero.
+    rect->axis(QCPAxis::atBottom)->setTicks(true);
+    rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(11);
+    QSharedPointer<QCPAxisTicker> ticker(new LaneTicker);
+    ticker->setTickCount(isDifference(lane) ? 2 : 3);
+    rect->axis(QCPAxis::atLeft)->setTicker(ticker);
+    rect->axis(QCPAxis::atLeft)->setTickLabelPadding(6);
+
+    p.noise[lane] = new QCPItemRect(p.canvas);
+    p.noise[lane]->setLayer("marks");
+    for (auto* position : {p.noise[lane]->topLeft, p.noise[lane]->bottomRight}) {
+      position->setAxisRect(rect);
+      position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+      position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+      position->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    p.noise[lane]->setClipAxisRect(rect);
+    p.noise[lane]->setVisible(false);
+
+    for (int c = 0; c < (isDifference(lane) ? 3 : 6); ++c) {
+      auto* graph = p.canvas->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+      graph->setAdaptiveSampling(false);
+      p.graphs[lane][c] = graph;
+    }
+
+    const auto addText = [&](const QString& text) {
+      auto* item = new QCPItemText(p.canvas);
+      item->setText(text);
+      item->setClipToAxisRect(false);
+      item->setPositionAlignment(Qt::AlignLeft | (isDifference(lane) ? Qt::AlignVCenter : Qt::AlignTop));
+      item->position->setAxisRect(rect);
+      item->position->setTypeX(QCPItemPosition::ptAbsolute);
+      item->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+      item->position->setCoords(12, isDifference(lane) ? 0.5 : 0.0);
+      return item;
+    };
+    p.titles[lane] = addText(titles[lane]);
+    if (!isDifference(lane)) {
+      p.units[lane] = addText(units[lane]);
+      p.units[lane]->position->setParentAnchor(p.titles[lane]->bottomLeft);
+      p.units[lane]->position->setType(QCPItemPosition::ptAbsolute);
+      p.units[lane]->position->setCoords(0, 1);
+    }
+  }
+  p.settle.setSingleShot(true);
+  p.settle.setInterval(140);
+  connect(&p.settle, &QTimer::timeout, this, [this] {
+    parts_->moving = false;
+    refresh();
+  });
+  connect(axis_, &TimeAxis::visibleChanged, this, [this] {
+    parts_->moving = true;
+    parts_->settle.start();
+    refresh();
+  });
+  restyle();
+  refresh();
+}
+
+WrenchPlots::~WrenchPlots() = default;
+
+void WrenchPlots::setTraces(std::shared_ptr<const WrenchTraces> traces) {
+  traces_ = traces ? std::move(traces) : std::make_shared<WrenchTraces>();
+  refresh();
+}
+
+void WrenchPlots::setSegments(std::vector<Segment> segments) {
+  segments_ = std::move(segments);
+  rebuildBackgrounds();
+  parts_->canvas->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void WrenchPlots::setShown(Shown what, bool shown) {
+  shown_[static_cast<int>(what)] = shown;
+  if (what == Shown::difference) {
+    for (const int lane : {1, 3}) {
+      parts_->rects[lane]->setVisible(shown);
+      parts_->titles[lane]->setVisible(shown);
+      parts_->rects[lane]->setMinimumSize(40, shown ? 14 : 0);
+      parts_->rects[lane]->setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 0);
+    }
+  }
+  refresh();
+}
+
+bool WrenchPlots::isShown(Shown what) const { return shown_[static_cast<int>(what)]; }
+
+MinMax WrenchPlots::laneRange(int lane) const {
+  const QCPRange range = parts_->rects[lane]->axis(QCPAxis::atLeft)->range();
+  return {range.lower, range.upper};
+}
+
+MinMax WrenchPlots::laneTime(int lane) const {
+  const QCPRange range = parts_->rects[lane]->axis(QCPAxis::atBottom)->range();
+  return {range.lower, range.upper};
+}
+
+int WrenchPlots::pointsDrawn() const { return parts_->points; }
+
+void WrenchPlots::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && parts_ && parts_->canvas) restyle();
+}
+
+void WrenchPlots::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  refresh();
+}
+
+void WrenchPlots::keyPressEvent(QKeyEvent* event) {
+  const double middle = (axis_->lower() + axis_->upper()) / 2.0;
+  switch (event->key()) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: axis_->zoom(0.7, middle); return;
+    case Qt::Key_Minus: axis_->zoom(1.0 / 0.7, middle); return;
+    case Qt::Key_0: axis_->showAll(); return;
+    default: QWidget::keyPressEvent(event);  // The window moves the time by the arrow keys.
+  }
+}
+
+void WrenchPlots::restyle() {
+  const Theme& t = theme();
+  Parts& p = *parts_;
+  p.canvas->setBackground(QBrush(t.panel));
+  for (int lane = 0; lane < kLanes; ++lane) {
+    for (auto* line : p.rects[lane]->axes()) {
+      line->setBasePen(QPen(t.line, 1));
+      line->setTickLabelFont(uiFont(type::kTick));
+      line->setTickLabelColor(t.text3);
+      line->grid()->setPen(QPen(t.plotGrid, 1));
+      line->grid()->setZeroLinePen(QPen(t.plotZero, 1));
+      line->grid()->setVisible(line->axisType() == QCPAxis::atLeft || line->axisType() == QCPAxis::atBottom);
+      if (line->axisType() == QCPAxis::atBottom) line->grid()->setZeroLinePen(QPen(t.plotGrid, 1));
+    }
+    p.noise[lane]->setPen(Qt::NoPen);
+    p.noise[lane]->setBrush(t.noise);
+    p.titles[lane]->setFont(isDifference(lane) ? uiFont(type::kCaption) : uiFont(type::kSection, QFont::DemiBold));
+    p.titles[lane]->setColor(isDifference(lane) ? t.text3 : t.text);
+    if (p.units[lane]) {
+      p.units[lane]->setFont(uiFont(type::kCaption));
+      p.units[lane]->setColor(t.text3);
+    }
+    for (int c = 0; c < 3; ++c) {
+      p.graphs[lane][c]->setPen(QPen(t.axis[c], isDifference(lane) ? 1.1 : 1.5));
+      if (isDifference(lane)) continue;
+      QPen dashed(t.axisSimulated[c], 1.3);
+      dashed.setDashPattern({4.0, 3.0});
+      dashed.setCapStyle(Qt::FlatCap);
+      p.graphs[lane][c + 3]->setPen(dashed);
+    }
+  }
+  rebuildBackgrounds();
+  p.canvas->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void WrenchPlots::rebuildBackgrounds() {
+  Parts& p = *parts_;
+  for (auto* mark : p.marks) p.canvas->removeItem(mark);
+  p.marks.clear();
+  for (const Segment& segment : segments_) {
+    if (segment.label == MarkLabel::free) continue;
+    QColor tint = segment.label == MarkLabel::contact ? theme().markContact : theme().markIgnored;
+    tint.setAlpha(segment.label == MarkLabel::contact ? (theme().dark ? 45 : 46) : (theme().dark ? 60 : 70));
+    for (int lane = 0; lane < kLanes; ++lane) {
+      auto* mark = new QCPItemRect(p.canvas);
+      mark->setLayer("marks");
+      for (auto* position : {mark->topLeft, mark->bottomRight}) {
+        position->setAxisRect(p.rects[lane]);
+        position->setAxes(p.rects[lane]->axis(QCPAxis::atBottom), p.rects[lane]->axis(QCPAxis::atLeft));
+        position->setTypeX(QCPItemPosition::ptPlotCoords);
+        position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+      }
+      mark->topLeft->setCoords(segment.from, 0);
+      mark->bottomRight->setCoords(segment.to, 1);
+      mark->setClipAxisRect(p.rects[lane]);
+      mark->setPen(Qt::NoPen);
+      mark->setBrush(tint);
+      p.marks.push_back(mark);
+    }
+  }
+}
+
+void WrenchPlots::refresh() {
+  Parts& p = *parts_;
+  const double from = axis_->lower(), to = axis_->upper();
+  const int pixels = std::max(50, width() - TimeAxis::kLeft - TimeAxis::kRight);
+  p.points = 0;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    QCPAxisRect* rect = p.rects[lane];
+    for (auto* line : {rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atTop)}) line->setRange(from, to);
+    const int first = firstChannel(lane);
+    double lower, upper;
+    if (isDifference(lane)) {
+      upper = traces_->differenceLimit(first);
+      lower = -upper;
+      const double band = traces_->noiseBand(first);
+      p.noise[lane]->setVisible(band > 0 && shown_[static_cast<int>(Shown::difference)]);
+      p.noise[lane]->topLeft->setCoords(0, band);
+      p.noise[lane]->bottomRight->setCoords(1, -band);
+    } else {
+      const MinMax extremes = traces_->visibleRange(first, from, to);
+      lower = std::isfinite(extremes.lowest) ? extremes.lowest : -1.0;
+      upper = std::isfinite(extremes.highest) ? extremes.highest : 1.0;
+      const double least = first == 0 ? 0.1 : 0.005;
+      const double margin = std::max(0.08 * (upper - lower), least / 2);
+      lower -= margin;
+      upper += margin;
+    }
+    for (auto* line : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atRight)}) line->setRange(lower, upper);
+
+    for (int g = 0; g < (isDifference(lane) ? 3 : 6); ++g) {
+      const int c = g % 3;
+      const auto kind = isDifference(lane) ? WrenchTraces::Kind::difference
+                        : g < 3            ? WrenchTraces::Kind::measured
+                                           : WrenchTraces::Kind::simulated;
+      const auto shownAs = static_cast<int>(isDifference(lane) ? Shown::difference
+                                            : g < 3            ? Shown::measured
+                                                               : Shown::simulated);
+      QCPGraph* graph = p.graphs[lane][g];
+      graph->setAntialiased(!p.moving);
+      graph->setScatterStyle(traces_->poses() && g < 3 ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
+                                                       : QCPScatterStyle(QCPScatterStyle::ssNone));
+      if (!shown_[c] || !shown_[shownAs]) {
+        graph->data()->clear();
+        continue;
+      }
+      const ThinnedCurve curve = traces_->thinned(kind, first + c, from, to, pixels);
+      p.points += curve.x.size();
+      graph->setData(curve.x, curve.y, true);
+    }
+  }
+  p.canvas->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace heft

@@ -1,0 +1,55 @@
+#pragma once
+// Four lanes on one time axis: force, its difference, torque, its difference.
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "ui/timeline/time_axis.h"
+#include "ui/wrench_plots/wrench_traces.h"
+
+namespace heft {
+
+/// Wheel zooms time about the pointer; dragging draws a rubber band and zooms to it; Shift or the middle button drags the
+/// view; a click moves the cursor; a double click shows everything. Keys: arrows move the cursor, + - 0 zoom.
+class WrenchPlots : public QWidget {
+  Q_OBJECT
+ public:
+  /// `axis` must outlive the plots.
+  explicit WrenchPlots(TimeAxis* axis, QWidget* parent = nullptr);
+  ~WrenchPlots() override;
+
+  void setTraces(std::shared_ptr<const WrenchTraces> traces);
+  void setSegments(std::vector<Segment> segments);
+
+  enum class Shown { x, y, z, measured, simulated, difference };
+  void setShown(Shown what, bool shown);
+  bool isShown(Shown what) const;
+
+  /// For tests: the limits of a lane (0 force, 1 its difference, 2 torque, 3 its difference) and its points drawn.
+  MinMax laneRange(int lane) const;
+  MinMax laneTime(int lane) const;
+  int pointsDrawn() const;
+
+ signals:
+  void timePicked(double time);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Parts;
+  void restyle();
+  void refresh();
+  void rebuildBackgrounds();
+
+  TimeAxis* axis_;
+  std::shared_ptr<const WrenchTraces> traces_;
+  std::vector<Segment> segments_;
+  std::array<bool, 6> shown_{true, true, true, true, true, true};
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace heft

@@ -1,0 +1,132 @@
+#include "ui/wrench_plots/wrench_traces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace heft {
+namespace {
+
+std::vector<double> toVector(const Eigen::Ref<const VectorXd>& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+std::vector<double> counted(Eigen::Index n) {
+  std::vector<double> values(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i + 1);
+  return values;
+}
+
+/// Absolute differences of three channels inside the free parts, at most some thousands of them.
+std::vector<double> freeDifferences(const WrenchSeries& series, const std::vector<Segment>& segments, int firstChannel) {
+  std::vector<double> sizes;
+  const Eigen::Index rows = series.simulated.rows();
+  const Eigen::Index step = std::max<Eigen::Index>(1, rows / 4000);
+  std::size_t segment = 0;
+  for (Eigen::Index k = 0; k < rows; k += step) {
+    const double t = series.time(k);
+    while (segment < segments.size() && segments[segment].to < t) ++segment;
+    const bool inside = segment < segments.size() && segments[segment].from <= t;
+    if (!segments.empty() && !(inside && segments[segment].label == MarkLabel::free)) continue;
+    for (int c = firstChannel; c < firstChannel + 3; ++c) {
+      const double size = std::abs(series.measured(k, c) - series.simulated(k, c));
+      if (std::isfinite(size)) sizes.push_back(size);
+    }
+  }
+  return sizes;
+}
+
+}  // namespace
+
+WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* report)
+    : poses_(recording.meta.kind == RecordingKind::poses) {
+  const Eigen::Index rows = std::min(recording.rows(), recording.wrench.rows());
+  measuredTime_ = poses_ ? counted(rows) : toVector(recording.time.head(rows));
+  for (int c = 0; c < 6; ++c) curves_[0][c] = MinMaxPyramid(toVector(recording.wrench.col(c).head(rows)));
+  if (report == nullptr) return;
+
+  const WrenchSeries& series = report->series;
+  const Eigen::Index simulated = std::min({series.time.size(), series.simulated.rows(), series.measured.rows()});
+  if (simulated == 0) return;
+  simulatedTime_ = poses_ ? counted(simulated) : toVector(series.time.head(simulated));
+  for (int c = 0; c < 6; ++c) {
+    curves_[1][c] = MinMaxPyramid(toVector(series.simulated.col(c).head(simulated)));
+    const VectorXd difference = series.measured.col(c).head(simulated) - series.simulated.col(c).head(simulated);
+    curves_[2][c] = MinMaxPyramid(toVector(difference));
+  }
+  for (int lane = 0; lane < 2; ++lane) {
+    noise_[lane] = 2.0 * report->noiseStd.segment<3>(3 * lane).maxCoeff();
+    if (!std::isfinite(noise_[lane])) noise_[lane] = 0.0;
+    std::vector<double> sizes = freeDifferences(series, report->segments, 3 * lane);
+    if (sizes.empty()) sizes = freeDifferences(series, {}, 3 * lane);
+    if (sizes.empty()) continue;
+    const auto most = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), most, sizes.end());
+    limit_[lane] = std::max({1.6 * *most, 1.8 * noise_[lane], lane == 0 ? 1e-3 : 1e-5});
+  }
+}
+
+ThinnedCurve WrenchTraces::thinned(Kind kind, int channel, double from, double to, int pixels) const {
+  ThinnedCurve curve;
+  const std::vector<double>& time = timeOf(kind);
+  const MinMaxPyramid& values = curves_[static_cast<int>(kind)][channel];
+  if (time.empty() || values.size() != time.size() || pixels < 1) return curve;
+  auto first = std::lower_bound(time.begin(), time.end(), from);
+  auto last = std::upper_bound(first, time.end(), to);
+  if (first != time.begin()) --first;
+  if (last != time.end()) ++last;
+  const auto begin = static_cast<std::size_t>(first - time.begin());
+  const auto end = static_cast<std::size_t>(last - time.begin());
+  const std::size_t count = end - begin;
+  // Buckets are aligned to multiples of a power of four: panning then shows the same extremes, without flicker.
+  std::size_t bucket = 1;
+  while (count / bucket > static_cast<std::size_t>(pixels) * 2) bucket *= 2;
+  if (bucket == 1) {
+    curve.x.reserve(static_cast<int>(count));
+    curve.y.reserve(static_cast<int>(count));
+    for (std::size_t i = begin; i < end; ++i) {
+      curve.x.push_back(time[i]);
+      curve.y.push_back(values[i]);
+    }
+    return curve;
+  }
+  // Simulated curves are smooth and drawn dashed: one point a bucket, since dashes are lost in zigzags.
+  const bool smooth = kind == Kind::simulated;
+  for (std::size_t i = begin / bucket * bucket; i < end; i += bucket) {
+    const std::size_t stop = std::min(i + bucket, time.size());
+    const MinMax extremes = values.range(i, stop);
+    const double start = time[i];
+    const double middle = time[std::min(i + bucket / 2, time.size() - 1)];
+    if (smooth) {
+      curve.x.push_back(middle);
+      curve.y.push_back((extremes.lowest + extremes.highest) / 2.0);
+      continue;
+    }
+    const bool rising = values[i] <= values[stop - 1];
+    curve.x.push_back(start);
+    curve.y.push_back(rising ? extremes.lowest : extremes.highest);
+    curve.x.push_back(middle);
+    curve.y.push_back(rising ? extremes.highest : extremes.lowest);
+  }
+  return curve;
+}
+
+MinMax WrenchTraces::visibleRange(int firstChannel, double from, double to) const {
+  MinMax extremes{std::nan(""), std::nan("")};
+  for (const Kind kind : {Kind::measured, Kind::simulated}) {
+    const std::vector<double>& time = timeOf(kind);
+    const auto begin = std::lower_bound(time.begin(), time.end(), from) - time.begin();
+    const auto end = std::upper_bound(time.begin(), time.end(), to) - time.begin();
+    for (int c = firstChannel; c < firstChannel + 3; ++c) {
+      const MinMax other = curves_[static_cast<int>(kind)][c].range(begin, end);
+      extremes.lowest = std::fmin(extremes.lowest, other.lowest);
+      extremes.highest = std::fmax(extremes.highest, other.highest);
+    }
+  }
+  return extremes;
+}
+
+double WrenchTraces::differenceLimit(int firstChannel) const { return limit_[firstChannel / 3]; }
+double WrenchTraces::noiseBand(int firstChannel) const { return noise_[firstChannel / 3]; }
+
+}  // namespace heft

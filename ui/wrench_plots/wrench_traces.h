@@ -1,0 +1,58 @@
+#pragma once
+// What the plots draw: measured, simulated and difference of six channels, ready to be thinned to the pixels there are.
+#include <QVector>
+#include <array>
+#include <vector>
+
+#include "core/estimation/estimate.h"
+#include "core/recording/recording.h"
+#include "ui/wrench_plots/min_max_pyramid.h"
+
+namespace heft {
+
+/// One curve thinned for a screen: at most two points a pixel.
+struct ThinnedCurve {
+  QVector<double> x, y;
+};
+
+class WrenchTraces {
+ public:
+  /// Nothing to draw.
+  WrenchTraces() = default;
+  /// `report` may be null: then there is no simulated wrench and no difference. Standing poses are counted 1, 2, 3.
+  WrenchTraces(const Recording& recording, const EstimateReport* report);
+
+  enum class Kind { measured, simulated, difference };
+  static constexpr int kKinds = 3;
+
+  bool empty() const { return measuredTime_.empty(); }
+  bool hasSimulated() const { return !simulatedTime_.empty(); }
+  bool poses() const { return poses_; }
+  double firstTime() const { return measuredTime_.empty() ? 0.0 : measuredTime_.front(); }
+  double lastTime() const { return measuredTime_.empty() ? 1.0 : measuredTime_.back(); }
+
+  /// Samples of [from, to] and one neighbour on each side; thinned to extremes a pixel where there are more than
+  /// `pixels` x 2.
+  ThinnedCurve thinned(Kind kind, int channel, double from, double to, int pixels) const;
+
+  /// Extremes over the three channels beginning at `firstChannel` (0 force, 3 torque) within [from, to], over measured and
+  /// simulated.
+  MinMax visibleRange(int firstChannel, double from, double to) const;
+
+  /// Symmetric limit of a difference lane: 99 % of the free parts fit, and the noise band does.
+  double differenceLimit(int firstChannel) const;
+  /// Half height of the noise band [N] or [N m]: two standard deviations of the loudest channel; 0 if unknown.
+  double noiseBand(int firstChannel) const;
+
+ private:
+  const std::vector<double>& timeOf(Kind kind) const {
+    return kind == Kind::measured ? measuredTime_ : simulatedTime_;
+  }
+
+  bool poses_ = false;
+  std::vector<double> measuredTime_, simulatedTime_;
+  std::array<std::array<MinMaxPyramid, 6>, kKinds> curves_;
+  std::array<double, 2> limit_{1.0, 0.1}, noise_{0.0, 0.0};
+};
+
+}  // namespace heft
