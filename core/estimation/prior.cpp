@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/payload/shape_prior.h"
+
 namespace heft {
 
 namespace {
@@ -33,10 +35,31 @@ RoughFit roughFit(const Triangle& R) {
 }  // namespace
 
 Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings) {
-  (void)options;
-  (void)findings;
-  const RoughFit fit = roughFit(whitened);
-  return ChosenPrior{vaguePrior(fit.mass, fit.com), Vector10d::Zero(), false};
+  if (!options.shape) {
+    const RoughFit fit = roughFit(whitened);
+    return ChosenPrior{vaguePrior(fit.mass, fit.com), Vector10d::Zero(), false};
+  }
+  auto samples = sampleShape(*options.shape, findings);
+  if (!samples) return samples.error();
+  const int first = options.bias ? kBiasColumns : 0;
+  const ShapeFit fit = ShapePrior(*options.shape, *samples)
+                           .fit(whitened.block(first, kBiasColumns, kColumns + 1 - first, 10),
+                                whitened.col(kColumns).tail(kColumns + 1 - first));
+  if (!fit.converged)
+    findings.push_back({Severity::warning,
+                        "shape_not_converged",
+                        "The search for the shape's material did not settle.",
+                        "Check the shape's size and place.",
+                        {}});
+  if (fit.conflict > 30.0)
+    findings.push_back(
+        {Severity::warning,
+         "shape_contradicts_data",
+         "The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
+         "the sensor differently.",
+         "Check the shape's size and where it sits, or choose \"rough\".",
+         {}});
+  return ChosenPrior{{fit.U0, fit.mean, fit.information}, Vector10d::Zero(), true};
 }
 
 }  // namespace heft
