@@ -10,7 +10,20 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <stdexcept>
+
+#include "core/base/text.h"
+
+// Debian builds assimp with its assertions on, and on some broken files one of them ends the program. The library calls
+// this function of its own by name, so that the program's definition, found first, turns them into failed loads.
+namespace Assimp {
+void aiAssertViolation(const char* expression, const char* file, int line);
+void aiAssertViolation(const char* expression, const char* file, int line) {
+  throw std::runtime_error(fmt::format("inconsistent content ({} at {}:{})", expression, file, line));
+}
+}  // namespace Assimp
 
 namespace heft {
 namespace {
@@ -59,7 +72,7 @@ Eigen::Vector4f colourOf(const aiMaterial& material, bool isGltf) {
   return rgba;
 }
 
-/// Files with colours per vertex (PLY) have no material: their mean is the part's colour.
+/// Colours per vertex (PLY) hide the material's; their mean is the part's colour.
 Eigen::Vector4f meanVertexColour(const aiMesh& mesh) {
   Eigen::Vector4f sum = Eigen::Vector4f::Zero();
   for (unsigned k = 0; k < mesh.mNumVertices; ++k) sum += clamped(mesh.mColors[0][k]);
@@ -109,7 +122,7 @@ class Collector {
     const Eigen::Matrix3f turnNormal = linear.inverse().transpose();
 
     Eigen::Vector4f rgba = colourOf(*scene_.mMaterials[mesh.mMaterialIndex], isGltf_);
-    if (mesh.HasVertexColors(0) && rgba == MeshPart().rgba) rgba = meanVertexColour(mesh);
+    if (mesh.HasVertexColors(0) && mesh.mNumVertices > 0) rgba = meanVertexColour(mesh);
     MeshPart& part = parts_[Key{rgba[0], rgba[1], rgba[2], rgba[3]}];
     part.rgba = rgba;
 
@@ -165,6 +178,16 @@ class Collector {
   std::string problem_;
 };
 
+/// assimp reads on for ever in a PLY file whose header does not end.
+bool hasPlyHeader(const fs::path& file) {
+  std::string head(64 << 10, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head.starts_with("ply") &&
+         (head.find("\nend_header\n") != std::string::npos || head.find("\nend_header\r\n") != std::string::npos);
+}
+
 void configure(Assimp::Importer& importer) {
   // URDF viewers take COLLADA coordinates as they stand; <up_axis> would turn the link on its side.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
@@ -182,7 +205,7 @@ std::size_t Mesh::triangleCount() const {
 }
 
 Result<Mesh> loadMesh(const fs::path& file) {
-  const std::string name = file.string();
+  const std::string name = displayName(file);
   std::error_code problem;
   if (!fs::is_regular_file(file, problem)) return Error{name + ": There is no such mesh file."};
   const std::uintmax_t bytes = fs::file_size(file, problem);
@@ -199,13 +222,16 @@ Result<Mesh> loadMesh(const fs::path& file) {
       return Error{
           fmt::format("{}: Meshes of kind \"{}\" are not known. Use .stl, .obj, .ply, .dae or .glb.", name, extension)};
     }
+    if (extension == ".ply" && !hasPlyHeader(file)) {
+      return Error{name + ": The mesh cannot be read: it has no PLY header that ends."};
+    }
     unsigned steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
                      aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals;
     // STL stores a normal a facet, often zero: they are made afresh, smooth where the surface is.
     if (extension == ".stl") steps |= aiProcess_RemoveComponent;
-    const aiScene* scene = importer.ReadFile(name, steps);
+    const aiScene* scene = importer.ReadFile(file.string(), steps);
     if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE)) {
-      const std::string reason = importer.GetErrorString();
+      const std::string reason = printable(importer.GetErrorString(), 200);
       return Error{fmt::format("{}: The mesh cannot be read: {}", name, reason.empty() ? "it is incomplete." : reason)};
     }
     Mesh mesh;
@@ -213,7 +239,7 @@ Result<Mesh> loadMesh(const fs::path& file) {
     if (!wrong.empty()) return Error{fmt::format("{}: The mesh {}.", name, wrong)};
     return mesh;
   } catch (const std::exception& failure) {
-    return Error{fmt::format("{}: The mesh cannot be read: {}", name, failure.what())};
+    return Error{fmt::format("{}: The mesh cannot be read: {}", name, printable(failure.what(), 200))};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/json_file.h"
+#include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
 
 namespace heft {
@@ -37,9 +38,9 @@ double clampTo(const JointLimits& limits, double value) { return std::clamp(valu
 Result<RobotModel> RobotModel::fromUrdfFile(const std::filesystem::path& file, Findings& findings) {
   Result<std::string> text = readTextFile(file);
   if (!text) return text.error();
-  Result<UrdfTree> tree = readUrdf(*text, file.string(), file.parent_path(), findings);
+  Result<UrdfTree> tree = readUrdf(*text, displayName(file), file.parent_path(), findings);
   if (!tree) return tree.error();
-  return assemble(std::move(*tree), file.string(), findings);
+  return assemble(std::move(*tree), displayName(file), findings);
 }
 
 Result<RobotModel> RobotModel::fromUrdfText(const std::string& urdf, const std::filesystem::path& baseFolder,
@@ -52,7 +53,7 @@ Result<RobotModel> RobotModel::fromUrdfText(const std::string& urdf, const std::
 Result<RobotModel> RobotModel::assemble(UrdfTree tree, const std::string& file, Findings& findings) {
   const std::vector<int> columns = chooseColumns(tree);
   if (columns.empty()) {
-    return errorAt({file, 0, 0}, fmt::format("Robot \"{}\" has no joint that moves.", tree.name),
+    return errorAt({file, 0, 0}, fmt::format("Robot \"{}\" has no joint that moves.", printable(tree.name)),
                    "Give an arm's URDF.");
   }
   for (std::size_t k = 0; k < columns.size(); ++k) tree.joints[columns[k]].joint.index = static_cast<int>(k);

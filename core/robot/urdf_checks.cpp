@@ -6,10 +6,13 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
 
 namespace heft {
 namespace {
+
+constexpr std::size_t kMaxSentence = 400;  ///< [bytes]
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -357,6 +360,7 @@ Finding findingAt(const XmlElement& element, const std::string& file, Severity s
     char& first = sentence->front();
     if (first >= 'a' && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
     if (sentence->back() != '.') *sentence += '.';
+    *sentence = printable(*sentence, kMaxSentence);  // Names stand in it, and a file may hold anything.
   }
   return {severity, std::move(code), std::move(text), std::move(remedy), {file, element.line, element.column}};
 }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <mutex>
 
+#include "core/base/text.h"
+
 namespace heft {
 namespace {
 
@@ -163,7 +165,8 @@ Result<UrdfTree> readUrdf(const std::string& text, const std::string& file, cons
   }
   const Parsed parsed = parseWithUrdfdom(text);
   if (!parsed.model || !parsed.model->getRoot()) {
-    return errorAt({file, 0, 0}, "The URDF cannot be read.", parsed.problem.empty() ? "" : parsed.problem + ".");
+    return errorAt({file, 0, 0}, "The URDF cannot be read.",
+                   parsed.problem.empty() ? "" : printable(parsed.problem, 200) + ".");
   }
   return TreeBuilder(*root, *parsed.model).run(readVisuals(*root, file, baseFolder, findings));
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
 
 namespace heft {
@@ -141,7 +142,7 @@ class VisualReader {
     warn(shape, "mesh_missing", fmt::format("mesh \"{}\" of link \"{}\" is not found", uri, link),
          package
              ? "Put the package's folder above the URDF or name its parent in ROS_PACKAGE_PATH; motion is not affected"
-             : fmt::format("It is looked for from \"{}\"; motion is not affected", baseFolder_.string()));
+             : fmt::format("It is looked for from \"{}\"; motion is not affected", displayName(baseFolder_)));
     return false;
   }
 

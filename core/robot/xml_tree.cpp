@@ -5,6 +5,8 @@
 #include <charconv>
 #include <optional>
 
+#include "core/base/text.h"
+
 namespace heft {
 namespace {
 
@@ -55,7 +57,8 @@ class Parser {
 
  private:
   bool fail(const std::string& message) {
-    if (error_.empty()) error_ = fmt::format("{}:{}:{}: {}", name_, line_, pos_ - lineStart_ + 1, message);
+    if (error_.empty())
+      error_ = fmt::format("{}:{}:{}: {}", name_, line_, pos_ - lineStart_ + 1, printable(message, 200));
     return false;
   }
   bool startsWith(std::string_view what) const { return text_.substr(pos_, what.size()) == what; }
@@ -109,11 +112,11 @@ class Parser {
 
   bool closingTag() {
     if (open_.empty()) return fail("this closing tag has no opening one.");
-    if (const XmlElement& last = open_.back(); text_.substr(pos_ + 2, last.name.size()) != last.name ||
-                                               pos_ + 2 + last.name.size() >= text_.size() ||
-                                               !isNameEnd(text_[pos_ + 2 + last.name.size()])) {
-      return fail(fmt::format("this closing tag does not match <{}> of line {}.", last.name, last.line));
-    }
+    const XmlElement& last = open_.back();
+    const std::string_view rest = text_.substr(pos_ + 2);
+    const bool matches =
+        rest.starts_with(last.name) && (rest.size() == last.name.size() || isNameEnd(rest[last.name.size()]));
+    if (!matches) return fail(fmt::format("this closing tag does not match <{}> of line {}.", last.name, last.line));
     advance(2);
     readName();
     skipSpace();

@@ -38,11 +38,6 @@ inline double cylinder(double rho, double t, double r, double from, double to) {
   return std::max(side, end);
 }
 
-/// The same with edges rounded by `round`.
-inline double roundedCylinder(double rho, double t, double r, double from, double to, double round) {
-  return cylinder(rho, t, r - round, from + round, to - round) - round;
-}
-
 /// A smooth function through given points (rising abscissae), by cubic Hermite pieces; constant outside.
 class Curve {
  public:
@@ -75,68 +70,6 @@ inline double lathe(double rho, double t, const Curve& radius) {
   return (rho - radius(t)) / std::sqrt(1.0 + slope * slope);
 }
 
-/// A tube along a planar cubic Bezier curve, its section an ellipse: half-axis `inPlane(s)` across the curve in the
-/// plane and `across(s)` square to it, s from 0 to 1 along the curve. Without ends beyond the curve's own.
-class Sweep {
- public:
-  struct Point {
-    double u, v;
-  };
-  Sweep(Point p0, Point p1, Point p2, Point p3, Curve inPlane, Curve across)
-      : p_{p0, p1, p2, p3}, inPlane_(std::move(inPlane)), across_(std::move(across)) {
-    for (int k = 0; k <= kSamples; ++k) samples_[k] = at(static_cast<double>(k) / kSamples);
-  }
-
-  /// u, v in the curve's plane, w square to it.
-  double operator()(double u, double v, double w) const {
-    int best = 0;
-    double bestDistance = 1e9;
-    for (int k = 0; k <= kSamples; ++k) {
-      const double d = length2(u - samples_[k].u, v - samples_[k].v);
-      if (d < bestDistance) {
-        bestDistance = d;
-        best = k;
-      }
-    }
-    double s = static_cast<double>(best) / kSamples;
-    for (int step = 0; step < 4; ++step) {  // Newton for the nearest point of the curve.
-      const Point c = at(s), d1 = slope(s), d2 = bend(s);
-      const double ru = u - c.u, rv = v - c.v;
-      const double g = -(ru * d1.u + rv * d1.v);
-      const double h = d1.u * d1.u + d1.v * d1.v - (ru * d2.u + rv * d2.v);
-      if (h <= 1e-12) break;
-      s = std::clamp(s - g / h, 0.0, 1.0);
-    }
-    const Point c = at(s);
-    const double a = length2(u - c.u, v - c.v) / inPlane_(s), b = w / across_(s);
-    const double f = length2(a, b);
-    const double da = a / inPlane_(s), db = b / across_(s);
-    const double gradient = f > 1e-6 ? length2(da, db) / f : 1.0 / std::min(inPlane_(s), across_(s));
-    return (f - 1.0) / gradient;
-  }
-
- private:
-  static constexpr int kSamples = 24;
-  Point at(double s) const {
-    const double r = 1 - s, a = r * r * r, b = 3 * r * r * s, c = 3 * r * s * s, d = s * s * s;
-    return {a * p_[0].u + b * p_[1].u + c * p_[2].u + d * p_[3].u,
-            a * p_[0].v + b * p_[1].v + c * p_[2].v + d * p_[3].v};
-  }
-  Point slope(double s) const {
-    const double r = 1 - s, a = 3 * r * r, b = 6 * r * s, c = 3 * s * s;
-    return {a * (p_[1].u - p_[0].u) + b * (p_[2].u - p_[1].u) + c * (p_[3].u - p_[2].u),
-            a * (p_[1].v - p_[0].v) + b * (p_[2].v - p_[1].v) + c * (p_[3].v - p_[2].v)};
-  }
-  Point bend(double s) const {
-    const double r = 6 * (1 - s), c = 6 * s;
-    return {r * (p_[2].u - 2 * p_[1].u + p_[0].u) + c * (p_[3].u - 2 * p_[2].u + p_[1].u),
-            r * (p_[2].v - 2 * p_[1].v + p_[0].v) + c * (p_[3].v - 2 * p_[2].v + p_[1].v)};
-  }
-  Point p_[4];
-  Curve inPlane_, across_;
-  Point samples_[kSamples + 1];
-};
-
 /// Value divided by its slope: turns any smooth function that is zero on the surface into a distance near it.
 template <class Function>
 double perSlope(const Function& f, Vec p) {
@@ -144,13 +77,6 @@ double perSlope(const Function& f, Vec p) {
   const Vec slope{f({p.x + h, p.y, p.z}) - f({p.x - h, p.y, p.z}), f({p.x, p.y + h, p.z}) - f({p.x, p.y - h, p.z}),
                   f({p.x, p.y, p.z + h}) - f({p.x, p.y, p.z - h})};
   return f(p) / std::max(length(slope) / (2 * h), 1.0);
-}
-
-/// Distance to a segment in the plane.
-inline double segment(double u, double v, double u0, double v0, double u1, double v1) {
-  const double du = u1 - u0, dv = v1 - v0;
-  const double s = std::clamp(((u - u0) * du + (v - v0) * dv) / (du * du + dv * dv), 0.0, 1.0);
-  return length2(u - u0 - s * du, v - v0 - s * dv);
 }
 
 /// Stadium that narrows from radius r0 around (u0, v0) to r1 around (u1, v1): the hull of two circles.
