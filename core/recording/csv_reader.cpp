@@ -16,6 +16,7 @@ namespace heft {
 namespace {
 
 constexpr double kMissingShare = 0.05;              ///< Up to this share of rows may lack values.
+constexpr std::size_t kMaxNumbers = 200'000'000;    ///< 1.6 GB in memory; short numbers in a file at the size limit.
 constexpr std::size_t kMaxExtraCells = 20'000'000;  ///< Cells kept as text cost about 32 bytes each.
 
 /// Where a row that lacks values shows it first.
@@ -41,7 +42,13 @@ class RecordingParser {
     map_ = std::move(*map);
     if (auto failure = assumeRobot()) return *failure;
 
-    prepareFields(csv::countRows(header_));
+    const auto lineCount = csv::countRows(header_);
+    if (const auto columns = header_.names.size(); columns * static_cast<std::size_t>(lineCount) > kMaxNumbers)
+      return errorAt({name_, 0, 0},
+                     fmt::format("{} rows of {} columns are more than the {} million numbers that can be held.",
+                                 lineCount, columns, kMaxNumbers / 1'000'000),
+                     "Split the recording, or keep fewer columns and a lower rate.");
+    prepareFields(lineCount);
     auto rows = csv::readRows(header_, fields_, name_, progress);
     if (!rows) return rows.error();
     lines_ = std::move(rows->lines);

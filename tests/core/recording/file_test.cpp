@@ -84,6 +84,12 @@ TEST_F(RecordingFile, TwoGigabytesAreRefusedAtOnce) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
+TEST_F(RecordingFile, MoreNumbersThanMemoryHoldsAreRefusedAtOnce) {
+  std::string text = goodTable(Form::orientation, 1).text();
+  text += std::string(20'000'000, '\n');
+  EXPECT_THAT(failureOf(text), AllOf(HasSubstr("rec.csv: "), HasSubstr("200 million numbers"), HasSubstr("Split")));
+}
+
 TEST_F(RecordingFile, NamesThatAreNotUtf8) {
   const auto file = write("bad\xFF\xFEname.csv", goodTable(Form::joints).text());
   const auto result = readRecording(file);
