@@ -243,7 +243,7 @@ Result<Shape> parseShape(const std::string& text) {
     return Error{
         fmt::format("--shape {}: {} Expected is KIND:DIMS[:wall=T][@x,y,z[,roll,pitch,yaw]] in metres and radians "
                     "with {}; meshes and several bodies go into a --shape-file.",
-                    text, why, primitiveForms())};
+                    printable(text, 200), why, primitiveForms())};
   };
   const std::string_view all = text;
   const auto at = all.find('@');

@@ -174,6 +174,13 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"box:0.1,0.1,0.1:wall=-1", "the wall must be"}, Bad{"box:0.1,0.1,0.1:walls=1", "is not wall=THICKNESS"},
         Bad{"tube:0.03,0.02,0.1:wall=0.001", "a tube is hollow already"}, Bad{"mesh:tool.ply", "--shape-file"}));
 
+TEST(Shape, MessagesStayOnePrintableLine) {
+  const auto shape = parseShape("box:\xff\x1b[2J\n" + std::string(100000, '1'));
+  ASSERT_FALSE(shape.ok());
+  EXPECT_LT(shape.error().message.size(), 1500u);
+  EXPECT_EQ(shape.error().message.find_first_of("\x1b\n\xff"), std::string::npos);
+}
+
 TEST(Shape, DimensionsInMillimetresAreCaught) {
   Findings findings;
   const auto samples = sampleShape(shapeOf("box:100,50,20"), findings);
