@@ -1,6 +1,7 @@
 // heft: the command line. It parses, calls one subcommand and turns every way to fail into an exit code and a sentence.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <exception>
 #include <new>

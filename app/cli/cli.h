@@ -3,7 +3,6 @@
 //
 // Exit codes: 0 done, 1 could not be done (bad data, no solution), 2 wrong usage. Results go to stdout, everything else
 // to stderr; nothing here depends on the locale.
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -18,6 +17,10 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/math/rigid.h"
+
+namespace CLI {
+class App;
+}
 
 namespace heft::cli {
 

@@ -1,6 +1,7 @@
 // heft convert: a recording in the contract's plain form, and what is odd about it.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // heft export: a result, or a bare payload, as the file that a controller reads.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // heft simulate: a recording whose truth is known, from the project's own Panda and a model of its sensor.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
 #include <memory>
