@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -199,50 +200,88 @@ void fillSeries(const Prepared& prepared, const Vector10d& phi, const Vector6d& 
   }
 }
 
-/// Residual that remains when the noise's fast part is taken away: systematic misfit in multiples of that noise.
+/// Says where a rigid tool does not explain the data, in numbers that need no statistics.
 void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report) {
-  const bool poses = prepared.usedDuration == 0.0;
-  Vector6d floor;  // of single motion samples, from steps between neighbours
+  double contact = 0.0;
+  std::string where;
+  int listed = 0;
+  for (const auto& segment : report.segments) {
+    if (segment.label != MarkLabel::contact) continue;
+    contact += segment.to - segment.from;
+    if (++listed > 6) continue;
+    where += fmt::format("{}{:.1f} to {:.1f} s", where.empty() ? "" : ", ", std::max(0.0, segment.from), segment.to);
+  }
+  if (listed > 6) where += fmt::format(" and {} more", listed - 6);
+  const bool mostlyContact = contact > 0.3 * report.duration;
+  if (contact > 0.0)
+    report.findings.push_back(
+        {mostlyContact ? Severity::warning : Severity::info,
+         "contact_left_out",
+         fmt::format("{:.1f} s of {:.1f} s looked like contact and were left out: {}.", contact, report.duration,
+                     where),
+         mostlyContact ? "Trust is low with so little free motion: check the marks, or record a longer free part."
+                       : "Mark them by hand if that is wrong.",
+         {}});
+
+  // What is slow and strong in the residual is no sensor noise. Long memory of a channel shows it, and so does a
+  // residual far above the scatter between neighbouring samples.
+  double memory = 0.0;
+  for (const auto& channel : prepared.noise.channels)
+    memory = std::max(memory, channel.gain() > 0.0 ? channel.gain() : 1e3);
+  std::array<double, 6> floor{};
   for (int c = 0; c < 6; ++c) {
     std::vector<double> steps;
     for (Eigen::Index k = 1; k < prepared.motion.size(); ++k)
       if (const double d = prepared.motion.wrench(c, k) - prepared.motion.wrench(c, k - 1); d != 0.0)
         steps.push_back(d);
-    floor(c) = robustStd(steps) / std::sqrt(2.0);
+    floor[static_cast<std::size_t>(c)] = robustStd(steps) / std::sqrt(2.0);
   }
-  const double forceFloor = floor.head<3>().norm() / std::sqrt(3.0);
-  if (!poses && forceFloor > 0.0 && heldout.force > 3.0 * forceFloor &&
-      heldout.force > 0.02 * report.payload.mass * 9.81)
-    report.findings.push_back({Severity::warning,
-                               "misfit",
-                               fmt::format("On stretches that were not used for fitting, the model misses the measured "
-                                           "force by {:.2g} N where the sensor's "
-                                           "own noise is about {:.2g} N: something other than a rigid tool is at work "
-                                           "(contact, drift, delay, a cable).",
-                                           heldout.force, forceFloor),
-                               "Trust the intervals less; look at where the difference is large.",
-                               {}});
-  const double contact = [&] {
-    double sum = 0.0;
-    for (const auto& segment : report.segments)
-      if (segment.label == MarkLabel::contact) sum += segment.to - segment.from;
-    return sum;
-  }();
-  if (!poses && contact > 0.0) {
-    std::string where;
-    int listed = 0;
-    for (const auto& segment : report.segments) {
-      if (segment.label != MarkLabel::contact) continue;
-      if (++listed > 6) continue;
-      where += fmt::format("{}{:.1f}-{:.1f} s", where.empty() ? "" : ", ", segment.from, segment.to);
-    }
-    if (listed > 6) where += fmt::format(" and {} more", listed - 6);
-    report.findings.push_back({Severity::info,
-                               "contact_left_out",
-                               fmt::format("{:.1f} s looked like contact and were left out: {}.", contact, where),
-                               "Mark them by hand if that is wrong.",
-                               {}});
+  const double forceFloor = std::sqrt((floor[0] * floor[0] + floor[1] * floor[1] + floor[2] * floor[2]) / 3.0);
+  const bool strong = heldout.force > 3.0 * forceFloor && heldout.force > 0.01 * report.payload.mass * 9.81;
+  const bool slow = memory > 8.0 && heldout.force > 1.3 * forceFloor;
+  if (prepared.usedDuration > 0.0 && (strong || slow))
+    report.findings.push_back(
+        {Severity::warning,
+         "misfit",
+         fmt::format(
+             "On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the "
+             "sensor's own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a "
+             "cable, a poorly calibrated sensor).",
+             heldout.force, forceFloor),
+         "Trust is low: the true values may lie outside the intervals. Look at where the difference is large.",
+         {}});
+
+  // A clearly negative mass is the other sign of the wrench. Linear fits say it; the map estimate cannot.
+  if (report.identifiability.mass == Source::data || report.payload.mass < 0.0) {
+    const MatrixXd A = prepared.whitened.leftCols<kColumns>();
+    const VectorXd x = A.colPivHouseholderQr().solve(prepared.whitened.col(kColumns));
+    const double mass = x(kBiasColumns);
+    const double sd = (A.transpose() * A)
+                          .completeOrthogonalDecomposition()
+                          .pseudoInverse()
+                          .diagonal()
+                          .cwiseMax(0.0)
+                          .cwiseSqrt()(kBiasColumns);
+    if (mass < -6.0 * sd && mass < -0.02)
+      report.findings.push_back(
+          {Severity::warning,
+           "wrench_sign",
+           fmt::format("A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.", mass),
+           "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or "
+           "payload_on_sensor).",
+           {}});
   }
+
+  // Values that the user gave and the data contradict.
+  if (report.relativeError && report.relativeError->hasMass && report.identifiability.mass == Source::data &&
+      report.relativeError->mass > 0.03 && report.relativeError->mass * report.payload.mass > 4.0 * report.std.mass)
+    report.findings.push_back(
+        {Severity::warning,
+         "known_disagrees",
+         fmt::format("The estimated mass is {:.0f} % away from the known one, far outside its interval.",
+                     100.0 * report.relativeError->mass),
+         "Either the known value is of another tool, or the sensor's calibration is off: trust is low.",
+         {}});
 }
 
 void addFindings(EstimateReport& report) {

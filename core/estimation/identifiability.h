@@ -22,7 +22,9 @@ std::string_view toString(Source source);
 struct Identifiability {
   Source mass = Source::none;
   std::array<Source, 3> com{Source::none, Source::none, Source::none};
-  std::array<std::array<Source, 3>, 3> inertia{};
+  std::array<std::array<Source, 3>, 3> inertia{{{Source::none, Source::none, Source::none},
+                                                {Source::none, Source::none, Source::none},
+                                                {Source::none, Source::none, Source::none}}};
   double conditionNumber = 0.0;  ///< Of the whitened regressor, biases eliminated, columns scaled to unit length.
   double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
   std::vector<std::string> weakDirections;               ///< In words: what this motion told too little about.

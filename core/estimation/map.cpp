@@ -24,6 +24,35 @@ Matrix4d matrixV(const Vector10d& v) {
 
 }  // namespace
 
+double MapPrior::cost(const Vector10d& v) const {
+  const Vector10d d = v - mean;
+  if (form == PriorForm::normal) return d.dot(information * d);
+  double sum = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    const double w = information(i, i);
+    sum += kEntries[i].row == kEntries[i].column ? 0.5 * w * (std::expm1(2.0 * d(i)) - 2.0 * d(i)) : w * d(i) * d(i);
+  }
+  return sum;
+}
+
+Vector10d MapPrior::halfGradient(const Vector10d& v) const {
+  Vector10d d = v - mean;
+  if (form == PriorForm::normal) return information * d;
+  for (int i = 0; i < 10; ++i) {
+    if (kEntries[i].row == kEntries[i].column) d(i) = 0.5 * std::expm1(2.0 * d(i));
+    d(i) *= information(i, i);
+  }
+  return d;
+}
+
+Matrix10d MapPrior::curvature(const Vector10d& v) const {
+  if (form == PriorForm::normal) return information;
+  Vector10d diagonal = information.diagonal();
+  for (int i = 0; i < 10; ++i)
+    if (kEntries[i].row == kEntries[i].column) diagonal(i) *= std::exp(2.0 * (v(i) - mean(i)));
+  return diagonal.asDiagonal();
+}
+
 Matrix4d upperFactor(const Matrix4d& P) {
   // Cholesky of the matrix with rows and columns in reverse order gives an upper factor in the usual order.
   const Matrix4d reversed = P.reverse();
@@ -46,6 +75,7 @@ MapPrior vaguePrior(double mass, const Vector3d& com) {
   Vector10d sd;
   sd << 0.8, 0.8, 0.8, 0.6, 0.6, 0.6, 3.0, 3.0, 3.0, 0.75;
   prior.information = sd.cwiseAbs2().cwiseInverse().asDiagonal();
+  prior.form = PriorForm::entropic;
   return prior;
 }
 
@@ -90,8 +120,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
     y = R.col(kColumns);
   }
   const auto cost = [&](const Vector10d& v) {
-    const Vector10d d = v - prior.mean;
-    return (A * parametersFromV(prior, v) - y).squaredNorm() + d.dot(prior.information * d);
+    return (A * parametersFromV(prior, v) - y).squaredNorm() + prior.cost(v);
   };
   MapSolution solution;
   solution.v = start;
@@ -102,9 +131,9 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
     J = parametersJacobian(prior, solution.v);
     const MatrixXd AJ = A * J;
     data = AJ.transpose() * AJ;
-    const Matrix10d H = data + prior.information;
+    const Matrix10d H = data + prior.curvature(solution.v);
     const Vector10d gradient =
-        AJ.transpose() * (A * parametersFromV(prior, solution.v) - y) + prior.information * (solution.v - prior.mean);
+        AJ.transpose() * (A * parametersFromV(prior, solution.v) - y) + prior.halfGradient(solution.v);
     // Gradient in units of the posterior's own standard deviations.
     const double slope = std::sqrt(std::max(0.0, gradient.dot(H.ldlt().solve(gradient))));
     if (slope < 1e-7) {
@@ -137,7 +166,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
   J = parametersJacobian(prior, solution.v);
   const MatrixXd AJ = A * J;
   solution.dataInformation = AJ.transpose() * AJ;
-  solution.covariance = (solution.dataInformation + prior.information).inverse();
+  solution.covariance = (solution.dataInformation + prior.curvature(solution.v)).inverse();
   solution.phi = parametersFromV(prior, solution.v);
   if (bias)
     solution.bias = R.topLeftCorner<6, 6>().triangularView<Eigen::Upper>().solve(

@@ -14,11 +14,26 @@ using Matrix10d = Eigen::Matrix<double, 10, 10>;
 /// Upper-triangular U with P = U U^T. Throws std::invalid_argument unless P is positive definite.
 Matrix4d upperFactor(const Matrix4d& P);
 
-/// Normal distribution of v about `mean` with inverse covariance `information`, relative to P0 = U0 U0^T.
+/// How far v is from the prior.
+enum class PriorForm {
+  normal,    ///< (v - mean)^T information (v - mean)
+  entropic,  ///< sum_i w_i (exp(2 delta_i) - 2 delta_i - 1) / 2 + sum_ij w_ij v_ij^2, w the diagonal of `information`:
+             ///< with w_ij = w_i / 2 = const the entropic divergence tr(P0^-1 P) - ln(|P| / |P0|) - 4 (Lee, Wensing,
+             ///< Park 2020), here with mass, centre and shape weighted apart. A barrier where a body becomes
+             ///< impossible.
+};
+
+/// What is believed of v before the data, relative to P0 = U0 U0^T.
 struct MapPrior {
   Matrix4d U0 = Matrix4d::Identity();
   Vector10d mean = Vector10d::Zero();
   Matrix10d information = Matrix10d::Identity();
+  PriorForm form = PriorForm::normal;
+
+  /// Twice the negative logarithm of the density, its gradient halved, and its (positive) curvature.
+  double cost(const Vector10d& v) const;
+  Vector10d halfGradient(const Vector10d& v) const;
+  Matrix10d curvature(const Vector10d& v) const;
 };
 
 /// A tool of hand size about which nothing is known: mass within a factor of 20, centre within 30 cm of `com`, radius
@@ -41,7 +56,7 @@ struct MapSolution {
   bool converged = false;
 };
 
-/// Minimises |R [bias; phi(v); -1]|^2 + (v - mean)^T information (v - mean) by Gauss-Newton with Levenberg damping.
+/// Minimises |R [bias; phi(v); -1]|^2 + prior.cost(v) by Gauss-Newton with Levenberg damping.
 /// `R` must be whitened. Without `bias` the six biases are held at zero.
 MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& start);
 
