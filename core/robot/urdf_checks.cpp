@@ -231,9 +231,14 @@ class Checker {
   void checkAxis(const XmlElement& joint, const std::string& name) {
     const XmlElement* axis = joint.child("axis");
     if (!axis) return;
+    if (!axis->attribute("xyz")) {
+      error(*axis, "axis_zero", fmt::format("the axis of joint \"{}\" has no xyz", name),
+            "Give the direction, for instance xyz=\"0 0 1\"");
+      return;
+    }
     const auto xyz = numbers(*axis, "xyz", {1, 0, 0});
     if (!xyz) return;
-    const double length = Vector3d(xyz->data()).norm();
+    const double length = Vector3d(xyz->data()).stableNorm();
     if (length < 1e-6) {
       error(*axis, "axis_zero", fmt::format("the axis of joint \"{}\" is zero", name),
             "Give the direction, for instance xyz=\"0 0 1\"");

@@ -96,7 +96,7 @@ class TreeBuilder {
       joint.type = JointType::revolute;
     if (source.type == urdf::Joint::PRISMATIC) joint.type = JointType::prismatic;
     if (joint.type == JointType::fixed) return result;
-    joint.axis = Vector3d(source.axis.x, source.axis.y, source.axis.z).normalized();
+    joint.axis = Vector3d(source.axis.x, source.axis.y, source.axis.z).stableNormalized();
     readLimits(element, source, joint.limits);
     if (source.mimic) {
       result.mimics = source.mimic->joint_name;
@@ -165,10 +165,16 @@ Result<UrdfTree> readUrdf(const std::string& text, const std::string& file, cons
   }
   const Parsed parsed = parseWithUrdfdom(text);
   if (!parsed.model || !parsed.model->getRoot()) {
-    return errorAt({file, 0, 0}, "The URDF cannot be read.",
-                   parsed.problem.empty() ? "" : printable(parsed.problem, 200) + ".");
+    std::string reason = printable(parsed.problem, 200);
+    if (!reason.empty() && reason.back() != '.') reason += '.';
+    return errorAt({file, 0, 0}, "The URDF cannot be read.", reason);
   }
-  return TreeBuilder(*root, *parsed.model).run(readVisuals(*root, file, baseFolder, findings));
+  UrdfTree tree = TreeBuilder(*root, *parsed.model).run(readVisuals(*root, file, baseFolder, findings));
+  for (const auto& [name, link] : parsed.model->links_) {  // A detached loop owns itself and would never be freed.
+    link->child_links.clear();
+    link->child_joints.clear();
+  }
+  return tree;
 }
 
 }  // namespace heft

@@ -61,6 +61,7 @@ TEST(Urdf, unusableFilesAreRefusedWithTheirPlace) {
     std::string text, message;
   } cases[] = {
       {"axis_zero", oneJoint("<axis xyz=\"0 0 0\"/>" + std::string(kLimit)), "axis of joint \"j\" is zero"},
+      {"axis_zero", oneJoint("<axis/>" + std::string(kLimit)), "axis of joint \"j\" has no xyz"},
       {"two_parents", samples::robot(twoArms + joint("again", "fixed", "b", "l2")),
        "link \"l2\" has two parents: joints \"j2\" (line 6) and \"again\""},
       {"two_roots", samples::robot(twoArms + link("lonely")), "\"b\" and \"lonely\" have no parent"},
@@ -190,6 +191,12 @@ TEST(Urdf, oddLimitsAreRepaired) {
   const JointLimits empty = limitsOf(R"(<limit velocity="-3" effort="1" acceleration="4.5"/>)");
   EXPECT_TRUE(std::isinf(empty.lower) && std::isinf(empty.upper) && std::isinf(empty.velocity));
   EXPECT_EQ(empty.acceleration, 4.5);
+}
+
+TEST(Urdf, hugeAxisIsOnlyADirection) {
+  const Outcome outcome = read(oneJoint("<axis xyz=\"0 -3e200 4e200\"/>" + std::string(kLimit)));
+  ASSERT_TRUE(outcome.model) << outcome.model.error().message;
+  EXPECT_LT((outcome.model->joints()[0].axis - Vector3d(0, -0.6, 0.8)).norm(), 1e-15);
 }
 
 TEST(Urdf, severalErrorsAreAllFound) {
