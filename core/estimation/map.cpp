@@ -127,7 +127,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
   double best = cost(start);
   double damping = 1e-6;
   Matrix10d J, data;
-  for (solution.iterations = 0; solution.iterations < 200; ++solution.iterations) {
+  for (solution.iterations = 0; solution.iterations < 1000; ++solution.iterations) {
     J = parametersJacobian(prior, solution.v);
     const MatrixXd AJ = A * J;
     data = AJ.transpose() * AJ;
@@ -159,7 +159,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
       }
     }
     if (!improved) {
-      solution.converged = slope < 1e-3;  // rounding, not a slope, stops it
+      solution.converged = slope < 1e-2;  // rounding, not a slope, stops it
       break;
     }
   }

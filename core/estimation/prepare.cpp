@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace heft {
@@ -65,15 +66,32 @@ void learnNoise(Prepared& out, bool poses) {
     out.weights = u.unaryExpr([](double e) { return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0; });
     if (!poses) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
   }
-  // The score covers every block, also those taken for contact, so that leaving out more of them is no advantage.
   NoiseModel plain = out.noise;
   plain.whitener.setIdentity();
-  const Wrenches all = innovations(plain, residual, {{0, out.blocks.size()}});
-  out.score = 0.0;
-  for (int c = 0; c < 6; ++c) {
-    std::vector<double> values(all.row(c).begin() + plain.order, all.row(c).end());
-    out.score += std::log(std::max(1e-9, robustStd(values)));
+  out.unwhitened = innovations(plain, residual, {{0, out.blocks.size()}});
+}
+
+/// How much better (positive) the second preparation predicts the blocks that both use: sum over the channels of the
+/// logarithm of the innovations' size, taken where four fifths of them lie below.
+double advantage(const Prepared& first, const Prepared& second) {
+  std::array<std::vector<double>, 12> sizes;
+  const Eigen::Index common = std::min(first.blocks.size(), second.blocks.size());
+  for (Eigen::Index k = kMaxArOrder; k < common; ++k) {
+    if (!first.used(k) || !second.used(k)) continue;
+    for (int c = 0; c < 6; ++c) {
+      sizes[static_cast<std::size_t>(c)].push_back(std::abs(first.unwhitened(c, k)));
+      sizes[static_cast<std::size_t>(6 + c)].push_back(std::abs(second.unwhitened(c, k)));
+    }
   }
+  if (sizes[0].size() < 50) return 0.0;
+  const auto upper = [](std::vector<double>& values) {
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.8 * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), at, values.end());
+    return std::max(1e-9, *at);
+  };
+  double sum = 0.0;
+  for (std::size_t c = 0; c < 6; ++c) sum += std::log(upper(sizes[c])) - std::log(upper(sizes[6 + c]));
+  return sum;
 }
 
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options) {
@@ -208,7 +226,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
       trial.motion.cutoffHz = cutoff;
       auto next = prepareMotion(cleaned, robot, trial);
       // Less smoothing where it makes no difference: a fiftieth of the innovations' size in each channel.
-      if (!next || next->score > best->score - 0.12) continue;
+      if (!next || advantage(*best, *next) < 0.12) continue;
       best = std::move(next);
     }
     if (options.motion.outputRateHz <= 0.0) {

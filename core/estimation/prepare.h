@@ -22,11 +22,11 @@ struct Prepared {
   Eigen::Index usedBlocks = 0;
   double usedDuration = 0.0;  ///< [s]
   NoiseModel noise;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> weights;  ///< Robust weights of the innovations, 0..1
-  std::vector<Triangle> folds;                       ///< Whitened rows, one triangle a fold
-  Triangle whitened = Triangle::Zero();              ///< The whole problem with honest variances
-  double cutoffHz = 0.0;                             ///< That the motion was smoothed with; 0 for other smoothing
-  double score = 0.0;                                ///< Sum of the channels' log robust innovation: less is better
+  Eigen::Matrix<double, 6, Eigen::Dynamic> weights;     ///< Robust weights of the innovations, 0..1
+  std::vector<Triangle> folds;                          ///< Whitened rows, one triangle a fold
+  Triangle whitened = Triangle::Zero();                 ///< The whole problem with honest variances
+  double cutoffHz = 0.0;                                ///< That the motion was smoothed with; 0 for other smoothing
+  Eigen::Matrix<double, 6, Eigen::Dynamic> unwhitened;  ///< Innovations of all blocks, used or not, in N and N m
   Findings findings;
 
   bool used(Eigen::Index block) const;

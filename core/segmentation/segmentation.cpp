@@ -55,20 +55,31 @@ double energy(const Matrix17d& N, const Vector16d& x) {
   return std::max(0.0, z.dot(N * z));
 }
 
+/// Wrench that a fit leaves over.
+Eigen::Matrix<double, 6, Eigen::Dynamic> residualOf(const WrenchRows& rows, const Vector16d& x) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> residual(6, rows.size());
+  for (Eigen::Index k = 0; k < rows.size(); ++k)
+    residual.col(k) = rows.wrench.col(k) - rows.Y[static_cast<std::size_t>(k)] * x.head<10>() - x.tail<6>();
+  return residual;
+}
+
 /// What a rigid model may miss in each channel without anything touching the tool: three times the sensor's own scatter
-/// (from differences between neighbouring blocks, blind to slow misfit), or what delay, drift and cables usually do, up
-/// to 0.15 N and 0.015 N m.
+/// (from steps between neighbouring blocks of what a plain fit leaves over, blind to slow misfit and to contact), or
+/// what delay, drift and cables usually do, up to 0.15 N and 0.015 N m.
 Vector6d allowances(const WrenchRows& rows) {
+  Vector6d scale;
+  scale << Vector3d::Constant(0.1), Vector3d::Constant(0.01);
+  const auto residual = residualOf(rows, solveNormal(normalMatrix(rows, scale, 0, rows.size())));
   Vector6d allowed;
   for (int c = 0; c < 6; ++c) {
-    std::vector<double> differences, values;
-    for (Eigen::Index k = 0; k < rows.size(); ++k) {
-      values.push_back(rows.wrench(c, k));
-      if (k > 0) differences.push_back(rows.wrench(c, k) - rows.wrench(c, k - 1));
-    }
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double usual = std::min(c < 3 ? 0.15 : 0.015, 0.03 * (*high - *low));
-    allowed(c) = std::max(3.0 * robustStd(differences), usual);
+    std::vector<double> steps;
+    for (Eigen::Index k = 1; k < rows.size(); ++k) steps.push_back(std::abs(residual(c, k) - residual(c, k - 1)));
+    // A normal distribution has 30 % of its values within 0.385 standard deviations; contact may fill more than half.
+    const auto low = steps.begin() + static_cast<std::ptrdiff_t>(0.3 * static_cast<double>(steps.size()));
+    std::nth_element(steps.begin(), low, steps.end());
+    const double scatter = *low / 0.385;
+    const double range = rows.wrench.row(c).maxCoeff() - rows.wrench.row(c).minCoeff();
+    allowed(c) = std::max(3.0 * scatter, std::min(c < 3 ? 0.15 : 0.015, 0.03 * range));
   }
   // A channel that hardly moves is no better than its neighbours.
   const double force = std::max(allowed.head<3>().maxCoeff(), 1e-3),
@@ -121,9 +132,7 @@ Vector16d cappedFit(const std::vector<Matrix17d>& windows, double rowsPerWindow)
 /// Residual of every block, worst channel: 1 where a contact ends, 2 where one opens.
 VectorXd blockScores(const WrenchRows& rows, const Vector16d& x, const std::vector<MarkLabel>& labels,
                      const Vector6d& allowed) {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> residual(6, rows.size());
-  for (Eigen::Index k = 0; k < rows.size(); ++k)
-    residual.col(k) = rows.wrench.col(k) - rows.Y[static_cast<std::size_t>(k)] * x.head<10>() - x.tail<6>();
+  const auto residual = residualOf(rows, x);
   Vector6d inner, outer;
   for (int c = 0; c < 6; ++c) {
     std::vector<double> values;
@@ -166,10 +175,9 @@ std::vector<MarkLabel> labelsFromScores(const VectorXd& scores, double rateHz) {
   return labels;
 }
 
-std::vector<MarkLabel> automaticLabels(const WrenchRows& rows) {
+std::vector<MarkLabel> labelsAllowing(const WrenchRows& rows, const Vector6d& allowed) {
   std::vector<MarkLabel> labels(static_cast<std::size_t>(rows.size()), MarkLabel::free);
   const auto length = std::max<Eigen::Index>(1, std::lround(kWindow * rows.rateHz));
-  const Vector6d allowed = allowances(rows);
   std::vector<Matrix17d> windows;
   for (Eigen::Index k = 0; k + length <= rows.size(); k += length)
     windows.push_back(normalMatrix(rows, allowed, k, k + length));
@@ -189,6 +197,19 @@ std::vector<MarkLabel> automaticLabels(const WrenchRows& rows) {
     labels = next;
     if (settled || used < 5) break;
     x = solveNormal(N);
+  }
+  return labels;
+}
+
+/// Where a rigid tool explains next to nothing, the misfit is larger than usual rather than everything contact: more is
+/// allowed until a quarter of the recording is free.
+std::vector<MarkLabel> automaticLabels(const WrenchRows& rows) {
+  Vector6d allowed = allowances(rows);
+  std::vector<MarkLabel> labels;
+  for (int attempt = 0; attempt < 6; ++attempt, allowed *= 2.0) {
+    labels = labelsAllowing(rows, allowed);
+    const auto free = std::count(labels.begin(), labels.end(), MarkLabel::free);
+    if (static_cast<double>(free) >= 0.25 * static_cast<double>(labels.size())) break;
   }
   return labels;
 }
