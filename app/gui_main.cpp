@@ -1,4 +1,5 @@
-// heft-studio: the desktop program. It parses, makes sure there is a screen (its own with --offscreen), and shows the window.
+// heft-studio: the desktop program. It parses, makes sure there is a screen (its own with --offscreen), and shows the
+// window.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -52,7 +53,8 @@ heft::ThemeKind themeFor(const Options& options) {
 }
 
 /// Opens, estimates, renders, saves; then ends the event loop with the exit code.
-int takePicture(QApplication& application, heft::Workspace& workspace, heft::MainWindow& window, const Options& options) {
+int takePicture(QApplication& application, heft::Workspace& workspace, heft::MainWindow& window,
+                const Options& options) {
   int code = kDone;
   std::optional<std::string> failure;
   QObject::connect(&workspace, &heft::Workspace::failed, &window,
@@ -70,9 +72,10 @@ int takePicture(QApplication& application, heft::Workspace& workspace, heft::Mai
     QTimer::singleShot(300, &window, [&] {
       const QImage picture = window.picture();
       if (!picture.save(QString::fromStdString(options.picture))) {
-        code = complain(kFailed, fmt::format("{} could not be written: check that the folder exists, may be written to, and "
-                                             "that the name ends in .png.",
-                                             options.picture));
+        code = complain(kFailed,
+                        fmt::format("{} could not be written: check that the folder exists, may be written to, and "
+                                    "that the name ends in .png.",
+                                    options.picture));
       } else if (failure) {
         // The window shows it, too; a script must learn it all the same.
         code = complain(kFailed, *failure);
@@ -97,6 +100,12 @@ int run(int argc, char** argv, const Options& options) {
     qputenv("QT_QPA_PLATFORM", "xcb");
   }
 
+  if (options.offscreen) {
+    // For scripts stderr holds our sentences only, not what Qt thinks of the environment.
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+      if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "{}\n", text.toStdString());
+    });
+  }
   heft::prepareGraphics();
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
@@ -168,13 +177,15 @@ int main(int argc, char** argv) {
   if (*sizeOption) {
     const auto parsed = parseSize(size);
     if (!parsed) {
-      return complain(kWrongUsage, fmt::format("--size expects WIDTHxHEIGHT between 640x400 and 7680x4320, not '{}'.", size));
+      return complain(kWrongUsage,
+                      fmt::format("--size expects WIDTHxHEIGHT between 640x400 and 7680x4320, not '{}'.", size));
     }
     std::tie(options.width, options.height) = *parsed;
   }
   try {
     return run(argc, argv, options);
   } catch (const std::exception& error) {
-    return complain(kFailed, fmt::format("Something inside the program went wrong ({}); please report it.", error.what()));
+    return complain(kFailed,
+                    fmt::format("Something inside the program went wrong ({}); please report it.", error.what()));
   }
 }

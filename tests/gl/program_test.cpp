@@ -28,7 +28,8 @@ Outcome run(const QStringList& arguments, const QString& path = {}) {
   process.start(HEFT_STUDIO_BINARY, arguments);
   EXPECT_TRUE(process.waitForFinished(120000));
   EXPECT_EQ(process.exitStatus(), QProcess::NormalExit) << arguments.join(' ').toStdString();
-  return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
+  return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+          QString::fromUtf8(process.readAllStandardError())};
 }
 
 QString writeSimulated(const QTemporaryDir& folder) {
@@ -80,7 +81,8 @@ TEST(Program, OffscreenDrawsTheWindow) {
   QTemporaryDir folder;
   const QString recording = writeSimulated(folder);
   const QString picture = folder.filePath("window.png");
-  const Outcome outcome = run({"--offscreen", recording, "-o", picture, "--size", "1280x800", "--theme", "dark", "--time", "2.5"});
+  const Outcome outcome =
+      run({"--offscreen", recording, "-o", picture, "--size", "1280x800", "--theme", "dark", "--time", "2.5"});
   EXPECT_EQ(outcome.code, 0) << outcome.err.toStdString();
   const QImage image(picture);
   ASSERT_EQ(image.size(), QSize(1280, 800));

@@ -74,7 +74,8 @@ TEST(JobRunner, TheNextJobReplacesTheOneUnderWay) {
 TEST(JobRunner, ProgressIsReportedInOrder) {
   JobRunner runner;
   std::vector<double> seen;
-  QObject::connect(&runner, &JobRunner::progressed, &runner, [&](double fraction, const QString&) { seen.push_back(fraction); });
+  QObject::connect(&runner, &JobRunner::progressed, &runner,
+                   [&](double fraction, const QString&) { seen.push_back(fraction); });
   runner.start(
       "steps",
       [](const Progress& progress) -> Result<int> {

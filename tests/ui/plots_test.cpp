@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
@@ -135,7 +136,8 @@ TEST_F(PlotsTest, RubberBandZoomsAndDoubleClickShowsAll) {
   QTest::mouseMove(canvas(), {350, 50});
   QMouseEvent move(QEvent::MouseMove, QPointF(500, 60), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(canvas(), &move);
-  const double from = pane.timeAxis()->toTime(300, canvas()->width()), to = pane.timeAxis()->toTime(500, canvas()->width());
+  const double from = pane.timeAxis()->toTime(300, canvas()->width()),
+               to = pane.timeAxis()->toTime(500, canvas()->width());
   QTest::mouseRelease(canvas(), Qt::LeftButton, {}, {500, 60});
   EXPECT_NEAR(pane.timeAxis()->lower(), from, 1e-6);
   EXPECT_NEAR(pane.timeAxis()->upper(), to, 1e-6);
@@ -185,7 +187,8 @@ TEST_F(PlotsTest, MarksBarTellsWhatIsUnderThePointer) {
   const Segment* contact = marks->segmentAt({x, 12});
   ASSERT_NE(contact, nullptr);
   EXPECT_EQ(contact->label, MarkLabel::contact);
-  EXPECT_EQ(MarksBar::describe(*contact), QString::fromUtf8("contact, 4.0 – 5.0 s: a push that the motion does not explain"));
+  EXPECT_EQ(MarksBar::describe(*contact),
+            QString::fromUtf8("contact, 4.0 – 5.0 s: a push that the motion does not explain"));
   EXPECT_EQ(marks->segmentAt({10, 12}), nullptr);
   pane.timeAxis()->show(0, 2);
   EXPECT_EQ(marks->segmentAt({x, 12})->label, MarkLabel::free);
@@ -207,7 +210,9 @@ TEST_F(PlotsTest, CurvesArePaintedInTheirColours) {
       const QColor c = image.pixelColor(x, y);
       const auto near = [&](const char* name) {
         const QColor wanted(name);
-        return std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) + std::abs(c.blue() - wanted.blue()) < 60;
+        return std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) +
+                   std::abs(c.blue() - wanted.blue()) <
+               60;
       };
       orange += near("#D55E00");
       green += near("#009E73");

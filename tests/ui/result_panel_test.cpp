@@ -30,8 +30,8 @@ TEST(ResultPanel, ShowsNumbersWithIntervalsAndWords) {
   ResultPanel panel;
   panel.showResult(example());
   const QStringList texts = textsOf(panel);
-  for (const char* wanted : {"Your tool weighs 0.81 kg.", "Mass", "0.812", "± 0.004 kg", "Centre of mass", "45.8", "± 0.6 mm",
-                             "Inertia", "16.0", "measured"}) {
+  for (const char* wanted : {"Your tool weighs 0.81 kg.", "Mass", "0.812", "± 0.004 kg", "Centre of mass", "45.8",
+                             "± 0.6 mm", "Inertia", "16.0", "measured"}) {
     EXPECT_TRUE(texts.contains(QString::fromUtf8(wanted))) << wanted << " not in " << texts.join(" | ").toStdString();
   }
 }
@@ -133,9 +133,9 @@ TEST(MessageBar, ShowsTheSentenceAndCloses) {
 }
 
 TEST(Icons, EveryDrawingIsThereAndTakesTheColour) {
-  for (const char* name : {"heft", "open", "play", "pause", "fit", "tool", "view", "eye", "camera", "bulb", "close", "info",
-                           "light_measured", "light_partly", "light_unknown", "light_look", "light_two_causes",
-                           "light_not_possible"}) {
+  for (const char* name :
+       {"heft", "open", "play", "pause", "fit", "tool", "view", "eye", "camera", "bulb", "close", "info",
+        "light_measured", "light_partly", "light_unknown", "light_look", "light_two_causes", "light_not_possible"}) {
     const QImage image = iconPixmap(name, 20, QColor("#123456"), QColor("#FFFFFF"), 2.0).toImage();
     int painted = 0, coloured = 0;
     for (int y = 0; y < image.height(); ++y) {

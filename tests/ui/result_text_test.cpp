@@ -51,7 +51,7 @@ TEST(DescribeResult, SaysWhatIsNotKnown) {
   report.identifiability.weakDirections = {"turn the tool faster about its long axis"};
   report.findings = {{Severity::info, "weak_direction", "turn the tool faster about its long axis", "", {}},
                      {Severity::info, "note", "a note", "", {}},
-                     {Severity::warning, "misfit", "the model misses", "look", {}}};
+                     {Severity::warning, "rows_repeat", "a third of the rows repeat", "look", {}}};
   const ResultText text = describeResult(report, {});
   EXPECT_EQ(text.answer, "Mass and centre are measured; inertia is not fully known from this motion.");
   EXPECT_EQ(text.advice, "Turn the tool faster about its long axis");
@@ -60,8 +60,19 @@ TEST(DescribeResult, SaysWhatIsNotKnown) {
   EXPECT_EQ(text.inertia[3].name, "Ixy, Ixz, Iyz");
   ASSERT_EQ(text.findings.size(), 2u);
   EXPECT_EQ(text.findings[0].severity, Severity::warning);
+  EXPECT_FALSE(text.doubtful);
   report.identifiability.mass = Source::none;
   EXPECT_EQ(describeResult(report, {}).question, "This motion does not tell the mass.");
+}
+
+TEST(DescribeResult, AMisfitComesBeforePraise) {
+  const Recording recording = test::sineRecording(1000, 100);
+  EstimateReport report = test::reportOn(recording);
+  report.findings = {{Severity::warning, "misfit", "the model misses the force by 0.4 N", "look", {}}};
+  const ResultText text = describeResult(report, {});
+  EXPECT_TRUE(text.doubtful);
+  EXPECT_TRUE(text.findings.at(0).doubt);
+  EXPECT_FALSE(text.answer.contains("measured"));
 }
 
 TEST(DescribeResult, ComparesWithWhatIsStated) {

@@ -4,6 +4,7 @@
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <cmath>
 
 #include "ui/timeline/playback.h"
 #include "ui/timeline/playback_bar.h"

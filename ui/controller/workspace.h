@@ -27,8 +27,8 @@ class Workspace : public QObject {
  public:
   explicit Workspace(QObject* parent = nullptr);
 
-  /// Reads the file in a job, then estimates. The present recording stays until the new one is read; a file that cannot be
-  /// read leaves it in place and gives failed().
+  /// Reads the file in a job, then estimates. The present recording stays until the new one is read; a file that cannot
+  /// be read leaves it in place and gives failed().
   void open(const QString& path);
   /// Estimates the open recording in a job.
   void estimate();

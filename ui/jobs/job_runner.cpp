@@ -33,7 +33,8 @@ void JobRunner::launch(const QString& title, Task task) {
   running_ = true;
   emit started(title);
   poll_.start();
-  workers_[ticket] = std::jthread([this, ticket, shared = shared_, task = std::move(task)](std::stop_token stop) mutable {
+  workers_[ticket] = std::jthread([this, ticket, shared = shared_,
+                                   task = std::move(task)](std::stop_token stop) mutable {
     Progress progress;
     progress.stop = stop;
     progress.report = [shared](double fraction, std::string_view what) {

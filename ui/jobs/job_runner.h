@@ -17,8 +17,9 @@
 
 namespace heft {
 
-/// Runs one job at a time. Starting another asks the one under way to stop, without waiting, and drops its result. All calls and all signals
-/// belong to the thread that owns the runner; only the work itself runs elsewhere, so it must own everything it reads.
+/// Runs one job at a time. Starting another asks the one under way to stop, without waiting, and drops its result. All
+/// calls and all signals belong to the thread that owns the runner; only the work itself runs elsewhere, so it must own
+/// everything it reads.
 class JobRunner : public QObject {
   Q_OBJECT
  public:
@@ -26,8 +27,8 @@ class JobRunner : public QObject {
   /// Stops the work under way and waits for it.
   ~JobRunner() override;
 
-  /// `work(progress)` returns Result<T>; `done(Result<T>)` is called on this thread, also when it was cancelled, but not
-  /// when a later job replaced it. An exception that escapes `work` becomes its error.
+  /// `work(progress)` returns Result<T>; `done(Result<T>)` is called on this thread, also when it was cancelled, but
+  /// not when a later job replaced it. An exception that escapes `work` becomes its error.
   template <class Work, class Done>
   void start(const QString& title, Work work, Done done) {
     using R = std::invoke_result_t<Work, const Progress&>;

@@ -27,6 +27,7 @@ HeaderBar::HeaderBar(QWidget* parent) : QWidget(parent) {
   row->addStretch(1);
   auto* segmented = new QFrame(this);
   segmented->setObjectName("segmented");
+  segmented->setFixedHeight(26);
   auto* segments = new QHBoxLayout(segmented);
   segments->setContentsMargins(1, 1, 1, 1);
   segments->setSpacing(0);
@@ -43,7 +44,7 @@ HeaderBar::HeaderBar(QWidget* parent) : QWidget(parent) {
   simple_->setObjectName("simpleButton");
   details_->setObjectName("detailsButton");
   simple_->setChecked(true);
-  row->addWidget(segmented);
+  row->addWidget(segmented, 0, Qt::AlignVCenter);
   connect(details_, &QPushButton::toggled, this, &HeaderBar::detailsWanted);
   // Outside the layout, so that it stands in the middle of the window and not of what is left.
   file_ = styledLabel({}, "fileName", this);

@@ -15,8 +15,8 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QUrl>
-#include <QVariant>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "core/base/json_file.h"
 #include "ui/controller/payload_file.h"
@@ -70,6 +70,9 @@ MainWindow::MainWindow(Workspace* workspace, bool remembers, QWidget* parent)
   across_->setChildrenCollapsible(false);
   down_ = new QSplitter(Qt::Vertical, across_);
   down_->setChildrenCollapsible(false);
+  // Wide enough to be caught; the sheet draws it as one line.
+  across_->setHandleWidth(5);
+  down_->setHandleWidth(5);
   view_ = new RobotView(down_);
   pane_ = new RecordingPane(&playback_, down_);
   pane_->hide();
@@ -112,7 +115,8 @@ MainWindow::MainWindow(Workspace* workspace, bool remembers, QWidget* parent)
         return pandaLook(findings, progress);
       },
       [this](Result<std::shared_ptr<const RobotLook>> look) {
-        if (look) view_->showRobot(std::shared_ptr<const RobotModel>(std::shared_ptr<void>(), &RobotModel::panda()), *look);
+        if (look)
+          view_->showRobot(std::shared_ptr<const RobotModel>(std::shared_ptr<void>(), &RobotModel::panda()), *look);
       });
 
   if (remembers_) {
@@ -134,7 +138,8 @@ void MainWindow::buildMenus() {
   QAction* save = file->addAction(tr("&Save the payload file …"), this, &MainWindow::savePayload);
   save->setShortcut(QKeySequence::Save);
   save->setEnabled(false);
-  connect(workspace_, &Workspace::reportChanged, save, [this, save] { save->setEnabled(workspace_->report() != nullptr); });
+  connect(workspace_, &Workspace::reportChanged, save,
+          [this, save] { save->setEnabled(workspace_->report() != nullptr); });
   file->addAction(tr("Save a &picture of the window …"), this, [this] { savePicture(picture(), tr("window")); });
   file->addSeparator();
   QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
@@ -232,14 +237,16 @@ void MainWindow::savePayload() {
   QStringList filters;
   for (const ExportFormat& format : exportFormats()) {
     filters << QStringLiteral("%1 (*%2)")
-                   .arg(QString::fromUtf8(format.title.data(), static_cast<int>(format.title.size())).remove('(').remove(')'),
+                   .arg(QString::fromUtf8(format.title.data(), static_cast<int>(format.title.size()))
+                            .remove('(')
+                            .remove(')'),
                         QString::fromUtf8(format.extension.data(), static_cast<int>(format.extension.size())));
   }
   QString chosen;
   const QFileInfo source(opened->path);
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the payload file"),
-                                                    source.absolutePath() + "/" + source.completeBaseName() + "-payload",
-                                                    filters.join(";;"), &chosen);
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Save the payload file"), source.absolutePath() + "/" + source.completeBaseName() + "-payload",
+      filters.join(";;"), &chosen);
   if (path.isEmpty()) return;
   const ExportFormat& format = exportFormats()[std::max(0, static_cast<int>(filters.indexOf(chosen)))];
   Findings findings;
@@ -251,7 +258,8 @@ void MainWindow::savePayload() {
     target += extension;
     // The dialog asked about the name without the extension; this one it has not seen.
     if (QFileInfo::exists(target)) {
-      return showFailure(tr("%1 exists already and was not replaced: choose it in the dialog to replace it.").arg(target));
+      return showFailure(
+          tr("%1 exists already and was not replaced: choose it in the dialog to replace it.").arg(target));
     }
   }
   const auto written = writeTextFile(target.toStdString(), *text);
@@ -265,8 +273,11 @@ void MainWindow::savePayload() {
 
 void MainWindow::savePicture(const QImage& image, const QString& what) {
   const auto opened = workspace_->opened();
-  const QString base = opened ? QFileInfo(opened->path).absolutePath() + "/" + QFileInfo(opened->path).completeBaseName() + "-" : QString();
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save a picture"), base + what + ".png", tr("Pictures (*.png)"));
+  const QString base =
+      opened ? QFileInfo(opened->path).absolutePath() + "/" + QFileInfo(opened->path).completeBaseName() + "-"
+             : QString();
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Save a picture"), base + what + ".png", tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
   if (image.save(path)) {
     message_->showMessage(Severity::info, tr("Saved %1.").arg(path));
@@ -311,14 +322,27 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   // Keys that reach the window were not wanted by the focused control; a focused button keeps its Space.
-  const double step = pane_->timeAxis()->poses() ? 1.0 : (event->modifiers() & Qt::ShiftModifier) ? 10 * kKeyStep : kKeyStep;
+  const double step = pane_->timeAxis()->poses()                 ? 1.0
+                      : (event->modifiers() & Qt::ShiftModifier) ? 10 * kKeyStep
+                                                                 : kKeyStep;
   switch (event->key()) {
-    case Qt::Key_Space: playback_.toggle(); return;
-    case Qt::Key_Left: playback_.setTime(playback_.time() - step); return;
-    case Qt::Key_Right: playback_.setTime(playback_.time() + step); return;
-    case Qt::Key_Home: playback_.setTime(playback_.lower()); return;
-    case Qt::Key_End: playback_.setTime(playback_.upper()); return;
-    default: QMainWindow::keyPressEvent(event);
+    case Qt::Key_Space:
+      playback_.toggle();
+      return;
+    case Qt::Key_Left:
+      playback_.setTime(playback_.time() - step);
+      return;
+    case Qt::Key_Right:
+      playback_.setTime(playback_.time() + step);
+      return;
+    case Qt::Key_Home:
+      playback_.setTime(playback_.lower());
+      return;
+    case Qt::Key_End:
+      playback_.setTime(playback_.upper());
+      return;
+    default:
+      QMainWindow::keyPressEvent(event);
   }
 }
 

@@ -7,8 +7,8 @@ namespace heft {
 /// 45.8, −0.5; never −0.0.
 QString numberText(double value, int decimals);
 
-/// Decimals that an uncertainty of this size (same unit) leaves meaningful: two digits of it if it begins with 1, else one.
-/// Never more than `most`.
+/// Decimals that an uncertainty of this size (same unit) leaves meaningful: two digits of it if it begins with 1, else
+/// one. Never more than `most`.
 int decimalsFor(double uncertainty, int most);
 
 /// "11.20 s", "pose 3".

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ui/models/numbers.h"
 
@@ -36,7 +37,7 @@ MassScale massScale(const EstimateReport& report, const std::optional<double>& s
   const Interval& interval = report.interval95.mass;
   const double half = 0.5 * (interval.upper - interval.lower);
   if (!std::isfinite(half)) return scale;
-  double reach = std::max(6.0 * half, 0.02 * std::abs(report.payload.mass));
+  double reach = std::max(8.0 * half, 0.002 * std::abs(report.payload.mass));
   if (stated) reach = std::max(reach, 1.3 * std::abs(*stated - report.payload.mass));
   reach = std::max(reach, 1e-4);
   // Ends on round numbers, so that the scale can be read.
@@ -75,10 +76,11 @@ QString answerText(Source mass, Source com, Source inertia) {
     const QString who = names.size() == 3 ? tr("%1, %2 and %3").arg(names[0], names[1], names[2])
                         : several         ? tr("%1 and %2").arg(names[0], names[1])
                                           : names[0];
-    clauses << (source == Source::data    ? (several ? tr("%1 are measured") : tr("%1 is measured"))
-                : source == Source::prior ? (several ? tr("%1 lean on what you stated") : tr("%1 leans on what you stated"))
-                                          : (several ? tr("%1 are not fully known from this motion")
-                                                     : tr("%1 is not fully known from this motion")))
+    clauses << (source == Source::data ? (several ? tr("%1 are measured") : tr("%1 is measured"))
+                : source == Source::prior
+                    ? (several ? tr("%1 lean on what you stated") : tr("%1 leans on what you stated"))
+                    : (several ? tr("%1 are not fully known from this motion")
+                               : tr("%1 is not fully known from this motion")))
                    .arg(who);
   }
   return capitalised(clauses.join(tr("; "))) + tr(".");
@@ -89,14 +91,14 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
   static constexpr const char* kNames[6] = {"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
   const auto& id = report.identifiability.inertia;
   std::vector<NumberText> rows;
-  const bool productsUnknown =
-      id[0][1] == Source::none && id[0][2] == Source::none && id[1][2] == Source::none;
+  const bool productsUnknown = id[0][1] == Source::none && id[0][2] == Source::none && id[1][2] == Source::none;
   for (int k = 0; k < (productsUnknown ? 3 : 6); ++k) {
     const auto [i, j] = std::pair(kIndex[k][0], kIndex[k][1]);
     rows.push_back(number(QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j),
                           report.interval95.inertiaCom[i][j], scale, 3, unit, id[i][j],
-                          i == j ? tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
-                                 : tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+                          i == j
+                              ? tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
+                              : tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
   }
   if (productsUnknown) {
     NumberText widest;
@@ -122,22 +124,30 @@ QString adviceText(const EstimateReport& report) {
 
 std::vector<DetailText> detailTexts(const EstimateReport& r) {
   std::vector<DetailText> rows;
-  const auto add = [&](const QString& name, const QString& value, const QString& tip) { rows.push_back({name, value, tip}); };
+  const auto add = [&](const QString& name, const QString& value, const QString& tip) {
+    rows.push_back({name, value, tip});
+  };
   const auto triple = [](const Vector3d& v, int decimals) {
-    return QStringLiteral("%1  %2  %3").arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
+    return QStringLiteral("%1  %2  %3")
+        .arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
   };
   add(tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
       r.termination.why.empty() ? tr("How the numbers were found") : QString::fromStdString(r.termination.why));
-  add(tr("Used"), tr("%1 of %2 s, %3 Hz").arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
+  add(tr("Used"),
+      tr("%1 of %2 s, %3 Hz").arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
       tr("Free parts without the ends that were trimmed"));
-  add(tr("Left over, force"), tr("%1 N").arg(numberText(r.forceRms, 3)), tr("Root mean square of the difference, free parts"));
-  add(tr("Left over, torque"), tr("%1 N m").arg(numberText(r.torqueRms, 4)), tr("Root mean square of the difference, free parts"));
+  add(tr("Left over, force"), tr("%1 N").arg(numberText(r.forceRms, 3)),
+      tr("Root mean square of the difference, free parts"));
+  add(tr("Left over, torque"), tr("%1 N m").arg(numberText(r.torqueRms, 4)),
+      tr("Root mean square of the difference, free parts"));
   if (r.heldoutForceRms > 0) {
-    add(tr("On unseen parts"), tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
+    add(tr("On unseen parts"),
+        tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
         tr("The same on parts that the estimate did not see"));
   }
   add(tr("Sensor zero, force"), tr("%1 N").arg(triple(r.forceBias, 2)), tr("Constant offset x, y, z of the sensor"));
-  add(tr("Sensor zero, torque"), tr("%1 N m").arg(triple(r.torqueBias, 3)), tr("Constant offset x, y, z of the sensor"));
+  add(tr("Sensor zero, torque"), tr("%1 N m").arg(triple(r.torqueBias, 3)),
+      tr("Constant offset x, y, z of the sensor"));
   if (r.identifiability.conditionNumber > 0) {
     add(tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
         tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
@@ -147,11 +157,13 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
     if (r.relativeError->hasMass) errors << tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
     if (r.relativeError->hasCom) errors << tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
     if (r.relativeError->hasInertia) errors << tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
-    if (!errors.isEmpty()) add(tr("Off what you stated"), errors.join(", "), tr("Relative error |estimate − stated| / |stated|"));
+    if (!errors.isEmpty())
+      add(tr("Off what you stated"), errors.join(", "), tr("Relative error |estimate − stated| / |stated|"));
   }
   add(tr("A real body could be so"), r.physicallyConsistent ? tr("yes") : tr("no"),
       tr("Positive mass and an inertia that some distribution of mass can have"));
-  add(tr("Time to compute"), tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)), tr("Preparing and solving"));
+  add(tr("Time to compute"), tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
+      tr("Preparing and solving"));
   return rows;
 }
 
@@ -159,9 +171,12 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
 
 QString sourceWord(Source source) {
   switch (source) {
-    case Source::data: return tr("measured");
-    case Source::prior: return tr("from your shape");
-    case Source::none: return tr("not known from this motion");
+    case Source::data:
+      return tr("measured");
+    case Source::prior:
+      return tr("from your shape");
+    case Source::none:
+      return tr("not known from this motion");
   }
   return {};
 }
@@ -188,7 +203,8 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
   double comAway = -1.0;
   if (stated.com) comAway = 1e3 * (report.payload.com - *stated.com).norm();
   for (int i = 0; i < 3; ++i) {
-    out.com.push_back(number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 2, tr("mm"), id.com[i],
+    out.com.push_back(number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, tr("mm"),
+                             id.com[i],
                              tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
     out.com.back().plusMinus += tr(" mm");
   }
@@ -205,18 +221,24 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
 
   const Source comSource = jointSource(out.com), inertiaSource = jointSource(out.inertia);
   const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
-  out.question = id.mass == Source::none
-                     ? tr("This motion does not tell the mass.")
-                     : tr("Your tool weighs %1 kg.").arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
+  out.question =
+      id.mass == Source::none
+          ? tr("This motion does not tell the mass.")
+          : tr("Your tool weighs %1 kg.").arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
   out.answer = answerText(id.mass, comSource, inertiaSource);
   out.advice = adviceText(report);
 
+  static const std::set<std::string> kDoubts{"misfit",       "contact_left_out",  "known_disagrees",
+                                             "not_physical", "solver_not_usable", "shape_contradicts_data"};
   for (const Finding& finding : report.findings) {
     // Already said as advice.
     if (finding.code == "weak_direction" && capitalised(QString::fromStdString(finding.text)) == out.advice) continue;
     out.findings.push_back({finding.severity, capitalised(QString::fromStdString(finding.text)),
-                            capitalised(QString::fromStdString(finding.remedy))});
+                            capitalised(QString::fromStdString(finding.remedy)),
+                            finding.severity != Severity::info && kDoubts.contains(finding.code)});
+    out.doubtful = out.doubtful || out.findings.back().doubt;
   }
+  if (out.doubtful) out.answer = tr("Check the warnings first: these numbers may be off by more than they say.");
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });

@@ -13,7 +13,7 @@ struct NumberText {
   QString value;      ///< "16.0"
   QString plusMinus;  ///< "± 1.3"
   Source source = Source::none;
-  QString tip;        ///< The interval in full and what the number means.
+  QString tip;  ///< The interval in full and what the number means.
 };
 
 /// A position on the mass card's scale, 0 to 1.
@@ -26,6 +26,7 @@ struct MassScale {
 struct FindingText {
   Severity severity = Severity::info;
   QString text, remedy;
+  bool doubt = false;  ///< Says that the numbers themselves may be wrong.
 };
 
 struct DetailText {
@@ -33,17 +34,18 @@ struct DetailText {
 };
 
 struct ResultText {
-  QString question;  ///< "Your tool weighs 0.81 kg."
-  QString answer;    ///< "Mass and centre are measured; inertia is not known from this motion."
+  QString question;       ///< "Your tool weighs 0.81 kg."
+  QString answer;         ///< "Mass and centre are measured; inertia is not known from this motion."
+  bool doubtful = false;  ///< A finding doubts the numbers: check before use.
   NumberText mass;
   MassScale massScale;
-  QString massNote;               ///< "you stated 0.815 kg, 0.4 % away"; may be empty
-  std::vector<NumberText> com;    ///< Three, in mm
+  QString massNote;             ///< "you stated 0.815 kg, 0.4 % away"; may be empty
+  std::vector<NumberText> com;  ///< Three, in mm
   QString comNote;
   std::vector<NumberText> inertia;  ///< In inertiaUnit; unknown products of inertia share one row.
   QString inertiaUnit;              ///< "kg cm²"
   QString inertiaNote;
-  QString advice;                   ///< What would make it better; may be empty.
+  QString advice;                     ///< What would make it better; may be empty.
   std::vector<FindingText> findings;  ///< Gravest first.
   std::vector<DetailText> details;
 };

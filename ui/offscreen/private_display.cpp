@@ -68,8 +68,8 @@ Result<std::unique_ptr<PrivateDisplay>> PrivateDisplay::start(int width, int hei
     }
     // Own group: Ctrl+C in the terminal must not take the server away before the program.
     setpgid(0, 0);
-    execlp("Xvfb", "Xvfb", "-displayfd", displayFd.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp", "-noreset",
-           "+extension", "GLX", static_cast<char*>(nullptr));
+    execlp("Xvfb", "Xvfb", "-displayfd", displayFd.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp",
+           "-noreset", "+extension", "GLX", static_cast<char*>(nullptr));
     const int reason = errno;
     [[maybe_unused]] const ssize_t written = write(errorPipe[1], &reason, sizeof reason);
     _exit(127);
@@ -84,7 +84,8 @@ Result<std::unique_ptr<PrivateDisplay>> PrivateDisplay::start(int width, int hei
   if (failed || number.empty()) {
     stop(pid);
     if (reason == ENOENT) {
-      return Error{"Pictures without a screen need the program Xvfb, which is not installed: install the package xvfb."};
+      return Error{
+          "Pictures without a screen need the program Xvfb, which is not installed: install the package xvfb."};
     }
     return Error{failed ? fmt::format("Xvfb could not be started: {}.", std::strerror(reason))
                         : std::string("Xvfb was started but gave no display: run 'Xvfb :99' by hand to see why.")};
@@ -102,7 +103,8 @@ PrivateDisplay::~PrivateDisplay() { stop(pid_); }
 Result<bool> displayAnswers() {
   const char* display = std::getenv("DISPLAY");
   if (display == nullptr || *display == '\0') {
-    return Error{"There is no screen to open a window on (DISPLAY is not set): use --offscreen FILE -o PICTURE.png instead."};
+    return Error{
+        "There is no screen to open a window on (DISPLAY is not set): use --offscreen FILE -o PICTURE.png instead."};
   }
   // Qt ends the process where no X server answers, so ask before Qt does. libxcb is there whenever Qt's xcb plugin is.
   void* library = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
@@ -121,9 +123,10 @@ Result<bool> displayAnswers() {
   }
   dlclose(library);
   if (answers) return true;
-  return Error{fmt::format("The screen {} does not answer: start the program from a desktop session, or use --offscreen FILE "
-                           "-o PICTURE.png.",
-                           display)};
+  return Error{
+      fmt::format("The screen {} does not answer: start the program from a desktop session, or use --offscreen FILE "
+                  "-o PICTURE.png.",
+                  display)};
 }
 
 }  // namespace heft

@@ -19,8 +19,10 @@
 namespace heft {
 namespace {
 
-Light lightOf(Source source) {
-  return source == Source::data ? Light::measured : source == Source::prior ? Light::partly : Light::unknown;
+Light lightOf(Source source, bool doubtful) {
+  return source == Source::data    ? (doubtful ? Light::look : Light::measured)
+         : source == Source::prior ? Light::partly
+                                   : Light::unknown;
 }
 
 Light lightOf(Severity severity) {
@@ -28,13 +30,17 @@ Light lightOf(Severity severity) {
 }
 
 /// A light for several numbers: partly known if only some of them are.
-Light jointLight(const std::vector<NumberText>& numbers) {
+Light jointLight(const std::vector<NumberText>& numbers, bool doubtful) {
   bool any = false, all = true;
   for (const NumberText& n : numbers) {
     any = any || n.source != Source::none;
     all = all && n.source == Source::data;
   }
-  return all ? Light::measured : any ? Light::partly : Light::unknown;
+  return all ? (doubtful ? Light::look : Light::measured) : any ? Light::partly : Light::unknown;
+}
+
+QString tagText(Source source, bool doubtful) {
+  return doubtful && source == Source::data ? ResultPanel::tr("measured, check first") : sourceWord(source);
 }
 
 QLabel* wrapped(const QString& text, const char* style, QWidget* parent) {
@@ -42,6 +48,28 @@ QLabel* wrapped(const QString& text, const char* style, QWidget* parent) {
   label->setWordWrap(true);
   return label;
 }
+
+/// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for.
+class PanelContent : public QWidget {
+ public:
+  PanelContent() { setObjectName("panelContent"); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    fitHeight();
+  }
+  bool event(QEvent* event) override {
+    const bool handled = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) fitHeight();
+    return handled;
+  }
+
+ private:
+  void fitHeight() {
+    if (layout() && width() > 0) setMinimumHeight(layout()->totalHeightForWidth(width()));
+  }
+};
 
 /// "● x  1.4 ± 0.6 mm" with the axis colour as a dot.
 class AxisDot : public QLabel {
@@ -91,8 +119,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
 }
 
 QVBoxLayout* ResultPanel::restart(const QString& question, const QString& answer) {
-  auto* content = new QWidget;
-  content->setObjectName("panelContent");
+  auto* content = new PanelContent;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(20, 18, 20, 16);
   column->setSpacing(10);
@@ -113,9 +140,10 @@ void ResultPanel::setMainButton(const QString& text, void (ResultPanel::*signal)
 
 void ResultPanel::showWelcome(const QStringList& recentFiles) {
   again_ = [this, recentFiles] { showWelcome(recentFiles); };
-  auto* column = restart(tr("What does your tool weigh?"),
-                         tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and inertia, "
-                            "and tells how sure each number is."));
+  auto* column =
+      restart(tr("What does your tool weigh?"),
+              tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and inertia, "
+                 "and tells how sure each number is."));
   QWidget* content = scroll_->widget();
   const Card card = makeCard("card", content);
   card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
@@ -158,14 +186,14 @@ void ResultPanel::showResult(const ResultText& result) {
   QWidget* content = scroll_->widget();
 
   // What calls for a decision comes before the numbers it concerns.
-  std::vector<FindingText> urgent, calm;
+  std::vector<FindingText> first, later, calm;
   for (const FindingText& finding : result.findings) {
-    (finding.severity == Severity::info ? calm : urgent).push_back(finding);
+    (finding.severity == Severity::error || finding.doubt ? first
+     : finding.severity == Severity::warning              ? later
+                                                          : calm)
+        .push_back(finding);
   }
-  if (!urgent.empty() && urgent.front().severity == Severity::error) {
-    addFindings(column, urgent);
-    urgent.clear();
-  }
+  if (!first.empty()) addFindings(column, first);
   addMass(column, result);
   addCentre(column, result);
   addInertia(column, result);
@@ -178,14 +206,14 @@ void ResultPanel::showResult(const ResultText& result) {
     card.layout->addLayout(row);
     column->addWidget(card.frame);
   }
-  if (!urgent.empty()) addFindings(column, urgent);
+  if (!later.empty()) addFindings(column, later);
   if (details_) {
     addDetails(column, result.details);
     if (!calm.empty()) addFindings(column, calm);
   } else if (!calm.empty()) {
-    column->addWidget(wrapped(calm.size() == 1 ? tr("One more note under Details.")
-                                               : tr("%1 more notes under Details.").arg(calm.size()),
-                              "caption", content));
+    column->addWidget(wrapped(
+        calm.size() == 1 ? tr("One more note under Details.") : tr("%1 more notes under Details.").arg(calm.size()),
+        "caption", content));
   }
   column->addStretch(1);
   setMainButton(tr("Save the payload file …"), &ResultPanel::saveWanted);
@@ -197,7 +225,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.frame->setToolTip(result.mass.tip);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(lightOf(result.mass.source), 22, content));
+  row->addWidget(new LightIcon(lightOf(result.mass.source, result.doubtful), 22, content));
   row->addWidget(styledLabel(tr("Mass"), "cardTitle", content));
   row->addStretch(1);
   QLabel* value = styledLabel(result.mass.value, "bigNumber", content);
@@ -207,9 +235,11 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.layout->addLayout(row);
   card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
   auto* foot = new QHBoxLayout;
-  foot->addWidget(makeTag(sourceWord(result.mass.source), lightOf(result.mass.source), content));
+  foot->addWidget(
+      makeTag(tagText(result.mass.source, result.doubtful), lightOf(result.mass.source, result.doubtful), content));
   foot->addStretch(1);
-  if (!result.massNote.isEmpty()) foot->addWidget(styledLabel(QStringLiteral("| ") + result.massNote, "caption", content));
+  if (!result.massNote.isEmpty())
+    foot->addWidget(styledLabel(QStringLiteral("| ") + result.massNote, "caption", content));
   card.layout->addLayout(foot);
   column->addWidget(card.frame);
 }
@@ -219,12 +249,13 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   const Card card = makeCard("card", content);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(jointLight(result.com), 22, content));
+  row->addWidget(new LightIcon(jointLight(result.com, result.doubtful), 22, content));
   row->addWidget(styledLabel(tr("Centre of mass"), "cardTitle", content));
   row->addStretch(1);
   const Source joint = jointSource(result.com);
-  const bool same = std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
-  if (same) row->addWidget(makeTag(sourceWord(joint), lightOf(joint), content));
+  const bool same =
+      std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
+  if (same) row->addWidget(makeTag(tagText(joint, result.doubtful), lightOf(joint, result.doubtful), content));
   card.layout->addLayout(row);
 
   auto* numbers = new QHBoxLayout;
@@ -246,14 +277,15 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   if (!same) {
     auto* tags = new QHBoxLayout;
     for (const NumberText& n : result.com) {
-      tags->addWidget(makeTag(n.name + QStringLiteral(": ") + (n.source == Source::none ? tr("not known") : sourceWord(n.source)),
-                              lightOf(n.source), content));
+      tags->addWidget(
+          makeTag(n.name + QStringLiteral(": ") + (n.source == Source::none ? tr("not known") : sourceWord(n.source)),
+                  lightOf(n.source, result.doubtful), content));
     }
     tags->addStretch(1);
     card.layout->addLayout(tags);
   }
-  card.layout->addWidget(wrapped(result.comNote.isEmpty() ? tr("From the sensor’s origin, along its axes.") : result.comNote,
-                                 "caption", content));
+  card.layout->addWidget(wrapped(
+      result.comNote.isEmpty() ? tr("From the sensor’s origin, along its axes.") : result.comNote, "caption", content));
   column->addWidget(card.frame);
 }
 
@@ -263,7 +295,7 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
   card.layout->setSpacing(0);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(jointLight(result.inertia), 22, content));
+  row->addWidget(new LightIcon(jointLight(result.inertia, result.doubtful), 22, content));
   row->addWidget(styledLabel(tr("Inertia"), "cardTitle", content));
   row->addStretch(1);
   row->addWidget(styledLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content));
@@ -278,11 +310,11 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
     auto* lineRow = new QHBoxLayout(line);
     lineRow->setContentsMargins(0, 0, 0, 0);
     lineRow->setSpacing(8);
-    lineRow->addWidget(new LightIcon(lightOf(n.source), 18, line));
+    lineRow->addWidget(new LightIcon(lightOf(n.source, result.doubtful), 18, line));
     QLabel* name = styledLabel(n.name, "rowName", line);
     name->setMinimumWidth(40);
     lineRow->addWidget(name);
-    lineRow->addWidget(makeTag(sourceWord(n.source), lightOf(n.source), line));
+    lineRow->addWidget(makeTag(tagText(n.source, result.doubtful), lightOf(n.source, result.doubtful), line));
     lineRow->addStretch(1);
     QLabel* value = styledLabel(n.value, "smallNumber", line);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -304,7 +336,10 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
 void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText>& findings) {
   QWidget* content = scroll_->widget();
   const bool grave = findings.front().severity == Severity::error;
-  const Card card = makeCard(grave ? "cardBad" : findings.front().severity == Severity::warning ? "cardLook" : "card", content);
+  const Card card = makeCard(grave                                            ? "cardBad"
+                             : findings.front().severity == Severity::warning ? "cardLook"
+                                                                              : "card",
+                             content);
   card.frame->setProperty("role", "findings");
   for (const FindingText& finding : findings) {
     auto* row = new QHBoxLayout;

@@ -1,8 +1,8 @@
 #include "ui/robot_view/graphics_setup.h"
 
-#include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkObject.h>
+#include <QSurfaceFormat>
 
 namespace heft {
 

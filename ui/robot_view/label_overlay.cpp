@@ -18,7 +18,8 @@ LabelOverlay::LabelOverlay(QWidget* parent) : QWidget(parent) {
 
 void LabelOverlay::setLabels(std::vector<ViewLabel> labels) {
   labels_ = std::move(labels);
-  std::sort(labels_.begin(), labels_.end(), [](const ViewLabel& a, const ViewLabel& b) { return a.anchor.y() < b.anchor.y(); });
+  std::sort(labels_.begin(), labels_.end(),
+            [](const ViewLabel& a, const ViewLabel& b) { return a.anchor.y() < b.anchor.y(); });
   update();
 }
 
@@ -76,7 +77,8 @@ void LabelOverlay::paintEvent(QPaintEvent*) {
     const QRectF inner = places[i].adjusted(kPadding, kPadding / 2, -kPadding, -kPadding / 2);
     painter.setFont(uiFont(type::kCaption, QFont::DemiBold));
     painter.setPen(t.text);
-    painter.drawText(inner, Qt::AlignLeft | (labels_[i].note.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop), labels_[i].title);
+    painter.drawText(inner, Qt::AlignLeft | (labels_[i].note.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop),
+                     labels_[i].title);
     if (labels_[i].note.isEmpty()) continue;
     painter.setFont(uiFont(type::kCaption));
     painter.setPen(t.text2);

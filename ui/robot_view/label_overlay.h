@@ -11,7 +11,7 @@ namespace heft {
 struct ViewLabel {
   QPointF anchor;  ///< In widget pixels
   QString title;
-  QString note;    ///< Second line; may be empty
+  QString note;  ///< Second line; may be empty
 };
 
 class LabelOverlay : public QWidget {

@@ -33,10 +33,28 @@ void OrbitCamera::pan(double dx, double dy, int viewportHeight) {
 
 void OrbitCamera::dolly(double factor) { distance = std::clamp(distance * factor, 0.15, 12.0); }
 
-void OrbitCamera::fit(const Vector3d& centre, double radius, double aspect) {
-  target = centre;
-  const double half = std::min(viewAngle / 2.0, std::atan(std::tan(viewAngle / 2.0) * std::max(0.1, aspect)));
-  distance = std::clamp(radius / std::sin(half), 0.15, 12.0);
+void OrbitCamera::fit(const std::vector<Vector3d>& points, double aspect, double margin, double marginRight) {
+  if (points.empty()) return;
+  const Vector3d r = right(), u = pictureUp(), toEye = (position() - target).normalized();
+  const double tanUp = std::tan(viewAngle / 2.0), tanRight = tanUp * std::max(0.1, aspect);
+  // In the picture's coordinates (-1 to 1) the points may fill this window.
+  const double left = -1 + 2 * margin, wide = 1 - 2 * marginRight, low = -1 + 2 * margin, high = 1 - 2 * margin;
+  target = Vector3d::Zero();
+  for (const Vector3d& p : points) target += p / static_cast<double>(points.size());
+  // The picture of a point depends on the distance, which depends on the points: a few rounds settle it.
+  for (int round = 0; round < 12; ++round) {
+    double x0 = 1e9, x1 = -1e9, y0 = 1e9, y1 = -1e9;
+    for (const Vector3d& p : points) {
+      const Vector3d d = p - target;
+      const double depth = std::max(0.05, distance - d.dot(toEye));
+      const double x = d.dot(r) / (depth * tanRight), y = d.dot(u) / (depth * tanUp);
+      x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+    }
+    const double scale = std::max({(x1 - x0) / (wide - left), (y1 - y0) / (high - low), 1e-3});
+    target += distance * (tanRight * ((x0 + x1) / 2 - (left + wide) / 2 * scale) * r +
+                          tanUp * ((y0 + y1) / 2 - (low + high) / 2 * scale) * u);
+    distance = std::clamp(distance * scale, 0.15, 12.0);
+  }
 }
 
 }  // namespace heft

@@ -1,5 +1,7 @@
 #pragma once
 // A camera that circles a point with the vertical kept upright: azimuth, elevation, distance.
+#include <vector>
+
 #include "core/math/rigid.h"
 
 namespace heft {
@@ -22,8 +24,9 @@ struct OrbitCamera {
   void pan(double dx, double dy, int viewportHeight);
   /// Factor below 1 comes nearer.
   void dolly(double factor);
-  /// Moves so that a ball of `radius` [m] about `centre` just fits a viewport of this aspect (width / height).
-  void fit(const Vector3d& centre, double radius, double aspect);
+  /// Keeps its direction and moves so that all points fit a viewport of this aspect (width / height) with `margin`
+  /// (share of the picture) free on every side, and `marginRight` at the right.
+  void fit(const std::vector<Vector3d>& points, double aspect, double margin, double marginRight);
 };
 
 }  // namespace heft

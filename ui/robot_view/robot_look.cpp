@@ -25,7 +25,8 @@ RobotLook loadLook(const RobotModel& robot, Findings& findings, const Progress& 
                                 "The numbers do not depend on it",
                                 {}});
           }
-          found = loaded.emplace(visual.file, mesh ? std::make_shared<const Mesh>(std::move(mesh).value()) : nullptr).first;
+          found =
+              loaded.emplace(visual.file, mesh ? std::make_shared<const Mesh>(std::move(mesh).value()) : nullptr).first;
         }
         if (!found->second) continue;
         part.mesh = found->second;

@@ -28,6 +28,31 @@ MarkLabel labelAt(const std::vector<Segment>& segments, double time) {
   return MarkLabel::free;
 }
 
+/// Links that the mount's parent carries, the sensor itself excepted: they move with the tool and are drawn as it.
+std::vector<bool> linksBeyond(const RobotModel& robot, const std::string& mountLink) {
+  std::vector<bool> beyond(robot.links().size(), false);
+  const auto mount = robot.findLink(mountLink);
+  if (!mount) return beyond;
+  // Parents come before children, but not in every URDF: repeat until nothing is added.
+  for (bool added = true; added;) {
+    added = false;
+    for (const Joint& joint : robot.joints()) {
+      if (beyond[joint.childLink] || !(joint.parentLink == *mount || beyond[joint.parentLink])) continue;
+      if (robot.links()[joint.childLink].name.find("sensor") != std::string::npos) continue;
+      beyond[joint.childLink] = true;
+      added = true;
+    }
+  }
+  return beyond;
+}
+
+/// Whether the robot's own shape has a sensor in it, which then need not be drawn a second time.
+bool showsSensor(const RobotModel& robot, const RobotLook& look) {
+  return std::any_of(look.parts.begin(), look.parts.end(), [&](const LookPart& part) {
+    return robot.links()[part.link].name.find("sensor") != std::string::npos;
+  });
+}
+
 /// Thickness of the sensor's body [m]: what the mount leaves between its parent and S, kept in a plausible range.
 double sensorBodyLength(const SensorMount& mount) { return std::clamp(mount.xyz.norm(), 0.012, 0.045); }
 
@@ -42,11 +67,14 @@ PayloadLook payloadLook(const EstimateReport& report) {
   if (!std::isfinite(largest) || largest <= 0) {
     look.region.setZero();
   } else {
-    look.region = look.region.cwiseMax(0.12 * largest);
-    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+    // Flatter than this it would be drawn as a disc without a body.
+    look.region = look.region.cwiseMax(0.08 * largest);
+    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
       look.enlargement = factor;
-      if (2.0 * factor * largest > 0.032) break;
+      if (2.0 * factor * largest > 0.036) break;
     }
+    // A region so small that even enlarged the ball would hide it is said, not drawn.
+    if (look.enlargement * largest < 0.015) look.region.setZero();
   }
   bool inertiaKnown = report.physicallyConsistent && report.payload.mass > 0;
   for (int i = 0; i < 3; ++i) inertiaKnown = inertiaKnown && report.identifiability.inertia[i][i] != Source::none;
@@ -81,10 +109,7 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   note_->move(16, 14);
   note_->hide();
   buildTools();
-  connect(viewport_, &Viewport::aboutToRender, this, [this](bool smooth) {
-    scene_->setSmooth(smooth);
-    scene_->applyCamera(viewport_->camera(), viewport_->aspect());
-  });
+  connect(viewport_, &Viewport::aboutToRender, this, [this] { scene_->applyCamera(viewport_->camera()); });
   connect(viewport_, &Viewport::rendered, this, &RobotView::updateLabels);
   connect(viewport_, &Viewport::cameraMoved, this, [this] { cameraTouched_ = true; });
   usePreset(Preset::overview);
@@ -109,7 +134,8 @@ void RobotView::buildTools() {
   auto* views = new IconButton("view", tr("Look from another side"), tools_);
   views->setPopupMode(QToolButton::InstantPopup);
   auto* viewMenu = new QMenu(views);
-  const std::pair<QString, Preset> presets[] = {{tr("Front"), Preset::front}, {tr("Side"), Preset::side}, {tr("Top"), Preset::top}};
+  const std::pair<QString, Preset> presets[] = {
+      {tr("Front"), Preset::front}, {tr("Side"), Preset::side}, {tr("Top"), Preset::top}};
   for (const auto& [text, preset] : presets) {
     viewMenu->addAction(text, this, [this, p = preset] { usePreset(p); });
   }
@@ -163,8 +189,10 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   track_ = std::make_unique<SceneTrack>(recording_, robot_);
   scene_->setPayload(std::nullopt);
   scene_->setWrench(std::nullopt, 1, 1);
-  scene_->setRobot(robot_ ? std::move(look) : nullptr);
-  scene_->setSensor(sensorBodyLength(recording_->meta.mount));
+  const bool ownSensor = robot_ && look && showsSensor(*robot_, *look);
+  scene_->setRobot(robot_ ? std::move(look) : nullptr,
+                   robot_ ? linksBeyond(*robot_, recording_->meta.mount.parent) : std::vector<bool>{});
+  scene_->setSensor(sensorBodyLength(recording_->meta.mount), !ownSensor);
   scene_->setGravityDirection(recording_->meta.gravity);
   time_ = recording_->meta.kind == RecordingKind::poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
   rebuildPath();
@@ -186,6 +214,8 @@ void RobotView::showReport(std::shared_ptr<const EstimateReport> report) {
     enlargement_.reset();
   }
   updateInstant();
+  // The labels that come with an estimate need room at the right.
+  if (!cameraTouched_) usePreset(preset_);
 }
 
 void RobotView::showTime(double time) {
@@ -230,7 +260,6 @@ void RobotView::usePreset(Preset preset) {
   preset_ = preset;
   cameraTouched_ = false;
   OrbitCamera& camera = viewport_->camera();
-  auto [centre, radius] = preset == Preset::tool ? scene_->toolBounds() : scene_->bounds();
   switch (preset) {
     case Preset::overview:
       camera.azimuth = -0.95;
@@ -248,9 +277,13 @@ void RobotView::usePreset(Preset preset) {
       camera.azimuth = -kPi / 2;
       camera.elevation = kPi / 2 - 0.01;
       break;
-    case Preset::tool: camera.elevation = std::clamp(camera.elevation, 0.0, 0.35); break;
+    case Preset::tool:
+      camera.elevation = std::clamp(camera.elevation, 0.0, 0.35);
+      break;
   }
-  camera.fit(centre, radius, viewport_->aspect());
+  // Labels stand at the right, so the picture keeps that side free where something is labelled.
+  camera.fit(preset == Preset::tool ? scene_->toolOutline() : scene_->outline(), viewport_->aspect(), 0.05,
+             report_ ? 0.2 : 0.08);
   viewport_->requestFrame();
 }
 
@@ -270,8 +303,9 @@ void RobotView::updateLabels() {
   if (labelsShown_) {
     add(anchors.wrench, tr("force and torque"));
     add(anchors.centre, tr("Centre of mass"),
-        enlargement_ ? (*enlargement_ > 1 ? tr("95 % region, drawn %1× larger").arg(numberText(*enlargement_, 0)) : tr("95 % region"))
-                     : QString());
+        enlargement_ ? (*enlargement_ > 1 ? tr("95 % region, drawn %1× larger").arg(numberText(*enlargement_, 0))
+                                          : tr("95 % region"))
+                     : tr("known to better than 0.2 mm"));
     add(anchors.box, tr("equal-inertia box"));
     add(anchors.gravity, tr("gravity"));
   }

@@ -24,9 +24,9 @@ namespace heft {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kFullArrow = 0.22;   ///< [m]
-constexpr double kGravityArrow = 0.2; ///< [m]
-constexpr double kAxisLength = 0.13;  ///< [m]
+constexpr double kFullArrow = 0.22;    ///< [m]
+constexpr double kGravityArrow = 0.2;  ///< [m]
+constexpr double kAxisLength = 0.13;   ///< [m]
 constexpr double kSensorRadius = 0.0375;
 constexpr double kBallRadius = 0.013;
 
@@ -70,15 +70,16 @@ void makeShell(vtkActor* actor, const Eigen::Vector4f& rgba) {
   property->SetInterpolationToPhong();
   property->SetColor(rgba.x(), rgba.y(), rgba.z());
   property->SetOpacity(rgba.w() > 0 ? rgba.w() : 1.0);
-  property->SetAmbient(brightness > 0.5f ? 0.16 : 0.10);
-  property->SetDiffuse(0.86);
+  property->SetAmbient(brightness > 0.5f ? 0.24 : 0.10);
+  property->SetDiffuse(0.92);
   property->SetSpecular(brightness > 0.5f ? 0.22 : 0.28);
   property->SetSpecularPower(brightness > 0.5f ? 36 : 18);
 }
 
 vtkSmartPointer<vtkPolyData> meshOf(const Visual& visual) {
   switch (visual.kind) {
-    case Visual::Kind::box: return makeBox(visual.size);
+    case Visual::Kind::box:
+      return makeBox(visual.size);
     case Visual::Kind::sphere: {
       auto source = vtkSmartPointer<vtkSphereSource>::New();
       source->SetRadius(visual.size.x());
@@ -87,8 +88,10 @@ vtkSmartPointer<vtkPolyData> meshOf(const Visual& visual) {
       source->Update();
       return source->GetOutput();
     }
-    case Visual::Kind::cylinder: return makePuck(visual.size.x(), -visual.size.y() / 2, visual.size.y() / 2);
-    case Visual::Kind::mesh: break;
+    case Visual::Kind::cylinder:
+      return makePuck(visual.size.x(), -visual.size.y() / 2, visual.size.y() / 2);
+    case Visual::Kind::mesh:
+      break;
   }
   return vtkSmartPointer<vtkPolyData>::New();
 }
@@ -104,6 +107,7 @@ struct Scene3d::Impl {
     Eigen::Matrix4d X_LV;  ///< With the mesh's scale.
     Piece piece;
     std::vector<Vector3d> shadowPoints;  ///< Some of its surface, in the link's frame.
+    bool ghost = false;                  ///< Beyond the sensor: drawn as the translucent tool.
   };
   std::vector<LinkPiece> linkPieces;
   std::vector<Isometry3d> X_BL;
@@ -141,7 +145,19 @@ struct Scene3d::Impl {
     box.actor->GetProperty()->LightingOff();
     box.actor->GetProperty()->SetLineWidth(1.6F);
     path.mapper->SetColorModeToDirectScalars();
+    path.actor->GetProperty()->SetAmbient(0.6);
+    path.actor->GetProperty()->SetDiffuse(0.5);
     for (int a = 0; a < 3; ++a) axes[a].setMesh(makeArrow(Vector3d::Zero(), kAxisLength * Vector3d::Unit(a), 0.0022));
+  }
+
+  void makeGhost(vtkActor* actor) {
+    setColour(actor, theme().tool);
+    actor->GetProperty()->SetOpacity(0.26);
+    actor->GetProperty()->SetAmbient(0.35);
+    actor->GetProperty()->SetSpecular(0.1);
+    // Only the near side: seen through both sides at once the shape would be a tangle.
+    actor->GetProperty()->BackfaceCullingOn();
+    actor->ForceTranslucentOn();
   }
 
   void show(Piece& piece, bool shown) { piece.actor->SetVisibility(shown); }
@@ -224,7 +240,8 @@ struct Scene3d::Impl {
     }
     if (sensorShown) {
       for (int i = 0; i < 24; ++i) {
-        shadow.add(X_BS * Vector3d(kSensorRadius * std::cos(i * kPi / 12), kSensorRadius * std::sin(i * kPi / 12), -0.02));
+        shadow.add(X_BS *
+                   Vector3d(kSensorRadius * std::cos(i * kPi / 12), kSensorRadius * std::sin(i * kPi / 12), -0.02));
       }
     }
     stage.setShadow(shadow.finish());
@@ -237,7 +254,9 @@ struct Scene3d::Impl {
     // On the light floor the pale mark colours need to be deeper to be seen as a line.
     const QColor free = t.dark ? t.markFree.lighter(135) : QColor("#4B9FD0");
     for (const PathSample& sample : samples) {
-      const QColor c = sample.label == MarkLabel::free ? free : sample.label == MarkLabel::contact ? t.markContact : t.text3;
+      const QColor c = sample.label == MarkLabel::free      ? free
+                       : sample.label == MarkLabel::contact ? t.markContact
+                                                            : t.text3;
       way.push_back(sample.point);
       colours.push_back({static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
                          static_cast<unsigned char>(c.blue())});
@@ -261,11 +280,14 @@ void Scene3d::restyle() {
   setColour(s.torque.actor, t.wrench);
   setColour(s.gravity.actor, t.gravity);
   for (int a = 0; a < 3; ++a) setColour(s.axes[a].actor, t.axis[a]);
+  for (auto& piece : s.linkPieces) {
+    if (piece.ghost) s.makeGhost(piece.piece.actor);
+  }
   s.rebuildPath();
   s.updateShadow();
 }
 
-void Scene3d::setRobot(std::shared_ptr<const RobotLook> look) {
+void Scene3d::setRobot(std::shared_ptr<const RobotLook> look, const std::vector<bool>& ghostLinks) {
   Impl& s = *impl_;
   for (auto& piece : s.linkPieces) s.renderer->RemoveActor(piece.piece.actor);
   s.linkPieces.clear();
@@ -277,9 +299,10 @@ void Scene3d::setRobot(std::shared_ptr<const RobotLook> look) {
         Eigen::Matrix4d scaled = X_LV;
         for (int a = 0; a < 3; ++a) scaled.col(a) *= part.visual.size(a);
         for (const MeshPart& meshPart : part.mesh->parts) {
-          Impl::LinkPiece piece{part.link, scaled, {}, {}};
+          Impl::LinkPiece piece{part.link, scaled, {}, {}, false};
           piece.piece.setMesh(toPolyData(meshPart));
-          const Eigen::Vector4f rgba = part.visual.hasColour ? Eigen::Vector4f(part.visual.rgba.cast<float>()) : meshPart.rgba;
+          const Eigen::Vector4f rgba =
+              part.visual.hasColour ? Eigen::Vector4f(part.visual.rgba.cast<float>()) : meshPart.rgba;
           makeShell(piece.piece.actor, rgba);
           const std::size_t stride = std::max<std::size_t>(1, meshPart.vertices.size() / 500);
           for (std::size_t v = 0; v < meshPart.vertices.size(); v += stride) {
@@ -288,7 +311,7 @@ void Scene3d::setRobot(std::shared_ptr<const RobotLook> look) {
           s.linkPieces.push_back(std::move(piece));
         }
       } else {
-        Impl::LinkPiece piece{part.link, X_LV, {}, {}};
+        Impl::LinkPiece piece{part.link, X_LV, {}, {}, false};
         auto mesh = meshOf(part.visual);
         piece.piece.setMesh(mesh);
         makeShell(piece.piece.actor, part.visual.rgba.cast<float>());
@@ -301,7 +324,11 @@ void Scene3d::setRobot(std::shared_ptr<const RobotLook> look) {
       }
     }
   }
-  for (auto& piece : s.linkPieces) s.renderer->AddActor(piece.piece.actor);
+  for (auto& piece : s.linkPieces) {
+    piece.ghost = piece.link < static_cast<int>(ghostLinks.size()) && ghostLinks[piece.link];
+    if (piece.ghost) s.makeGhost(piece.piece.actor);
+    s.renderer->AddActor(piece.piece.actor);
+  }
   s.updateShadow();
 }
 
@@ -314,11 +341,11 @@ void Scene3d::setLinkPoses(const std::vector<Isometry3d>& X_BL) {
   s.updateShadow();
 }
 
-void Scene3d::setSensor(double bodyLength) {
+void Scene3d::setSensor(double bodyLength, bool body) {
   Impl& s = *impl_;
-  s.sensorShown = bodyLength > 0;
-  s.sensorLength = bodyLength;
-  if (bodyLength > 0) s.sensorBody.setMesh(makePuck(kSensorRadius, -bodyLength, 0));
+  s.sensorShown = true;
+  s.sensorLength = body ? bodyLength : 0.0;
+  if (body) s.sensorBody.setMesh(makePuck(kSensorRadius, -bodyLength, 0));
   s.updateSensor();
   s.updateVisibility();
 }
@@ -364,7 +391,7 @@ void Scene3d::setParts(const SceneParts& parts) {
   impl_->updateVisibility();
 }
 
-void Scene3d::applyCamera(const OrbitCamera& camera, double) {
+void Scene3d::applyCamera(const OrbitCamera& camera) {
   vtkCamera* c = impl_->renderer->GetActiveCamera();
   const Vector3d position = camera.position(), up = camera.up();
   c->SetPosition(position.x(), position.y(), position.z());
@@ -374,28 +401,35 @@ void Scene3d::applyCamera(const OrbitCamera& camera, double) {
   impl_->renderer->ResetCameraClippingRange();
 }
 
-void Scene3d::setSmooth(bool smooth) { impl_->renderer->SetUseFXAA(smooth); }
-
-std::pair<Vector3d, double> Scene3d::bounds() const {
+std::vector<Vector3d> Scene3d::outline() const {
   const Impl& s = *impl_;
-  Eigen::AlignedBox3d box;
+  std::vector<Vector3d> points;
   for (const auto& piece : s.linkPieces) {
     if (piece.link >= static_cast<int>(s.X_BL.size())) continue;
-    for (const Vector3d& p : piece.shadowPoints) box.extend(s.X_BL[piece.link] * p);
+    for (std::size_t i = 0; i < piece.shadowPoints.size(); i += 4) {
+      points.push_back(s.X_BL[piece.link] * piece.shadowPoints[i]);
+    }
   }
-  for (const PathSample& sample : s.samples) box.extend(sample.point);
+  for (const PathSample& sample : s.samples) points.push_back(sample.point);
   if (s.sensorShown) {
-    box.extend(Vector3d(s.X_BS.translation() + Vector3d::Constant(0.08)));
-    box.extend(Vector3d(s.X_BS.translation() - Vector3d::Constant(0.08)));
+    const Vector3d at = s.X_BS.translation();
+    // Room for the arrows up and down, of which the way of the sensor says nothing.
+    for (const double z : {-kGravityArrow, kFullArrow}) points.push_back(at + Vector3d(0, 0, z));
+    for (int a = 0; a < 3; ++a) points.push_back(s.X_BS * Vector3d(kAxisLength * Vector3d::Unit(a)));
   }
-  if (box.isEmpty()) return {Vector3d(0, 0, 0.4), 0.7};
-  return {box.center(), std::max(0.15, 0.5 * box.diagonal().norm())};
+  if (points.empty()) points = {Vector3d(-0.3, -0.3, 0), Vector3d(0.5, 0.3, 0.8)};
+  return points;
 }
 
-std::pair<Vector3d, double> Scene3d::toolBounds() const {
+std::vector<Vector3d> Scene3d::toolOutline() const {
   const Impl& s = *impl_;
-  const Vector3d centre = s.payload ? Vector3d(s.X_BS * s.payload->com) : Vector3d(s.X_BS.translation());
-  return {0.5 * (centre + s.X_BS.translation()), 0.27};
+  const Vector3d at = s.X_BS.translation();
+  const Vector3d centre = s.payload ? Vector3d(s.X_BS * s.payload->com) : at;
+  std::vector<Vector3d> points{at + Vector3d(0, 0, kFullArrow), centre - Vector3d(0, 0, kGravityArrow)};
+  for (int a = 0; a < 3; ++a) {
+    for (const double side : {-1.0, 1.0}) points.push_back(centre + 0.16 * side * Vector3d::Unit(a));
+  }
+  return points;
 }
 
 Scene3d::Anchors Scene3d::anchors() const { return impl_->anchors; }

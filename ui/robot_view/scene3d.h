@@ -1,5 +1,6 @@
 #pragma once
-// What stands in the 3D view: floor, lights, robot, sensor, payload, arrows, path. Fed with plain data, in B axes, metres.
+// What stands in the 3D view: floor, lights, robot, sensor, payload, arrows, path. Fed with plain data, in B axes,
+// metres.
 #include <array>
 #include <memory>
 #include <optional>
@@ -41,10 +42,11 @@ class Scene3d {
   /// Takes the colours of the theme in force.
   void restyle();
   /// Null shows no robot.
-  void setRobot(std::shared_ptr<const RobotLook> look);
+  /// `ghostLinks` (indices of links) are drawn as the translucent tool.
+  void setRobot(std::shared_ptr<const RobotLook> look, const std::vector<bool>& ghostLinks = {});
   void setLinkPoses(const std::vector<Isometry3d>& X_BL);
-  /// `bodyLength` [m] of the sensor's body behind S's origin; 0 hides the sensor.
-  void setSensor(double bodyLength);
+  /// Shows the sensor's axes and, with `body`, a disc of `bodyLength` [m] behind S's origin.
+  void setSensor(double bodyLength, bool body);
   void setSensorPose(const Isometry3d& X_BS);
   void setPayload(const std::optional<PayloadLook>& payload);
   void setPath(const std::vector<PathSample>& samples);
@@ -54,13 +56,11 @@ class Scene3d {
   /// Unit vector; drawn at the centre of mass, or at the sensor without payload.
   void setGravityDirection(const Vector3d& direction);
   void setParts(const SceneParts& parts);
-  void applyCamera(const OrbitCamera& camera, double aspect);
-  /// The cheap frame while things move, the smooth one when they rest.
-  void setSmooth(bool smooth);
+  void applyCamera(const OrbitCamera& camera);
 
-  /// Ball about everything that matters: robot and path, or sensor and path.
-  std::pair<Vector3d, double> bounds() const;
-  std::pair<Vector3d, double> toolBounds() const;
+  /// What a picture should hold: points of robot, path and arrows; and those about the tool alone.
+  std::vector<Vector3d> outline() const;
+  std::vector<Vector3d> toolOutline() const;
 
   /// Points that labels refer to; absent if not shown.
   struct Anchors {

@@ -8,8 +8,8 @@ namespace {
 
 /// Light falls a little from the side: a point at height z throws its shadow this far per metre.
 constexpr double kLeanX = 0.22, kLeanY = 0.16;
-constexpr double kTop[] = {0.18, 0.5, 1e9};       // Upper height of each layer [m].
-constexpr int kBlur[] = {3, 7, 12};               // Half width of its box blur [cells].
+constexpr double kTop[] = {0.18, 0.5, 1e9};  // Upper height of each layer [m].
+constexpr int kBlur[] = {3, 7, 12};          // Half width of its box blur [cells].
 constexpr float kDarkness[] = {0.62f, 0.38f, 0.26f};
 
 /// Three box blurs come close to a Gaussian.

@@ -62,7 +62,8 @@ struct Ring {
 };
 
 /// Revolves rings about the line from `origin` along unit `axis`.
-void revolve(Builder& builder, const Vector3d& origin, const Vector3d& axis, const std::vector<Ring>& rings, int sides) {
+void revolve(Builder& builder, const Vector3d& origin, const Vector3d& axis, const std::vector<Ring>& rings,
+             int sides) {
   const auto [x, y] = crossAxes(axis);
   vtkIdType before = 0;
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -187,8 +188,9 @@ vtkSmartPointer<vtkPolyData> makeBentArrow(const std::vector<Vector3d>& way, dou
   return builder.finish();
 }
 
-vtkSmartPointer<vtkPolyData> makeTube(const std::vector<Vector3d>& way, const std::vector<std::array<unsigned char, 3>>& colours,
-                                      double radius, int sides) {
+vtkSmartPointer<vtkPolyData> makeTube(const std::vector<Vector3d>& way,
+                                      const std::vector<std::array<unsigned char, 3>>& colours, double radius,
+                                      int sides) {
   Builder builder;
   addTube(builder, way, radius, sides);
   auto data = builder.finish();
@@ -213,7 +215,8 @@ vtkSmartPointer<vtkPolyData> makeCentreBall(double radius) {
   for (int octant = 0; octant < 8; ++octant) {
     const double sx = octant & 1 ? -1 : 1, sy = octant & 2 ? -1 : 1, sz = octant & 4 ? -1 : 1;
     const bool white = sx * sy * sz > 0;
-    const std::array<unsigned char, 3> colour = white ? std::array<unsigned char, 3>{245, 245, 245} : std::array<unsigned char, 3>{24, 26, 28};
+    const std::array<unsigned char, 3> colour =
+        white ? std::array<unsigned char, 3>{245, 245, 245} : std::array<unsigned char, 3>{24, 26, 28};
     const vtkIdType first = builder.size();
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; j <= kSteps; ++j) {

@@ -20,8 +20,9 @@ vtkSmartPointer<vtkPolyData> makeArrow(const Vector3d& from, const Vector3d& to,
 vtkSmartPointer<vtkPolyData> makeBentArrow(const std::vector<Vector3d>& way, double radius);
 
 /// Tube along a polyline with a colour a point (RGB scalars named "colours").
-vtkSmartPointer<vtkPolyData> makeTube(const std::vector<Vector3d>& way, const std::vector<std::array<unsigned char, 3>>& colours,
-                                      double radius, int sides);
+vtkSmartPointer<vtkPolyData> makeTube(const std::vector<Vector3d>& way,
+                                      const std::vector<std::array<unsigned char, 3>>& colours, double radius,
+                                      int sides);
 
 /// Ball with black and white octants, as on crash-test dummies: marks a centre of mass.
 vtkSmartPointer<vtkPolyData> makeCentreBall(double radius);

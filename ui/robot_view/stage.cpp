@@ -42,7 +42,8 @@ Stage::Stage(vtkRenderer* renderer) : renderer_(renderer) {
   shadowImage_ = vtkSmartPointer<vtkImageData>::New();
   shadowImage_->SetDimensions(SoftShadow::kCells, SoftShadow::kCells, 1);
   shadowImage_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  std::fill_n(static_cast<unsigned char*>(shadowImage_->GetScalarPointer()), SoftShadow::kCells * SoftShadow::kCells * 4, 0);
+  std::fill_n(static_cast<unsigned char*>(shadowImage_->GetScalarPointer()),
+              SoftShadow::kCells * SoftShadow::kCells * 4, 0);
   shadowTexture_ = vtkSmartPointer<vtkTexture>::New();
   shadowTexture_->SetInputData(shadowImage_);
   shadowTexture_->InterpolateOn();
@@ -111,9 +112,9 @@ void Stage::restyle() {
   renderer_->SetBackground2(t.skyTop.redF(), t.skyTop.greenF(), t.skyTop.blueF());
   const double dim = t.dark ? 0.62 : 1.0;
   key_->SetColor(1.0, 0.985, 0.96);
-  key_->SetIntensity(0.72 * dim);
+  key_->SetIntensity(0.80 * dim);
   fill_->SetColor(0.93, 0.96, 1.0);
-  fill_->SetIntensity(0.30 * dim);
+  fill_->SetIntensity(0.40 * dim);
   rim_->SetColor(1.0, 1.0, 1.0);
   rim_->SetIntensity(0.38 * dim);
 

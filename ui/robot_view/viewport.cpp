@@ -1,13 +1,15 @@
 #include "ui/robot_view/viewport.h"
 
-#include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QMouseEvent>
-#include <QWheelEvent>
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRendererCollection.h>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QWheelEvent>
 
 #include <cmath>
 
@@ -46,7 +48,15 @@ void Viewport::requestFrame() {
 void Viewport::renderNow(bool smooth) {
   frame_.stop();
   if (!isValid() || width() < 2 || height() < 2) return;
-  emit aboutToRender(smooth);
+  emit aboutToRender();
+  if (!asked_) {
+    asked_ = true;
+    makeCurrent();
+    const auto* name = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
+    const QString renderer = QString::fromLatin1(name != nullptr ? name : "");
+    softwareRendering_ = renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR");
+  }
+  renderWindow()->SetMultiSamples(smooth || !softwareRendering_ ? 4 : 0);
   QElapsedTimer clock;
   clock.start();
   renderWindow()->Render();
@@ -69,8 +79,10 @@ bool Viewport::event(QEvent* event) {
     case QEvent::MouseButtonDblClick:
     case QEvent::Wheel:
     case QEvent::KeyPress:
-    case QEvent::KeyRelease: return QOpenGLWidget::event(event);
-    default: return QVTKOpenGLNativeWidget::event(event);
+    case QEvent::KeyRelease:
+      return QOpenGLWidget::event(event);
+    default:
+      return QVTKOpenGLNativeWidget::event(event);
   }
 }
 
@@ -119,14 +131,23 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     cameraChanged();
   };
   switch (event->key()) {
-    case Qt::Key_Left: return move(-kStep, 0);
-    case Qt::Key_Right: return move(kStep, 0);
-    case Qt::Key_Up: return move(0, -kStep);
-    case Qt::Key_Down: return move(0, kStep);
+    case Qt::Key_Left:
+      return move(-kStep, 0);
+    case Qt::Key_Right:
+      return move(kStep, 0);
+    case Qt::Key_Up:
+      return move(0, -kStep);
+    case Qt::Key_Down:
+      return move(0, kStep);
     case Qt::Key_Plus:
-    case Qt::Key_Equal: camera_.dolly(0.9); return cameraChanged();
-    case Qt::Key_Minus: camera_.dolly(1.0 / 0.9); return cameraChanged();
-    default: event->ignore();
+    case Qt::Key_Equal:
+      camera_.dolly(0.9);
+      return cameraChanged();
+    case Qt::Key_Minus:
+      camera_.dolly(1.0 / 0.9);
+      return cameraChanged();
+    default:
+      event->ignore();
   }
 }
 

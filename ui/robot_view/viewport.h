@@ -1,10 +1,10 @@
 #pragma once
 // The OpenGL surface: renders when asked, at most once an event loop turn, and turns the mouse into camera moves.
-#include <QPoint>
-#include <QTimer>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <QPoint>
+#include <QTimer>
 
 #include "ui/robot_view/orbit_camera.h"
 
@@ -29,7 +29,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
  signals:
   /// Before each frame: the place to bring the scene up to date.
-  void aboutToRender(bool smooth);
+  void aboutToRender();
   /// After each frame: overlays follow the camera.
   void rendered();
   void cameraMoved();
@@ -50,8 +50,10 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   vtkSmartPointer<vtkRenderer> renderer_;
   OrbitCamera camera_;
-  QTimer frame_;   ///< Gathers requests.
-  QTimer settle_;  ///< After the last quick frame: one smooth one.
+  QTimer frame_;                   ///< Gathers requests.
+  QTimer settle_;                  ///< After the last quick frame: one smooth one.
+  bool softwareRendering_ = true;  ///< Then smoothing costs too much while things move.
+  bool asked_ = false;
   QPoint last_;
   double lastFrame_ = 0.0;
 };

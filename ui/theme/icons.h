@@ -7,7 +7,8 @@
 
 namespace heft {
 
-/// The drawing `name` (resources/icons/NAME.svg) at `size` logical pixels; currentColor becomes `colour`, Canvas `ground`.
+/// The drawing `name` (resources/icons/NAME.svg) at `size` logical pixels; currentColor becomes `colour`, Canvas
+/// `ground`.
 QPixmap iconPixmap(const QString& name, int size, const QColor& colour, const QColor& ground, qreal devicePixelRatio);
 
 /// In text colour of the current theme, with a paler disabled state.

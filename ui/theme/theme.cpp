@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QFontDatabase>
 #include <QPalette>
-#include <QStyle>
+#include <QProxyStyle>
 #include <QStyleFactory>
 #include <utility>
 
@@ -52,24 +52,46 @@ Theme makeDark() {
 
 const Theme* current = nullptr;
 
+/// Fusion without underlined letters in the menus; Alt with the letter works all the same.
+class StudioStyle : public QProxyStyle {
+ public:
+  StudioStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    if (hint == SH_UnderlineShortcut) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
 /// The style sheet names colours by token (@panel); longer names first, so that @accentTint is not read as @accent.
 QString filledStyleSheet(const Theme& t) {
   QFile file(":/styles/heft.qss");
   if (!file.open(QIODevice::ReadOnly)) return {};
   QString sheet = QString::fromUtf8(file.readAll());
-  const std::pair<const char*, QColor> tokens[] = {
-      {"@accentFill", t.accentFill}, {"@accentTint", t.accentTint}, {"@accent", t.accent},     {"@fieldEdge", t.fieldEdge},
-      {"@window", t.window},         {"@panel", t.panel},           {"@raised", t.raised},     {"@line", t.line},
-      {"@text2", t.text2},           {"@text3", t.text3},           {"@text", t.text},         {"@goodTint", t.goodTint},
-      {"@good", t.good},             {"@lookTint", t.lookTint},     {"@lookText", t.lookText}, {"@look", t.look},
-      {"@badTint", t.badTint},       {"@bad", t.bad},               {"@quietTint", t.quietTint}};
+  const std::pair<const char*, QColor> tokens[] = {{"@accentFill", t.accentFill},
+                                                   {"@accentTint", t.accentTint},
+                                                   {"@accent", t.accent},
+                                                   {"@fieldEdge", t.fieldEdge},
+                                                   {"@window", t.window},
+                                                   {"@panel", t.panel},
+                                                   {"@raised", t.raised},
+                                                   {"@line", t.line},
+                                                   {"@text2", t.text2},
+                                                   {"@text3", t.text3},
+                                                   {"@text", t.text},
+                                                   {"@goodTint", t.goodTint},
+                                                   {"@good", t.good},
+                                                   {"@lookTint", t.lookTint},
+                                                   {"@lookText", t.lookText},
+                                                   {"@look", t.look},
+                                                   {"@badTint", t.badTint},
+                                                   {"@bad", t.bad},
+                                                   {"@quietTint", t.quietTint}};
   for (const auto& [name, colour] : tokens) sheet.replace(QLatin1String(name), colour.name());
   // Qt 5 divides a numeric font-weight by eight to reach its own scale of 0 to 99; Qt 6 takes it as it stands.
   const int weightScale = QT_VERSION_MAJOR < 6 ? 8 : 1;
-  const std::pair<const char*, int> weights[] = {{"@regular", QFont::Normal},
-                                                 {"@medium", QFont::Medium},
-                                                 {"@semibold", QFont::DemiBold},
-                                                 {"@bold", QFont::Bold}};
+  const std::pair<const char*, int> weights[] = {
+      {"@regular", QFont::Normal}, {"@medium", QFont::Medium}, {"@semibold", QFont::DemiBold}, {"@bold", QFont::Bold}};
   for (const auto& [name, weight] : weights) sheet.replace(QLatin1String(name), QString::number(weight * weightScale));
   return sheet;
 }
@@ -107,7 +129,7 @@ const Theme& theme() { return current ? *current : themeOf(ThemeKind::light); }
 void applyTheme(QApplication& application, ThemeKind kind) {
   initialiseResources();
   current = &themeOf(kind);
-  if (QStyle* fusion = QStyleFactory::create("Fusion")) application.setStyle(fusion);
+  application.setStyle(new StudioStyle);
   application.setFont(uiFont(type::kBody));
   application.setPalette(paletteOf(*current));
   application.setStyleSheet(filledStyleSheet(*current));

@@ -17,13 +17,13 @@ struct Theme {
   QColor text, text2, text3;
   QColor accent, accentFill, accentTint;  ///< What Heft suggests or is selected, nothing else.
   QColor good, goodTint, look, lookText, lookTint, bad, badTint, quietTint;
-  QColor noise;                           ///< Band behind the difference lanes
-  std::array<QColor, 3> axis;             ///< x, y, z, measured
-  std::array<QColor, 3> axisSimulated;    ///< Darker on light, lighter on dark
+  QColor noise;                         ///< Band behind the difference lanes
+  std::array<QColor, 3> axis;           ///< x, y, z, measured
+  std::array<QColor, 3> axisSimulated;  ///< Darker on light, lighter on dark
   QColor markFree, markContact, markIgnored;
   QColor plotGrid, plotZero;
-  QColor skyTop, skyBottom, floorLine;    ///< 3D background and grid
-  QColor wrench, gravity, tool;           ///< 3D
+  QColor skyTop, skyBottom, floorLine;  ///< 3D background and grid
+  QColor wrench, gravity, tool;         ///< 3D
 };
 
 /// The theme in force. Painting code asks for it while painting; views that keep colours listen to

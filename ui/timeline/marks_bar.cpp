@@ -39,9 +39,12 @@ double tickStep(double span, double wanted, bool whole) {
 
 QString markWord(MarkLabel label) {
   switch (label) {
-    case MarkLabel::free: return MarksBar::tr("free");
-    case MarkLabel::contact: return MarksBar::tr("contact");
-    case MarkLabel::ignore: return MarksBar::tr("ignored");
+    case MarkLabel::free:
+      return MarksBar::tr("free");
+    case MarkLabel::contact:
+      return MarksBar::tr("contact");
+    case MarkLabel::ignore:
+      return MarksBar::tr("ignored");
   }
   return {};
 }
@@ -91,6 +94,11 @@ void MarksBar::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(t.raised);
   painter.drawRoundedRect(bar, 3, 3);
+  if (segments_.empty() && axis_->poses()) {
+    painter.setFont(uiFont(type::kCaption));
+    painter.setPen(t.text2);
+    painter.drawText(bar, Qt::AlignCenter, tr("standing poses, all used"));
+  }
   painter.save();
   painter.setClipRect(bar);
   painter.setFont(uiFont(type::kCaption, QFont::DemiBold));
@@ -117,7 +125,8 @@ void MarksBar::paintEvent(QPaintEvent*) {
   const double step = tickStep(axis_->span(), bar.width() / 75.0, axis_->poses());
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   bool first = true;
-  for (double tick = std::ceil(axis_->lower() / step - 1e-9) * step; tick <= axis_->upper() + 1e-9 * step; tick += step) {
+  for (double tick = std::ceil(axis_->lower() / step - 1e-9) * step; tick <= axis_->upper() + 1e-9 * step;
+       tick += step) {
     const double x = axis_->toX(tick, width());
     QString text = numberText(tick, decimals);
     if (first) text = axis_->poses() ? tr("pose %1").arg(text) : text + QStringLiteral(" s");

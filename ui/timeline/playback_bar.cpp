@@ -59,7 +59,8 @@ void PlaybackBar::setRecording(bool present, bool poses) {
 void PlaybackBar::showTime() {
   const double span = playback_->upper() - playback_->lower();
   const QSignalBlocker quiet(slider_);
-  slider_->setValue(span > 0 ? static_cast<int>(std::lround((playback_->time() - playback_->lower()) / span * kSteps)) : 0);
+  slider_->setValue(span > 0 ? static_cast<int>(std::lround((playback_->time() - playback_->lower()) / span * kSteps))
+                             : 0);
   if (!slider_->isEnabled()) {
     time_->clear();
   } else if (poses_) {

@@ -8,7 +8,8 @@ namespace heft {
 
 class TimeCursor : public QWidget {
  public:
-  /// Covers `parent`, whose children share `axis` from the parent's left edge; `bottomInset` px at the bottom stay free.
+  /// Covers `parent`, whose children share `axis` from the parent's left edge; `bottomInset` px at the bottom stay
+  /// free.
   TimeCursor(TimeAxis* axis, QWidget* parent, int bottomInset);
 
   void setTime(double time);

@@ -13,13 +13,20 @@ namespace {
 
 QString lightIconName(Light light) {
   switch (light) {
-    case Light::measured: return "light_measured";
-    case Light::partly: return "light_partly";
-    case Light::unknown: return "light_unknown";
-    case Light::look: return "light_look";
-    case Light::twoCauses: return "light_two_causes";
-    case Light::notPossible: return "light_not_possible";
-    case Light::info: return "info";
+    case Light::measured:
+      return "light_measured";
+    case Light::partly:
+      return "light_partly";
+    case Light::unknown:
+      return "light_unknown";
+    case Light::look:
+      return "light_look";
+    case Light::twoCauses:
+      return "light_two_causes";
+    case Light::notPossible:
+      return "light_not_possible";
+    case Light::info:
+      return "info";
   }
   return {};
 }
@@ -27,13 +34,17 @@ QString lightIconName(Light light) {
 QColor lightColour(Light light) {
   const Theme& t = theme();
   switch (light) {
-    case Light::measured: return t.good;
+    case Light::measured:
+      return t.good;
     case Light::partly:
     case Light::look:
-    case Light::twoCauses: return t.look;
-    case Light::notPossible: return t.bad;
+    case Light::twoCauses:
+      return t.look;
+    case Light::notPossible:
+      return t.bad;
     case Light::unknown:
-    case Light::info: break;
+    case Light::info:
+      break;
   }
   return t.text3;
 }
@@ -60,13 +71,20 @@ void IconButton::changeEvent(QEvent* event) {
 
 QString lightWord(Light light) {
   switch (light) {
-    case Light::measured: return QCoreApplication::translate("heft", "measured");
-    case Light::partly: return QCoreApplication::translate("heft", "partly measured");
-    case Light::unknown: return QCoreApplication::translate("heft", "not known");
-    case Light::look: return QCoreApplication::translate("heft", "look here");
-    case Light::twoCauses: return QCoreApplication::translate("heft", "two causes");
-    case Light::notPossible: return QCoreApplication::translate("heft", "not possible");
-    case Light::info: return QCoreApplication::translate("heft", "note");
+    case Light::measured:
+      return QCoreApplication::translate("heft", "measured");
+    case Light::partly:
+      return QCoreApplication::translate("heft", "partly measured");
+    case Light::unknown:
+      return QCoreApplication::translate("heft", "not known");
+    case Light::look:
+      return QCoreApplication::translate("heft", "look here");
+    case Light::twoCauses:
+      return QCoreApplication::translate("heft", "two causes");
+    case Light::notPossible:
+      return QCoreApplication::translate("heft", "not possible");
+    case Light::info:
+      return QCoreApplication::translate("heft", "note");
   }
   return {};
 }
@@ -84,7 +102,8 @@ void LightIcon::setLight(Light light) {
 
 void LightIcon::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.drawPixmap(0, 0, iconPixmap(lightIconName(light_), size_, lightColour(light_), theme().panel, devicePixelRatioF()));
+  painter.drawPixmap(0, 0,
+                     iconPixmap(lightIconName(light_), size_, lightColour(light_), theme().panel, devicePixelRatioF()));
 }
 
 IconLabel::IconLabel(const QString& icon, int size, QWidget* parent) : QWidget(parent), icon_(icon), size_(size) {
@@ -113,7 +132,9 @@ Card makeCard(const char* style, QWidget* parent) {
 }
 
 QLabel* makeTag(const QString& text, Light light, QWidget* parent) {
-  const char* style = light == Light::measured ? "tagGood" : light == Light::partly || light == Light::look ? "tagLook" : "tagQuiet";
+  const char* style = light == Light::measured                         ? "tagGood"
+                      : light == Light::partly || light == Light::look ? "tagLook"
+                                                                       : "tagQuiet";
   QLabel* tag = styledLabel(text, style, parent);
   tag->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   return tag;

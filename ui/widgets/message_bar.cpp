@@ -32,9 +32,7 @@ void MessageBar::showMessage(Severity severity, const QString& text) {
   icon_->setLight(severity == Severity::error     ? Light::notPossible
                   : severity == Severity::warning ? Light::look
                                                   : Light::info);
-  setProperty("severity", severity == Severity::error     ? "error"
-                          : severity == Severity::warning ? "warning"
-                                                          : "info");
+  setProperty("severity", severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "info");
   style()->unpolish(this);
   style()->polish(this);
   text_->setText(text);

@@ -55,7 +55,8 @@ void LegendEntry::paintEvent(QPaintEvent*) {
   font.setStrikeOut(!isChecked());
   painter.setFont(font);
   painter.setPen(t.text2);
-  painter.drawText(QRectF(sample.right() + 8, 0, width() - sample.right() - 8, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
+  painter.drawText(QRectF(sample.right() + 8, 0, width() - sample.right() - 8, height()),
+                   Qt::AlignVCenter | Qt::AlignLeft, text());
   if (hasFocus()) {
     painter.setOpacity(1.0);
     painter.setPen(QPen(t.accent, 1));

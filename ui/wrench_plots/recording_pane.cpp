@@ -65,6 +65,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     entry->setObjectName(QStringLiteral("legend%1").arg(static_cast<int>(what)));
     connect(entry, &QAbstractButton::toggled, plots_, [this, shown = what](bool on) { plots_->setShown(shown, on); });
     row->addWidget(entry);
+    if (what == Shown::z) row->addSpacing(10);
   }
   row->addStretch(1);
   auto* all = new IconButton("fit", tr("Show the whole recording (0)"), header);

@@ -25,6 +25,7 @@ int firstChannel(int lane) { return lane < 2 ? 0 : 3; }
 class LaneTicker : public QCPAxisTicker {
  protected:
   QString getTickLabel(double tick, const QLocale&, QChar, int) override {
+    if (std::abs(tick) < 1e-9 * std::max(1.0, mTickStep_)) return QStringLiteral("0");
     const double step = std::abs(mTickStep_);
     int decimals = 0;
     while (decimals < 6 && std::abs(std::round(step * std::pow(10, decimals)) - step * std::pow(10, decimals)) > 1e-6) {
@@ -66,9 +67,8 @@ class PlotCanvas : public QCustomPlot {
     owner_->setFocus(Qt::MouseFocusReason);
     pressed_ = event->pos();
     moved_ = false;
-    const bool pans =
-        event->button() == Qt::MiddleButton ||
-        (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier));
+    const bool pans = event->button() == Qt::MiddleButton ||
+                      (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier));
     mode_ = pans ? Mode::pan : event->button() == Qt::LeftButton ? Mode::band : Mode::none;
     pressedLower_ = axis_->lower();
   }
@@ -148,7 +148,8 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     : QWidget(parent), axis_(axis), traces_(std::make_shared<WrenchTraces>()), parts_(std::make_unique<Parts>()) {
   setObjectName("wrenchPlots");
   setAccessibleName(tr("Force and torque plots"));
-  setAccessibleDescription(tr("Measured, simulated and difference over time. Arrow keys move the time, plus and minus zoom."));
+  setAccessibleDescription(
+      tr("Measured, simulated and difference over time. Arrow keys move the time, plus and minus zoom."));
   setFocusPolicy(Qt::StrongFocus);
   setMinimumHeight(160);
   auto* layout = new QVBoxLayout(this);
@@ -296,10 +297,17 @@ void WrenchPlots::keyPressEvent(QKeyEvent* event) {
   const double middle = (axis_->lower() + axis_->upper()) / 2.0;
   switch (event->key()) {
     case Qt::Key_Plus:
-    case Qt::Key_Equal: axis_->zoom(0.7, middle); return;
-    case Qt::Key_Minus: axis_->zoom(1.0 / 0.7, middle); return;
-    case Qt::Key_0: axis_->showAll(); return;
-    default: QWidget::keyPressEvent(event);  // The window moves the time by the arrow keys.
+    case Qt::Key_Equal:
+      axis_->zoom(0.7, middle);
+      return;
+    case Qt::Key_Minus:
+      axis_->zoom(1.0 / 0.7, middle);
+      return;
+    case Qt::Key_0:
+      axis_->showAll();
+      return;
+    default:
+      QWidget::keyPressEvent(event);  // The window moves the time by the arrow keys.
   }
 }
 
@@ -310,6 +318,8 @@ void WrenchPlots::restyle() {
   for (int lane = 0; lane < kLanes; ++lane) {
     for (auto* line : p.rects[lane]->axes()) {
       line->setBasePen(QPen(t.line, 1));
+      line->setTickPen(Qt::NoPen);
+      line->setSubTickPen(Qt::NoPen);
       line->setTickLabelFont(uiFont(type::kTick));
       line->setTickLabelColor(t.text3);
       line->grid()->setPen(QPen(t.plotGrid, 1));

@@ -18,7 +18,8 @@ std::vector<double> counted(Eigen::Index n) {
 }
 
 /// Absolute differences of three channels inside the free parts, at most some thousands of them.
-std::vector<double> freeDifferences(const WrenchSeries& series, const std::vector<Segment>& segments, int firstChannel) {
+std::vector<double> freeDifferences(const WrenchSeries& series, const std::vector<Segment>& segments,
+                                    int firstChannel) {
   std::vector<double> sizes;
   const Eigen::Index rows = series.simulated.rows();
   const Eigen::Index step = std::max<Eigen::Index>(1, rows / 4000);

@@ -35,8 +35,8 @@ class WrenchTraces {
   /// `pixels` x 2.
   ThinnedCurve thinned(Kind kind, int channel, double from, double to, int pixels) const;
 
-  /// Extremes over the three channels beginning at `firstChannel` (0 force, 3 torque) within [from, to], over measured and
-  /// simulated.
+  /// Extremes over the three channels beginning at `firstChannel` (0 force, 3 torque) within [from, to], over measured
+  /// and simulated.
   MinMax visibleRange(int firstChannel, double from, double to) const;
 
   /// Symmetric limit of a difference lane: 99 % of the free parts fit, and the noise band does.
@@ -45,9 +45,7 @@ class WrenchTraces {
   double noiseBand(int firstChannel) const;
 
  private:
-  const std::vector<double>& timeOf(Kind kind) const {
-    return kind == Kind::measured ? measuredTime_ : simulatedTime_;
-  }
+  const std::vector<double>& timeOf(Kind kind) const { return kind == Kind::measured ? measuredTime_ : simulatedTime_; }
 
   bool poses_ = false;
   std::vector<double> measuredTime_, simulatedTime_;
