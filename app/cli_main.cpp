@@ -7,6 +7,7 @@
 #include <new>
 
 #include "app/cli/cli.h"
+#include "core/base/text.h"
 
 namespace {
 
@@ -26,16 +27,26 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return names;
 }
 
-// CLI11 names what is wrong but offers no nearest match; the left-over words tell what was meant.
+// CLI11 says what is wrong in the words of a parser and offers no nearest match.
 std::string explain(const CLI::ParseError& error, CLI::App& root, const CLI::App& at) {
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  const std::string what = error.what();
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {  // "Could not convert: --trim = ten"
+    const auto name = what.find("--"), value = what.find(" = ");
+    if (name < value && value != std::string::npos)
+      return fmt::format("{} expects a number with a decimal point, not '{}'.", what.substr(name, value - name),
+                         heft::printable(what.substr(value + 3)));
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)  // "--output: 1 required FILE missing"
+    return fmt::format("{} needs a value.", what.substr(0, what.find(':')));
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return what + ".";
   for (const auto& word : root.remaining(true)) {
     if (word.starts_with("-"))
-      return fmt::format("There is no option {}.{}", word,
+      return fmt::format("There is no option {}.{}", heft::printable(word),
                          heft::cli::didYouMean(word.substr(0, word.find('=')), optionNames(at)));
   }
   const auto rest = root.remaining(true);
-  return rest.empty() ? std::string(error.what()) : fmt::format("'{}' is one argument too many.", rest.front());
+  return rest.empty() ? std::string(error.what())
+                      : fmt::format("'{}' is one argument too many.", heft::printable(rest.front()));
 }
 
 int wrongUsage(const CLI::App& at, const CLI::App& root, const std::string& message) {
@@ -72,7 +83,7 @@ int runCommandLine(int argc, char** argv) {
   }
   if (const std::string first = argv[1]; !first.starts_with("-") && std::ranges::find(names, first) == names.end()) {
     return wrongUsage(root, root,
-                      fmt::format("There is no command '{}'.{} The commands are {}.", first,
+                      fmt::format("There is no command '{}'.{} The commands are {}.", heft::printable(first),
                                   heft::cli::didYouMean(first, names), fmt::join(names, ", ")));
   }
 
