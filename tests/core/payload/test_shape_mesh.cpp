@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -347,7 +346,7 @@ std::filesystem::path sharedTools() {
 
 class Tools : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Tools, RealToolsAreSampledFastAndLieInsideTheirBox) {
+TEST_P(Tools, RealToolsLieInsideTheirBox) {
   const auto file = sharedTools() / (std::string(GetParam()) + ".ply");
   if (!std::filesystem::exists(file))
     GTEST_SKIP() << file << " is not there: the real tools come with the shared material.";
@@ -360,14 +359,11 @@ TEST_P(Tools, RealToolsAreSampledFastAndLieInsideTheirBox) {
   body.mesh = std::make_shared<const Mesh>(std::move(*mesh));
   Shape shape;
   shape.bodies.push_back(body);
-  const auto start = std::chrono::steady_clock::now();
   const Sampled got = sample(shape);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ASSERT_EQ(got.error, "");
   for (const Finding& f : got.findings) std::cout << toLine(f) << "\n";
   std::cout << GetParam() << ": " << body.mesh->triangleCount() << " triangles, " << got.samples.points.cols()
-            << " points, " << seconds << " s, volume " << 1e6 * got.samples.volume << " cm3\n";
-  EXPECT_LT(seconds, 5.0);  // 0.1 s on an idle machine: this only catches a change of order
+            << " points, volume " << 1e6 * got.samples.volume << " cm3\n";
 
   std::ifstream in(sharedTools() / (std::string(GetParam()) + ".json"));
   const auto truth = nlohmann::json::parse(in);
