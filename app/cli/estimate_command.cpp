@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -11,6 +12,7 @@
 
 #include "app/cli/cli.h"
 #include "core/base/json_file.h"
+#include "core/estimation/comparison.h"
 #include "core/exporters/flange.h"
 #include "core/recording/csv_reader.h"
 
@@ -22,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 struct Options {
   std::string recording, meta, known, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
-  bool noBias = false, force = false;
+  bool noBias = false, force = false, compare = false;
   EstimateOptions estimate;
 };
 
@@ -34,15 +36,13 @@ std::vector<std::string> words(const std::array<Enum, N>& values) {
   return list;
 }
 
-constexpr std::array kMethods{Method::map,      Method::ls,    Method::wls,     Method::tls,       Method::tlsFast,
-                              Method::tlsExact, Method::ceres, Method::eigenLm, Method::bruteForce};
 constexpr std::array kParameterSets{ParameterSet::mass, ParameterSet::massCom, ParameterSet::full};
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 EstimateOptions estimateOptions(const Options& options) {
   EstimateOptions out = options.estimate;
-  out.method = kMethods[chooseWord("--method", options.method, words(kMethods))];
+  out.method = kAllMethods[chooseWord("--method", options.method, words(kAllMethods))];
   out.parameters = kParameterSets[chooseWord("--parameters", options.parameters, words(kParameterSets))];
   if (!options.segments.empty()) {
     constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
@@ -87,16 +87,32 @@ std::optional<RobotModel> robotOf(ReadRecording& read) {
   return orFail(robotFor(recording.meta, read.findings));
 }
 
-EstimateReport estimateFile(const Options& options, const EstimateOptions& estimateOptions, const Progress& progress,
-                            Clock::time_point start) {
+struct Estimated {
+  EstimateReport report;
+  std::vector<ComparedMethod> comparison;  ///< Empty unless asked for; the report is then one of them.
+};
+
+Estimated estimateFile(const Options& options, const EstimateOptions& settings, const Progress& progress,
+                       Clock::time_point start) {
   ReadRecording read = orFail(readRecording(options.recording, {options.meta}, progress));
   const auto robot = robotOf(read);
+  const RobotModel* const model = robot ? &*robot : nullptr;
   const double readSeconds = secondsSince(start);
-  EstimateReport report = orFail(estimate(read.recording, robot ? &*robot : nullptr, estimateOptions, progress));
-  report.findings.insert(report.findings.begin(), read.findings.begin(), read.findings.end());
-  report.timing.read = readSeconds;
-  report.timing.total = secondsSince(start);
-  return report;
+  Estimated out;
+  if (options.compare) {
+    out.comparison = orFail(compareMethods(read.recording, model, settings, progress));
+    const auto chosen = std::ranges::find(out.comparison, settings.method, &ComparedMethod::method);
+    if (!chosen->report) throw Failed(chosen->failure);
+    out.report = *chosen->report;
+    out.report.timing.total += readSeconds;
+  } else {
+    out.report = orFail(estimate(read.recording, model, settings, progress));
+    out.report.timing.total = secondsSince(start);
+  }
+  auto& findings = out.report.findings;
+  findings.insert(findings.begin(), read.findings.begin(), read.findings.end());
+  out.report.timing.read = readSeconds;
+  return out;
 }
 
 void run(const Options& options) {
@@ -115,11 +131,13 @@ void run(const Options& options) {
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
 
   ProgressLine line;
-  const EstimateReport report = estimateFile(options, settings, line.progress(), start);
+  const auto [report, comparison] = estimateFile(options, settings, line.progress(), start);
   line.clear();
-  const nlohmann::json result = toJson(report);
+  nlohmann::json result = toJson(report);
+  if (options.compare) result["comparison"] = toJson(comparison);
   if (!options.json.empty()) writeOutput(options.json, fileText(result), overwriteResult);
-  if (options.json != "-") print(toText(report));
+  if (options.json != "-") print(options.compare ? toText(comparison) : toText(report));
+  if (options.compare) printFindings(report.findings, false);  // the table has no room for them
   if (format) {
     FlangeOptions flange;
     flange.program = programVersion();
@@ -156,13 +174,15 @@ Command makeEstimateCommand(CLI::App& root) {
       ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist");
   const char* const kMethodGroup = "Method";
-  app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kMethods), ", ")))
+  app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kAllMethods), ", ")))
       ->type_name("NAME")
       ->capture_default_str()
       ->group(kMethodGroup);
   app->add_option("--parameters", options->parameters, "What to estimate: mass, mass-com or full")
       ->type_name("NAME")
       ->capture_default_str()
+      ->group(kMethodGroup);
+  app->add_flag("--compare", options->compare, "Show all methods side by side; --json and -o hold the chosen one")
       ->group(kMethodGroup);
   app->add_option("--known", options->known,
                   "Payload JSON: values of what is not estimated; errors are told against it")
@@ -213,6 +233,7 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate rec.csv\n"
       "  heft estimate rec.csv --json result.json -o tool.json --format franka-desk\n"
       "  heft estimate rec.csv --parameters mass-com --known cad.json\n"
+      "  heft estimate rec.csv --compare\n"
       "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08\n\n"
       "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");
   return {app, [options] { run(*options); }};
