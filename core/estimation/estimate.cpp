@@ -428,8 +428,9 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   report.torqueBias = solution.bias.tail<3>();
   report.physicallyConsistent = checkPhysical(report.payload).physical;
   report.termination = {solution.usable, solution.why, solution.iterations};
+  const PayloadInterval mapIntervals = intervalsFromV(whitened, prior, options.bias, map);
   if (isMapFull(options)) {
-    report.interval95 = intervalsFromV(prior, map);
+    report.interval95 = mapIntervals;
   } else {
     Vector6d rowWeights = weights;
     if (options.method == Method::map)
@@ -446,7 +447,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   }
   report.std = standardDeviations(report.interval95);
 
-  report.identifiability = assess(whitened, prior, map, userPrior);
+  report.identifiability = assess(whitened, prior, map, standardDeviations(mapIntervals), userPrior);
   if (report.parameters != ParameterSet::full) {
     for (auto& row : report.identifiability.inertia)
       row.fill(known.inertiaCom || options.shape ? Source::prior : Source::none);

@@ -36,19 +36,21 @@ double scaledCondition(const Triangle& R) {
   return values(9) > 0.0 ? values(0) / values(9) : std::numeric_limits<double>::infinity();
 }
 
-Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, bool userPrior) {
+Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, const Payload& std,
+                       bool userPrior) {
   Identifiability out;
   out.conditionNumber = scaledCondition(R);
   const Matrix10d J = componentsJacobian(solution.phi) * parametersJacobian(prior, solution.v);
   const Vector10d posterior = (J * solution.covariance * J.transpose()).diagonal();
   const Vector10d before = (J * prior.information.inverse() * J.transpose()).diagonal();
   const Payload payload = fromParameters(solution.phi);
+  const Vector10d deviation = componentsOf(std);
   const double size = std::sqrt(std::max(0.0, payload.inertiaCom.trace() / (2.0 * payload.mass)));
 
   const auto share = [&](int i) { return std::clamp(1.0 - posterior(i) / before(i), 0.0, 1.0); };
   const auto source = [&](int i, double scale) {
     if (userPrior) return share(i) > 0.5 ? Source::data : Source::prior;
-    return std::sqrt(posterior(i)) < kIdentified * scale ? Source::data : Source::none;
+    return deviation(i) < kIdentified * scale ? Source::data : Source::none;
   };
   out.mass = source(0, payload.mass);
   out.massShare = share(0);

@@ -38,7 +38,9 @@ double scaledCondition(const Triangle& R);
 /// prior. Without one, a number whose relative standard deviation exceeds 30 % is not identified (Gautier): mass
 /// relative to itself, centre of mass to the body's radius of gyration, inertia to the geometric mean of its two
 /// moments.
-Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, bool userPrior);
+/// `std` holds the map solution's standard deviations.
+Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, const Payload& std,
+                       bool userPrior);
 
 /// Says which rotation or tilt was missing for what is not measured.
 std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion);

@@ -107,21 +107,21 @@ Vector10d vFromParameters(const MapPrior& prior, const Vector10d& phi) {
   return v;
 }
 
+// Rows below the biases are the problem with the biases already eliminated. Without biases their columns drop out and
+// all rows count.
+MapCost::MapCost(const Triangle& R, const MapPrior& prior, bool bias)
+    : prior_(prior),
+      A_(R.block(bias ? kBiasColumns : 0, kBiasColumns, bias ? 11 : 17, 10)),
+      y_(R.col(kColumns).tail(bias ? 11 : 17)) {}
+
+double MapCost::operator()(const Vector10d& v) const {
+  return (A_ * parametersFromV(prior_, v) - y_).squaredNorm() + prior_.cost(v);
+}
+
 MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& start) {
-  // Rows below the biases are the problem with the biases already eliminated. Without biases their columns drop out and
-  // all rows count.
-  MatrixXd A;
-  VectorXd y;
-  if (bias) {
-    A = R.block<11, 10>(kBiasColumns, kBiasColumns);
-    y = R.block<11, 1>(kBiasColumns, kColumns);
-  } else {
-    A = R.block<17, 10>(0, kBiasColumns);
-    y = R.col(kColumns);
-  }
-  const auto cost = [&](const Vector10d& v) {
-    return (A * parametersFromV(prior, v) - y).squaredNorm() + prior.cost(v);
-  };
+  const MapCost cost(R, prior, bias);
+  const MatrixXd& A = cost.A();
+  const VectorXd& y = cost.y();
   MapSolution solution;
   solution.v = start;
   double best = cost(start);

@@ -56,6 +56,21 @@ struct MapSolution {
   bool converged = false;
 };
 
+/// |R [bias; phi(v); -1]|^2 + prior.cost(v) with the best biases put in (or zero without `bias`): twice the negative
+/// logarithm of the posterior density.
+class MapCost {
+ public:
+  MapCost(const Triangle& R, const MapPrior& prior, bool bias);
+  double operator()(const Vector10d& v) const;
+  const MatrixXd& A() const { return A_; }
+  const VectorXd& y() const { return y_; }
+
+ private:
+  const MapPrior& prior_;
+  MatrixXd A_;
+  VectorXd y_;
+};
+
 /// Minimises |R [bias; phi(v); -1]|^2 + prior.cost(v) by Gauss-Newton with Levenberg damping.
 /// `R` must be whitened. Without `bias` the six biases are held at zero.
 MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& start);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -141,9 +142,14 @@ json toJson(const EstimateReport& report) {
 
 std::string toText(const EstimateReport& report) {
   const Payload& p = report.payload;
+  const bool doubtful = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
+    return finding.code == "misfit" || finding.code == "known_disagrees" || finding.code == "wrench_sign";
+  });
   const auto& i95 = report.interval95;
   const auto half = [](const Interval& i) { return 0.5 * (i.upper - i.lower); };
-  std::string text = headline(report) + "\n\n";
+  std::string text =
+      headline(report) +
+      (doubtful ? " Check the warnings below first: the numbers may be off by more than they say." : "") + "\n\n";
   text += fmt::format("  Mass            {:9.4f} kg      +- {:.2g}  {}\n", p.mass, half(i95.mass),
                       words(report.identifiability.mass));
   for (std::size_t i = 0; i < 3; ++i)

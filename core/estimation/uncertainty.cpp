@@ -62,23 +62,54 @@ Matrix10d componentsJacobian(const Vector10d& phi) {
   return J;
 }
 
-PayloadInterval intervalsFromV(const MapPrior& prior, const MapSolution& solution) {
-  const Matrix10d L = solution.covariance.llt().matrixL();
-  std::array<std::vector<double>, 10> values;
-  for (auto& list : values) list.reserve(2 * kPairs);
+PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution) {
+  const MapCost cost(R, prior, bias);
+  // The draws come from the curvature of the data and of the prior as a normal distribution: an entropic prior is
+  // nearly flat far below its mean, and draws by its curvature there would miss everything else.
+  const Matrix10d information = solution.dataInformation + prior.information;
+  const Matrix10d L = Matrix10d(information.inverse()).llt().matrixL();
+  const double best = cost(solution.v);
+  struct Draw {
+    Vector10d components;
+    double weight;
+  };
+  std::vector<Draw> sample;
+  sample.reserve(2 * kPairs);
+  std::vector<double> excess;
   for (const auto& z : draws())
     for (const double sign : {1.0, -1.0}) {
-      const Vector10d x = componentsOf(fromParameters(parametersFromV(prior, solution.v + sign * (L * z))));
-      for (std::size_t i = 0; i < 10; ++i) values[i].push_back(x(static_cast<Eigen::Index>(i)));
+      const Vector10d v = solution.v + sign * (L * z);
+      sample.push_back({componentsOf(fromParameters(parametersFromV(prior, v))), 0.0});
+      excess.push_back(0.5 * (z.squaredNorm() - (cost(v) - best)));
     }
+  // A few draws far out in the tail must not carry everything: weights are cut at twenty times their mean.
+  const double top = *std::max_element(excess.begin(), excess.end());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sample.size(); ++i) sum += sample[i].weight = std::exp(excess[i] - top);
+  const double largest = 20.0 * sum / static_cast<double>(sample.size());
+  sum = 0.0;
+  for (auto& draw : sample) sum += draw.weight = std::min(draw.weight, largest);
+
   std::array<Interval, 10> intervals;
+  std::vector<std::pair<double, double>> ordered(sample.size());
   for (std::size_t i = 0; i < 10; ++i) {
-    auto& list = values[i];
-    const auto tail = static_cast<std::ptrdiff_t>(0.025 * static_cast<double>(list.size()));
-    std::nth_element(list.begin(), list.begin() + tail, list.end());
-    intervals[i].lower = list[static_cast<std::size_t>(tail)];
-    std::nth_element(list.begin(), list.end() - 1 - tail, list.end());
-    intervals[i].upper = *(list.end() - 1 - tail);
+    for (std::size_t k = 0; k < sample.size(); ++k)
+      ordered[k] = {sample[k].components(static_cast<Eigen::Index>(i)), sample[k].weight};
+    std::sort(ordered.begin(), ordered.end());
+    double seen = 0.0;
+    intervals[i] = {ordered.front().first, ordered.back().first};
+    bool lowerFound = false;
+    for (const auto& [value, weight] : ordered) {
+      seen += weight;
+      if (!lowerFound && seen >= 0.025 * sum) {
+        intervals[i].lower = value;
+        lowerFound = true;
+      }
+      if (seen >= 0.975 * sum) {
+        intervals[i].upper = value;
+        break;
+      }
+    }
   }
   return fromArrays(intervals);
 }

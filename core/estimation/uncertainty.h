@@ -22,9 +22,11 @@ Payload payloadFromComponents(const Vector10d& components);
 /// d components / d phi at phi.
 Matrix10d componentsJacobian(const Vector10d& phi);
 
-/// 95 % intervals by draws of v from the posterior (Laplace) carried through to the payload, so that intervals of
-/// positive quantities stay positive. Deterministic: the draws are fixed and come in opposite pairs.
-PayloadInterval intervalsFromV(const MapPrior& prior, const MapSolution& solution);
+/// 95 % intervals by draws of v near the posterior's mode, weighted by the posterior itself (importance sampling) and
+/// carried through to the payload: intervals of positive quantities stay positive, and skewed ones are skewed.
+/// Deterministic: the draws are fixed and come in opposite pairs. `R` and `bias` are those that the solution was found
+/// with.
+PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution);
 
 /// value +- 1.96 standard deviations, for linear estimates with the covariance of the ten components.
 PayloadInterval intervalsFromCovariance(const Vector10d& components, const Matrix10d& covariance);

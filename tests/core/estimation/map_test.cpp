@@ -162,7 +162,7 @@ TEST(Map, WithoutDataItIsThePrior) {
 TEST(Uncertainty, IntervalsOfWideDistributionsStayPositive) {
   const MapPrior prior = vaguePrior(0.8, {0.01, 0.0, 0.06});
   const MapSolution map = solveMap(Triangle::Zero(), prior, true, Vector10d::Zero());
-  const PayloadInterval intervals = intervalsFromV(prior, map);
+  const PayloadInterval intervals = intervalsFromV(Triangle::Zero(), prior, true, map);
   EXPECT_GT(intervals.mass.lower, 0.0);
   EXPECT_LT(intervals.mass.lower, 0.2);
   EXPECT_GT(intervals.mass.upper, 3.0);
@@ -175,7 +175,7 @@ TEST(Uncertainty, NarrowDistributionsAgreeWithLinearPropagation) {
   const Triangle R = randomTriangle(random, truth, 100.0, 5.0);
   const MapPrior prior = vaguePrior(0.8, {0.01, 0.0, 0.06});
   const MapSolution map = solveMap(R, prior, true, Vector10d::Zero());
-  const PayloadInterval drawn = intervalsFromV(prior, map);
+  const PayloadInterval drawn = intervalsFromV(R, prior, true, map);
   const Matrix10d J = componentsJacobian(map.phi) * parametersJacobian(prior, map.v);
   const PayloadInterval linear =
       intervalsFromCovariance(componentsOf(fromParameters(map.phi)), J * map.covariance * J.transpose());
