@@ -52,8 +52,10 @@ TEST(WrenchTraces, ThinningKeepsEverySpikeAndFewPoints) {
   recording.wrench(123457, 1) = 99.0;
   const WrenchTraces traces(recording, nullptr);
   const ThinnedCurve curve = traces.thinned(WrenchTraces::Kind::measured, 1, 0, 200, 800);
-  EXPECT_LE(curve.x.size(), 4 * 800 + 4);
-  EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end()), 99.0);
+  EXPECT_TRUE(curve.crowded);
+  EXPECT_LE(curve.x.size(), 800);
+  EXPECT_EQ(*std::max_element(curve.high.begin(), curve.high.end()), 99.0);
+  EXPECT_EQ(*std::min_element(curve.low.begin(), curve.low.end()), 3.0);
   EXPECT_TRUE(std::is_sorted(curve.x.begin(), curve.x.end()));
 }
 
@@ -61,10 +63,11 @@ TEST(WrenchTraces, FewSamplesAreDrawnAsTheyAre) {
   const Recording recording = test::sineRecording(100, 100);
   const WrenchTraces traces(recording, nullptr);
   const ThinnedCurve curve = traces.thinned(WrenchTraces::Kind::measured, 0, 0.2, 0.4, 800);
+  EXPECT_FALSE(curve.crowded);
   ASSERT_GE(curve.x.size(), 21);
   EXPECT_LT(curve.x.front(), 0.2);  // One neighbour outside, so that the line reaches the edge.
   EXPECT_GT(curve.x.back(), 0.4);
-  for (int i = 0; i < curve.x.size(); ++i) EXPECT_NEAR(curve.y[i], 10 * std::sin(2 * M_PI * curve.x[i]), 1e-12);
+  for (int i = 0; i < curve.x.size(); ++i) EXPECT_NEAR(curve.low[i], 10 * std::sin(2 * M_PI * curve.x[i]), 1e-12);
 }
 
 TEST(WrenchTraces, DifferenceLaneIsScaledToFreeParts) {

@@ -65,6 +65,18 @@ TEST(DescribeResult, SaysWhatIsNotKnown) {
   EXPECT_EQ(describeResult(report, {}).question, "This motion does not tell the mass.");
 }
 
+TEST(DescribeResult, AHopelessIntervalIsADash) {
+  const Recording recording = test::sineRecording(1000, 100);
+  EstimateReport report = test::reportOn(recording);
+  report.identifiability.inertia[1][1] = Source::none;
+  report.interval95.inertiaCom[1][1] = {-1.0, 1.0};
+  const ResultText text = describeResult(report, {});
+  EXPECT_EQ(text.inertia[0].value, "16.0");
+  EXPECT_EQ(text.inertia[1].value, QString::fromUtf8("—"));
+  EXPECT_TRUE(text.inertia[1].plusMinus.isEmpty());
+  EXPECT_TRUE(text.inertia[1].tip.contains("95 %"));
+}
+
 TEST(DescribeResult, AMisfitComesBeforePraise) {
   const Recording recording = test::sineRecording(1000, 100);
   EstimateReport report = test::reportOn(recording);

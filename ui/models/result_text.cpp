@@ -86,11 +86,19 @@ QString answerText(Source mass, Source com, Source inertia) {
   return capitalised(clauses.join(tr("; "))) + tr(".");
 }
 
+/// An interval far wider than any inertia of this tool says no more than its tag; the tip keeps it.
+void hideHopeless(NumberText& number, const Interval& interval, double largest) {
+  if (number.source != Source::none || interval.upper - interval.lower < 20.0 * largest) return;
+  number.value = QString(QChar(0x2014));
+  number.plusMinus.clear();
+}
+
 std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scale, const QString& unit) {
   static constexpr int kIndex[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
   static constexpr const char* kNames[6] = {"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
   const auto& id = report.identifiability.inertia;
   std::vector<NumberText> rows;
+  const double largest = report.payload.inertiaCom.diagonal().cwiseAbs().maxCoeff();
   const bool productsUnknown = id[0][1] == Source::none && id[0][2] == Source::none && id[1][2] == Source::none;
   for (int k = 0; k < (productsUnknown ? 3 : 6); ++k) {
     const auto [i, j] = std::pair(kIndex[k][0], kIndex[k][1]);
@@ -99,6 +107,7 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
                           i == j
                               ? tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
                               : tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+    hideHopeless(rows.back(), report.interval95.inertiaCom[i][j], largest);
   }
   if (productsUnknown) {
     NumberText widest;
@@ -110,6 +119,7 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
       const double middle = 0.5 * (interval.upper + interval.lower);
       widest = number(tr("Ixy, Ixz, Iyz"), middle, interval, scale, 3, unit, Source::none,
                       tr("Products of inertia; the widest of the three intervals"));
+      hideHopeless(widest, interval, largest);
     }
     rows.push_back(widest);
   }

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// fmin and fmax take the number where the other is NaN, which is just what "absent" means here.
+/// A comparison with NaN is false: written like this an absent value changes nothing and an absent extreme is replaced.
 void include(MinMax& extremes, const MinMax& other) {
-  extremes.lowest = std::fmin(extremes.lowest, other.lowest);
-  extremes.highest = std::fmax(extremes.highest, other.highest);
+  if (!(extremes.lowest <= other.lowest) && other.lowest == other.lowest) extremes.lowest = other.lowest;
+  if (!(extremes.highest >= other.highest) && other.highest == other.highest) extremes.highest = other.highest;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "ui/models/numbers.h"
 #include "ui/theme/theme.h"
+#include "ui/wrench_plots/trace_plottable.h"
 
 namespace heft {
 namespace {
@@ -134,7 +135,7 @@ struct WrenchPlots::Parts {
   PlotCanvas* canvas = nullptr;
   std::array<QCPAxisRect*, kLanes> rects{};
   /// Main lanes: measured 0-2, simulated 3-5. Difference lanes: 0-2.
-  std::array<std::array<QCPGraph*, 6>, kLanes> graphs{};
+  std::array<std::array<TracePlottable*, 6>, kLanes> graphs{};
   std::array<QCPItemRect*, kLanes> noise{};
   std::array<QCPItemText*, kLanes> titles{};
   std::array<QCPItemText*, kLanes> units{};
@@ -204,9 +205,8 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     p.noise[lane]->setVisible(false);
 
     for (int c = 0; c < (isDifference(lane) ? 3 : 6); ++c) {
-      auto* graph = p.canvas->addGraph(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-      graph->setAdaptiveSampling(false);
-      p.graphs[lane][c] = graph;
+      p.graphs[lane][c] = new TracePlottable(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+      p.graphs[lane][c]->setDashed(c >= 3);
     }
 
     const auto addText = [&](const QString& text) {
@@ -338,10 +338,7 @@ void WrenchPlots::restyle() {
     for (int c = 0; c < 3; ++c) {
       p.graphs[lane][c]->setPen(QPen(t.axis[c], isDifference(lane) ? 1.1 : 1.5));
       if (isDifference(lane)) continue;
-      QPen dashed(t.axisSimulated[c], 1.3);
-      dashed.setDashPattern({4.0, 3.0});
-      dashed.setCapStyle(Qt::FlatCap);
-      p.graphs[lane][c + 3]->setPen(dashed);
+      p.graphs[lane][c + 3]->setPen(QPen(t.axisSimulated[c], 1.4, Qt::SolidLine, Qt::FlatCap));
     }
   }
   rebuildBackgrounds();
@@ -411,17 +408,16 @@ void WrenchPlots::refresh() {
       const auto shownAs = static_cast<int>(isDifference(lane) ? Shown::difference
                                             : g < 3            ? Shown::measured
                                                                : Shown::simulated);
-      QCPGraph* graph = p.graphs[lane][g];
+      TracePlottable* graph = p.graphs[lane][g];
       graph->setAntialiased(!p.moving);
-      graph->setScatterStyle(traces_->poses() && g < 3 ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
-                                                       : QCPScatterStyle(QCPScatterStyle::ssNone));
+      graph->setDots(traces_->poses() && g < 3);
       if (!shown_[c] || !shown_[shownAs]) {
-        graph->data()->clear();
+        graph->setCurve({});
         continue;
       }
-      const ThinnedCurve curve = traces_->thinned(kind, first + c, from, to, pixels);
+      ThinnedCurve curve = traces_->thinned(kind, first + c, from, to, pixels);
       p.points += curve.x.size();
-      graph->setData(curve.x, curve.y, true);
+      graph->setCurve(std::move(curve));
     }
   }
   p.canvas->replot(QCustomPlot::rpQueuedReplot);

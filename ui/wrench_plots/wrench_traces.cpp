@@ -71,43 +71,37 @@ ThinnedCurve WrenchTraces::thinned(Kind kind, int channel, double from, double t
   ThinnedCurve curve;
   const std::vector<double>& time = timeOf(kind);
   const MinMaxPyramid& values = curves_[static_cast<int>(kind)][channel];
-  if (time.empty() || values.size() != time.size() || pixels < 1) return curve;
+  if (time.empty() || values.size() != time.size() || pixels < 1 || !(to > from)) return curve;
   auto first = std::lower_bound(time.begin(), time.end(), from);
   auto last = std::upper_bound(first, time.end(), to);
   if (first != time.begin()) --first;
   if (last != time.end()) ++last;
   const auto begin = static_cast<std::size_t>(first - time.begin());
   const auto end = static_cast<std::size_t>(last - time.begin());
-  const std::size_t count = end - begin;
-  // Buckets are aligned to multiples of a power of four: panning then shows the same extremes, without flicker.
-  std::size_t bucket = 1;
-  while (count / bucket > static_cast<std::size_t>(pixels) * 2) bucket *= 2;
-  if (bucket == 1) {
-    curve.x.reserve(static_cast<int>(count));
-    curve.y.reserve(static_cast<int>(count));
+  curve.crowded = end - begin > static_cast<std::size_t>(pixels);
+  if (!curve.crowded) {
     for (std::size_t i = begin; i < end; ++i) {
       curve.x.push_back(time[i]);
-      curve.y.push_back(values[i]);
+      curve.low.push_back(values[i]);
+      curve.high.push_back(values[i]);
     }
     return curve;
   }
-  // Simulated curves are smooth and drawn dashed: one point a bucket, since dashes are lost in zigzags.
-  const bool smooth = kind == Kind::simulated;
-  for (std::size_t i = begin / bucket * bucket; i < end; i += bucket) {
-    const std::size_t stop = std::min(i + bucket, time.size());
-    const MinMax extremes = values.range(i, stop);
-    const double start = time[i];
-    const double middle = time[std::min(i + bucket / 2, time.size() - 1)];
-    if (smooth) {
-      curve.x.push_back(middle);
-      curve.y.push_back((extremes.lowest + extremes.highest) / 2.0);
-      continue;
-    }
-    const bool rising = values[i] <= values[stop - 1];
-    curve.x.push_back(start);
-    curve.y.push_back(rising ? extremes.lowest : extremes.highest);
-    curve.x.push_back(middle);
-    curve.y.push_back(rising ? extremes.highest : extremes.lowest);
+  const double step = (to - from) / pixels;
+  std::size_t next = begin;
+  for (int column = 0; column < pixels && next < end; ++column) {
+    const double border = from + (column + 1) * step;
+    const std::size_t start = next;
+    next = static_cast<std::size_t>(std::lower_bound(time.begin() + static_cast<std::ptrdiff_t>(start),
+                                                     time.begin() + static_cast<std::ptrdiff_t>(end), border) -
+                                    time.begin());
+    if (next == start) continue;
+    // With the sample before, so that neighbouring columns touch as the line between them does.
+    const MinMax extremes = values.range(start > 0 ? start - 1 : start, next);
+    if (!std::isfinite(extremes.lowest)) continue;
+    curve.x.push_back(border - 0.5 * step);
+    curve.low.push_back(extremes.lowest);
+    curve.high.push_back(extremes.highest);
   }
   return curve;
 }

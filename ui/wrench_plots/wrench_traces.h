@@ -10,9 +10,11 @@
 
 namespace heft {
 
-/// One curve thinned for a screen: at most two points a pixel.
+/// One curve thinned for a screen. Crowded: one entry a pixel, the extremes of what falls into it. Otherwise every
+/// sample, low = high.
 struct ThinnedCurve {
-  QVector<double> x, y;
+  QVector<double> x, low, high;
+  bool crowded = false;
 };
 
 class WrenchTraces {
@@ -31,8 +33,8 @@ class WrenchTraces {
   double firstTime() const { return measuredTime_.empty() ? 0.0 : measuredTime_.front(); }
   double lastTime() const { return measuredTime_.empty() ? 1.0 : measuredTime_.back(); }
 
-  /// Samples of [from, to] and one neighbour on each side; thinned to extremes a pixel where there are more than
-  /// `pixels` x 2.
+  /// What `pixels` columns over [from, to] show of a channel. Where there are fewer samples than columns every sample
+  /// in the stretch, and one neighbour on each side.
   ThinnedCurve thinned(Kind kind, int channel, double from, double to, int pixels) const;
 
   /// Extremes over the three channels beginning at `firstChannel` (0 force, 3 torque) within [from, to], over measured
