@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -46,6 +47,15 @@ std::string didYouMean(std::string_view text, const std::vector<std::string>& ca
     }
   }
   return best ? fmt::format(" Did you mean '{}'?", *best) : "";
+}
+
+std::uint64_t parseSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc{} || next != end)
+    throw WrongUsage(fmt::format("--seed expects a whole number from 0 to 2^64 - 1, not '{}'.", printable(text)));
+  return seed;
 }
 
 std::size_t chooseWord(const std::string& option, const std::string& text, const std::vector<std::string>& words) {

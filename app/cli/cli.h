@@ -4,6 +4,7 @@
 // Exit codes: 0 done, 1 could not be done (bad data, no solution), 2 wrong usage. Results go to stdout, everything else
 // to stderr; nothing here depends on the locale.
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -46,6 +47,7 @@ Command makeEstimateCommand(CLI::App& root);
 Command makeSimulateCommand(CLI::App& root);
 Command makeExportCommand(CLI::App& root);
 Command makeConvertCommand(CLI::App& root);
+Command makeReproduceCommand(CLI::App& root);
 
 /// "heft 0.1.0"
 std::string programVersion();
@@ -58,6 +60,9 @@ T orFail(Result<T> result) {
 
 /// " Did you mean 'estimate'?" for the nearest candidate, or "" if none is near enough to be meant.
 std::string didYouMean(std::string_view text, const std::vector<std::string>& candidates);
+
+/// A whole number from 0 to 2^64 - 1; throws WrongUsage. Not left to CLI11, which wraps -1 round to the largest.
+std::uint64_t parseSeed(const std::string& text);
 
 /// Finds `text` among the allowed words and returns its position; throws WrongUsage that lists them.
 std::size_t chooseWord(const std::string& option, const std::string& text, const std::vector<std::string>& words);

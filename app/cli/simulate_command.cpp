@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -49,16 +48,6 @@ bool wasSimulated(const std::filesystem::path& csv) {
   Findings ignored;
   const auto read = readMeta(meta, ignored);
   return read && read->note.starts_with(kNote);
-}
-
-// Not left to CLI11, which wraps -1 round to 2^64 - 1.
-std::uint64_t parseSeed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto [next, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc{} || next != end)
-    throw WrongUsage(fmt::format("--seed expects a whole number from 0 to 2^64 - 1, not '{}'.", printable(text)));
-  return seed;
 }
 
 void run(Options options) {

@@ -11,8 +11,9 @@
 namespace heft {
 
 /// All methods, in the order in which help, tables and charts show them.
-constexpr std::array kAllMethods{Method::map,      Method::ls,    Method::wls,     Method::tls,       Method::tlsFast,
-                                 Method::tlsExact, Method::ceres, Method::eigenLm, Method::bruteForce};
+inline constexpr std::array kAllMethods{Method::map,   Method::ls,      Method::wls,
+                                        Method::tls,   Method::tlsFast, Method::tlsExact,
+                                        Method::ceres, Method::eigenLm, Method::bruteForce};
 
 struct ComparedMethod {
   Method method = Method::map;
