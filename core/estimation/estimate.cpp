@@ -45,7 +45,7 @@ AllRows collectRows(const Prepared& prepared, const Vector6d& weights, bool keep
         if (keepRows) {
           out.rows.middleRows<6>(out.count) = six;
         } else {
-          for (int c = 0; c < 6; ++c) builder.add(six.row(c));
+          builder.add(six);
         }
         out.count += 6;
       }

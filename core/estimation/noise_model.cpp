@@ -87,10 +87,11 @@ std::vector<Triangle> whitenedTriangles(const WrenchRows& rows, const NoiseModel
         for (int i = 0; i < model.order(); ++i)
           E.row(c) -= model.coefficients(i) * blocks[static_cast<std::size_t>(k - 1 - i)].row(c);
       }
-      const Eigen::Matrix<double, 6, kColumns + 1> white = noise.whitener * E;
+      const Eigen::Matrix<double, 6, kColumns + 1> white =
+          weights.col(run.from + k).cwiseSqrt().asDiagonal() * (noise.whitener * E);
       auto& builder = builders[static_cast<std::size_t>(
           std::min<Eigen::Index>(folds - 1, seen * folds / std::max<Eigen::Index>(1, total)))];
-      for (int c = 0; c < 6; ++c) builder.add(std::sqrt(weights(c, run.from + k)) * white.row(c));
+      builder.add(white);
     }
   }
   std::vector<Triangle> triangles;
@@ -172,7 +173,7 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const MatrixXd left = inverseRoot.asDiagonal() * eigen.eigenvectors().transpose() * scale.asDiagonal();
   TriangleBuilder builder;
   const MatrixXd system = left * A.transpose() * plain.topRows<kColumns>();
-  for (Eigen::Index i = 0; i < kColumns; ++i) builder.add(system.row(i));
+  builder.add(system);
   return builder.finish();
 }
 

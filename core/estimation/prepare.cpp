@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 
 namespace heft {
 
@@ -218,21 +219,28 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
-  auto best = prepareMotion(cleaned, robot, trial);
+  const auto prepareAt = [&](double cutoff) {
+    EstimateOptions at = trial;
+    at.motion.cutoffHz = cutoff;
+    return prepareMotion(cleaned, robot, at);
+  };
+  // The cutoffs know nothing of each other until they are compared.
+  std::vector<std::future<Result<Prepared>>> others;
+  if (choose)
+    for (const double cutoff : {12.0, 6.0, 3.0}) others.push_back(std::async(std::launch::async, prepareAt, cutoff));
+  auto best = prepareAt(trial.motion.cutoffHz);
   if (!best) return best.error();
   if (choose) {
-    for (const double cutoff : {12.0, 6.0, 3.0}) {
+    for (auto& other : others) {
+      auto next = other.get();
       if (progress.cancelled()) return Error{"Stopped.", true};
-      trial.motion.cutoffHz = cutoff;
-      auto next = prepareMotion(cleaned, robot, trial);
       // Less smoothing where it makes no difference: a fiftieth of the innovations' size in each channel.
       if (!next || advantage(*best, *next) < 0.12) continue;
       best = std::move(next);
     }
     if (options.motion.outputRateHz <= 0.0) {
-      trial.motion.cutoffHz = best->cutoffHz;
       trial.motion.outputRateHz = 0.0;
-      best = prepareMotion(cleaned, robot, trial);
+      best = prepareAt(best->cutoffHz);
       if (!best) return best.error();
     }
   }

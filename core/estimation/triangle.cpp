@@ -1,33 +1,41 @@
 #include "core/estimation/triangle.h"
 
+#include <cmath>
+
 namespace heft {
 
-TriangleBuilder::TriangleBuilder() : buffer_(kChunk + kColumns + 1, kColumns + 1) {}
-
-void TriangleBuilder::add(const Eigen::Ref<const Eigen::Matrix<double, 1, kColumns + 1>>& row) {
-  buffer_.row(filled_++) = row;
-  ++rows_;
-  if (filled_ == buffer_.rows()) compress();
-}
-
 void TriangleBuilder::compress() {
-  const Eigen::HouseholderQR<MatrixXd> qr(buffer_.topRows(filled_));
-  const Eigen::Index height = std::min<Eigen::Index>(filled_, kColumns + 1);
-  buffer_.topRows(height) = qr.matrixQR().topRows(height).triangularView<Eigen::Upper>();
-  filled_ = height;
+  // Below the triangle each column of [R; chunk] holds the chunk only, so that a reflector touches one row of R.
+  Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kColumns> w;
+  for (Eigen::Index j = 0; j <= kColumns; ++j) {
+    const auto v = chunk_.col(j).head(filled_);
+    const double below = v.squaredNorm();
+    if (below == 0.0) continue;
+    const double diagonal = R_(j, j);
+    const double norm = std::hypot(diagonal, std::sqrt(below));
+    const double beta = diagonal > 0.0 ? -norm : norm;
+    const double head = diagonal - beta;  // H = I + u u^T / (beta head) with u = [head; v]
+    const Eigen::Index right = kColumns - j;
+    if (right > 0) {
+      auto rest = chunk_.topRightCorner(filled_, right);
+      w.noalias() = v.transpose() * rest;
+      w = (w + head * R_.row(j).tail(right)) / (beta * head);
+      R_.row(j).tail(right) += head * w;
+      rest.noalias() += v * w;
+    }
+    R_(j, j) = beta;
+  }
+  filled_ = 0;
 }
 
 Triangle TriangleBuilder::finish() {
-  if (filled_ > 0) compress();
-  Triangle R = Triangle::Zero();
-  R.topRows(filled_) = buffer_.topRows(filled_);
-  return R;
+  compress();
+  return R_;
 }
 
 Triangle merged(const std::vector<Triangle>& parts) {
   TriangleBuilder builder;
-  for (const auto& part : parts)
-    for (int i = 0; i <= kColumns; ++i) builder.add(part.row(i));
+  for (const auto& part : parts) builder.add(part);
   return builder.finish();
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 // The compressed problem: a 17 x 17 triangle that holds everything a least-squares solver needs to know about all rows.
+#include <algorithm>
+#include <vector>
+
 #include "core/math/rigid.h"
 #include "core/wrench/rows.h"
 
@@ -13,19 +16,30 @@ constexpr int kColumns = 16;
 using Triangle = Eigen::Matrix<double, kColumns + 1, kColumns + 1>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, kColumns + 1, Eigen::RowMajor>;
 
-/// Accumulates rows [A | y] into the upper triangle R with R^T R = [A|y]^T [A|y] by Householder reflections on chunks:
-/// exact to rounding, in constant memory.
+/// Accumulates rows [A | y] into the upper triangle R with R^T R = [A|y]^T [A|y] by Householder reflections on chunks
+/// that stay in the processor's first cache: exact to rounding, in constant memory.
 class TriangleBuilder {
  public:
-  TriangleBuilder();
-  void add(const Eigen::Ref<const Eigen::Matrix<double, 1, kColumns + 1>>& row);
+  /// Any number of rows, 17 columns.
+  template <class Derived>
+  void add(const Eigen::MatrixBase<Derived>& rows) {
+    for (Eigen::Index from = 0; from < rows.rows();) {
+      const Eigen::Index count = std::min(kChunk - filled_, rows.rows() - from);
+      chunk_.middleRows(filled_, count) = rows.middleRows(from, count);
+      filled_ += count;
+      from += count;
+      if (filled_ == kChunk) compress();
+    }
+    rows_ += rows.rows();
+  }
   Triangle finish();
   Eigen::Index rows() const { return rows_; }
 
  private:
   void compress();
-  static constexpr Eigen::Index kChunk = 240;
-  Eigen::Matrix<double, Eigen::Dynamic, kColumns + 1> buffer_;
+  static constexpr Eigen::Index kChunk = 160;
+  Eigen::Matrix<double, kChunk, kColumns + 1> chunk_;
+  Triangle R_ = Triangle::Zero();  ///< Of the rows before the chunk.
   Eigen::Index filled_ = 0;
   Eigen::Index rows_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "core/motion/low_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -36,38 +37,51 @@ Channels padded(const Channels& signal, Eigen::Index pad) {
 }
 
 void filterForwardBackward(const std::vector<Biquad>& sections, Channels& signal) {
+  // All sections in one sweep over the rows, up to eight channels side by side: their recursions are independent.
+  using Lanes = Eigen::Array<double, 8, 1>;
   const Eigen::Index n = signal.rows();
-  Eigen::RowVectorXd z1, z2, x;
-  const auto pass = [&](const Biquad& s, bool backward) {
-    const Eigen::Index first = backward ? n - 1 : 0;
-    // Steady state for a constant input equal to the first sample: no start-up transient. Each section has gain 1.
-    x = signal.row(first);
-    z1 = x * (1.0 - s.b0);
-    z2 = x * (s.b2 - s.a2);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      auto row = signal.row(backward ? n - 1 - i : i);
-      x = row;
-      row = s.b0 * x + z1;
-      z1 = s.b1 * x - s.a1 * row + z2;
-      z2 = s.b2 * x - s.a2 * row;
+  std::vector<Lanes> z1(sections.size()), z2(sections.size());
+  for (Eigen::Index first = 0; first < signal.cols(); first += Lanes::SizeAtCompileTime) {
+    const Eigen::Index lanes = std::min<Eigen::Index>(Lanes::SizeAtCompileTime, signal.cols() - first);
+    for (const bool backward : {false, true}) {
+      Lanes x = Lanes::Zero();
+      for (Eigen::Index i = 0; i < n; ++i) {
+        double* row = &signal(backward ? n - 1 - i : i, first);
+        std::copy_n(row, lanes, x.data());
+        for (std::size_t k = 0; k < sections.size(); ++k) {
+          const Biquad& s = sections[k];
+          if (i == 0) {
+            // Steady state for a constant input equal to the first sample: no start-up transient. Each section has
+            // gain 1.
+            z1[k] = x * (1.0 - s.b0);
+            z2[k] = x * (s.b2 - s.a2);
+          }
+          const Lanes y = s.b0 * x + z1[k];
+          z1[k] = s.b1 * x - s.a1 * y + z2[k];
+          z2[k] = s.b2 * x - s.a2 * y;
+          x = y;
+        }
+        std::copy_n(x.data(), lanes, row);
+      }
     }
-  };
-  for (const auto& section : sections) pass(section, false);
-  for (const auto& section : sections) pass(section, true);
+  }
 }
 
-Eigen::RowVectorXd centralDifference(const Channels& signal, Eigen::Index k, int derivative, double rateHz) {
-  static constexpr double kFirst[] = {4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
-  static constexpr double kSecond[] = {8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0};
-  Eigen::RowVectorXd out;
+VectorXd centralDifferenceKernel(int derivative, double rateHz) {
+  VectorXd kernel(9);
   if (derivative == 1) {
-    out = kFirst[0] * (signal.row(k + 1) - signal.row(k - 1));
-    for (int i = 2; i <= 4; ++i) out += kFirst[i - 1] * (signal.row(k + i) - signal.row(k - i));
-    return out * rateHz;
+    kernel << 1.0 / 280.0, -4.0 / 105.0, 1.0 / 5.0, -4.0 / 5.0, 0.0, 4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0;
+    return kernel * rateHz;
   }
-  out = -205.0 / 72.0 * signal.row(k);
-  for (int i = 1; i <= 4; ++i) out += kSecond[i - 1] * (signal.row(k + i) + signal.row(k - i));
-  return out * (rateHz * rateHz);
+  kernel << -1.0 / 560.0, 8.0 / 315.0, -1.0 / 5.0, 8.0 / 5.0, -205.0 / 72.0, 8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0,
+      -1.0 / 560.0;
+  return kernel * (rateHz * rateHz);
+}
+
+VectorXd convolved(const VectorXd& a, const VectorXd& b) {
+  VectorXd out = VectorXd::Zero(a.size() + b.size() - 1);
+  for (Eigen::Index i = 0; i < a.size(); ++i) out.segment(i, b.size()) += a(i) * b;
+  return out;
 }
 
 VectorXd averagingKernel(int stride) {

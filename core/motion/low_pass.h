@@ -24,9 +24,12 @@ Channels padded(const Channels& signal, Eigen::Index pad);
 /// Runs the sections forward and backward over `signal` in place: no phase shift, |H|^2.
 void filterForwardBackward(const std::vector<Biquad>& sections, Channels& signal);
 
-/// First (1) or second (2) derivative at row `k` by central differences of eighth order; needs four rows on either
-/// side. Relative error below 1e-4 up to a tenth of the sampling rate.
-Eigen::RowVectorXd centralDifference(const Channels& signal, Eigen::Index k, int derivative, double rateHz);
+/// Weights of nine neighbouring samples for the first (1) or second (2) derivative at the middle one: central
+/// differences of eighth order. Relative error below 1e-4 up to a tenth of the sampling rate.
+VectorXd centralDifferenceKernel(int derivative, double rateHz);
+
+/// The weights that do what `a` and `b` do one after the other.
+VectorXd convolved(const VectorXd& a, const VectorXd& b);
 
 /// Weights of a centred average over `stride` sampling intervals: stride + 1 samples for an even stride (halves at the
 /// ends), stride samples for an odd one. Sums to 1.

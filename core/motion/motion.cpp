@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -41,7 +42,10 @@ class Smoother {
     } else {
       cutoff_ = std::min(options.cutoffHz > 0.0 ? options.cutoffHz : kDefaultCutoffHz, 0.4 * grid.rateHz);
       sections_ = butterworthLowPass(6, cutoff_, grid.rateHz);
-      kernel_ = averagingKernel(output_.stride);
+      // Derivatives commute with the average, so one set of weights does both.
+      kernels_[0] = averagingKernel(output_.stride);
+      for (const int d : {1, 2})
+        kernels_[static_cast<std::size_t>(d)] = convolved(kernels_[0], centralDifferenceKernel(d, grid.rateHz));
       pad_ = static_cast<Eigen::Index>(std::ceil(2.0 * grid.rateHz / cutoff_)) + output_.stride + 4;
     }
   }
@@ -61,16 +65,9 @@ class Smoother {
     }
     Channels work = padded(signal, pad_);
     filterForwardBackward(sections_, work);
-    // Derivatives commute with the average, so both are taken on the filtered signal at the output instants only.
-    out.value.resize(output_.size, signal.cols());
-    if (order > 0) out.first.resize(output_.size, signal.cols());
-    if (order > 1) out.second.resize(output_.size, signal.cols());
-    for (Eigen::Index k = 0; k < output_.size; ++k) {
-      const Eigen::Index centre = pad_ + output_.first + k * output_.stride;
-      out.value.row(k) = averaged(work, centre);
-      if (order > 0) out.first.row(k) = centralDifferenceOfAverage(work, centre, 1);
-      if (order > 1) out.second.row(k) = centralDifferenceOfAverage(work, centre, 2);
-    }
+    out.value = weighted(work, kernels_[0], pad_);
+    if (order > 0) out.first = weighted(work, kernels_[1], pad_);
+    if (order > 1) out.second = weighted(work, kernels_[2], pad_);
     return out;
   }
 
@@ -78,11 +75,7 @@ class Smoother {
   /// autoregressive model can describe. With Savitzky-Golay the same polynomials as for the motion.
   Channels wrench(const Channels& signal) const {
     if (kind_ == SmoothingKind::savitzkyGolay) return picked(savitzkyGolay_.apply(signal, 0, rate_));
-    const Channels work = padded(signal, output_.stride);
-    Channels out(output_.size, signal.cols());
-    for (Eigen::Index k = 0; k < output_.size; ++k)
-      out.row(k) = averaged(work, output_.stride + output_.first + k * output_.stride);
-    return out;
+    return weighted(padded(signal, output_.stride), kernels_[0], output_.stride);
   }
 
  private:
@@ -91,16 +84,14 @@ class Smoother {
     for (Eigen::Index k = 0; k < output_.size; ++k) out.row(k) = all.row(output_.first + k * output_.stride);
     return out;
   }
-  Eigen::RowVectorXd averaged(const Channels& signal, Eigen::Index centre) const {
-    const Eigen::Index half = kernel_.size() / 2;
-    return kernel_.transpose() * signal.middleRows(centre - half, kernel_.size());
-  }
-  Eigen::RowVectorXd centralDifferenceOfAverage(const Channels& signal, Eigen::Index centre, int derivative) const {
-    const Eigen::Index half = kernel_.size() / 2;
-    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(signal.cols());
-    for (Eigen::Index i = 0; i < kernel_.size(); ++i)
-      sum += kernel_(i) * centralDifference(signal, centre - half + i, derivative, rate_);
-    return sum;
+  /// Weighted sums about the output instants of a signal padded by `pad`.
+  Channels weighted(const Channels& signal, const VectorXd& kernel, Eigen::Index pad) const {
+    Channels out = Channels::Zero(output_.size, signal.cols());
+    const Eigen::Index first = pad + output_.first - kernel.size() / 2;
+    for (Eigen::Index k = 0; k < output_.size; ++k)
+      for (Eigen::Index i = 0; i < kernel.size(); ++i)
+        out.row(k) += kernel(i) * signal.row(first + k * output_.stride + i);
+    return out;
   }
 
   SmoothingKind kind_ = SmoothingKind::lowPass;
@@ -109,7 +100,7 @@ class Smoother {
   Output output_;
   SavitzkyGolay savitzkyGolay_;
   std::vector<Biquad> sections_;
-  VectorXd kernel_;
+  std::array<VectorXd, 3> kernels_;  ///< Average over an output interval, and its derivatives
   Eigen::Index pad_ = 0;
 };
 

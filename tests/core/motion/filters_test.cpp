@@ -53,8 +53,9 @@ TEST(CentralDifference, IsExactToATenthOfTheRate) {
   const double w = 2 * kPi * hz;
   for (Eigen::Index k = 10; k < 90; ++k) {
     const double t = static_cast<double>(k) / rate;
-    EXPECT_NEAR(centralDifference(signal, k, 1, rate)(0), w * std::cos(w * t), 1e-3 * w);
-    EXPECT_NEAR(centralDifference(signal, k, 2, rate)(0), -w * w * std::sin(w * t), 1e-3 * w * w);
+    EXPECT_NEAR(centralDifferenceKernel(1, rate).dot(signal.col(0).segment(k - 4, 9)), w * std::cos(w * t), 1e-3 * w);
+    EXPECT_NEAR(centralDifferenceKernel(2, rate).dot(signal.col(0).segment(k - 4, 9)), -w * w * std::sin(w * t),
+                1e-3 * w * w);
   }
 }
 
