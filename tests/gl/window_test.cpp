@@ -80,9 +80,12 @@ class WindowTest : public testing::Test {
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
   }
   ~WindowTest() override {
-    if (HasFailure()) {
+    // HEFT_TEST_PICTURES=FOLDER keeps the picture of every test, to be looked at.
+    const QString folder = qEnvironmentVariable("HEFT_TEST_PICTURES");
+    if (HasFailure() || !folder.isEmpty()) {
       const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-      const QString path = QDir::current().filePath(QStringLiteral("failed_%1.png").arg(info->name()));
+      const QDir target = folder.isEmpty() ? QDir::current() : QDir(folder);
+      const QString path = target.filePath(QStringLiteral("window_%1.png").arg(info->name()));
       window.picture().save(path);
       std::printf("The window as it was: %s\n", qPrintable(path));
     }

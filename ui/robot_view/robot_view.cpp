@@ -196,8 +196,8 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   scene_->setGravityDirection(recording_->meta.gravity);
   time_ = recording_->meta.kind == RecordingKind::poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
   rebuildPath();
+  rebuildSweep();
   updateInstant();
-  cameraTouched_ = false;
   usePreset(Preset::overview);
   updateNote();
 }
@@ -232,6 +232,31 @@ void RobotView::rebuildPath() {
     }
   }
   scene_->setPath(samples);
+}
+
+void RobotView::rebuildSweep() {
+  sweep_.clear();
+  if (!track_ || !recording_) return;
+  const bool poses = recording_->meta.kind == RecordingKind::poses;
+  const double first = poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
+  const double span = poses ? static_cast<double>(recording_->rows() - 1) : recording_->duration();
+  constexpr int kInstants = 40;
+  std::vector<Isometry3d> X_BL;
+  for (int i = 0; i <= kInstants; ++i) {
+    const double time = first + span * i / kInstants;
+    if (track_->hasJoints()) {
+      robot_->linkPoses(track_->jointsAt(time), X_BL);
+      for (const Isometry3d& X : X_BL) {
+        // A link is about this thick about its frame.
+        for (const double side : {-0.09, 0.09}) {
+          for (int axis = 0; axis < 3; ++axis) sweep_.push_back(X.translation() + side * Vector3d::Unit(axis));
+        }
+      }
+    }
+    const Vector3d sensor = track_->sensorAt(time).translation();
+    sweep_.push_back(sensor - Vector3d(0, 0, 0.25));
+    sweep_.push_back(sensor + Vector3d(0, 0, 0.2));
+  }
 }
 
 void RobotView::updateInstant() {
@@ -281,9 +306,11 @@ void RobotView::usePreset(Preset preset) {
       camera.elevation = std::clamp(camera.elevation, 0.0, 0.35);
       break;
   }
+  std::vector<Vector3d> points = preset == Preset::tool ? scene_->toolOutline() : scene_->outline();
+  // The whole recording shall stay in the picture, not only this instant.
+  if (preset != Preset::tool && track_) points.insert(points.end(), sweep_.begin(), sweep_.end());
   // Labels stand at the right, so the picture keeps that side free where something is labelled.
-  camera.fit(preset == Preset::tool ? scene_->toolOutline() : scene_->outline(), viewport_->aspect(), 0.05,
-             report_ ? 0.2 : 0.08);
+  camera.fit(points, viewport_->aspect(), 0.05, report_ ? 0.2 : 0.08);
   viewport_->requestFrame();
 }
 

@@ -53,6 +53,7 @@ class RobotView : public QWidget {
  private:
   void buildTools();
   void rebuildPath();
+  void rebuildSweep();
   void updateInstant();
   void updateLabels();
   void updateNote();
@@ -67,6 +68,7 @@ class RobotView : public QWidget {
   std::shared_ptr<const Recording> recording_;
   std::shared_ptr<const RobotModel> robot_;
   std::shared_ptr<const EstimateReport> report_;
+  std::vector<Vector3d> sweep_;        ///< Where arm and tool get in this recording, B axes [m].
   std::optional<double> enlargement_;  ///< Of the region drawn; absent if none is.
   double time_ = 0.0;
   bool labelsShown_ = true;

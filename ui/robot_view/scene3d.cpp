@@ -1,16 +1,15 @@
 #include "ui/robot_view/scene3d.h"
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkCylinderSource.h>
+#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
-#include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +99,8 @@ vtkSmartPointer<vtkPolyData> meshOf(const Visual& visual) {
 
 struct Scene3d::Impl {
   vtkRenderer* renderer;
+  /// Drawn over everything else, so that arm and tool never hide what the view is about: arrows, centre, axes.
+  vtkSmartPointer<vtkRenderer> front = vtkSmartPointer<vtkRenderer>::New();
   Stage stage;
 
   struct LinkPiece {
@@ -128,11 +129,15 @@ struct Scene3d::Impl {
   Anchors anchors;
 
   explicit Impl(vtkRenderer* r) : renderer(r), stage(r) {
-    for (Piece* piece : {&sensorBody, &ball, &path, &force, &torque, &gravity, &axes[0], &axes[1], &axes[2], &box,
-                         &regionLines, &region}) {
-      makeMatt(piece->actor);
-      piece->actor->VisibilityOff();
-      renderer->AddActor(piece->actor);
+    renderer->GetRenderWindow()->SetNumberOfLayers(2);
+    front->SetLayer(1);
+    front->InteractiveOff();
+    front->SetActiveCamera(renderer->GetActiveCamera());
+    stage.lightToo(front);
+    renderer->GetRenderWindow()->AddRenderer(front);
+    for (Piece* piece : {&sensorBody, &path, &box}) add(*piece, renderer);
+    for (Piece* piece : {&axes[0], &axes[1], &axes[2], &ball, &force, &torque, &gravity, &regionLines, &region}) {
+      add(*piece, front);
     }
     ball.setMesh(makeCentreBall(kBallRadius));
     ball.mapper->SetColorModeToDirectScalars();
@@ -150,7 +155,13 @@ struct Scene3d::Impl {
     for (int a = 0; a < 3; ++a) axes[a].setMesh(makeArrow(Vector3d::Zero(), kAxisLength * Vector3d::Unit(a), 0.0022));
   }
 
-  void makeGhost(vtkActor* actor) {
+  static void add(Piece& piece, vtkRenderer* to) {
+    makeMatt(piece.actor);
+    piece.actor->VisibilityOff();
+    to->AddActor(piece.actor);
+  }
+
+  static void makeGhost(vtkActor* actor) {
     setColour(actor, theme().tool);
     actor->GetProperty()->SetOpacity(0.26);
     actor->GetProperty()->SetAmbient(0.35);
@@ -398,7 +409,14 @@ void Scene3d::applyCamera(const OrbitCamera& camera) {
   c->SetFocalPoint(camera.target.x(), camera.target.y(), camera.target.z());
   c->SetViewUp(up.x(), up.y(), up.z());
   c->SetViewAngle(camera.viewAngle * 180.0 / kPi);
-  impl_->renderer->ResetCameraClippingRange();
+  double back[6], front[6];
+  impl_->renderer->ComputeVisiblePropBounds(back);
+  impl_->front->ComputeVisiblePropBounds(front);
+  vtkBoundingBox bounds(back);
+  if (vtkMath::AreBoundsInitialized(front)) bounds.AddBounds(front);
+  double all[6];
+  bounds.GetBounds(all);
+  impl_->renderer->ResetCameraClippingRange(all);
 }
 
 std::vector<Vector3d> Scene3d::outline() const {

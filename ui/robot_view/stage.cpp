@@ -105,6 +105,12 @@ Stage::Stage(vtkRenderer* renderer) : renderer_(renderer) {
   renderer_->AddActor(grid_);
 }
 
+void Stage::lightToo(vtkRenderer* other) {
+  other->SetAutomaticLightCreation(false);
+  other->RemoveAllLights();
+  for (auto* light : {key_.Get(), fill_.Get(), rim_.Get()}) other->AddLight(light);
+}
+
 void Stage::restyle() {
   const Theme& t = theme();
   renderer_->GradientBackgroundOn();

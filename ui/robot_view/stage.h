@@ -16,6 +16,8 @@ namespace heft {
 class Stage {
  public:
   explicit Stage(vtkRenderer* renderer);
+  /// Lights another renderer of the same camera just as this one.
+  void lightToo(vtkRenderer* other);
   void restyle();
   void setGridShown(bool shown);
   /// Darkness of SoftShadow::kCells squared cells.
