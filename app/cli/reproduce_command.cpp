@@ -80,7 +80,7 @@ Command makeReproduceCommand(CLI::App& root) {
       "recordings like theirs with a sensor that has bias, delay and tilt, estimates as they did and as Heft does by\n"
       "default, and shows which of the causes makes which error.\n\n"
       "Examples:\n"
-      "  heft reproduce\n"
+      "  heft reproduce --recordings 1\n"
       "  heft reproduce --seed 2 --recordings 5 --format markdown -o tables.md --plots charts");
   return {app, [options] { run(*options); }};
 }

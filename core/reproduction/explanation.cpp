@@ -78,9 +78,10 @@ std::vector<std::string> explain(const Reproduction& all) {
     const double newtons = all.forceBias / bias->paper.mass;
     sentences.push_back(fmt::format(
         "A force bias of {:.2g} N made the mass error of {}, in proportion; the paper's {} and {} would take "
-        "{:.2g} N and {:.2g} N: a sensor tared, but not quite.",
+        "{:.2g} N and {:.2g} N of bias{}.",
         all.forceBias, percent(bias->paper.mass), percent(*full->paperCeres), percent(*full->paperEigenLm),
-        newtons * *full->paperCeres, newtons * *full->paperEigenLm));
+        newtons * *full->paperCeres, newtons * *full->paperEigenLm,
+        newtons * *full->paperEigenLm < 1.0 ? ", as tared sensors have that drifted a little" : ""));
   }
   if (all.inertialTorque > 0.0 && all.torqueBias > 0.0)
     sentences.push_back(fmt::format(

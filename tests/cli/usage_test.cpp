@@ -14,7 +14,7 @@ using testing::StartsWith;
 
 using UsageTest = CliTest;
 
-const std::vector<std::string> kCommands{"estimate", "simulate", "export", "convert"};
+const std::vector<std::string> kCommands{"estimate", "simulate", "export", "convert", "reproduce"};
 
 TEST_F(UsageTest, HelpGoesToStdoutAndEndsWell) {
   for (const auto& flag : {"--help", "-h"}) {
@@ -110,6 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"export", "rec.csv", "--format", "urdff"}, "Did you mean 'urdf'?"},
         Mistake{{"export", "rec.csv", "--format", "urdf", "--json", "-"}, "stdout"},
         Mistake{{"export", "rec.csv", "--format", "urdf", "--rpy", "0,0,nan"}, "three numbers"},
+        Mistake{{"reproduce", "--format", "markdwn"}, "Did you mean 'markdown'?"},
+        Mistake{{"reproduce", "--seed", "-1"}, "--seed"}, Mistake{{"reproduce", "--recordings", "0"}, "--recordings"},
         Mistake{{"convert", "rec.csv"}, "OUT"}, Mistake{{"convert", "rec.csv", "rec.csv"}, "same file"},
         Mistake{{"convert", "rec.csv", "./rec.csv", "--force"}, "same file"},
         Mistake{{"convert", "rec.csv", "out"}, ".csv"}));
