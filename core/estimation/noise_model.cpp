@@ -21,7 +21,7 @@ auto predictionError(const ArModel& model, Eigen::Index k, const Row& at) {
 
 NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters) {
   NoiseModel noise;
-  double used = 0.0;
+  double used = 0.0, independent = 0.0, estimated = parameters;
   for (int c = 0; c < 6; ++c) {
     AutoCovariance sums(kMaxArOrder);
     for (const auto& run : runs)
@@ -29,10 +29,16 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
                weights.row(c).segment(run.from, run.to - run.from).transpose());
     noise.channels[static_cast<std::size_t>(c)] = sums.fit();
     noise.order = std::max(noise.order, noise.channels[static_cast<std::size_t>(c)].order());
+    const ArModel& channel = noise.channels[static_cast<std::size_t>(c)];
     used += sums.count();
+    // Slow noise repeats itself: as far as the slow band goes, so many samples of a channel are worth one.
+    independent += sums.count() / std::max(1.0, channel.gain() * channel.gain());
+    estimated += channel.order();
   }
-  // The fitted parameters took their share of the residual's energy.
-  const double freedom = used > parameters + 6.0 ? used / (used - parameters) : 1.0;
+  // The fitted parameters took their share of the residual's energy, and the noise model is itself only an estimate:
+  // Akaike's final prediction error, with the number of independent samples.
+  independent = std::max(independent, 3.0 * estimated);
+  const double freedom = used > 0.0 ? (independent + estimated) / (independent - estimated) : 1.0;
   Matrix6d covariance = Matrix6d::Zero();
   double count = 0.0;
   for (const auto& run : runs) {
