@@ -5,6 +5,8 @@
 // and inertia about S. Measured: each half of a recording predicts the other.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -75,6 +77,8 @@ Answer extrapolated(const Recording& recording, const RobotModel* robot) {
   Vector10d mean = Vector10d::Zero();
   for (int draw = 0; draw < kDraws; ++draw) {
     Recording copy = recording;
+    for (Eigen::Index i = 1; i < copy.quaternion.rows(); ++i)
+      if (copy.quaternion.row(i).dot(copy.quaternion.row(i - 1)) < 0.0) copy.quaternion.row(i) *= -1.0;
     noisier(copy.q);
     noisier(copy.dq);
     noisier(copy.position);
