@@ -40,7 +40,7 @@ std::string decadeLabel(int exponent) {
 }  // namespace
 
 std::string toSvg(const BarChart& chart) {
-  constexpr double kLeft = 78, kTop = 72, kHeight = 300, kBar = 14, kGap = 22, kBottom = 96;
+  constexpr double kLeft = 78, kTop = 72, kHeight = 300, kBar = 14, kGap = 22, kBottom = 128;
   const double groupWidth = kBar * static_cast<double>(chart.series.size()) + kGap;
   const double plotWidth = std::max(420.0, groupWidth * static_cast<double>(chart.groups.size()));
   const double step = plotWidth / static_cast<double>(std::max<std::size_t>(1, chart.groups.size()));
