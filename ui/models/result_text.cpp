@@ -10,7 +10,10 @@
 namespace heft {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ResultText", text); }
+/// Gives free functions a translation context that lupdate finds.
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(ResultText)
+};
 
 QString capitalised(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -26,7 +29,7 @@ NumberText number(const QString& name, double value, const Interval& interval, d
   out.value = numberText(value * scale, decimals);
   out.plusMinus = QStringLiteral("± ") + numberText(std::max(half, 0.5 * std::pow(10.0, -decimals)), decimals);
   out.source = source;
-  out.tip = tr("%1\n95 % interval: %2 to %3 %4")
+  out.tip = Words::tr("%1\n95 % interval: %2 to %3 %4")
                 .arg(meaning, numberText(interval.lower * scale, decimals + 1),
                      numberText(interval.upper * scale, decimals + 1), unit);
   return out;
@@ -59,12 +62,12 @@ Source most(Source a, Source b) { return static_cast<int>(a) > static_cast<int>(
 
 QString answerText(Source mass, Source com, Source inertia) {
   if (mass == Source::data && com == Source::data && inertia == Source::data) {
-    return tr("Mass, centre and inertia are measured.");
+    return Words::tr("Mass, centre and inertia are measured.");
   }
   const struct {
     QString name;
     Source source;
-  } parts[] = {{tr("mass"), mass}, {tr("centre"), com}, {tr("inertia"), inertia}};
+  } parts[] = {{Words::tr("mass"), mass}, {Words::tr("centre"), com}, {Words::tr("inertia"), inertia}};
   QStringList clauses;
   for (const Source source : {Source::data, Source::prior, Source::none}) {
     QStringList names;
@@ -73,17 +76,17 @@ QString answerText(Source mass, Source com, Source inertia) {
     }
     if (names.isEmpty()) continue;
     const bool several = names.size() > 1;
-    const QString who = names.size() == 3 ? tr("%1, %2 and %3").arg(names[0], names[1], names[2])
-                        : several         ? tr("%1 and %2").arg(names[0], names[1])
+    const QString who = names.size() == 3 ? Words::tr("%1, %2 and %3").arg(names[0], names[1], names[2])
+                        : several         ? Words::tr("%1 and %2").arg(names[0], names[1])
                                           : names[0];
-    clauses << (source == Source::data ? (several ? tr("%1 are measured") : tr("%1 is measured"))
+    clauses << (source == Source::data ? (several ? Words::tr("%1 are measured") : Words::tr("%1 is measured"))
                 : source == Source::prior
-                    ? (several ? tr("%1 lean on what you stated") : tr("%1 leans on what you stated"))
-                    : (several ? tr("%1 are not fully known from this motion")
-                               : tr("%1 is not fully known from this motion")))
+                    ? (several ? Words::tr("%1 lean on what you stated") : Words::tr("%1 leans on what you stated"))
+                    : (several ? Words::tr("%1 are not fully known from this motion")
+                               : Words::tr("%1 is not fully known from this motion")))
                    .arg(who);
   }
-  return capitalised(clauses.join(tr("; "))) + tr(".");
+  return capitalised(clauses.join(Words::tr("; "))) + Words::tr(".");
 }
 
 /// An interval far wider than any inertia of this tool says no more than its tag; the tip keeps it.
@@ -102,11 +105,11 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
   const bool productsUnknown = id[0][1] == Source::none && id[0][2] == Source::none && id[1][2] == Source::none;
   for (int k = 0; k < (productsUnknown ? 3 : 6); ++k) {
     const auto [i, j] = std::pair(kIndex[k][0], kIndex[k][1]);
-    rows.push_back(number(QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j),
-                          report.interval95.inertiaCom[i][j], scale, 3, unit, id[i][j],
-                          i == j
-                              ? tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
-                              : tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+    rows.push_back(
+        number(QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j), report.interval95.inertiaCom[i][j],
+               scale, 3, unit, id[i][j],
+               i == j ? Words::tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
+                      : Words::tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
     hideHopeless(rows.back(), report.interval95.inertiaCom[i][j], largest);
   }
   if (productsUnknown) {
@@ -117,8 +120,8 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
       if (interval.upper - interval.lower <= width) continue;
       width = interval.upper - interval.lower;
       const double middle = 0.5 * (interval.upper + interval.lower);
-      widest = number(tr("Ixy, Ixz, Iyz"), middle, interval, scale, 3, unit, Source::none,
-                      tr("Products of inertia; the widest of the three intervals"));
+      widest = number(Words::tr("Ixy, Ixz, Iyz"), middle, interval, scale, 3, unit, Source::none,
+                      Words::tr("Products of inertia; the widest of the three intervals"));
       hideHopeless(widest, interval, largest);
     }
     rows.push_back(widest);
@@ -141,39 +144,43 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
     return QStringLiteral("%1  %2  %3")
         .arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
   };
-  add(tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
-      r.termination.why.empty() ? tr("How the numbers were found") : QString::fromStdString(r.termination.why));
-  add(tr("Used"),
-      tr("%1 of %2 s, %3 Hz").arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
-      tr("Free parts without the ends that were trimmed"));
-  add(tr("Left over, force"), tr("%1 N").arg(numberText(r.forceRms, 3)),
-      tr("Root mean square of the difference, free parts"));
-  add(tr("Left over, torque"), tr("%1 N m").arg(numberText(r.torqueRms, 4)),
-      tr("Root mean square of the difference, free parts"));
+  add(Words::tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
+      r.termination.why.empty() ? Words::tr("How the numbers were found") : QString::fromStdString(r.termination.why));
+  add(Words::tr("Used"),
+      Words::tr("%1 of %2 s, %3 Hz")
+          .arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
+      Words::tr("Free parts without the ends that were trimmed"));
+  add(Words::tr("Left over, force"), Words::tr("%1 N").arg(numberText(r.forceRms, 3)),
+      Words::tr("Root mean square of the difference, free parts"));
+  add(Words::tr("Left over, torque"), Words::tr("%1 N m").arg(numberText(r.torqueRms, 4)),
+      Words::tr("Root mean square of the difference, free parts"));
   if (r.heldoutForceRms > 0) {
-    add(tr("On unseen parts"),
-        tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
-        tr("The same on parts that the estimate did not see"));
+    add(Words::tr("On unseen parts"),
+        Words::tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
+        Words::tr("The same on parts that the estimate did not see"));
   }
-  add(tr("Sensor zero, force"), tr("%1 N").arg(triple(r.forceBias, 2)), tr("Constant offset x, y, z of the sensor"));
-  add(tr("Sensor zero, torque"), tr("%1 N m").arg(triple(r.torqueBias, 3)),
-      tr("Constant offset x, y, z of the sensor"));
+  add(Words::tr("Sensor zero, force"), Words::tr("%1 N").arg(triple(r.forceBias, 2)),
+      Words::tr("Constant offset x, y, z of the sensor"));
+  add(Words::tr("Sensor zero, torque"), Words::tr("%1 N m").arg(triple(r.torqueBias, 3)),
+      Words::tr("Constant offset x, y, z of the sensor"));
   if (r.identifiability.conditionNumber > 0) {
-    add(tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
-        tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
+    add(Words::tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
+        Words::tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
   }
   if (r.relativeError) {
     QStringList errors;
-    if (r.relativeError->hasMass) errors << tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
-    if (r.relativeError->hasCom) errors << tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
-    if (r.relativeError->hasInertia) errors << tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
+    if (r.relativeError->hasMass) errors << Words::tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
+    if (r.relativeError->hasCom) errors << Words::tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
+    if (r.relativeError->hasInertia)
+      errors << Words::tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
     if (!errors.isEmpty())
-      add(tr("Off what you stated"), errors.join(", "), tr("Relative error |estimate − stated| / |stated|"));
+      add(Words::tr("Off what you stated"), errors.join(", "),
+          Words::tr("Relative error |estimate − stated| / |stated|"));
   }
-  add(tr("A real body could be so"), r.physicallyConsistent ? tr("yes") : tr("no"),
-      tr("Positive mass and an inertia that some distribution of mass can have"));
-  add(tr("Time to compute"), tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
-      tr("Preparing and solving"));
+  add(Words::tr("A real body could be so"), r.physicallyConsistent ? Words::tr("yes") : Words::tr("no"),
+      Words::tr("Positive mass and an inertia that some distribution of mass can have"));
+  add(Words::tr("Time to compute"), Words::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
+      Words::tr("Preparing and solving"));
   return rows;
 }
 
@@ -182,11 +189,11 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
 QString sourceWord(Source source) {
   switch (source) {
     case Source::data:
-      return tr("measured");
+      return Words::tr("measured");
     case Source::prior:
-      return tr("from your shape");
+      return Words::tr("from your shape");
     case Source::none:
-      return tr("not known from this motion");
+      return Words::tr("not known from this motion");
   }
   return {};
 }
@@ -202,39 +209,40 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
   const auto& id = report.identifiability;
   const auto& interval = report.interval95;
 
-  out.mass = number(tr("Mass"), report.payload.mass, interval.mass, 1.0, 4, tr("kg"), id.mass, tr("Mass of the tool"));
-  out.mass.plusMinus += tr(" kg");
+  out.mass = number(Words::tr("Mass"), report.payload.mass, interval.mass, 1.0, 4, Words::tr("kg"), id.mass,
+                    Words::tr("Mass of the tool"));
+  out.mass.plusMinus += Words::tr(" kg");
   out.massScale = massScale(report, stated.mass);
   if (stated.mass && *stated.mass > 0) {
     const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
-    out.massNote = tr("you stated %1 kg, %2 % away").arg(numberText(*stated.mass, 3), numberText(away, 1));
+    out.massNote = Words::tr("you stated %1 kg, %2 % away").arg(numberText(*stated.mass, 3), numberText(away, 1));
   }
 
   double comAway = -1.0;
   if (stated.com) comAway = 1e3 * (report.payload.com - *stated.com).norm();
   for (int i = 0; i < 3; ++i) {
-    out.com.push_back(number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, tr("mm"),
-                             id.com[i],
-                             tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
-    out.com.back().plusMinus += tr(" mm");
+    out.com.push_back(
+        number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, Words::tr("mm"), id.com[i],
+               Words::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
+    out.com.back().plusMinus += Words::tr(" mm");
   }
-  if (comAway >= 0) out.comNote = tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
+  if (comAway >= 0) out.comNote = Words::tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
 
   // Small tools read better in g cm² than as 0.02 kg cm².
   const double largest = report.payload.inertiaCom.diagonal().cwiseAbs().maxCoeff();
   const bool small = largest * 1e4 < 0.5;
-  out.inertiaUnit = small ? tr("kg mm²") : tr("kg cm²");
+  out.inertiaUnit = small ? Words::tr("kg mm²") : Words::tr("kg cm²");
   out.inertia = inertiaNumbers(report, small ? 1e6 : 1e4, out.inertiaUnit);
   if (report.relativeError && report.relativeError->hasInertia) {
-    out.inertiaNote = tr("%1 % from the inertia you stated").arg(numberText(100 * report.relativeError->inertiaCom, 1));
+    out.inertiaNote =
+        Words::tr("%1 % from the inertia you stated").arg(numberText(100 * report.relativeError->inertiaCom, 1));
   }
 
   const Source comSource = jointSource(out.com), inertiaSource = jointSource(out.inertia);
   const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
-  out.question =
-      id.mass == Source::none
-          ? tr("This motion does not tell the mass.")
-          : tr("Your tool weighs %1 kg.").arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
+  out.question = id.mass == Source::none ? Words::tr("This motion does not tell the mass.")
+                                         : Words::tr("Your tool weighs %1 kg.")
+                                               .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
   out.answer = answerText(id.mass, comSource, inertiaSource);
   out.advice = adviceText(report);
 
@@ -248,7 +256,7 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
                             finding.severity != Severity::info && kDoubts.contains(finding.code)});
     out.doubtful = out.doubtful || out.findings.back().doubt;
   }
-  if (out.doubtful) out.answer = tr("Check the warnings first: these numbers may be off by more than they say.");
+  if (out.doubtful) out.answer = Words::tr("Check the warnings first: these numbers may be off by more than they say.");
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
