@@ -170,6 +170,16 @@ TEST_F(WindowTest, MouseTurnsTheView) {
   EXPECT_LT(difference(before, viewPicture()), 0.005);
 }
 
+TEST_F(WindowTest, TheToolViewComesCloser) {
+  openSimulated();
+  window.playback()->setTime(3.0);
+  const QImage overview = viewPicture();
+  auto* tool = window.findChild<QToolButton*>("toolButton");
+  ASSERT_NE(tool, nullptr);
+  QTest::mouseClick(tool, Qt::LeftButton);
+  EXPECT_GT(difference(overview, viewPicture()), 0.1);
+}
+
 TEST_F(WindowTest, SpacePlaysAndPauses) {
   openSimulated();
   window.setFocus();
