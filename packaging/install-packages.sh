@@ -46,6 +46,8 @@ if [ ! -e /proc/self ]; then
 fi
 
 echo "== Packages: installing with apt-get:$missing"
+# Finishes what an interrupted run left half installed; otherwise it does nothing.
+$as_root env DEBIAN_FRONTEND=noninteractive dpkg --configure -a
 $as_root apt-get update -q
 # shellcheck disable=SC2086  # one word a package is what is wanted
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
