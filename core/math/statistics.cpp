@@ -48,7 +48,7 @@ ArModel AutoCovariance::fit() const {
     a = next;
     variance *= 1.0 - reflection * reflection;
     if (!(variance > 0.0)) break;
-    const double score = count_ * std::log(variance) + 2.0 * static_cast<double>(p);
+    const double score = count_ * std::log(variance) + static_cast<double>(p) * std::log(count_);
     if (score < bestScore) {
       bestScore = score;
       best.coefficients = a;

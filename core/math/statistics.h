@@ -28,8 +28,7 @@ class AutoCovariance {
   /// Adds a contiguous stretch of zero-mean noise; weight 0 leaves a sample out of every product it takes part in.
   void add(const Eigen::Ref<const Eigen::VectorXd>& noise, const Eigen::Ref<const Eigen::VectorXd>& weights);
   double count() const { return count_; }
-  /// Yule-Walker fit by Levinson-Durbin; the order up to the maximum that minimises AIC: a
-  /// little too long a memory costs less than slow noise taken for small. Always stable.
+  /// Yule-Walker fit by Levinson-Durbin; the order up to the maximum that minimises BIC. Always stable.
   ArModel fit() const;
 
  private:
