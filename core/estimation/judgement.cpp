@@ -1,0 +1,161 @@
+#include "core/estimation/judgement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math/statistics.h"
+
+namespace heft {
+
+Residuals residualsOver(const Prepared& prepared,
+                        const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf) {
+  Vector6d sum = Vector6d::Zero();
+  double count = 0.0;
+  const int perBlock = prepared.blocks.samplesPerBlock;
+  for (const auto& run : prepared.runs)
+    for (Eigen::Index block = run.from; block < run.to; ++block) {
+      const SolverSolution& solution = solutionOf(block);
+      for (Eigen::Index k = block * perBlock; k < (block + 1) * perBlock; ++k) {
+        const Motion& m = prepared.motion;
+        const Vector6d predicted =
+            regressor({m.specificForce.col(k), m.omega.col(k), m.alpha.col(k)}) * solution.phi + solution.bias;
+        sum += (m.wrench.col(k) - predicted).cwiseAbs2();
+        count += 1.0;
+      }
+    }
+  sum /= std::max(1.0, count);
+  return {std::sqrt(sum.head<3>().mean()), std::sqrt(sum.tail<3>().mean()), sum.cwiseSqrt()};
+}
+
+void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report) {
+  double contact = 0.0;
+  std::string where;
+  int listed = 0;
+  for (const auto& segment : report.segments) {
+    if (segment.label != MarkLabel::contact) continue;
+    contact += segment.to - segment.from;
+    if (++listed > 6) continue;
+    where += fmt::format("{}{:.1f} to {:.1f} s", where.empty() ? "" : ", ", std::max(0.0, segment.from), segment.to);
+  }
+  if (listed > 6) where += fmt::format(" and {} more", listed - 6);
+  const bool mostlyContact = contact > 0.3 * report.duration;
+  if (contact > 0.0)
+    report.findings.push_back(
+        {mostlyContact ? Severity::warning : Severity::info,
+         "contact_left_out",
+         fmt::format("{:.1f} s of {:.1f} s looked like contact and were left out: {}.", contact, report.duration,
+                     where),
+         mostlyContact ? "Trust is low with so little free motion: check the marks, or record a longer free part."
+                       : "Mark them by hand if that is wrong.",
+         {}});
+
+  // What is slow and strong in the residual is no sensor noise. Long memory of a channel shows it, and so does a
+  // residual far above the scatter between neighbouring samples.
+  double memory = 0.0;
+  for (const auto& channel : prepared.noise.channels)
+    memory = std::max(memory, channel.gain() > 0.0 ? channel.gain() : 1e3);
+  std::array<double, 6> floor{};
+  for (int c = 0; c < 6; ++c) {
+    std::vector<double> steps;
+    for (Eigen::Index k = 1; k < prepared.motion.size(); ++k)
+      if (const double d = prepared.motion.wrench(c, k) - prepared.motion.wrench(c, k - 1); d != 0.0)
+        steps.push_back(d);
+    floor[static_cast<std::size_t>(c)] = robustStd(steps) / std::sqrt(2.0);
+  }
+  const double forceFloor = std::sqrt((floor[0] * floor[0] + floor[1] * floor[1] + floor[2] * floor[2]) / 3.0);
+  const bool strong = heldout.force > 3.0 * forceFloor && heldout.force > 0.01 * report.payload.mass * 9.81;
+  const bool slow = memory > 8.0 && heldout.force > 1.3 * forceFloor;
+  if (prepared.usedDuration > 0.0 && (strong || slow))
+    report.findings.push_back(
+        {Severity::warning,
+         "misfit",
+         fmt::format(
+             "On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the "
+             "sensor's own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a "
+             "cable, a poorly calibrated sensor).",
+             heldout.force, forceFloor),
+         "Trust is low: the true values may lie outside the intervals. Look at where the difference is large.",
+         {}});
+
+  // A clearly negative mass is the other sign of the wrench. Linear fits say it; the map estimate cannot.
+  if (report.identifiability.mass == Source::data || report.payload.mass < 0.0) {
+    const MatrixXd A = prepared.whitened.leftCols<kColumns>();
+    const VectorXd x = A.colPivHouseholderQr().solve(prepared.whitened.col(kColumns));
+    const double mass = x(kBiasColumns);
+    const double sd = (A.transpose() * A)
+                          .completeOrthogonalDecomposition()
+                          .pseudoInverse()
+                          .diagonal()
+                          .cwiseMax(0.0)
+                          .cwiseSqrt()(kBiasColumns);
+    if (mass < -6.0 * sd && mass < -0.02)
+      report.findings.push_back(
+          {Severity::warning,
+           "wrench_sign",
+           fmt::format("A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.", mass),
+           "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or "
+           "payload_on_sensor).",
+           {}});
+  }
+
+  // Values that the user gave and the data contradict.
+  if (report.relativeError && report.relativeError->hasMass && report.identifiability.mass == Source::data &&
+      report.relativeError->mass > 0.03 && report.relativeError->mass * report.payload.mass > 4.0 * report.std.mass)
+    report.findings.push_back(
+        {Severity::warning,
+         "known_disagrees",
+         fmt::format("The estimated mass is {:.0f} % away from the known one, far outside its interval.",
+                     100.0 * report.relativeError->mass),
+         "Either the known value is of another tool, or the sensor's calibration is off: trust is low.",
+         {}});
+}
+
+void addFindings(EstimateReport& report) {
+  const auto count = [](const auto& sources, Source wanted) {
+    return std::count(sources.begin(), sources.end(), wanted);
+  };
+  const Identifiability& id = report.identifiability;
+  if (id.mass == Source::none)
+    report.findings.push_back({Severity::warning,
+                               "mass_not_known",
+                               "This motion cannot tell the mass; the number is a placeholder.",
+                               "Tilt the tool into several directions.",
+                               {}});
+  if (count(id.com, Source::none) > 0)
+    report.findings.push_back(
+        {Severity::warning,
+         "com_not_known",
+         "This motion cannot tell the whole centre of mass; what is marked \"none\" is a placeholder.",
+         "Tilt the tool about more axes.",
+         {}});
+  int unknown = 0;
+  for (std::size_t i = 0; i < 3; ++i) unknown += id.inertia[i][i] == Source::none ? 1 : 0;
+  if (unknown > 0 && report.parameters == ParameterSet::full)
+    report.findings.push_back(
+        {Severity::warning,
+         "inertia_not_known",
+         fmt::format("This motion cannot tell {} of the three moments of inertia; they are placeholders with wide "
+                     "intervals.",
+                     unknown),
+         "Turn the tool faster, or give its shape.",
+         {}});
+  if (!report.physicallyConsistent)
+    report.findings.push_back({Severity::warning,
+                               "not_physical",
+                               "No real body has these numbers: " + checkPhysical(report.payload).reason,
+                               "Use the method map, which always gives a possible payload.",
+                               {}});
+  if (!report.termination.usable)
+    report.findings.push_back({Severity::warning,
+                               "solver_not_usable",
+                               "The solver did not reach a trustworthy solution: " + report.termination.why,
+                               "Use the method map.",
+                               {}});
+  for (const auto& words : id.weakDirections)
+    report.findings.push_back({Severity::info, "weak_direction", words, "", {}});
+}
+
+}  // namespace heft
