@@ -18,7 +18,6 @@
 #include "core/simulation/simulate.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/main_window.h"
-#include "ui/results/result_panel.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/wrench_plots/recording_pane.h"
@@ -113,10 +112,24 @@ class WindowTest : public testing::Test {
 TEST_F(WindowTest, WelcomesWithAnArmAndOneThingToDo) {
   waitUntilSettled();
   EXPECT_FALSE(window.recordingPane()->isVisible());
-  auto* main = window.resultPanel()->findChild<QPushButton*>("mainButton");
+  auto* main = window.panel(Step::record)->findChild<QPushButton*>("mainButton");
   ASSERT_NE(main, nullptr);
   EXPECT_TRUE(main->isVisible());
   EXPECT_GT(distinctColours(viewPicture()), 500);
+}
+
+TEST_F(WindowTest, StepsSwitchByMouseAndKeys) {
+  openSimulated();
+  EXPECT_EQ(window.step(), Step::result);
+  auto* record = window.findChild<QAbstractButton*>("step_record");
+  ASSERT_NE(record, nullptr);
+  QTest::mouseClick(record, Qt::LeftButton);
+  EXPECT_EQ(window.step(), Step::record);
+  EXPECT_TRUE(window.panel(Step::record)->isVisible());
+  EXPECT_FALSE(window.panel(Step::result)->isVisible());
+  QApplication::setActiveWindow(&window);  // Without a window manager nobody else does.
+  QTest::keyClick(&window, Qt::Key_4, Qt::AltModifier);
+  EXPECT_EQ(window.step(), Step::result);
 }
 
 TEST_F(WindowTest, A3dViewThatIsBlankFails) {
@@ -150,7 +163,7 @@ TEST_F(WindowTest, TheEstimateIsShownAndNearTheTruth) {
   openSimulated();
   EXPECT_NEAR(workspace.report()->payload.mass, kTrueMass, 0.02);
   bool found = false;
-  for (const QLabel* label : window.resultPanel()->findChildren<QLabel*>())
+  for (const QLabel* label : window.panel(Step::result)->findChildren<QLabel*>())
     found = found || label->text() == "Your tool weighs 0.90 kg.";
   EXPECT_TRUE(found);
   EXPECT_GT(window.recordingPane()->plots()->pointsDrawn(), 5000);
@@ -232,7 +245,7 @@ TEST_F(WindowTest, StoppingTheEstimateLeavesTheRecordingOpen) {
   workspace.cancel();
   waitUntilSettled();
   // Either it was stopped in time, or the estimate was quicker: both leave a usable window.
-  auto* main = window.resultPanel()->findChild<QPushButton*>("mainButton");
+  auto* main = window.panel(Step::result)->findChild<QPushButton*>("mainButton");
   EXPECT_TRUE(main->isVisible());
   if (!workspace.report()) {
     QTest::mouseClick(main, Qt::LeftButton);

@@ -49,32 +49,20 @@ TEST(ResultPanel, DetailsAreOneClickBehind) {
 
 TEST(ResultPanel, HasExactlyOneFilledButtonThatSaysWhatHappens) {
   ResultPanel panel;
-  QSignalSpy openWanted(&panel, &ResultPanel::openWanted), saveWanted(&panel, &ResultPanel::saveWanted);
+  QSignalSpy estimateWanted(&panel, &ResultPanel::estimateWanted), exportWanted(&panel, &ResultPanel::exportWanted);
   panel.resize(440, 800);
-  panel.showWelcome({"/a/b.csv"});
+  panel.showNoResult("Stopped.");
   panel.show();
   auto mains = panel.findChildren<QPushButton*>("mainButton");
   ASSERT_EQ(mains.size(), 1);
   QTest::mouseClick(mains[0], Qt::LeftButton);
-  EXPECT_EQ(openWanted.count(), 1);
+  EXPECT_EQ(estimateWanted.count(), 1);
   panel.showResult(example());
   QTest::mouseClick(mains[0], Qt::LeftButton);
-  EXPECT_EQ(openWanted.count(), 1);
-  EXPECT_EQ(saveWanted.count(), 1);
+  EXPECT_EQ(estimateWanted.count(), 1);
+  EXPECT_EQ(exportWanted.count(), 1);
   panel.showWorking("b.csv");
   EXPECT_FALSE(mains[0]->isVisible());
-}
-
-TEST(ResultPanel, RecentFilesOpen) {
-  ResultPanel panel;
-  QSignalSpy wanted(&panel, &ResultPanel::fileWanted);
-  panel.showWelcome({"/a/b.csv", "/a/c.csv"});
-  const auto links = panel.findChildren<QPushButton*>("linkButton");
-  ASSERT_EQ(links.size(), 2);
-  EXPECT_EQ(links[1]->text(), "c.csv");
-  links[1]->click();
-  ASSERT_EQ(wanted.count(), 1);
-  EXPECT_EQ(wanted.at(0).at(0).toString(), "/a/c.csv");
 }
 
 TEST(ResultPanel, WarningsAreShownErrorsBeforeTheNumbers) {
@@ -134,7 +122,7 @@ TEST(MessageBar, ShowsTheSentenceAndCloses) {
 
 TEST(Icons, EveryDrawingIsThereAndTakesTheColour) {
   for (const char* name :
-       {"heft", "open", "play", "pause", "fit", "tool", "view", "eye", "camera", "bulb", "close", "info",
+       {"heft", "open", "undo", "redo", "check", "copy", "plus", "minus", "brush", "cursors", "contact", "hand", "back", "table", "folder", "play", "pause", "fit", "tool", "view", "eye", "camera", "bulb", "close", "info",
         "light_measured", "light_partly", "light_unknown", "light_look", "light_two_causes", "light_not_possible"}) {
     const QImage image = iconPixmap(name, 20, QColor("#123456"), QColor("#FFFFFF"), 2.0).toImage();
     int painted = 0, coloured = 0;

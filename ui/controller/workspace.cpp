@@ -39,7 +39,16 @@ OpenResult openRecording(const QString& path, const Progress& progress) {
 
 }  // namespace
 
-Workspace::Workspace(QObject* parent) : QObject(parent) {}
+Workspace::Workspace(QObject* parent) : QObject(parent) {
+  connect(&jobs_, &JobRunner::started, this, &Workspace::busyChanged);
+  connect(&jobs_, &JobRunner::finished, this, &Workspace::busyChanged);
+}
+
+void Workspace::fail(const Error& error) {
+  if (error.cancelled) return;
+  lastFailure_ = QString::fromStdString(error.message);
+  emit failed(lastFailure_);
+}
 
 void Workspace::open(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
@@ -47,10 +56,7 @@ void Workspace::open(const QString& path) {
       tr("Opening %1").arg(QFileInfo(path).fileName()),
       [absolute](const Progress& progress) { return openRecording(absolute, progress); },
       [this](OpenResult result) {
-        if (!result) {
-          if (!result.error().cancelled) emit failed(QString::fromStdString(result.error().message));
-          return;
-        }
+        if (!result) return fail(result.error());
         opened_ = *result;
         report_.reset();
         emit openedChanged();
@@ -61,6 +67,7 @@ void Workspace::open(const QString& path) {
 
 void Workspace::estimate() {
   if (!opened_) return;
+  lastFailure_.clear();
   jobs_.start(
       tr("Estimating"),
       [snapshot = opened_](const Progress& progress) -> Result<std::shared_ptr<const EstimateReport>> {
@@ -73,10 +80,7 @@ void Workspace::estimate() {
         return std::shared_ptr<const EstimateReport>(std::move(report));
       },
       [this](Result<std::shared_ptr<const EstimateReport>> result) {
-        if (!result) {
-          if (!result.error().cancelled) emit failed(QString::fromStdString(result.error().message));
-          return;
-        }
+        if (!result) return fail(result.error());
         report_ = *result;
         emit reportChanged();
       });

@@ -2,6 +2,7 @@
 // What is open, and what was found out about it. The window and its panels listen; they change nothing behind its back.
 #include <QObject>
 #include <QString>
+#include <QUndoStack>
 #include <memory>
 
 #include "core/estimation/estimate.h"
@@ -37,19 +38,28 @@ class Workspace : public QObject {
   std::shared_ptr<const OpenRecording> opened() const { return opened_; }
   std::shared_ptr<const EstimateReport> report() const { return report_; }
   bool busy() const { return jobs_.running(); }
+  /// Why there is no report for the open recording; empty if nothing failed.
+  QString lastFailure() const { return lastFailure_; }
   JobRunner& jobs() { return jobs_; }
+  QUndoStack* undoStack() { return &undo_; }
 
  signals:
   void openedChanged();
   /// The report is null while there is none for the open recording.
   void reportChanged();
+  /// busy() would answer differently.
+  void busyChanged();
   /// One sentence for a person.
   void failed(const QString& sentence);
 
  private:
+  void fail(const Error& error);
+
   JobRunner jobs_;
+  QUndoStack undo_;
   std::shared_ptr<const OpenRecording> opened_;
   std::shared_ptr<const EstimateReport> report_;
+  QString lastFailure_;
 };
 
 }  // namespace heft

@@ -5,12 +5,13 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QUndoStack>
 
 #include "ui/widgets/basics.h"
 
 namespace heft {
 
-HeaderBar::HeaderBar(QWidget* parent) : QWidget(parent) {
+HeaderBar::HeaderBar(QUndoStack* undo, QWidget* parent) : QWidget(parent) {
   setObjectName("header");
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(38);
@@ -25,6 +26,23 @@ HeaderBar::HeaderBar(QWidget* parent) : QWidget(parent) {
   menus_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   row->addWidget(menus_, 0, Qt::AlignVCenter);
   row->addStretch(1);
+  auto* back = new IconButton("undo", tr("Undo (Ctrl+Z)"), this);
+  back->setObjectName("undoButton");
+  auto* forth = new IconButton("redo", tr("Redo (Ctrl+Y)"), this);
+  forth->setObjectName("redoButton");
+  connect(back, &QToolButton::clicked, undo, &QUndoStack::undo);
+  connect(forth, &QToolButton::clicked, undo, &QUndoStack::redo);
+  const auto refresh = [undo, back, forth] {
+    back->setEnabled(undo->canUndo());
+    forth->setEnabled(undo->canRedo());
+    back->setToolTip(undo->canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(undo->undoText()) : tr("Nothing to undo"));
+    forth->setToolTip(undo->canRedo() ? tr("Redo: %1 (Ctrl+Y)").arg(undo->redoText()) : tr("Nothing to redo"));
+  };
+  connect(undo, &QUndoStack::indexChanged, this, refresh);
+  refresh();
+  row->addWidget(back);
+  row->addWidget(forth);
+  row->addSpacing(8);
   auto* segmented = new QFrame(this);
   segmented->setObjectName("segmented");
   segmented->setFixedHeight(26);

@@ -1,17 +1,18 @@
 #pragma once
-// The top of the window: name, menus, the open file, Simple or Details.
+// The top of the window: name, menus, the open file, undo and redo, Simple or Details.
 #include <QWidget>
 
 class QLabel;
 class QMenuBar;
 class QPushButton;
+class QUndoStack;
 
 namespace heft {
 
 class HeaderBar : public QWidget {
   Q_OBJECT
  public:
-  explicit HeaderBar(QWidget* parent = nullptr);
+  explicit HeaderBar(QUndoStack* undo, QWidget* parent = nullptr);
   QMenuBar* menuBar() { return menus_; }
   void setDetails(bool shown);
   void setFileName(const QString& name, const QString& path);

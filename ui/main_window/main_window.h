@@ -1,24 +1,28 @@
 #pragma once
-// Assembles header, 3D view, plots, panel and status line, and joins them to the workspace.
+// Assembles header, step bar, 3D view, plots, the steps' panels and the status line, and switches between the steps.
 #include <QMainWindow>
+#include <QMap>
 #include <memory>
+#include <vector>
 
 #include "ui/jobs/job_runner.h"
 #include "ui/robot_view/robot_look.h"
+#include "ui/steps/step_panel.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/playback.h"
 
-class QMenu;
 class QSplitter;
+class QStackedWidget;
 
 namespace heft {
 
+class Files;
 class HeaderBar;
 class MessageBar;
 class RecordingPane;
-class ResultPanel;
 class RobotView;
 class StatusBar;
+class StepBar;
 class Workspace;
 
 class MainWindow : public QMainWindow {
@@ -31,13 +35,20 @@ class MainWindow : public QMainWindow {
   Playback* playback() { return &playback_; }
   RecordingPane* recordingPane() { return pane_; }
   RobotView* robotView() { return view_; }
-  ResultPanel* resultPanel() { return panel_; }
   MessageBar* messageBar() { return message_; }
+  StepBar* stepBar() { return steps_; }
+  /// Null if the step has no panel.
+  StepPanel* panel(Step step) const { return panels_.value(step); }
+
+  /// Shows a step's panel; nothing happens if it has none.
+  void showStep(Step step);
+  Step step() const { return step_; }
 
   /// True once the arm's shape is loaded and nothing is under way: the picture will not change by itself.
   bool settled() const;
   /// Also the engineer's numbers.
   void showDetails(bool shown);
+  bool detailsShown() const { return details_; }
   /// The whole window as it looks now, 3D included.
   QImage picture();
 
@@ -51,31 +62,35 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void buildMenus();
-  void chooseFile();
-  void open(const QString& path);
+  friend class MenuBuilder;  ///< Joins the menus to the parts.
+  void assemble();
+  void addPanels(const StudioMenus& menus);
+  void connectParts();
   void showOpened();
   void showReport();
-  void showFailure(const QString& sentence);
-  void savePayload();
-  void savePicture(const QImage& picture, const QString& what);
-  QStringList recentFiles() const;
-  void rememberFile(const QString& path);
-  void fillRecentMenu();
+  void loadArm();
+  void arrangeFor(StepPanel* panel);
 
   Workspace* workspace_;
   bool remembers_;
+  bool details_ = false;
+  Step step_ = Step::record;
   Playback playback_;
   JobRunner lookJobs_;  ///< Loads the arm that stands there before a recording is open.
-  HeaderBar* header_;
-  MessageBar* message_;
-  RobotView* view_;
-  RecordingPane* pane_;
-  ResultPanel* panel_;
-  StatusBar* status_;
-  QSplitter* across_;
-  QSplitter* down_;
-  QMenu* recent_ = nullptr;
+  std::vector<JobRunner*> followed_;
+  Files* files_;
+  HeaderBar* header_ = nullptr;
+  StepBar* steps_ = nullptr;
+  MessageBar* message_ = nullptr;
+  RobotView* view_ = nullptr;
+  RecordingPane* pane_ = nullptr;
+  StatusBar* status_ = nullptr;
+  QSplitter* across_ = nullptr;
+  QSplitter* down_ = nullptr;
+  QStackedWidget* below_ = nullptr;
+  QStackedWidget* panelStack_ = nullptr;
+  QMap<Step, StepPanel*> panels_;
+  QMap<Step, QByteArray> acrossSizes_, downSizes_;  ///< Each step keeps its own.
 };
 
 }  // namespace heft

@@ -3,13 +3,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <algorithm>
 
 #include "ui/jobs/job_runner.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
 
-StatusBar::StatusBar(JobRunner* jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
+StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
   setObjectName("statusBar");
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(28);
@@ -17,7 +18,13 @@ StatusBar::StatusBar(JobRunner* jobs, QWidget* parent) : QWidget(parent), jobs_(
   row->setContentsMargins(14, 0, 10, 0);
   row->setSpacing(10);
   facts_ = styledLabel({}, "facts", this);
-  row->addWidget(facts_, 1);
+  facts_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  row->addWidget(facts_);
+  row->addSpacing(8);
+  hint_ = styledLabel({}, "hint", this);
+  hint_->setMinimumWidth(0);
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(hint_, 1);
   job_ = styledLabel({}, "jobTitle", this);
   row->addWidget(job_);
   bar_ = new QProgressBar(this);
@@ -30,26 +37,53 @@ StatusBar::StatusBar(JobRunner* jobs, QWidget* parent) : QWidget(parent), jobs_(
   cancel_->setObjectName("cancelButton");
   cancel_->setIconSize(QSize(14, 14));
   row->addWidget(cancel_);
-  connect(cancel_, &QToolButton::clicked, jobs_, &JobRunner::cancel);
-  connect(jobs_, &JobRunner::started, this, [this](const QString& title) {
-    job_->setText(title);
-    bar_->setValue(0);
-    showJob(true);
+  connect(cancel_, &QToolButton::clicked, this, [this] {
+    if (shown_) shown_->cancel();
   });
-  connect(jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& what) {
+  saved_ = styledLabel({}, "saved", this);
+  row->addWidget(saved_);
+  showJob(nullptr);
+}
+
+void StatusBar::follow(JobRunner* jobs) {
+  followed_.push_back(jobs);
+  connect(jobs, &JobRunner::started, this, [this, jobs] {
+    if (!jobs->title().isEmpty()) showJob(jobs);
+  });
+  connect(jobs, &JobRunner::progressed, this, [this, jobs](double fraction, const QString& what) {
+    if (jobs != shown_) return;
     bar_->setValue(static_cast<int>(fraction * 1000));
     if (!what.isEmpty()) job_->setToolTip(what);
   });
-  connect(jobs_, &JobRunner::finished, this, [this] { showJob(false); });
-  showJob(false);
+  connect(jobs, &JobRunner::finished, this, [this, jobs] {
+    if (jobs != shown_) return;
+    // Another one may still be at work.
+    JobRunner* other = nullptr;
+    for (JobRunner* runner : followed_) {
+      if (runner->running() && !runner->title().isEmpty()) other = runner;
+    }
+    showJob(other);
+  });
+  connect(jobs, &QObject::destroyed, this, [this, jobs] {
+    followed_.erase(std::remove(followed_.begin(), followed_.end(), jobs), followed_.end());
+    if (jobs == shown_) showJob(nullptr);
+  });
 }
 
 void StatusBar::setFacts(const QString& text) { facts_->setText(text); }
 
-void StatusBar::showJob(bool running) {
-  job_->setVisible(running);
-  bar_->setVisible(running);
-  cancel_->setVisible(running);
+void StatusBar::setHint(const QString& text) { hint_->setText(text); }
+
+void StatusBar::setSaved(const QString& text) { saved_->setText(text); }
+
+void StatusBar::showJob(JobRunner* jobs) {
+  shown_ = jobs;
+  if (jobs) {
+    job_->setText(jobs->title());
+    bar_->setValue(static_cast<int>(jobs->fraction() * 1000));
+  }
+  for (QWidget* part : std::initializer_list<QWidget*>{job_, bar_, cancel_}) part->setVisible(jobs != nullptr);
+  saved_->setVisible(jobs == nullptr);
 }
 
 }  // namespace heft

@@ -1,6 +1,7 @@
 #pragma once
 // The bottom line: what is open, and how far the work under way is.
 #include <QWidget>
+#include <vector>
 
 class QLabel;
 class QProgressBar;
@@ -13,14 +14,23 @@ class JobRunner;
 class StatusBar : public QWidget {
   Q_OBJECT
  public:
-  explicit StatusBar(JobRunner* jobs, QWidget* parent = nullptr);
+  explicit StatusBar(QWidget* parent = nullptr);
+  /// Shows this runner's work, too; of several under way the one that began last.
+  void follow(JobRunner* jobs);
   void setFacts(const QString& text);
+  /// What may be done here; beside the facts.
+  void setHint(const QString& text);
+  /// "Saved automatically, 14:31", at the right.
+  void setSaved(const QString& text);
 
  private:
-  void showJob(bool running);
+  void showJob(JobRunner* jobs);
 
-  JobRunner* jobs_;
+  JobRunner* shown_ = nullptr;  ///< Whose work is shown.
+  std::vector<JobRunner*> followed_;
   QLabel* facts_;
+  QLabel* hint_;
+  QLabel* saved_;
   QLabel* job_;
   QProgressBar* bar_;
   IconButton* cancel_;

@@ -1,19 +1,13 @@
 #include "ui/results/result_panel.h"
 
-#include <QEvent>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
 #include "ui/results/mass_scale.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -43,147 +37,32 @@ QString tagText(Source source, bool doubtful) {
   return doubtful && source == Source::data ? ResultPanel::tr("measured, check first") : sourceWord(source);
 }
 
-QLabel* wrapped(const QString& text, const char* style, QWidget* parent) {
-  QLabel* label = styledLabel(text, style, parent);
-  label->setWordWrap(true);
-  return label;
-}
-
-/// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for.
-class PanelContent : public QWidget {
- public:
-  PanelContent() { setObjectName("panelContent"); }
-
- protected:
-  void resizeEvent(QResizeEvent* event) override {
-    QWidget::resizeEvent(event);
-    fitHeight();
-  }
-  bool event(QEvent* event) override {
-    const bool handled = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest) fitHeight();
-    return handled;
-  }
-
- private:
-  void fitHeight() {
-    if (layout() && width() > 0) setMinimumHeight(layout()->totalHeightForWidth(width()));
-  }
-};
-
-/// "● x  1.4 ± 0.6 mm" with the axis colour as a dot.
-class AxisDot : public QLabel {
- public:
-  AxisDot(int axis, QWidget* parent) : QLabel(parent), axis_(axis) { paint(); }
-
- protected:
-  void changeEvent(QEvent* event) override {
-    QLabel::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) paint();
-  }
-
- private:
-  void paint() {
-    const QString sheet = QStringLiteral("background: %1; border-radius: 4px;").arg(theme().axis[axis_].name());
-    setFixedSize(8, 8);
-    if (styleSheet() != sheet) setStyleSheet(sheet);
-  }
-  int axis_;
-};
-
 }  // namespace
 
-ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
-  setObjectName("panel");
-  setAttribute(Qt::WA_StyledBackground);
-  setMinimumWidth(360);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(1, 0, 0, 0);
-  column->setSpacing(0);
-  scroll_ = new QScrollArea(this);
-  scroll_->setObjectName("panelScroll");
-  scroll_->setWidgetResizable(true);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setFocusPolicy(Qt::NoFocus);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  column->addWidget(scroll_, 1);
-  foot_ = new QWidget(this);
-  foot_->setObjectName("panelFoot");
-  foot_->setAttribute(Qt::WA_StyledBackground);
-  auto* footRow = new QHBoxLayout(foot_);
-  footRow->setContentsMargins(20, 14, 20, 14);
-  main_ = new QPushButton(foot_);
-  main_->setObjectName("mainButton");
-  footRow->addWidget(main_, 1);
-  column->addWidget(foot_);
-}
+ResultPanel::ResultPanel(QWidget* parent) : PanelPage(parent) {}
 
-QVBoxLayout* ResultPanel::restart(const QString& question, const QString& answer) {
-  auto* content = new PanelContent;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(20, 18, 20, 16);
-  column->setSpacing(10);
-  QLabel* title = wrapped(question, "question", content);
-  column->addWidget(title);
-  if (!answer.isEmpty()) column->addWidget(wrapped(answer, "answer", content));
-  column->addSpacing(2);
-  scroll_->setWidget(content);  // Deletes the one before.
-  return column;
-}
-
-void ResultPanel::setMainButton(const QString& text, void (ResultPanel::*signal)()) {
-  foot_->setVisible(!text.isEmpty());
-  main_->setText(text);
-  disconnect(mainConnection_);
-  if (signal) mainConnection_ = connect(main_, &QPushButton::clicked, this, signal);
-}
-
-void ResultPanel::showWelcome(const QStringList& recentFiles) {
-  again_ = [this, recentFiles] { showWelcome(recentFiles); };
-  auto* column =
-      restart(tr("What does your tool weigh?"),
-              tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and inertia, "
-                 "and tells how sure each number is."));
-  QWidget* content = scroll_->widget();
-  const Card card = makeCard("card", content);
-  card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
-  card.layout->addWidget(wrapped(tr("A CSV with time, joint angles or sensor poses, and force and torque. A file "
-                                    "NAME.meta.json beside it may name the robot and how the sensor is mounted."),
-                                 "caption", content));
-  card.layout->addWidget(wrapped(tr("You can also drop a file anywhere in this window."), "caption", content));
-  column->addWidget(card.frame);
-  if (!recentFiles.isEmpty()) {
-    column->addSpacing(6);
-    column->addWidget(styledLabel(tr("Opened lately"), "sectionTitle", content));
-    for (const QString& path : recentFiles) {
-      auto* button = new QPushButton(QFileInfo(path).fileName(), content);
-      button->setObjectName("linkButton");
-      button->setToolTip(path);
-      button->setAccessibleName(tr("Open %1").arg(path));
-      connect(button, &QPushButton::clicked, this, [this, path] { emit fileWanted(path); });
-      column->addWidget(button);
-    }
-  }
-  column->addStretch(1);
-  setMainButton(tr("Open a recording …"), &ResultPanel::openWanted);
+void ResultPanel::showNothing() {
+  again_ = [this] { showNothing(); };
+  restart(tr("What does your tool weigh?"), tr("Open a recording first, or make one under Record."))->addStretch(1);
+  setMainButton({});
 }
 
 void ResultPanel::showWorking(const QString& fileName) {
   again_ = [this, fileName] { showWorking(fileName); };
   restart(tr("Weighing the tool …"), tr("Heft reads the motion and the forces in %1.").arg(fileName))->addStretch(1);
-  setMainButton({}, nullptr);
+  setMainButton({});
 }
 
 void ResultPanel::showNoResult(const QString& reason) {
   again_ = [this, reason] { showNoResult(reason); };
   restart(tr("No estimate yet"), reason)->addStretch(1);
-  setMainButton(tr("Estimate"), &ResultPanel::estimateWanted);
+  setMainButton(tr("Estimate"), [this] { emit estimateWanted(); });
 }
 
 void ResultPanel::showResult(const ResultText& result) {
   again_ = [this, result] { showResult(result); };
   auto* column = restart(result.question, result.answer);
-  QWidget* content = scroll_->widget();
+  QWidget* content = this->content();
 
   // What calls for a decision comes before the numbers it concerns.
   std::vector<FindingText> first, later, calm;
@@ -202,7 +81,7 @@ void ResultPanel::showResult(const ResultText& result) {
     auto* row = new QHBoxLayout;
     row->setSpacing(12);
     row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
-    row->addWidget(wrapped(result.advice, "advice", content), 1);
+    row->addWidget(wrappedLabel(result.advice, "advice", content), 1);
     card.layout->addLayout(row);
     column->addWidget(card.frame);
   }
@@ -211,16 +90,16 @@ void ResultPanel::showResult(const ResultText& result) {
     addDetails(column, result.details);
     if (!calm.empty()) addFindings(column, calm);
   } else if (!calm.empty()) {
-    column->addWidget(wrapped(
+    column->addWidget(wrappedLabel(
         calm.size() == 1 ? tr("One more note under Details.") : tr("%1 more notes under Details.").arg(calm.size()),
         "caption", content));
   }
   column->addStretch(1);
-  setMainButton(tr("Save the payload file …"), &ResultPanel::saveWanted);
+  setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
 }
 
 void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
-  QWidget* content = scroll_->widget();
+  QWidget* content = this->content();
   const Card card = makeCard("card", content);
   card.frame->setToolTip(result.mass.tip);
   auto* row = new QHBoxLayout;
@@ -245,7 +124,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
 }
 
 void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
-  QWidget* content = scroll_->widget();
+  QWidget* content = this->content();
   const Card card = makeCard("card", content);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
@@ -284,13 +163,13 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
     tags->addStretch(1);
     card.layout->addLayout(tags);
   }
-  card.layout->addWidget(wrapped(
+  card.layout->addWidget(wrappedLabel(
       result.comNote.isEmpty() ? tr("From the sensor’s origin, along its axes.") : result.comNote, "caption", content));
   column->addWidget(card.frame);
 }
 
 void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
-  QWidget* content = scroll_->widget();
+  QWidget* content = this->content();
   const Card card = makeCard("card", content);
   card.layout->setSpacing(0);
   auto* row = new QHBoxLayout;
@@ -328,13 +207,13 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
   if (!result.inertiaNote.isEmpty()) {
     card.layout->addWidget(makeDivider(content));
     card.layout->addSpacing(8);
-    card.layout->addWidget(wrapped(result.inertiaNote, "caption", content));
+    card.layout->addWidget(wrappedLabel(result.inertiaNote, "caption", content));
   }
   column->addWidget(card.frame);
 }
 
 void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText>& findings) {
-  QWidget* content = scroll_->widget();
+  QWidget* content = this->content();
   const bool grave = findings.front().severity == Severity::error;
   const Card card = makeCard(grave                                            ? "cardBad"
                              : findings.front().severity == Severity::warning ? "cardLook"
@@ -347,8 +226,8 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
     row->addWidget(new LightIcon(lightOf(finding.severity), 18, content), 0, Qt::AlignTop);
     auto* text = new QVBoxLayout;
     text->setSpacing(2);
-    text->addWidget(wrapped(finding.text, "findingText", content));
-    if (!finding.remedy.isEmpty()) text->addWidget(wrapped(finding.remedy, "caption", content));
+    text->addWidget(wrappedLabel(finding.text, "findingText", content));
+    if (!finding.remedy.isEmpty()) text->addWidget(wrappedLabel(finding.remedy, "caption", content));
     row->addLayout(text, 1);
     card.layout->addLayout(row);
   }
@@ -356,7 +235,7 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
 }
 
 void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
-  QWidget* content = scroll_->widget();
+  QWidget* content = this->content();
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Details"), "sectionTitle", content));
   auto* grid = new QGridLayout;
@@ -381,13 +260,13 @@ void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>&
 void ResultPanel::setDetailsShown(bool shown) {
   if (shown == details_) return;
   details_ = shown;
-  const int position = scroll_->verticalScrollBar()->value();
+  const int position = scrollPosition();
   if (again_) {
     // A copy, since the call replaces the member.
     const auto again = again_;
     again();
   }
-  scroll_->verticalScrollBar()->setValue(position);
+  setScrollPosition(position);
 }
 
 }  // namespace heft

@@ -89,6 +89,10 @@ QString lightWord(Light light) {
   return {};
 }
 
+QPixmap lightPixmap(Light light, int size, qreal devicePixelRatio) {
+  return iconPixmap(lightIconName(light), size, lightColour(light), theme().panel, devicePixelRatio);
+}
+
 LightIcon::LightIcon(Light light, int size, QWidget* parent) : QWidget(parent), light_(light), size_(size) {
   setFixedSize(size, size);
   setLight(light);
@@ -102,8 +106,7 @@ void LightIcon::setLight(Light light) {
 
 void LightIcon::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.drawPixmap(0, 0,
-                     iconPixmap(lightIconName(light_), size_, lightColour(light_), theme().panel, devicePixelRatioF()));
+  painter.drawPixmap(0, 0, lightPixmap(light_, size_, devicePixelRatioF()));
 }
 
 IconLabel::IconLabel(const QString& icon, int size, QWidget* parent) : QWidget(parent), icon_(icon), size_(size) {
@@ -120,6 +123,27 @@ QLabel* styledLabel(const QString& text, const char* style, QWidget* parent) {
   label->setObjectName(style);
   label->setTextFormat(Qt::PlainText);
   return label;
+}
+
+QLabel* wrappedLabel(const QString& text, const char* style, QWidget* parent) {
+  QLabel* label = styledLabel(text, style, parent);
+  label->setWordWrap(true);
+  return label;
+}
+
+AxisDot::AxisDot(int axis, QWidget* parent) : QLabel(parent), axis_(axis) {
+  setFixedSize(8, 8);
+  colour();
+}
+
+void AxisDot::changeEvent(QEvent* event) {
+  QLabel::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colour();
+}
+
+void AxisDot::colour() {
+  const QString sheet = QStringLiteral("background: %1; border-radius: 4px;").arg(theme().axis[axis_].name());
+  if (styleSheet() != sheet) setStyleSheet(sheet);
 }
 
 Card makeCard(const char* style, QWidget* parent) {

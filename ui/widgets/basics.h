@@ -24,6 +24,8 @@ class IconButton : public QToolButton {
 /// How sure something is: always a shape and, beside it or in its accessible name, a word.
 enum class Light { measured, partly, unknown, look, twoCauses, notPossible, info };
 QString lightWord(Light light);
+/// The drawing of a light in the colours of the theme in force, for painting code.
+QPixmap lightPixmap(Light light, int size, qreal devicePixelRatio);
 
 /// The drawing of a light.
 class LightIcon : public QWidget {
@@ -57,6 +59,21 @@ class IconLabel : public QWidget {
 
 /// A label with a style name of the sheet ("question", "caption" ...).
 QLabel* styledLabel(const QString& text, const char* style, QWidget* parent = nullptr);
+/// The same over several lines.
+QLabel* wrappedLabel(const QString& text, const char* style, QWidget* parent = nullptr);
+
+/// A dot in the colour of an axis: 0 x, 1 y, 2 z.
+class AxisDot : public QLabel {
+ public:
+  explicit AxisDot(int axis, QWidget* parent = nullptr);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void colour();
+  int axis_;
+};
 
 /// A frame with the style name "card", "cardSuggested", "cardLook" or "cardBad" and an empty vertical layout.
 struct Card {

@@ -1,6 +1,7 @@
 #include "ui/wrench_plots/recording_pane.h"
 
 #include <QHBoxLayout>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/timeline/marks_bar.h"
@@ -33,6 +34,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   column->setSpacing(0);
 
   auto* header = new QWidget(this);
+  header_ = header;
   header->setObjectName("plotHeader");
   header->setAttribute(Qt::WA_StyledBackground);
   header->setFixedHeight(36);
@@ -74,6 +76,20 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   auto* picture = new IconButton("camera", tr("Save a picture of the plots"), header);
   row->addWidget(picture);
   column->addWidget(header);
+  foldedHeader_ = new QWidget(this);
+  foldedHeader_->setObjectName("plotHeader");
+  foldedHeader_->setAttribute(Qt::WA_StyledBackground);
+  foldedHeader_->setFixedHeight(36);
+  auto* foldedRow = new QHBoxLayout(foldedHeader_);
+  foldedRow->setContentsMargins(12, 0, 12, 0);
+  foldedRow->addWidget(styledLabel(tr("Recording"), "plotTitle", foldedHeader_));
+  foldedRow->addStretch(1);
+  auto* unfold = new QPushButton(tr("Show force and torque"), foldedHeader_);
+  unfold->setObjectName("linkButton");
+  connect(unfold, &QPushButton::clicked, this, &RecordingPane::unfoldWanted);
+  foldedRow->addWidget(unfold);
+  foldedHeader_->hide();
+  column->addWidget(foldedHeader_);
   column->addWidget(body, 1);
   bar_ = new PlaybackBar(playback, this);
   column->addWidget(bar_);
@@ -84,6 +100,16 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
   connect(playback_, &Playback::timeChanged, cursor_, &TimeCursor::setTime);
 }
+
+void RecordingPane::setFolded(bool folded) {
+  folded_ = folded;
+  header_->setVisible(!folded);
+  foldedHeader_->setVisible(folded);
+  plots_->setVisible(!folded);
+  bar_->setVisible(!folded);
+}
+
+int RecordingPane::foldedHeight() const { return foldedHeader_->height() + marks_->height() + 12; }
 
 void RecordingPane::setRecording(const Recording* recording) {
   auto traces = recording ? std::make_shared<const WrenchTraces>(*recording, nullptr) : nullptr;

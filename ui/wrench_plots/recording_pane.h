@@ -26,12 +26,19 @@ class RecordingPane : public QWidget {
   /// The estimate on that recording, or null while there is none.
   void setReport(const Recording* recording, const EstimateReport* report);
 
+  /// Folded, only the marks bar stands there, under a line that unfolds it.
+  void setFolded(bool folded);
+  bool folded() const { return folded_; }
+  int foldedHeight() const;
+
   TimeAxis* timeAxis() { return &axis_; }
   WrenchPlots* plots() { return plots_; }
   MarksBar* marks() { return marks_; }
 
  signals:
   void pictureWanted();
+  /// The user asked for the plots while they were folded.
+  void unfoldWanted();
 
  private:
   TimeAxis axis_;
@@ -40,6 +47,9 @@ class RecordingPane : public QWidget {
   MarksBar* marks_;
   PlaybackBar* bar_;
   TimeCursor* cursor_;
+  QWidget* header_;
+  QWidget* foldedHeader_;
+  bool folded_ = false;
 };
 
 }  // namespace heft

@@ -1,0 +1,47 @@
+#pragma once
+// Files from the window's side: choosing, opening, what was opened lately, saving pictures.
+#include <QImage>
+#include <QObject>
+#include <QStringList>
+
+#include "core/base/findings.h"
+
+class QMenu;
+class QMimeData;
+class QWidget;
+
+namespace heft {
+
+class Workspace;
+
+class Files : public QObject {
+  Q_OBJECT
+ public:
+  /// Dialogs belong to `window`. With `remembers` false recent files are neither read nor kept.
+  Files(Workspace* workspace, bool remembers, QWidget* window);
+
+  void choose();
+  void open(const QStringList& paths);
+  QStringList recent() const;
+  void remember(const QString& path);
+  /// Fills `menu` with the recent files whenever it opens.
+  void fillRecent(QMenu* menu);
+  /// Asks where to, beside the recording, and saves; `what` becomes part of the name.
+  void savePicture(const QImage& image, const QString& what);
+
+  /// The local files of a drop.
+  static QStringList dropped(const QMimeData* data);
+
+ signals:
+  void said(heft::Severity severity, const QString& sentence);
+
+ private:
+  /// Folder and beginning of a name beside the open recording.
+  QString besideRecording() const;
+
+  Workspace* workspace_;
+  bool remembers_;
+  QWidget* window_;
+};
+
+}  // namespace heft

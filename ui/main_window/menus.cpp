@@ -1,0 +1,111 @@
+#include "ui/main_window/menus.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QMessageBox>
+#include <QUndoStack>
+
+#include "ui/controller/workspace.h"
+#include "ui/main_window/files.h"
+#include "ui/main_window/main_window.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/theme/icons.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+namespace heft {
+
+StudioMenus MenuBuilder::build(QMenuBar* bar) {
+  const StudioMenus menus{bar->addMenu(tr("&File")),  bar->addMenu(tr("&Edit")),     bar->addMenu(tr("&View")),
+                          bar->addMenu(tr("&Tools")), bar->addMenu(tr("&Practice")), bar->addMenu(tr("&Help"))};
+  buildFile(menus.file);
+  buildEdit(menus.edit);
+  buildView(menus.view);
+  buildTools(menus.tools);
+  buildHelp(menus.help);
+  return menus;
+}
+
+void MenuBuilder::finish(QMenuBar*, const StudioMenus& menus) {
+  QMenu* steps = menus.view->addMenu(tr("S&tep"));
+  for (const Step step : kAllSteps) {
+    if (!w_->panel(step)) continue;
+    QAction* action = steps->addAction(stepName(step), w_, [w = w_, step] { w->showStep(step); });
+    action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(static_cast<int>(step) + 1)));
+  }
+  menus.file->addSeparator();
+  QAction* quit = menus.file->addAction(tr("&Quit"), w_, &QWidget::close);
+  quit->setShortcut(QKeySequence::Quit);
+  if (menus.practice->isEmpty()) menus.practice->menuAction()->setVisible(false);
+}
+
+void MenuBuilder::buildFile(QMenu* menu) {
+  menu->addAction(tr("&Open …"), w_->files_, &Files::choose)->setShortcut(QKeySequence::Open);
+  w_->files_->fillRecent(menu->addMenu(tr("Opened &lately")));
+  menu->addSeparator();
+  QAction* payload = menu->addAction(tr("Payload &file …"), w_, [w = w_] { w->showStep(Step::exportFile); });
+  payload->setShortcut(QKeySequence("Ctrl+E"));
+  menu->addAction(tr("Save a &picture of the window …"), w_,
+                  [w = w_] { w->files_->savePicture(w->picture(), tr("window")); });
+}
+
+void MenuBuilder::buildEdit(QMenu* menu) {
+  QUndoStack* stack = w_->workspace_->undoStack();
+  QAction* undo = stack->createUndoAction(w_, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = stack->createRedoAction(w_, tr("&Redo"));
+  redo->setShortcuts({QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")});
+  menu->addAction(undo);
+  menu->addAction(redo);
+}
+
+void MenuBuilder::buildView(QMenu* menu) {
+  const auto addView = [&](const QString& text, const QKeySequence& key, RobotView::Preset preset) {
+    menu->addAction(text, w_, [w = w_, preset] { w->view_->usePreset(preset); })->setShortcut(key);
+  };
+  addView(tr("&Whole arm"), Qt::Key_F, RobotView::Preset::overview);
+  addView(tr("&Tool"), Qt::Key_T, RobotView::Preset::tool);
+  addView(tr("F&ront"), QKeySequence("Ctrl+1"), RobotView::Preset::front);
+  addView(tr("&Side"), QKeySequence("Ctrl+2"), RobotView::Preset::side);
+  addView(tr("T&op"), QKeySequence("Ctrl+3"), RobotView::Preset::top);
+  menu->addSeparator();
+  menu->addAction(tr("Whole &recording in the plots"), w_, [w = w_] { w->pane_->timeAxis()->showAll(); })
+      ->setShortcut(QKeySequence("Ctrl+0"));
+  QAction* details = menu->addAction(tr("&Details"), w_, [w = w_] { w->showDetails(!w->detailsShown()); });
+  details->setShortcut(QKeySequence("Ctrl+D"));
+  menu->addSeparator();
+  auto* themes = new QActionGroup(menu);
+  const std::pair<QString, ThemeKind> kinds[] = {{tr("&Light"), ThemeKind::light}, {tr("&Dark"), ThemeKind::dark}};
+  for (const auto& [text, kind] : kinds) {
+    QAction* action = menu->addAction(text, w_, [w = w_, k = kind] { emit w->themeWanted(k); });
+    action->setCheckable(true);
+    action->setChecked(theme().dark == (kind == ThemeKind::dark));
+    themes->addAction(action);
+  }
+  menu->addSeparator();
+}
+
+void MenuBuilder::buildTools(QMenu* menu) {
+  QAction* again = menu->addAction(tr("&Estimate again"), w_->workspace_, &Workspace::estimate);
+  again->setShortcut(QKeySequence("Ctrl+R"));
+  QAction* stop = menu->addAction(tr("&Stop the work under way"), w_->workspace_, &Workspace::cancel);
+  QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop] {
+    again->setEnabled(w->workspace_->opened() != nullptr);
+    stop->setEnabled(w->workspace_->busy());
+  });
+}
+
+void MenuBuilder::buildHelp(QMenu* menu) {
+  menu->addAction(tr("&About Heft Studio"), w_, [w = w_] {
+    QMessageBox box(w);
+    box.setWindowTitle(tr("About Heft Studio"));
+    box.setIconPixmap(applicationIcon().pixmap(48, 48));
+    box.setText(tr("Heft Studio %1").arg(QCoreApplication::applicationVersion()));
+    box.setInformativeText(
+        tr("Finds out what a robot arm carries. Heft’s source is under the Apache License 2.0; this program links "
+           "QCustomPlot and may be passed on under the GNU General Public License, version 3 or later."));
+    box.exec();
+  });
+}
+
+}  // namespace heft

@@ -1,0 +1,13 @@
+#pragma once
+// Which panels the window has: one line a step.
+#include <memory>
+#include <vector>
+
+#include "ui/steps/step_panel.h"
+
+namespace heft {
+
+/// All panels, in the order of the steps. A step without a panel is not in the bar.
+std::vector<StepPanel*> makePanels(const StudioParts& parts);
+
+}  // namespace heft

@@ -1,0 +1,35 @@
+#pragma once
+// What a step's panel may use of the window around it. The window fills it in before it makes the panels.
+#include <QString>
+#include <QStringList>
+#include <functional>
+
+#include "core/base/findings.h"
+#include "ui/steps/step.h"
+
+namespace heft {
+
+class JobRunner;
+class Playback;
+class RecordingPane;
+class RobotView;
+class Workspace;
+
+struct StudioParts {
+  Workspace* workspace = nullptr;  ///< The domain state and its edits; never null.
+  Playback* playback = nullptr;    ///< Which instant is shown; never null.
+  RobotView* view = nullptr;       ///< The 3D view; null in tests of a panel alone.
+  RecordingPane* plots = nullptr;  ///< Plots and marks bar; null in tests of a panel alone.
+
+  std::function<void(Step)> goTo = [](Step) {};
+  /// One sentence in the bar at the top of the window.
+  std::function<void(Severity, const QString&)> say = [](Severity, const QString&) {};
+  /// Asks for files and opens them.
+  std::function<void()> chooseFiles = [] {};
+  std::function<QStringList()> recentFiles = [] { return QStringList(); };
+  /// Shows the runner's work in the status line and counts it as the window being busy. The runner must live as long
+  /// as the panel.
+  std::function<void(JobRunner*)> followJobs = [](JobRunner*) {};
+};
+
+}  // namespace heft

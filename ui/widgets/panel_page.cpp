@@ -1,0 +1,154 @@
+#include "ui/widgets/panel_page.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/basics.h"
+
+namespace heft {
+namespace {
+
+/// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for.
+class PanelContent : public QWidget {
+ public:
+  PanelContent() { setObjectName("panelContent"); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    fitHeight();
+  }
+  bool event(QEvent* event) override {
+    const bool handled = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) fitHeight();
+    return handled;
+  }
+
+ private:
+  void fitHeight() {
+    if (!layout() || width() <= 0) return;
+    const int needed = layout()->totalHeightForWidth(width());
+    setMinimumHeight(needed > 0 ? needed : layout()->totalMinimumSize().height());
+  }
+};
+
+}  // namespace
+
+PanelPage::PanelPage(QWidget* parent) : QWidget(parent) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
+  setMinimumWidth(360);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(1, 0, 0, 0);
+  column->setSpacing(0);
+  scroll_ = new QScrollArea(this);
+  scroll_->setObjectName("panelScroll");
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  column->addWidget(scroll_, 1);
+  foot_ = new QWidget(this);
+  foot_->setObjectName("panelFoot");
+  foot_->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(foot_);
+  row->setContentsMargins(20, 14, 20, 14);
+  row->setSpacing(10);
+  second_ = new QPushButton(foot_);
+  second_->setObjectName("secondButton");
+  row->addWidget(second_);
+  main_ = new QPushButton(foot_);
+  main_->setObjectName("mainButton");
+  row->addWidget(main_, 1);
+  column->addWidget(foot_);
+  connect(main_, &QPushButton::clicked, this, [this] {
+    const Clicked clicked = mainClicked_;  // The call may replace the member.
+    if (clicked) clicked();
+  });
+  connect(second_, &QPushButton::clicked, this, [this] {
+    const Clicked clicked = secondClicked_;
+    if (clicked) clicked();
+  });
+  main_->hide();
+  second_->hide();
+  foot_->hide();
+}
+
+QVBoxLayout* PanelPage::restart(const QString& question, const QString& answer) {
+  auto* content = new PanelContent;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(20, 18, 20, 16);
+  column->setSpacing(10);
+  column->addWidget(wrappedLabel(question, "question", content));
+  QLabel* second = wrappedLabel(answer, "answer", content);
+  second->setVisible(!answer.isEmpty());
+  column->addWidget(second);
+  column->addSpacing(2);
+  scroll_->setWidget(content);  // Deletes the one before.
+  return column;
+}
+
+void PanelPage::setQuestion(const QString& question, const QString& answer) {
+  if (!content()) return;
+  if (auto* label = content()->findChild<QLabel*>("question")) label->setText(question);
+  if (auto* label = content()->findChild<QLabel*>("answer")) {
+    label->setText(answer);
+    label->setVisible(!answer.isEmpty());
+  }
+}
+
+QWidget* PanelPage::content() const { return scroll_->widget(); }
+
+void PanelPage::setMainButton(const QString& text, Clicked clicked, const QString& icon) {
+  main_->setText(text);
+  main_->setVisible(!text.isEmpty());
+  main_->setEnabled(true);
+  main_->setToolTip({});
+  mainClicked_ = std::move(clicked);
+  mainIcon_ = icon;
+  showFoot();
+}
+
+void PanelPage::setMainEnabled(bool enabled, const QString& why) {
+  main_->setEnabled(enabled);
+  main_->setToolTip(enabled ? QString() : why);
+}
+
+void PanelPage::setSecondButton(const QString& text, Clicked clicked, const QString& icon) {
+  second_->setText(text);
+  second_->setVisible(!text.isEmpty());
+  secondClicked_ = std::move(clicked);
+  secondIcon_ = icon;
+  showFoot();
+}
+
+void PanelPage::showFoot() {
+  foot_->setVisible(!main_->text().isEmpty() || !second_->text().isEmpty());
+  refreshIcons();
+}
+
+void PanelPage::refreshIcons() {
+  const Theme& t = theme();
+  main_->setIcon(mainIcon_.isEmpty() ? QIcon() : QIcon(iconPixmap(mainIcon_, 20, Qt::white, t.accentFill, 2.0)));
+  second_->setIcon(secondIcon_.isEmpty() ? QIcon() : themedIcon(secondIcon_));
+  main_->setIconSize(QSize(20, 20));
+  second_->setIconSize(QSize(20, 20));
+}
+
+int PanelPage::scrollPosition() const { return scroll_->verticalScrollBar()->value(); }
+
+void PanelPage::setScrollPosition(int position) { scroll_->verticalScrollBar()->setValue(position); }
+
+void PanelPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) refreshIcons();
+}
+
+}  // namespace heft
