@@ -22,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string recording, meta, known, shape, shapeFile, json, output, format = "json";
+  std::string recording, meta, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
   bool noBias = false, force = false, compare = false;
   EstimateOptions estimate;
@@ -66,6 +66,24 @@ EstimateOptions estimateOptions(const Options& options) {
     out.shape = std::move(shape).value();
   }
   if (!options.shapeFile.empty()) out.shape = orFail(readShapeFile(options.shapeFile));
+  std::optional<Certainty> certainty;
+  if (!options.certainty.empty()) {
+    constexpr std::array kCertainties{Certainty::rough, Certainty::good, Certainty::exact};
+    certainty = kCertainties[chooseWord("--certainty", options.certainty, words(kCertainties))];
+    if (!out.shape && options.cad.empty())
+      throw WrongUsage("--certainty says how sure --shape, --shape-file or --cad is, and none of them is there.");
+    if (out.shape) out.shape->certainty = *certainty;
+  }
+  if (!options.mass.empty()) {
+    auto scale = parseScaleMass(options.mass);
+    if (!scale) throw WrongUsage("--mass: " + scale.error().message);
+    out.stated.push_back(std::move(scale).value());
+  }
+  if (!options.cad.empty()) {
+    nlohmann::json cad = orFail(readJsonFile(options.cad));
+    if (certainty && cad.is_object()) cad["certainty"] = toString(*certainty);
+    out.stated.push_back(orFail(statedPayloadFromJson(cad, options.cad)));
+  }
   if (!options.known.empty()) {
     out.known = orFail(partialPayloadFromJson(orFail(readJsonFile(options.known)), options.known));
     if (out.known.empty())
@@ -211,6 +229,17 @@ Command makeEstimateCommand(CLI::App& root) {
   app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")
       ->type_name("FILE")
       ->group(kShapeGroup);
+  const char* const kBeliefGroup = "What else is known of the tool, weighed against the motion (method map)";
+  app->add_option("--mass", options->mass, "What a scale shows [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; else +-0.5%")
+      ->type_name("KG")
+      ->group(kBeliefGroup);
+  app->add_option("--cad", options->cad,
+                  "Payload JSON from CAD; may hold \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
+      ->type_name("FILE")
+      ->group(kBeliefGroup);
+  app->add_option("--certainty", options->certainty, "rough, good or exact: how sure the shape or the CAD file is")
+      ->type_name("NAME")
+      ->group(kBeliefGroup);
   const char* const kSmoothGroup = "Smoothing of motion and wrench";
   app->add_option("--smoothing", options->smoothing, "low-pass or savitzky-golay")
       ->type_name("NAME")
@@ -234,7 +263,7 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate rec.csv --json result.json -o tool.json --format franka-desk\n"
       "  heft estimate rec.csv --parameters mass-com --known cad.json\n"
       "  heft estimate rec.csv --compare\n"
-      "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08\n\n"
+      "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08 --mass 0.812\n\n"
       "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");
   return {app, [options] { run(*options); }};
 }

@@ -100,7 +100,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
 
   auto priorResult = priorFor(options, whitened, report.findings);
   if (!priorResult) return priorResult.error();
-  const auto& [prior, start, userPrior] = *priorResult;
+  const auto& [prior, start, told, priorAlone] = *priorResult;
   report.timing.prepare = secondsSince(begin);
 
   progress(0.8, "Estimating");
@@ -121,7 +121,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
                                "Give it with --known to hold it fixed.",
                                {}});
   }
-  if (options.parameters != ParameterSet::full && !known.inertiaCom && !options.shape && !poses)
+  if (options.parameters != ParameterSet::full && !known.inertiaCom && !told.inertia && !poses)
     report.findings.push_back({Severity::info,
                                "inertia_assumed",
                                "The inertia is neither estimated nor given; a tool of usual size was assumed for it.",
@@ -133,11 +133,13 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   AllRows all;
   ColumnNoise noise = ColumnNoise::Ones();
   std::vector<Triangle> folds = prepared.folds;
+  const Triangle believed = priorRows(prior, map.v);  // for map with fewer than all parameters
   if (isMapFull(options)) {
     solution = {map.phi, map.bias, map.converged, map.iterations,
                 map.converged ? "Converged: the gradient vanished." : "Stopped before the gradient vanished."};
   } else if (options.method == Method::map) {
-    solution = solveWithKnown(Method::map, &whitened, nullptr, options, fixed, noise);
+    const Triangle both = merged({whitened, believed});
+    solution = solveWithKnown(Method::map, &both, nullptr, options, fixed, noise);
   } else {
     if (options.method == Method::wls || options.method == Method::tls)
       for (int c = 0; c < 6; ++c)
@@ -165,12 +167,11 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   if (isMapFull(options)) {
     report.interval95 = mapIntervals;
   } else {
-    Vector6d rowWeights = weights;
-    if (options.method == Method::map)
-      for (int c = 0; c < 6; ++c)
-        rowWeights(c) = 1.0 / std::max(1e-9, prepared.noise.channels[static_cast<std::size_t>(c)].sigma);
     const Matrix10d J = componentsJacobian(solution.phi);
-    Matrix10d covariance = J * sandwich(prepared, options, fixed, rowWeights) * J.transpose();
+    Matrix10d covariance = J *
+                           (options.method == Method::map ? covarianceOf(merged({whitened, believed}), options, fixed)
+                                                          : sandwich(prepared, options, fixed, weights)) *
+                           J.transpose();
     // The inertia about the centre of mass is known, not derived, where it is not estimated.
     if (options.parameters != ParameterSet::full) {
       covariance.bottomRows<6>().setZero();
@@ -180,13 +181,15 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   }
   report.std = standardDeviations(report.interval95);
 
-  report.identifiability = assess(whitened, prior, map, standardDeviations(mapIntervals), userPrior);
+  report.identifiability = assess(whitened, prior, map, standardDeviations(mapIntervals), told);
   if (report.parameters != ParameterSet::full) {
     for (auto& row : report.identifiability.inertia)
-      row.fill(known.inertiaCom || options.shape ? Source::prior : Source::none);
+      row.fill(known.inertiaCom || told.inertia ? Source::prior : Source::none);
     if (options.parameters == ParameterSet::mass) report.identifiability.com.fill(Source::prior);
   }
-  if (!poses) report.identifiability.weakDirections = weakDirections(report.identifiability, prepared.motion);
+  if (!poses)
+    report.identifiability.weakDirections = weakDirections(report.identifiability, prepared.motion, mapPayload);
+  report.evidence = evidenceOf(whitened, options.bias, map.phi, priorAlone, told);
 
   const Residuals inSample = residualsOver(prepared, [&](Eigen::Index) -> const SolverSolution& { return solution; });
   report.forceRms = inSample.force;
@@ -198,7 +201,9 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   if (!folds.empty()) {
     std::vector<SolverSolution> heldoutSolutions;
     for (std::size_t fold = 0; fold < folds.size(); ++fold) {
-      const Triangle rest = merged(without(folds, fold));
+      auto others = without(folds, fold);
+      if (options.method == Method::map && !isMapFull(options)) others.push_back(believed);
+      const Triangle rest = merged(others);
       if (isMapFull(options)) {
         const MapSolution part = solveMap(rest, prior, options.bias, map.v);
         heldoutSolutions.push_back({part.phi, part.bias, part.converged, part.iterations, ""});

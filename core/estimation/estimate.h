@@ -7,6 +7,7 @@
 #include "core/base/findings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/estimation/evidence.h"
 #include "core/estimation/identifiability.h"
 #include "core/estimation/options.h"
 #include "core/estimation/uncertainty.h"
@@ -41,6 +42,7 @@ struct EstimateReport {
   Vector3d forceBias = Vector3d::Zero(), torqueBias = Vector3d::Zero();
   bool physicallyConsistent = false;
   Identifiability identifiability;
+  Evidence evidence;
   double forceRms = 0, torqueRms = 0, heldoutForceRms = 0, heldoutTorqueRms = 0;  ///< [N], [N m], over the used parts
   Vector6d noiseStd = Vector6d::Zero();  ///< Residual standard deviation per channel, for the plots' noise band
   std::vector<Segment> segments;

@@ -14,6 +14,72 @@ namespace heft {
 namespace {
 constexpr double kIdentified = 0.30;  // largest relative standard deviation of an identified number
 constexpr const char* kAxes[] = {"x", "y", "z"};
+
+/// Three axes that directions are told about, with names a person can find on the tool.
+struct NamedAxes {
+  Matrix3d R;  ///< Columns, S axes.
+  std::array<std::string, 3> names;
+};
+
+/// The tool's principal axes where its moments of inertia tell them apart, the sensor's otherwise.
+NamedAxes namedAxes(const Payload& payload) {
+  constexpr double kDistinct = 1.25;
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(payload.inertiaCom);
+  const Vector3d moments = eigen.eigenvalues();  // rising
+  const bool isLong = moments(1) > kDistinct * moments(0), isFlat = moments(2) > kDistinct * moments(1);
+  if (!isLong && !isFlat)
+    return {Matrix3d::Identity(), {"the sensor's x axis", "the sensor's y axis", "the sensor's z axis"}};
+  const auto near = [&](int i) {
+    Eigen::Index axis = 0;
+    eigen.eigenvectors().col(i).cwiseAbs().maxCoeff(&axis);
+    return fmt::format(" (near the sensor's {})", kAxes[axis]);
+  };
+  const std::string crosswise = "an axis across the tool";
+  return {eigen.eigenvectors(),
+          {(isLong ? "the tool's long axis" : "an axis in the tool's flat side") + near(0),
+           (isLong ? crosswise : "an axis in the tool's flat side") + near(1),
+           (isFlat && !isLong ? "the axis square to the tool's flat side" : crosswise) + near(2)}};
+}
+
+/// What a small change of the parameters mostly is.
+std::string aboutWhat(const Vector10d& components, const Payload& payload, const NamedAxes& axes) {
+  const double size = std::sqrt(std::max(1e-12, payload.inertiaCom.trace() / (2.0 * payload.mass)));
+  const Matrix3d change = axes.R.transpose() * inertiaTensor(components) * axes.R;
+  const Matrix3d inertia = axes.R.transpose() * payload.inertiaCom * axes.R;
+  const Vector3d shift = axes.R.transpose() * components.segment<3>(1) / size;
+  double largest = std::abs(components(0)) / payload.mass;
+  std::string about = "mass";
+  const auto consider = [&](double value, const std::string& words) {
+    if (std::abs(value) <= largest) return;
+    largest = std::abs(value);
+    about = words;
+  };
+  for (int i = 0; i < 3; ++i) consider(shift(i), "centre of mass along " + axes.names[static_cast<std::size_t>(i)]);
+  for (int r = 0; r < 3; ++r)
+    for (int c = r; c < 3; ++c) {
+      const auto& row = axes.names[static_cast<std::size_t>(r)];
+      consider(change(r, c) / std::sqrt(inertia(r, r) * inertia(c, c)),
+               r == c ? "rotation about " + row
+                      : "coupling of rotations about " + row + " and " + axes.names[static_cast<std::size_t>(c)]);
+    }
+  return about;
+}
+
+std::vector<Identifiability::Direction> directionsOf(const MapPrior& prior, const MapSolution& solution,
+                                                     const Matrix10d& componentsByV) {
+  const Payload payload = fromParameters(solution.phi);
+  const NamedAxes axes = namedAxes(payload);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix10d> eigen(solution.dataInformation,
+                                                                  prior.normalInformation(solution.v));
+  std::vector<Identifiability::Direction> directions;
+  for (int i = 9; i >= 0; --i) {
+    const double lambda = std::max(0.0, eigen.eigenvalues()(i));
+    directions.push_back(
+        {lambda / (1.0 + lambda), aboutWhat(componentsByV * eigen.eigenvectors().col(i), payload, axes)});
+  }
+  return directions;
+}
+
 }  // namespace
 
 std::string_view toString(Source source) {
@@ -37,38 +103,45 @@ double scaledCondition(const Triangle& R) {
 }
 
 Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, const Payload& std,
-                       bool userPrior) {
+                       const ToldParts& told) {
   Identifiability out;
   out.conditionNumber = scaledCondition(R);
   const Matrix10d J = componentsJacobian(solution.phi) * parametersJacobian(prior, solution.v);
   const Vector10d posterior = (J * solution.covariance * J.transpose()).diagonal();
-  const Vector10d before = (J * prior.information.inverse() * J.transpose()).diagonal();
+  const Vector10d before = (J * prior.normalInformation(solution.v).inverse() * J.transpose()).diagonal();
   const Payload payload = fromParameters(solution.phi);
   const Vector10d deviation = componentsOf(std);
   const double size = std::sqrt(std::max(0.0, payload.inertiaCom.trace() / (2.0 * payload.mass)));
 
   const auto share = [&](int i) { return std::clamp(1.0 - posterior(i) / before(i), 0.0, 1.0); };
-  const auto source = [&](int i, double scale) {
-    if (userPrior) return share(i) > 0.5 ? Source::data : Source::prior;
-    return deviation(i) < kIdentified * scale ? Source::data : Source::none;
+  // What is nobody's: too uncertain, and nothing was told that it could come from.
+  const auto source = [&](int i, double scale, bool wasTold) {
+    const bool known = deviation(i) < kIdentified * scale;
+    if (!wasTold) return known ? Source::data : Source::none;
+    return share(i) > 0.5 && known ? Source::data : Source::prior;
   };
-  out.mass = source(0, payload.mass);
+  out.mass = source(0, payload.mass, told.mass);
   out.massShare = share(0);
   for (int i = 0; i < 3; ++i) {
-    out.com[static_cast<std::size_t>(i)] = source(1 + i, size);
+    out.com[static_cast<std::size_t>(i)] = source(1 + i, size, told.com);
     out.comShare += share(1 + i) / 3.0;
   }
   static constexpr int kPlace[3][3] = {{4, 5, 6}, {5, 7, 8}, {6, 8, 9}};
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
       const double scale = std::sqrt(payload.inertiaCom(r, r) * payload.inertiaCom(c, c));
-      out.inertia[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = source(kPlace[r][c], scale);
+      out.inertia[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = source(kPlace[r][c], scale, told.inertia);
       if (r == c) out.inertiaShare += share(kPlace[r][c]) / 3.0;
     }
+  // A shape without its weight tells no inertia.
+  if (out.mass == Source::none)
+    for (auto& row : out.inertia) row.fill(Source::none);
+  out.directions = directionsOf(prior, solution, J);
   return out;
 }
 
-std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion) {
+std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion,
+                                        const Payload& payload) {
   std::vector<std::string> words;
   const double degrees = 180.0 / std::numbers::pi;
   // Gravity's directions in S: their mean length is 1 if the tool was never tilted.
@@ -90,14 +163,22 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
     words.push_back(fmt::format(
         "The tool was not tilted into enough directions to tell where its centre of mass lies along {}.", axes));
   }
+  // The moment about an axis is told by turning to and fro about it, and weak in the sensor's axes where one of the
+  // tool's is.
+  const NamedAxes axes = namedAxes(payload);
+  Vector3d weak = Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    if (identifiability.inertia[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)] != Source::data)
+      weak(i) = 1.0;
   for (int i = 0; i < 3; ++i) {
-    if (identifiability.inertia[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)] == Source::data) continue;
-    const double alpha =
-        std::sqrt(motion.alpha.row(i).squaredNorm() / std::max<double>(1.0, static_cast<double>(motion.size())));
+    const Vector3d axis = axes.R.col(i);
+    if (axis.cwiseAbs2().dot(weak) < 0.5) continue;
+    const double alpha = std::sqrt((axis.transpose() * motion.alpha).squaredNorm() /
+                                   std::max<double>(1.0, static_cast<double>(motion.size())));
     words.push_back(fmt::format(
-        "Rotation about the sensor's {} axis was never fast enough (it sped up by {:.1f} rad/s2 on average): "
-        "turn the tool to and fro about it.",
-        kAxes[i], alpha));
+        "Rotation about {} was never fast enough (it sped up by {:.1f} rad/s2 on average): turn the tool to and fro "
+        "about it.",
+        axes.names[static_cast<std::size_t>(i)], alpha));
   }
   return words;
 }

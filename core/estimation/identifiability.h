@@ -7,6 +7,7 @@
 
 #include "core/estimation/map.h"
 #include "core/estimation/options.h"
+#include "core/estimation/prior.h"
 #include "core/motion/motion.h"
 
 namespace heft {
@@ -27,22 +28,28 @@ struct Identifiability {
                                                 {Source::none, Source::none, Source::none}}};
   double conditionNumber = 0.0;  ///< Of the whitened regressor, biases eliminated, columns scaled to unit length.
   double massShare = 0, comShare = 0, inertiaShare = 0;  ///< Share of the data (1) against the prior (0).
-  std::vector<std::string> weakDirections;               ///< In words: what this motion told too little about.
+  /// The ten independent directions in which data and prior were weighed against each other, the best known first.
+  struct Direction {
+    double dataShare = 0;  ///< lambda / (1 + lambda), lambda of (data information, prior information)
+    std::string about;     ///< What it mostly is: "mass", "rotation about the tool's long axis".
+  };
+  std::vector<Direction> directions;
+  std::vector<std::string> weakDirections;  ///< In words: what this motion told too little about.
 };
 
 /// Condition number of the trailing 10 columns of a whitened triangle, each scaled to unit length; infinite if
 /// singular.
 double scaledCondition(const Triangle& R);
 
-/// Judges a map solution. With `userPrior` (a shape) a number that the data tell less than half of comes from the
-/// prior. Without one, a number whose relative standard deviation exceeds 30 % is not identified (Gautier): mass
-/// relative to itself, centre of mass to the body's radius of gyration, inertia to the geometric mean of its two
-/// moments.
+/// Judges a map solution. What the user told something about comes from the prior where the data tell less than half of
+/// it. What nobody told is not identified if its relative standard deviation exceeds 30 % (Gautier): mass relative to
+/// itself, centre of mass to the body's radius of gyration, inertia to the geometric mean of its two moments.
 /// `std` holds the map solution's standard deviations.
 Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSolution& solution, const Payload& std,
-                       bool userPrior);
+                       const ToldParts& told);
 
-/// Says which rotation or tilt was missing for what is not measured.
-std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion);
+/// Says which rotation or tilt was missing for what is not measured, in terms of the tool's own axes where it has any.
+std::vector<std::string> weakDirections(const Identifiability& identifiability, const Motion& motion,
+                                        const Payload& payload);
 
 }  // namespace heft

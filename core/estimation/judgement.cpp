@@ -101,6 +101,22 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
            {}});
   }
 
+  // Soft information that the data contradict. What the shape's material leaves open is judged with the shape.
+  const auto& disagreement = report.evidence.disagreement;
+  std::string parts;
+  constexpr const char* kNames[] = {"mass",       "centre along x", "centre along y", "centre along z", "inertia xx",
+                                    "inertia xy", "inertia xz",     "inertia yy",     "inertia yz",     "inertia zz"};
+  for (int i = 0; i < 10; ++i)
+    if (std::abs(disagreement(i)) > 4.0)
+      parts += fmt::format("{}{} ({:.0f} sigma)", parts.empty() ? "" : ", ", kNames[i], std::abs(disagreement(i)));
+  if (!parts.empty())
+    report.findings.push_back(
+        {Severity::warning,
+         "prior_contradicts_data",
+         "What you gave and what the motion says disagree about: " + parts + ".",
+         "Either the given values are of another tool or place, or the sensor's calibration is off: trust is low.",
+         {}});
+
   // Values that the user gave and the data contradict.
   if (report.relativeError && report.relativeError->hasMass && report.identifiability.mass == Source::data &&
       report.relativeError->mass > 0.03 && report.relativeError->mass * report.payload.mass > 4.0 * report.std.mass)
@@ -141,6 +157,23 @@ void addFindings(EstimateReport& report) {
                      "intervals.",
                      unknown),
          "Turn the tool faster, or give its shape.",
+         {}});
+  std::string given;
+  const auto lean = [&](bool part, const char* name) {
+    if (part) given += fmt::format("{}{}", given.empty() ? "" : ", ", name);
+  };
+  if (report.parameters == ParameterSet::full && report.evidence.hasPrior) {
+    lean(id.mass == Source::prior, "mass");
+    lean(count(id.com, Source::prior) > 0, "centre of mass");
+    lean(id.inertia[0][0] == Source::prior || id.inertia[1][1] == Source::prior || id.inertia[2][2] == Source::prior,
+         "inertia");
+  }
+  if (!given.empty())
+    report.findings.push_back(
+        {Severity::info,
+         "from_what_you_gave",
+         "The motion tells less than what you gave about: " + given + ". These numbers are mainly yours.",
+         "",
          {}});
   if (!report.physicallyConsistent)
     report.findings.push_back({Severity::warning,

@@ -28,6 +28,14 @@ SolverSolution runSolver(Method method, const SolverProblem& problem, const Colu
   return {};
 }
 
+/// Of a symmetric positive semidefinite matrix with very unequal units.
+MatrixXd pseudoInverse(const MatrixXd& H) {
+  const VectorXd scale = H.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  return scale.asDiagonal() *
+         MatrixXd(scale.asDiagonal() * H * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
+         scale.asDiagonal();
+}
+
 }  // namespace
 
 AllRows collectRows(const Prepared& prepared, const Vector6d& weights, bool keepRows) {
@@ -86,6 +94,12 @@ SolverSolution solveWithKnown(Method method, const Triangle* triangle, const Row
   return solution;
 }
 
+Matrix10d covarianceOf(const Triangle& whitened, const EstimateOptions& options, const Payload& known) {
+  const MatrixXd map = selectionFor(options.parameters, options.bias, known).map;
+  const MatrixXd A = whitened.leftCols<kColumns>() * map;
+  return (map * pseudoInverse(A.transpose() * A) * map.transpose()).bottomRightCorner<10, 10>();
+}
+
 Matrix10d sandwich(const Prepared& prepared, const EstimateOptions& options, const Payload& known,
                    const Vector6d& weights) {
   const auto [map, offset] = selectionFor(options.parameters, options.bias, known);
@@ -98,11 +112,7 @@ Matrix10d sandwich(const Prepared& prepared, const EstimateOptions& options, con
     }
   const MatrixXd H = map.transpose() * bread * map;
   const MatrixXd meat = map.transpose() * scoreCovariance(prepared.blocks, prepared.noise, W, prepared.runs) * map;
-  const VectorXd scale = H.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  const MatrixXd inverse =
-      scale.asDiagonal() *
-      MatrixXd(scale.asDiagonal() * H * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
-      scale.asDiagonal();
+  const MatrixXd inverse = pseudoInverse(H);
   return (map * inverse * meat * inverse * map.transpose()).bottomRightCorner<10, 10>();
 }
 

@@ -29,6 +29,9 @@ ColumnNoise columnNoise(const WrenchRows& blocks, const Vector6d& weights);
 SolverSolution solveWithKnown(Method method, const Triangle* triangle, const Rows* rows, const EstimateOptions& options,
                               const Payload& known, const ColumnNoise& noise);
 
+/// Covariance of phi for the least squares of whitened rows.
+Matrix10d covarianceOf(const Triangle& whitened, const EstimateOptions& options, const Payload& known);
+
 /// Covariance of phi for a linear estimator with row weights, noise coloured as found.
 Matrix10d sandwich(const Prepared& prepared, const EstimateOptions& options, const Payload& known,
                    const Vector6d& weights);

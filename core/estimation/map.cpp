@@ -1,5 +1,6 @@
 #include "core/estimation/map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -22,12 +23,92 @@ Matrix4d matrixV(const Vector10d& v) {
   return V;
 }
 
+/// Pseudo-inertia of a body with this mass, centre and covariance of its mass.
+Matrix4d bodyOf(double mass, const Vector3d& com, const Matrix3d& spread) {
+  Matrix4d P;
+  P.topLeftCorner<3, 3>() = mass * (spread + com * com.transpose());
+  P.topRightCorner<3, 1>() = mass * com;
+  P.bottomLeftCorner<1, 3>() = mass * com.transpose();
+  P(3, 3) = mass;
+  return P;
+}
+
+/// d as the square root of half its entropic divergence, (exp(2 d) - 2 d - 1) / 2, with its sign; and the derivative.
+std::pair<double, double> entropicRoot(double d) {
+  if (std::abs(d) < 1e-4) return {d * (1.0 + d / 3.0), 1.0 + 2.0 * d / 3.0};
+  const double size = std::sqrt(0.5 * (std::expm1(2.0 * d) - 2.0 * d));
+  const double root = d > 0.0 ? size : -size;
+  return {root, 0.5 * std::expm1(2.0 * d) / root};
+}
+
+/// The ten numbers of a stated payload at U = U0 V, and their derivatives by v.
+Vector10d residualsOf(const StatedTerm& term, const Matrix4d& U0, const Vector10d& v, Matrix10d& jacobian) {
+  const Matrix4d left = term.inverseU * U0;
+  const Matrix4d V = matrixV(v), W = left * V;
+  Vector10d residual = Vector10d::Zero();
+  jacobian.setZero();
+  for (int i = 0; i < 10; ++i) {
+    if (term.weight(i) == 0.0) continue;
+    const auto [r, c] = kEntries[i];
+    // Derivative of an entry of W by coordinate k: column c_k of W moves by left's column r_k.
+    const auto entry = [&](int row, int column, int k) {
+      const auto [rk, ck] = kEntries[k];
+      return column == ck ? left(row, rk) * (rk == ck ? V(rk, rk) : 1.0) : 0.0;
+    };
+    if (r == c) {
+      const double d = std::log(W(r, r)) - (r < 3 ? std::log(W(3, 3)) : 0.0);
+      const auto [root, slope] = entropicRoot(d);
+      residual(i) = term.weight(i) * root;
+      for (int k = 0; k < 10; ++k)
+        jacobian(i, k) = term.weight(i) * slope * (entry(r, r, k) / W(r, r) - (r < 3 ? entry(3, 3, k) / W(3, 3) : 0.0));
+    } else {
+      residual(i) = term.weight(i) * W(r, c) / W(3, 3);
+      for (int k = 0; k < 10; ++k)
+        jacobian(i, k) = term.weight(i) * (entry(r, c, k) - W(r, c) / W(3, 3) * entry(3, 3, k)) / W(3, 3);
+    }
+  }
+  return residual;
+}
+
 }  // namespace
 
+StatedTerm termFrom(const StatedPayload& stated) {
+  const double mass = stated.mass.value_or(1.0);
+  const Vector3d com = stated.com.value_or(Vector3d::Zero());
+  const Matrix3d spread = stated.spread.value_or(kUsualRadius * kUsualRadius * Matrix3d::Identity());
+  StatedTerm term;
+  term.inverseU = upperFactor(bodyOf(mass, com, spread)).inverse();
+  if (stated.spread) term.weight.head<6>().setConstant(1.0 / stated.shapeStd);
+  if (stated.com) term.weight.segment<3>(6).setConstant(1.0 / stated.centreStd);
+  if (stated.mass) term.weight(9) = 2.0 / stated.massStd;
+  return term;
+}
+
+LinearTerm linearised(const StatedTerm& term, const Vector10d& phi) {
+  MapPrior here;
+  here.U0 = upperFactor(pseudoInertia(phi));
+  Matrix10d byV;
+  const Vector10d residual = residualsOf(term, here.U0, Vector10d::Zero(), byV);
+  const Matrix10d A = byV * parametersJacobian(here, Vector10d::Zero()).inverse();
+  return {A, A * phi - residual};
+}
+
+Matrix10d MapPrior::statedInformation(const Vector10d& v, Vector10d* halfGradient) const {
+  Matrix10d sum = Matrix10d::Zero(), J;
+  for (const auto& term : stated) {
+    const Vector10d residual = residualsOf(term, U0, v, J);
+    sum += J.transpose() * J;
+    if (halfGradient) *halfGradient += J.transpose() * residual;
+  }
+  return sum;
+}
+
 double MapPrior::cost(const Vector10d& v) const {
-  const Vector10d d = v - mean;
-  if (form == PriorForm::normal) return d.dot(information * d);
   double sum = 0.0;
+  Matrix10d unused;
+  for (const auto& term : stated) sum += residualsOf(term, U0, v, unused).squaredNorm();
+  const Vector10d d = v - mean;
+  if (form == PriorForm::normal) return sum + d.dot(information * d);
   for (int i = 0; i < 10; ++i) {
     const double w = information(i, i);
     sum += kEntries[i].row == kEntries[i].column ? 0.5 * w * (std::expm1(2.0 * d(i)) - 2.0 * d(i)) : w * d(i) * d(i);
@@ -36,22 +117,26 @@ double MapPrior::cost(const Vector10d& v) const {
 }
 
 Vector10d MapPrior::halfGradient(const Vector10d& v) const {
+  Vector10d sum = Vector10d::Zero();
+  if (!stated.empty()) statedInformation(v, &sum);
   Vector10d d = v - mean;
-  if (form == PriorForm::normal) return information * d;
+  if (form == PriorForm::normal) return sum + information * d;
   for (int i = 0; i < 10; ++i) {
     if (kEntries[i].row == kEntries[i].column) d(i) = 0.5 * std::expm1(2.0 * d(i));
     d(i) *= information(i, i);
   }
-  return d;
+  return sum + d;
 }
 
 Matrix10d MapPrior::curvature(const Vector10d& v) const {
-  if (form == PriorForm::normal) return information;
+  if (form == PriorForm::normal) return normalInformation(v);
   Vector10d diagonal = information.diagonal();
   for (int i = 0; i < 10; ++i)
     if (kEntries[i].row == kEntries[i].column) diagonal(i) *= std::exp(2.0 * (v(i) - mean(i)));
-  return diagonal.asDiagonal();
+  return Matrix10d(diagonal.asDiagonal()) + statedInformation(v, nullptr);
 }
+
+Matrix10d MapPrior::normalInformation(const Vector10d& v) const { return information + statedInformation(v, nullptr); }
 
 Matrix4d upperFactor(const Matrix4d& P) {
   // Cholesky of the matrix with rows and columns in reverse order gives an upper factor in the usual order.
@@ -63,15 +148,9 @@ Matrix4d upperFactor(const Matrix4d& P) {
   return L.reverse();
 }
 
-MapPrior vaguePrior(double mass, const Vector3d& com) {
-  constexpr double kRadius = 0.05;  // [m] in each axis
-  Matrix4d P0;
-  P0.topLeftCorner<3, 3>() = mass * (kRadius * kRadius * Matrix3d::Identity() + com * com.transpose());
-  P0.topRightCorner<3, 1>() = mass * com;
-  P0.bottomLeftCorner<1, 3>() = mass * com.transpose();
-  P0(3, 3) = mass;
+MapPrior vaguePrior(double mass, const Vector3d& com, const Matrix3d& spread) {
   MapPrior prior;
-  prior.U0 = upperFactor(P0);
+  prior.U0 = upperFactor(bodyOf(mass, com, spread));
   Vector10d sd;
   sd << 0.8, 0.8, 0.8, 0.6, 0.6, 0.6, 3.0, 3.0, 3.0, 0.75;
   prior.information = sd.cwiseAbs2().cwiseInverse().asDiagonal();
@@ -172,6 +251,18 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
     solution.bias = R.topLeftCorner<6, 6>().triangularView<Eigen::Upper>().solve(
         R.block<6, 1>(0, kColumns) - R.block<6, 10>(0, kBiasColumns) * solution.phi);
   return solution;
+}
+
+Triangle priorRows(const MapPrior& prior, const Vector10d& v) {
+  const Eigen::LLT<Matrix10d> llt(prior.curvature(v));
+  Eigen::Matrix<double, 10, kColumns + 1> rows;
+  rows.setZero();
+  const Matrix10d A = Matrix10d(llt.matrixU()) * parametersJacobian(prior, v).inverse();
+  rows.middleCols<10>(kBiasColumns) = A;
+  rows.col(kColumns) = A * parametersFromV(prior, v) - Vector10d(llt.matrixL().solve(prior.halfGradient(v)));
+  TriangleBuilder builder;
+  builder.add(rows);
+  return builder.finish();
 }
 
 }  // namespace heft

@@ -7,6 +7,7 @@
 #include "core/motion/motion.h"
 #include "core/payload/inertial_parameters.h"
 #include "core/payload/shape.h"
+#include "core/payload/stated_payload.h"
 #include "core/segmentation/segmentation.h"
 
 namespace heft {
@@ -25,9 +26,10 @@ struct EstimateOptions {
   bool bias = true;                     ///< Six constant sensor biases are estimated too.
   double trim = 0.10;                   ///< Fraction of the duration dropped at each end.
   std::optional<SegmentMode> segments;  ///< Absent: marks if the recording has any, else automatic.
-  PartialPayload known;        ///< Values for parameters that are not estimated; overrides the recording's own.
-  std::optional<Shape> shape;  ///< Prior.
-  bool uncompressed = false;   ///< Solve on all rows instead of the triangle, for comparison with the paper.
+  PartialPayload known;               ///< Values for parameters that are not estimated; overrides the recording's own.
+  std::optional<Shape> shape;         ///< Prior.
+  std::vector<StatedPayload> stated;  ///< Soft information about what is estimated: a scale's mass, CAD numbers.
+  bool uncompressed = false;          ///< Solve on all rows instead of the triangle, for comparison with the paper.
   MotionOptions motion;
 };
 

@@ -32,19 +32,40 @@ RoughFit roughFit(const Triangle& R) {
   return {mass, com};
 }
 
-}  // namespace
-
-Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings) {
-  if (!options.shape) {
-    const RoughFit fit = roughFit(whitened);
-    return ChosenPrior{vaguePrior(fit.mass, fit.com), Vector10d::Zero(), false};
+/// The most probable payload for the rows, the shape and what else is stated. The stated terms are linear about the
+/// last solution until that stays where it is.
+ShapeFit fitWithStated(const ShapePrior& shape, const MatrixXd& A, const VectorXd& y,
+                       const std::vector<StatedTerm>& stated) {
+  ShapeFit fit = shape.fit(A, y);
+  const auto extra = 10 * static_cast<Eigen::Index>(stated.size());
+  MatrixXd rows(A.rows() + extra, 10);
+  VectorXd values(A.rows() + extra);
+  rows.topRows(A.rows()) = A;
+  values.head(A.rows()) = y;
+  for (int round = 0; round < 20 && !stated.empty(); ++round) {
+    Eigen::Index at = A.rows();
+    for (const auto& term : stated) {
+      const LinearTerm linear = linearised(term, fit.phi);
+      rows.middleRows<10>(at) = linear.A;
+      values.segment<10>(at) = linear.y;
+      at += 10;
+    }
+    const Vector10d before = fit.phi;
+    fit = shape.fit(rows, values);
+    const Vector10d step = fit.phi - before;
+    if (step.dot(fit.covariance.ldlt().solve(step)) < 1e-12) break;
   }
+  return fit;
+}
+
+Result<ChosenPrior> fromShape(const EstimateOptions& options, const Triangle& whitened, ChosenPrior chosen,
+                              Findings& findings) {
   auto samples = sampleShape(*options.shape, findings);
   if (!samples) return samples.error();
+  const ShapePrior shape(*options.shape, *samples);
   const int first = options.bias ? kBiasColumns : 0;
-  const ShapeFit fit = ShapePrior(*options.shape, *samples)
-                           .fit(whitened.block(first, kBiasColumns, kColumns + 1 - first, 10),
-                                whitened.col(kColumns).tail(kColumns + 1 - first));
+  const ShapeFit fit = fitWithStated(shape, whitened.block(first, kBiasColumns, kColumns + 1 - first, 10),
+                                     whitened.col(kColumns).tail(kColumns + 1 - first), chosen.prior.stated);
   if (!fit.converged)
     findings.push_back({Severity::warning,
                         "shape_not_converged",
@@ -59,7 +80,47 @@ Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whi
          "the sensor differently.",
          "Check the shape's size and where it sits, or choose \"rough\".",
          {}});
-  return ChosenPrior{{fit.U0, fit.mean, fit.information}, Vector10d::Zero(), true};
+  chosen.prior.U0 = fit.U0;
+  chosen.prior.mean = fit.mean;
+  chosen.prior.information = fit.information;
+  const ShapeFit alone = fitWithStated(shape, MatrixXd(0, 10), VectorXd(0), chosen.prior.stated);
+  chosen.alone = PriorAlone{alone.phi, alone.covariance};
+  chosen.told.com = chosen.told.inertia = true;
+  chosen.told.mass = chosen.told.mass || options.shape->totalMass ||
+                     std::all_of(options.shape->bodies.begin(), options.shape->bodies.end(),
+                                 [](const ShapeBody& body) { return body.mass || body.density; });
+  return chosen;
+}
+
+}  // namespace
+
+Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings) {
+  ChosenPrior chosen;
+  for (const auto& stated : options.stated) {
+    chosen.prior.stated.push_back(termFrom(stated));
+    chosen.told.mass = chosen.told.mass || stated.mass;
+    chosen.told.com = chosen.told.com || stated.com;
+    chosen.told.inertia = chosen.told.inertia || stated.spread;
+  }
+  if (options.shape) return fromShape(options, whitened, std::move(chosen), findings);
+
+  // What nobody told is vague about a rough fit; what somebody told, vague about that, so that it pulls at nothing.
+  RoughFit fit = roughFit(whitened);
+  Matrix3d spread = kUsualRadius * kUsualRadius * Matrix3d::Identity();
+  for (const auto& stated : options.stated) {
+    fit.mass = stated.mass.value_or(fit.mass);
+    fit.com = stated.com.value_or(fit.com);
+    spread = stated.spread.value_or(spread);
+  }
+  MapPrior vague = vaguePrior(fit.mass, fit.com, spread);
+  vague.stated = std::move(chosen.prior.stated);
+  chosen.prior = std::move(vague);
+  if (chosen.told.any()) {
+    const MapSolution alone = solveMap(Triangle::Zero(), chosen.prior, options.bias, chosen.start);
+    const Matrix10d J = parametersJacobian(chosen.prior, alone.v);
+    chosen.alone = PriorAlone{alone.phi, J * alone.covariance * J.transpose()};
+  }
+  return chosen;
 }
 
 }  // namespace heft

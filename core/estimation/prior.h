@@ -1,15 +1,28 @@
 #pragma once
-// The prior that an estimate runs with: from the user's shape, or the vague one.
+// The prior that an estimate runs with: from the user's shape and values, or the vague one.
 #include "core/base/result.h"
 #include "core/estimation/map.h"
 #include "core/estimation/options.h"
 
 namespace heft {
 
+/// Which parts the user said something about.
+struct ToldParts {
+  bool mass = false, com = false, inertia = false;
+  bool any() const { return mass || com || inertia; }
+};
+
+/// What the user's shape and values say without any data; the parts that nobody told are as vague as can be.
+struct PriorAlone {
+  Vector10d phi = Vector10d::Zero();
+  Matrix10d covariance = Matrix10d::Zero();  ///< Of phi, linear about it.
+};
+
 struct ChosenPrior {
   MapPrior prior;
   Vector10d start = Vector10d::Zero();  ///< Where the solver begins.
-  bool fromUser = false;                ///< A shape was given.
+  ToldParts told;
+  std::optional<PriorAlone> alone;  ///< If anything was told.
 };
 
 /// Fails where the shape itself cannot be used (a broken mesh file).

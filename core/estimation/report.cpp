@@ -26,6 +26,25 @@ json jsonOf(const PayloadInterval& p) {
   return {{"mass_kg", jsonOf(p.mass)}, {"com_m", com}, {"inertia_com_kgm2", inertia}};
 }
 
+/// Ten numbers in the places of a payload's; null where nothing can be said (JSON knows no NaN).
+json jsonOf(const Vector10d& components) {
+  const auto number = [&](int i) { return std::isfinite(components(i)) ? json(components(i)) : json(nullptr); };
+  return {{"mass_kg", number(0)},
+          {"com_m", {number(1), number(2), number(3)}},
+          {"inertia_com_kgm2",
+           {{number(4), number(5), number(6)}, {number(5), number(7), number(8)}, {number(6), number(8), number(9)}}}};
+}
+
+json jsonOf(const Evidence& evidence) {
+  json out = {{"data", jsonOf(evidence.data)}, {"data_std", jsonOf(evidence.dataStd)}};
+  if (!evidence.hasPrior) return out;
+  out["prior"] = jsonOf(evidence.prior);
+  out["prior_std"] = jsonOf(evidence.priorStd);
+  out["prior_shift_sigma"] = jsonOf(evidence.shift);
+  out["disagreement_sigma"] = jsonOf(evidence.disagreement);
+  return out;
+}
+
 json jsonOf(const Identifiability& id) {
   json com = json::array(), inertia = json::array();
   for (const Source s : id.com) com.push_back(toString(s));
@@ -39,6 +58,9 @@ json jsonOf(const Identifiability& id) {
               {"inertia", inertia},
               {"data_share", {{"mass", id.massShare}, {"com", id.comShare}, {"inertia", id.inertiaShare}}},
               {"weak_directions", id.weakDirections}};
+  json directions = json::array();
+  for (const auto& d : id.directions) directions.push_back({{"data_share", d.dataShare}, {"about", d.about}});
+  out["directions"] = directions;
   // JSON knows no infinity; a motion without any information has no condition number.
   out["condition_number"] = std::isfinite(id.conditionNumber) ? json(id.conditionNumber) : json(nullptr);
   return out;
@@ -65,14 +87,60 @@ std::string words(Source source) {
   return "";
 }
 
+/// What the motion alone said, what was told and how far that pulled, a line a number.
+std::string evidenceText(const Evidence& e) {
+  struct Row {
+    const char* name;
+    int component;
+    double unit;
+  };
+  static constexpr Row kRows[] = {{"Mass [kg]", 0, 1.0},           {"Centre x [mm]", 1, 1e3},
+                                  {"Centre y [mm]", 2, 1e3},       {"Centre z [mm]", 3, 1e3},
+                                  {"Inertia xx [kg cm2]", 4, 1e4}, {"Inertia yy [kg cm2]", 7, 1e4},
+                                  {"Inertia zz [kg cm2]", 9, 1e4}};
+  const auto cell = [](double value, double std, double unit) {
+    return std::isfinite(value) ? fmt::format("{:.4g} +- {:.2g}", unit * value, 1.96 * unit * std) : std::string("-");
+  };
+  std::string text = fmt::format("\n  {:<20} {:<24} {:<24} {}\n", "", "motion alone", "what you gave",
+                                 "moved the result by, in the motion's sigmas");
+  for (const Row& row : kRows) {
+    const int i = row.component;
+    if (!std::isfinite(e.prior(i)) && !(std::abs(e.shift(i)) > 0.05)) continue;
+    text += fmt::format("  {:<20} {:<24} {:<24} {}\n", row.name, cell(e.data(i), e.dataStd(i), row.unit),
+                        cell(e.prior(i), e.priorStd(i), row.unit),
+                        std::isfinite(e.shift(i)) ? fmt::format("{:+.1f}", e.shift(i)) : std::string("-"));
+  }
+  return text;
+}
+
+/// The standard deviations that this motion can give at best, in one sentence.
+std::string bestText(const EstimateReport& report) {
+  const Vector10d& best = report.evidence.best;
+  if (!std::isfinite(best(0))) return "";
+  const Vector3d moments(best(4), best(7), best(9));
+  std::string text = fmt::format("  By itself this motion can tell at best (95 %): mass to {:.2g} kg", 1.96 * best(0));
+  if (best.segment<3>(1).allFinite())
+    text += fmt::format(", centre to {:.2g} mm", 1.96e3 * best.segment<3>(1).maxCoeff());
+  const double trace = report.payload.inertiaCom.trace();
+  if (report.parameters == ParameterSet::full && trace > 0.0)
+    text += moments.allFinite() && moments.maxCoeff() < trace
+                ? fmt::format(", moments of inertia to {:.2g} kg cm2", 1.96e4 * moments.maxCoeff())
+                : ", not all moments of inertia";
+  return text + ".\n";
+}
+
 /// One answer in plain words, before any number.
 std::string headline(const EstimateReport& report) {
   const auto& id = report.identifiability;
   if (id.mass == Source::none) return "This motion cannot tell what your tool weighs.";
-  std::string line = fmt::format("Your tool weighs {:.2f} kg.", report.payload.mass);
-  bool com = true, inertia = true, inertiaPrior = false;
+  std::string line = id.mass == Source::prior && report.evidence.hasPrior && !std::isfinite(report.evidence.data(0))
+                         ? fmt::format("This motion cannot tell what your tool weighs; {:.2f} kg is what you gave.",
+                                       report.payload.mass)
+                         : fmt::format("Your tool weighs {:.2f} kg.", report.payload.mass);
+  bool com = true, inertia = true, comPrior = false, inertiaPrior = false;
   for (std::size_t i = 0; i < 3; ++i) {
     com = com && id.com[i] == Source::data;
+    comPrior = comPrior || id.com[i] == Source::prior;
     inertia = inertia && id.inertia[i][i] == Source::data;
     inertiaPrior = inertiaPrior || id.inertia[i][i] == Source::prior;
   }
@@ -81,7 +149,8 @@ std::string headline(const EstimateReport& report) {
   if (com)
     return line + (inertiaPrior ? " Mass and centre are measured; inertia leans on your shape."
                                 : " Mass and centre are measured; the inertia is not known from this motion.");
-  return line + " The centre of mass is not fully known from this motion.";
+  return line + (comPrior ? " The centre of mass leans on what you gave, too."
+                          : " The centre of mass is not fully known from this motion.");
 }
 
 }  // namespace
@@ -109,6 +178,7 @@ json toJson(const EstimateReport& report) {
       {"bias", {{"force_n", jsonOf(report.forceBias)}, {"torque_nm", jsonOf(report.torqueBias)}}},
       {"physically_consistent", report.physicallyConsistent},
       {"identifiability", jsonOf(report.identifiability)},
+      {"evidence", jsonOf(report.evidence)},
       {"residual",
        {{"force_rms_n", report.forceRms},
         {"torque_rms_nm", report.torqueRms},
@@ -125,6 +195,7 @@ json toJson(const EstimateReport& report) {
         {"why", report.termination.why},
         {"iterations", report.termination.iterations}}},
       {"findings", findings}};
+  out["identifiability"]["best_std"] = jsonOf(report.evidence.best);
   if (report.relativeError) {
     const auto& e = *report.relativeError;
     json error = json::object();
@@ -176,6 +247,8 @@ std::string toText(const EstimateReport& report) {
   text += fmt::format("  Sensor bias {:.3f} {:.3f} {:.3f} N, {:.4f} {:.4f} {:.4f} N m.\n", report.forceBias(0),
                       report.forceBias(1), report.forceBias(2), report.torqueBias(0), report.torqueBias(1),
                       report.torqueBias(2));
+  text += bestText(report);
+  if (report.evidence.hasPrior) text += evidenceText(report.evidence);
   if (report.relativeError) {
     const auto& e = *report.relativeError;
     text += "  Against the known values:";

@@ -66,7 +66,7 @@ PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bi
   const MapCost cost(R, prior, bias);
   // The draws come from the curvature of the data and of the prior as a normal distribution: an entropic prior is
   // nearly flat far below its mean, and draws by its curvature there would miss everything else.
-  const Matrix10d information = solution.dataInformation + prior.information;
+  const Matrix10d information = solution.dataInformation + prior.normalInformation(solution.v);
   const Matrix10d L = Matrix10d(information.inverse()).llt().matrixL();
   const double best = cost(solution.v);
   struct Draw {

@@ -21,6 +21,7 @@ enum class Certainty { rough, good, exact };
 std::string_view toString(BodyKind kind);        ///< "box"
 std::string_view toString(Certainty certainty);  ///< "rough"
 std::optional<BodyKind> bodyKindFromString(std::string_view text);
+std::optional<Certainty> certaintyFromString(std::string_view text);
 
 /// What the dimensions of a kind are called, in order, for messages and input forms; empty for a mesh.
 std::vector<std::string_view> dimensionNames(BodyKind kind);
@@ -68,6 +69,9 @@ Result<Shape> readShapeFile(const std::filesystem::path& file);
 /// The same from JSON that is already parsed; `where` names it in messages.
 Result<Shape> shapeFromJson(const nlohmann::json& object, const std::string& where,
                             const std::filesystem::path& folder);
+
+/// "certainty" of an object: "rough", "good" or "exact"; nothing if the key is not there.
+Result<std::optional<Certainty>> certaintyFromJson(const nlohmann::json& object, const std::string& where);
 
 /// What shapeFromJson reads. Mesh paths are written as they are.
 nlohmann::json toJson(const Shape& shape);

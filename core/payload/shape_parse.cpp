@@ -209,6 +209,21 @@ std::string_view toString(Certainty certainty) {
   return "rough";
 }
 
+std::optional<Certainty> certaintyFromString(std::string_view text) {
+  for (const Certainty c : {Certainty::rough, Certainty::good, Certainty::exact})
+    if (text == toString(c)) return c;
+  return std::nullopt;
+}
+
+Result<std::optional<Certainty>> certaintyFromJson(const json& object, const std::string& where) {
+  const auto it = object.find("certainty");
+  if (it == object.end() || it->is_null()) return std::optional<Certainty>{};
+  if (it->is_string())
+    if (const auto certainty = certaintyFromString(it->get<std::string>())) return certainty;
+  return Error{
+      fmt::format("{}: certainty must be \"rough\", \"good\" or \"exact\", not {}.", where, printable(it->dump()))};
+}
+
 std::optional<BodyKind> bodyKindFromString(std::string_view text) {
   for (const KindInfo& info : kinds())
     if (info.name == text) return info.kind;
@@ -296,18 +311,9 @@ Result<Shape> shapeFromJson(const json& object, const std::string& where, const 
       return Error{fmt::format("{}: bodies[{}]: {}", where, i, why)};
     shape.bodies.push_back(std::move(*body));
   }
-  const auto certainty = object.value("certainty", json());
-  if (!certainty.is_null()) {
-    bool known = false;
-    for (const Certainty c : {Certainty::rough, Certainty::good, Certainty::exact})
-      if (certainty == toString(c)) {
-        shape.certainty = c;
-        known = true;
-      }
-    if (!known)
-      return Error{fmt::format("{}: certainty must be \"rough\", \"good\" or \"exact\", not {}.", where,
-                               printable(certainty.dump()))};
-  }
+  auto certainty = certaintyFromJson(object, where);
+  if (!certainty) return certainty.error();
+  shape.certainty = certainty->value_or(Certainty::rough);
   auto total = optionalNumber(object, "total_mass_kg", where + ": shape");
   if (!total) return total.error();
   shape.totalMass = *total;

@@ -5,38 +5,22 @@
 
 #include <cmath>
 
-#include "core/simulation/simulate.h"
+#include "tests/support/estimation_fixtures.h"
 #include "tests/support/random_payload.h"
-#include "tests/support/random_tool.h"
 
 namespace heft {
 namespace {
+
+using test::has;
+using test::recordingOf;
+using test::reportOf;
+using test::standingStill;
 
 const RobotModel& panda() { return RobotModel::panda(); }
 
 test::RandomTool tool(unsigned seed) {
   std::mt19937 random(seed);
   return test::randomTool(random);
-}
-
-Recording recordingOf(MotionKind kind, const Payload& payload, unsigned seed, double speed = 1.0) {
-  SimulateOptions options;
-  options.motion = kind;
-  options.seed = seed;
-  options.speed = speed;
-  auto simulated = simulate(panda(), payload, options);
-  simulated->recording.meta.knownPayload = {payload.mass, payload.com, payload.inertiaCom};
-  return std::move(simulated->recording);
-}
-
-EstimateReport reportOf(const Recording& recording, const EstimateOptions& options = {}) {
-  auto report = estimate(recording, &panda(), options);
-  if (!report) throw std::runtime_error(report.error().message);
-  return *report;
-}
-
-bool has(const EstimateReport& report, std::string_view code) {
-  return std::any_of(report.findings.begin(), report.findings.end(), [&](const Finding& f) { return f.code == code; });
 }
 
 Payload defaultPayload() { return test::boxPayload(0.8, {0.08, 0.10, 0.12}, {0.01, -0.005, 0.06}); }
@@ -98,15 +82,7 @@ TEST(Estimate, PickAndPlaceIsNotPulledByItsContacts) {
 }
 
 TEST(Estimate, StandingStillKnowsNothingAndSaysSo) {
-  Recording recording = recordingOf(MotionKind::free, defaultPayload(), 5);
-  const Eigen::RowVectorXd q = recording.q.row(5000);
-  const Eigen::RowVectorXd F = recording.wrench.row(5000);
-  for (Eigen::Index k = 0; k < recording.rows(); ++k) {
-    recording.q.row(k) = q;
-    recording.dq.row(k).setZero();
-    for (int c = 0; c < 6; ++c)
-      recording.wrench(k, c) = F(c) + (c < 3 ? 0.02 : 0.001) * std::sin(12.9898 * static_cast<double>(k * 6 + c));
-  }
+  const Recording recording = standingStill(recordingOf(MotionKind::free, defaultPayload(), 5));
   const auto report = reportOf(recording);
   EXPECT_EQ(report.identifiability.mass, Source::none);
   EXPECT_TRUE(has(report, "mass_not_known"));
@@ -120,13 +96,7 @@ TEST(Estimate, StandingStillKnowsNothingAndSaysSo) {
 }
 
 TEST(Estimate, StandingStillWithAShapeReturnsTheShape) {
-  Recording recording = recordingOf(MotionKind::free, defaultPayload(), 6);
-  for (Eigen::Index k = 0; k < recording.rows(); ++k) {
-    recording.q.row(k) = recording.q.row(0).eval();
-    recording.dq.row(k).setZero();
-    for (int c = 0; c < 6; ++c)
-      recording.wrench(k, c) = 1.0 + 0.01 * std::sin(12.9898 * static_cast<double>(k * 6 + c));
-  }
+  const Recording recording = standingStill(recordingOf(MotionKind::free, defaultPayload(), 6));
   EstimateOptions options;
   options.shape = Shape{{ShapeBody{}}, Certainty::good, 0.8};
   options.shape->bodies[0].dims = {0.08, 0.10, 0.12};
