@@ -106,6 +106,8 @@ int runCommandLine(int argc, char** argv) {
   } catch (const CLI::CallForVersion& version) {
     heft::cli::print(fmt::format("{}\n", version.what()));
     return heft::cli::kDone;
+  } catch (const CLI::Success&) {
+    return heft::cli::kDone;  // A list was printed.
   } catch (const CLI::ParseError& error) {
     for (const Command& command : commands)
       if (command.app->parsed()) at = command.app;

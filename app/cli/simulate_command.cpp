@@ -12,7 +12,7 @@
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
-#include "core/simulation/simulate.h"
+#include "core/simulation/effects/effect.h"
 
 namespace heft::cli {
 namespace {
@@ -21,6 +21,7 @@ using nlohmann::json;
 
 struct Options {
   std::string motion, payload, output, truth, json, xyz, rpy, seed = "1";
+  std::vector<std::string> effects;
   SimulateOptions simulate;
   bool force = false;
 };
@@ -33,12 +34,15 @@ json truthJson(const SimulationTruth& truth, const Options& options) {
   json marks = json::array();
   for (const auto& mark : truth.marks)
     marks.push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", toString(mark.label)}});
+  json effects = json::array();
+  for (const auto& effect : truth.effects) effects.push_back(toJson(effect));
   return {{"schema", "heft.truth/1"},
           {"motion", options.motion},
           {"seed", options.simulate.seed},
           {"payload", toJson(truth.payload)},
           {"bias", {{"force_n", list(truth.forceBias)}, {"torque_nm", list(truth.torqueBias)}}},
-          {"marks", marks}};
+          {"marks", marks},
+          {"effects", effects}};
 }
 
 /// A recording that this command made can be made again; one of a real robot cannot.
@@ -50,6 +54,18 @@ bool wasSimulated(const std::filesystem::path& csv) {
   return read && read->note.starts_with(kNote);
 }
 
+/// Every kind with the unit of its size, a clear size and its forms.
+std::string effectList() {
+  std::string text = "ID=SIZE, or ID/FORM=SIZE for another form than the first; place and time come from the seed.\n\n";
+  for (const EffectKind& kind : effectKinds()) {
+    text +=
+        fmt::format("  {:<17} {}{}, for instance {:g}\n", kind.id, kind.either ? "+-" : "", kind.unit, kind.typical);
+    text += fmt::format("  {:<17} {}\n", "", kind.meaning);
+    if (kind.forms.size() > 1) text += fmt::format("  {:<17} forms: {}\n", "", fmt::join(kind.forms, ", "));
+  }
+  return text;
+}
+
 void run(Options options) {
   const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
@@ -57,6 +73,11 @@ void run(Options options) {
   const std::size_t motion = chooseWord("--motion", options.motion, words);
   options.simulate.motion = kMotions[motion];
   options.simulate.seed = parseSeed(options.seed);
+  for (const auto& text : options.effects) {
+    auto effect = parseEffect(text);
+    if (!effect) throw WrongUsage(fmt::format("--effect: {}", effect.error().message));
+    options.simulate.effects.push_back(std::move(*effect));
+  }
   requireRange("--duration", options.simulate.duration, 1.0, 3600.0, "s");
   requireRange("--rate", options.simulate.rateHz, 10.0, 8000.0, "Hz");
   requireRange("--speed", options.simulate.speed, 0.01, 2.0, "");
@@ -148,14 +169,28 @@ Command makeSimulateCommand(CLI::App& root) {
       ->type_name("X,Y,Z");
   app->add_option("--rpy", options->rpy, "Sensor rotation on the flange, roll,pitch,yaw [rad]; otherwise 0,0,0")
       ->type_name("R,P,Y");
-  app->add_option("--truth", options->truth, "Write the hidden payload, biases and marks to this file")
+  app->add_option("--effect", options->effects,
+                  "Hide a fault of the rig: ID=SIZE or ID/FORM=SIZE (cable_pull=3, time_offset=-8,\n"
+                  "low_pass_lag/second-order=15); may be given several times; see --list-effects")
+      ->type_name("ID=SIZE")
+      ->expected(1)
+      ->take_all();
+  app->add_flag_callback(
+      "--list-effects",
+      [] {
+        print(effectList());
+        throw CLI::Success();
+      },
+      "Show every effect, what its size means and its forms");
+  app->add_option("--truth", options->truth, "Write the hidden payload, biases, marks and effects to this file")
       ->type_name("FILE");
   app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace a recording that was not simulated");
   app->footer(
       "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"
-      "  heft simulate --motion free --payload tool.json --speed 0.3 --duration 10 -o slow.csv");
+      "  heft simulate --motion free --payload tool.json --speed 0.3 --duration 10 -o slow.csv\n"
+      "  heft simulate --motion free --effect cable_pull/slack=6 --effect bias_drift=0.5 -o odd.csv --truth odd.json");
   return {app, [options] { run(*options); }};
 }
 

@@ -9,7 +9,7 @@ namespace heft {
 
 /// What a stream of random numbers is for. Each purpose (and channel) has its own stream, so that changing one option
 /// does not reshuffle the others.
-enum class RandomPurpose : std::uint64_t { motion = 1, tremor, contact, bias, white, coloured, encoder };
+enum class RandomPurpose : std::uint64_t { motion = 1, tremor, contact, bias, white, coloured, encoder, walk, effect };
 
 /// xoshiro256++ (Blackman and Vigna 2019), seeded through splitmix64; normal deviates by Marsaglia's polar method.
 class RandomStream {

@@ -22,25 +22,41 @@ Vector6d drawBias(const SensorModel& sensor, std::uint64_t seed) {
   return bias;
 }
 
-void measureWrench(const SensorModel& sensor, std::uint64_t seed, double rateHz, const Vector6d& bias,
-                   WrenchSeries& wrench) {
+WrenchSeries drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows) {
+  WrenchSeries noise(rows, 6);
   // First-order Gauss-Markov: x' = rho x + sqrt(1 - rho^2) sigma n, started in its stationary state.
   const double rho = sensor.colourTime > 0.0 ? std::exp(-1.0 / (rateHz * sensor.colourTime)) : 0.0;
   const double innovation = std::sqrt(1.0 - rho * rho);
   for (int c = 0; c < 6; ++c) {
     const auto channel = static_cast<std::uint64_t>(c);
-    RandomStream white(seed, RandomPurpose::white, channel), coloured(seed, RandomPurpose::coloured, channel);
+    RandomStream white(seed, RandomPurpose::white, channel), coloured(seed, RandomPurpose::coloured, channel),
+        walk(seed, RandomPurpose::walk, channel);
     const double whiteSigma = c < 3 ? sensor.forceNoise : sensor.torqueNoise;
     const double colouredSigma = c < 3 ? sensor.colouredForce : sensor.colouredTorque;
-    const double range = c < 3 ? sensor.forceRange(c) : sensor.torqueRange;
-    const double step = c < 3 ? sensor.forceResolution(c) : sensor.torqueResolution(c - 3);
-    double state = coloured.normal();
-    for (Eigen::Index k = 0; k < wrench.rows(); ++k) {
-      const double exact = wrench(k, c) + bias(c) + whiteSigma * white.normal() + colouredSigma * state;
+    const double stride = (c < 3 ? sensor.forceWalk : sensor.torqueWalk) / std::sqrt(rateHz);
+    double state = coloured.normal(), place = 0.0;
+    for (Eigen::Index k = 0; k < rows; ++k) {
+      noise(k, c) = whiteSigma * white.normal() + colouredSigma * state + place;
       state = rho * state + innovation * coloured.normal();
-      wrench(k, c) = std::clamp(rounded(std::clamp(exact, -range, range), step), -range, range);
+      if (stride > 0.0) place += stride * walk.normal();
     }
   }
+  return noise;
+}
+
+void digitise(const SensorModel& sensor, WrenchSeries& wrench) {
+  for (int c = 0; c < 6; ++c) {
+    const double range = c < 3 ? sensor.forceRange(c) : sensor.torqueRange;
+    const double step = c < 3 ? sensor.forceResolution(c) : sensor.torqueResolution(c - 3);
+    for (double& x : wrench.col(c)) x = std::clamp(rounded(std::clamp(x, -range, range), step), -range, range);
+  }
+}
+
+void measureWrench(const SensorModel& sensor, std::uint64_t seed, double rateHz, const Vector6d& bias,
+                   WrenchSeries& wrench) {
+  wrench.rowwise() += bias.transpose();
+  wrench += drawNoise(sensor, seed, rateHz, wrench.rows());
+  digitise(sensor, wrench);
 }
 
 void measureJoints(const SimulateOptions& options, MatrixXd& q, MatrixXd& dq) {

@@ -9,7 +9,13 @@ using WrenchSeries = Eigen::Matrix<double, Eigen::Dynamic, 6>;  ///< N x 6, forc
 /// The bias of this seed's sensor.
 Vector6d drawBias(const SensorModel& sensor, std::uint64_t seed);
 
-/// Adds bias, white and coloured noise, clips to the range and rounds to the resolution, in place.
+/// White, coloured and random-walk noise.
+WrenchSeries drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows);
+
+/// Clips to the range and rounds to the resolution, in place.
+void digitise(const SensorModel& sensor, WrenchSeries& wrench);
+
+/// Adds bias and noise and digitises, in place.
 void measureWrench(const SensorModel& sensor, std::uint64_t seed, double rateHz, const Vector6d& bias,
                    WrenchSeries& wrench);
 

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/simulation/effects/effect.h"
 #include "core/simulation/sensor.h"
 #include "core/simulation/trajectory.h"
-#include "core/wrench/regressor.h"
 
 namespace heft {
 
@@ -39,6 +40,8 @@ std::string whatIsWrong(const SimulateOptions& options) {
       {"coloured torque noise", " N m", s.colouredTorque, true},
       {"correlation time of the coloured noise", " s", s.colourTime, true},
       {"force bias", " N", s.forceBias, true},
+      {"force walk", " N/sqrt(s)", s.forceWalk, true},
+      {"torque walk", " N m/sqrt(s)", s.torqueWalk, true},
       {"torque bias", " N m", s.torqueBias, true},
       {"torque range", " N m", s.torqueRange, false},
       {"force resolution (x)", " N", s.forceResolution.x(), true},
@@ -80,6 +83,90 @@ std::vector<Mark> marksOf(const std::vector<Contact>& contacts, double end) {
   return marks;
 }
 
+/// The arm and its tool from moment to moment.
+class World {
+ public:
+  World(const RobotModel& robot, int link, const Geometry& geometry, const Payload& payload,
+        const Trajectory& trajectory)
+      : robot_(robot),
+        link_(link),
+        geometry_(geometry),
+        payload_(payload),
+        trajectory_(trajectory),
+        contacts_(trajectory.contacts()),
+        dq_(robot.dof()),
+        ddq_(robot.dof()) {
+    now_.gravity = geometry.gravity;
+    now_.q.resize(robot.dof());
+  }
+
+  /// Times must rise.
+  void go(double t) {
+    now_.time = t;
+    trajectory_.at(t, now_.q, dq_, ddq_);
+    now_.motion = robot_.frameMotion(link_, geometry_.X_LS, now_.q, dq_, ddq_);
+    const Matrix3d R_SB = now_.motion.X_BS.linear().transpose();
+    now_.state = {R_SB * (now_.motion.a_BSo_B - geometry_.gravity), R_SB * now_.motion.w_BS_B,
+                  R_SB * now_.motion.alpha_BS_B};
+    payloadWrench_ = predictWrench(payload_, now_.state);
+    contactWrench_.setZero();
+    while (next_ < contacts_.size() && t >= contacts_[next_].to) ++next_;
+    if (next_ < contacts_.size()) {
+      const Vector3d force = contacts_[next_].level(t) * (R_SB * contacts_[next_].force);
+      contactWrench_ << force, contacts_[next_].point.cross(force);
+    }
+  }
+
+  const Instant& now() const { return now_; }
+  const VectorXd& dq() const { return dq_; }
+  const VectorXd& ddq() const { return ddq_; }
+  const Vector6d& payloadWrench() const { return payloadWrench_; }
+  const Vector6d& contactWrench() const { return contactWrench_; }
+
+ private:
+  const RobotModel& robot_;
+  int link_;
+  Geometry geometry_;
+  const Payload& payload_;
+  const Trajectory& trajectory_;
+  std::vector<Contact> contacts_;
+  std::size_t next_ = 0;  ///< The contact that is on or comes next
+  Instant now_;
+  VectorXd dq_, ddq_;
+  Vector6d payloadWrench_ = Vector6d::Zero(), contactWrench_ = Vector6d::Zero();
+};
+
+EffectScene sceneOf(const RobotModel& robot, const ToolFrame& tool, const Payload& payload,
+                    const SimulateOptions& options, const Trajectory& trajectory) {
+  EffectScene scene;
+  scene.robot = &robot;
+  scene.payload = payload;
+  scene.sensor = options.sensor;
+  scene.gravity = options.gravity;
+  scene.to = options.duration;
+  scene.rateHz = options.rateHz;
+  VectorXd q(robot.dof()), dq(robot.dof()), ddq(robot.dof());
+  const int count = std::max(2, static_cast<int>(20.0 * options.duration));
+  for (int i = 0; i <= count; ++i) {
+    const double t = options.duration * i / count;
+    trajectory.at(t, q, dq, ddq);
+    scene.path.push_back({t, robot.linkPose(q, tool.link) * tool.X_LS});
+  }
+  return scene;
+}
+
+/// Cubic Lagrange interpolation at a fractional row, held beyond the ends.
+Eigen::Matrix<double, 1, 6> rowAt(const WrenchSeries& series, double row) {
+  const Eigen::Index last = series.rows() - 1;
+  const double at = std::clamp(row, 0.0, static_cast<double>(last));
+  if (last < 3) return series.row(std::llround(at));
+  const auto i = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at), 1, last - 2);
+  const double u = at - static_cast<double>(i);
+  return -u * (u - 1.0) * (u - 2.0) / 6.0 * series.row(i - 1) +
+         (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0 * series.row(i) - (u + 1.0) * u * (u - 2.0) / 2.0 * series.row(i + 1) +
+         (u + 1.0) * u * (u - 1.0) / 6.0 * series.row(i + 2);
+}
+
 nlohmann::json toJson(const Vector3d& v) { return nlohmann::json::array({v.x(), v.y(), v.z()}); }
 
 }  // namespace
@@ -104,6 +191,13 @@ std::optional<MotionKind> motionKindFromString(std::string_view text) {
 
 Result<Simulated> simulate(const RobotModel& robot, const Payload& payload, const SimulateOptions& options,
                            const Progress& progress) {
+  return simulateWith(
+      robot, payload, options,
+      [&](const EffectScene& scene) { return makeEffects(options.effects, options.seed, scene); }, progress);
+}
+
+Result<Simulated> simulateWith(const RobotModel& robot, const Payload& payload, const SimulateOptions& options,
+                               const EffectSource& source, const Progress& progress) {
   if (const std::string wrong = whatIsWrong(options); !wrong.empty()) return Error{wrong};
   if (const Consistency consistency = checkPhysical(payload); !consistency.physical)
     return Error{fmt::format("The payload to simulate cannot exist: {}", consistency.reason)};
@@ -117,7 +211,11 @@ Result<Simulated> simulate(const RobotModel& robot, const Payload& payload, cons
   progress(0.0, "planning the motion");
   const ToolFrame tool{*link, poseFromXyzRpy(options.mount.xyz, options.mount.rpy)};
   const auto trajectory = planTrajectory(robot, tool, payload, options);
-  const std::vector<Contact> contacts = trajectory->contacts();
+  auto made = source(sceneOf(robot, tool, payload, options, *trajectory));
+  if (!made) return made.error();
+  const Effects effects = std::move(*made);
+  Geometry geometry{tool.X_LS, options.gravity};
+  for (const auto& effect : effects) effect->alterGeometry(geometry);
 
   const auto rows = static_cast<Eigen::Index>(std::llround(options.duration * options.rateHz));
   const Eigen::Index dof = robot.dof();
@@ -128,35 +226,57 @@ Result<Simulated> simulate(const RobotModel& robot, const Payload& payload, cons
   out.dq.resize(rows, dof);
   out.ddq.resize(rows, dof);
   out.payloadWrench.resize(rows, 6);
-  out.contactWrench.setZero(rows, 6);
+  out.contactWrench.resize(rows, 6);
 
-  VectorXd q(dof), dq(dof), ddq(dof);
-  std::size_t next = 0;  // the contact that is on or comes next
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    if (k % 4096 == 0) {
+  // What has a memory is integrated in finer steps, and the arm stands still for a while before and after, so that
+  // late and early samples exist.
+  constexpr double kFineRate = 2000.0, kMargin = 1.0;  // [Hz], [s]
+  const Eigen::Index fine =
+      effects.empty() ? 1 : std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::ceil(kFineRate / options.rateHz)));
+  const double fineRate = options.rateHz * static_cast<double>(fine);
+  const Eigen::Index margin =
+      effects.empty() ? 0 : fine * static_cast<Eigen::Index>(std::ceil(kMargin * options.rateHz));
+  WrenchSeries gauges((rows - 1) * fine + 1 + 2 * margin, 6);
+  World world(robot, tool.link, geometry, payload, *trajectory);
+  for (Eigen::Index i = 0; i < gauges.rows(); ++i) {
+    if (i % 4096 == 0) {
       if (progress.cancelled()) return Error{"The simulation was stopped.", true};
-      progress(static_cast<double>(k) / static_cast<double>(rows), "simulating");
+      progress(static_cast<double>(i) / static_cast<double>(gauges.rows()), "simulating");
     }
-    const double t = static_cast<double>(k) / options.rateHz;
-    recording.time(k) = t;
-    trajectory->at(t, q, dq, ddq);
-    out.q.row(k) = q;
-    out.dq.row(k) = dq;
-    out.ddq.row(k) = ddq;
-    const FrameMotion motion = robot.frameMotion(tool.link, tool.X_LS, q, dq, ddq);
-    const Matrix3d R_SB = motion.X_BS.linear().transpose();
-    const WrenchState state{R_SB * (motion.a_BSo_B - options.gravity), R_SB * motion.w_BS_B, R_SB * motion.alpha_BS_B};
-    out.payloadWrench.row(k) = predictWrench(payload, state);
-    while (next < contacts.size() && t >= contacts[next].to) ++next;
-    if (next < contacts.size()) {
-      const Vector3d force = contacts[next].level(t) * (R_SB * contacts[next].force);
-      out.contactWrench.row(k) << force.transpose(), contacts[next].point.cross(force).transpose();
+    world.go(static_cast<double>(i - margin) / fineRate);
+    Vector6d load = world.payloadWrench() + world.contactWrench();
+    for (const auto& effect : effects) load += effect->force(world.now(), 1.0 / fineRate);
+    for (const auto& effect : effects) load = effect->gauge(load);
+    gauges.row(i) = load;
+    const Eigen::Index k = (i - margin) / fine;
+    if (i < margin || (i - margin) % fine != 0 || k >= rows) continue;
+    recording.time(k) = world.now().time;
+    out.q.row(k) = world.now().q;
+    out.dq.row(k) = world.dq();
+    out.ddq.row(k) = world.ddq();
+    out.payloadWrench.row(k) = world.payloadWrench();
+    out.contactWrench.row(k) = world.contactWrench();
+  }
+  for (const auto& effect : effects) effect->filter(gauges, fineRate);
+  out.signal.resize(rows, 6);
+  for (Eigen::Index k = 0; k < rows; ++k) {
+    double age = 0.0;
+    for (const auto& effect : effects) age += effect->age(recording.time(k));
+    const Eigen::Index fresh = margin + k * fine;
+    if (age == 0.0) {
+      out.signal.row(k) = gauges.row(fresh);
+    } else {
+      out.signal.row(k) = rowAt(gauges, static_cast<double>(fresh) - age * fineRate);
     }
   }
 
   const Vector6d bias = drawBias(options.sensor, options.seed);
-  recording.wrench = out.payloadWrench + out.contactWrench;
-  measureWrench(options.sensor, options.seed, options.rateHz, bias, recording.wrench);
+  WrenchSeries noise = drawNoise(options.sensor, options.seed, options.rateHz, rows);
+  for (const auto& effect : effects) effect->filter(noise, options.rateHz);
+  recording.wrench = (out.signal.rowwise() + bias.transpose()) + noise;
+  for (const auto& effect : effects) effect->shiftZero(recording.time, recording.wrench);
+  for (const auto& effect : effects) effect->convert(recording.wrench);
+  digitise(options.sensor, recording.wrench);
   recording.q = out.q;
   recording.dq = out.dq;
   measureJoints(options, recording.q, recording.dq);
@@ -168,10 +288,13 @@ Result<Simulated> simulate(const RobotModel& robot, const Payload& payload, cons
   recording.meta.wrenchSign = WrenchSign::sensorOnPayload;
   recording.meta.gravity = options.gravity;
 
+  for (const auto& effect : effects) effect->log(recording);
+
   out.truth.payload = payload;
   out.truth.forceBias = bias.head<3>();
   out.truth.torqueBias = bias.tail<3>();
-  out.truth.marks = marksOf(contacts, recording.time(rows - 1));
+  out.truth.marks = marksOf(trajectory->contacts(), static_cast<double>(rows - 1) / options.rateHz);
+  for (const auto& effect : effects) out.truth.effects.push_back(effect->truth());
   out.truth.options = options;
   progress(1.0, "simulating");
   return out;
@@ -180,6 +303,8 @@ Result<Simulated> simulate(const RobotModel& robot, const Payload& payload, cons
 nlohmann::json toJson(const SimulationTruth& truth) {
   const SimulateOptions& o = truth.options;
   const SensorModel& s = o.sensor;
+  nlohmann::json effects = nlohmann::json::array();
+  for (const EffectTruth& effect : truth.effects) effects.push_back(toJson(effect));
   nlohmann::json marks = nlohmann::json::array();
   for (const Mark& mark : truth.marks)
     marks.push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", std::string(toString(mark.label))}});
@@ -187,6 +312,7 @@ nlohmann::json toJson(const SimulationTruth& truth) {
           {"payload", toJson(truth.payload)},
           {"bias", {{"force_n", toJson(truth.forceBias)}, {"torque_nm", toJson(truth.torqueBias)}}},
           {"marks", marks},
+          {"effects", effects},
           {"options",
            {{"motion", std::string(toString(o.motion))},
             {"robot", o.robotReference},
@@ -205,6 +331,8 @@ nlohmann::json toJson(const SimulationTruth& truth) {
               {"coloured_force_n", s.colouredForce},
               {"coloured_torque_nm", s.colouredTorque},
               {"colour_time_s", s.colourTime},
+              {"force_walk_n_sqrt_s", s.forceWalk},
+              {"torque_walk_nm_sqrt_s", s.torqueWalk},
               {"force_resolution_n", toJson(s.forceResolution)},
               {"torque_resolution_nm", toJson(s.torqueResolution)},
               {"force_bias_n", s.forceBias},

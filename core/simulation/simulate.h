@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
+#include "core/simulation/effects/truth.h"
 
 namespace heft {
 
@@ -32,6 +33,8 @@ struct SensorModel {
   double colouredForce = 0.03;    ///< stationary first-order Gauss-Markov noise, standard deviation [N]
   double colouredTorque = 0.001;  ///< [N m]
   double colourTime = 0.05;       ///< its correlation time [s]; 0: white
+  double forceWalk = 0.0;         ///< random walk of the zero, starting at 0: deviation after one second [N/sqrt(s)]
+  double torqueWalk = 0.0;        ///< [N m/sqrt(s)]
   Vector3d forceResolution{1.0 / 160, 1.0 / 160, 1.0 / 80};       ///< [N]; 0: none
   Vector3d torqueResolution{1.0 / 2000, 1.0 / 2000, 1.0 / 2000};  ///< [N m]; 0: none
   double forceBias = 3.0;            ///< Biases are drawn from a normal distribution of this standard deviation [N]
@@ -54,6 +57,7 @@ struct SimulateOptions {
   SensorMount mount{"panda_link8", {0.0, 0.0, 0.04}, {0.0, 0.0, 0.0}};
   Vector3d gravity{0.0, 0.0, -9.81};     ///< g_B [m/s2]
   std::string robotReference = "panda";  ///< What the meta names as robot: "panda" or the URDF's path.
+  std::vector<EffectRequest> effects;    ///< Faults of the rig to hide (effects/effect.h).
 };
 
 /// What the recording hides.
@@ -62,6 +66,7 @@ struct SimulationTruth {
   Vector3d forceBias = Vector3d::Zero();   ///< [N]
   Vector3d torqueBias = Vector3d::Zero();  ///< [N m]
   std::vector<Mark> marks;                 ///< free and contact, true boundaries, without gaps
+  std::vector<EffectTruth> effects;        ///< In the order of the chain.
   SimulateOptions options;                 ///< What was asked for.
 };
 
@@ -70,8 +75,10 @@ struct Simulated {
   SimulationTruth truth;
   MatrixXd q, dq, ddq;  ///< The exact joint motion, N x dof: for tests.
   /// Parts of the exact F_PSo_S, N x 6, without bias and noise: what the payload's motion needs, and what balances the
-  /// contact. Their sum plus bias and noise, clipped and rounded, is the recorded wrench.
+  /// contact. Their sum plus bias and noise, clipped and rounded, is the recorded wrench where nothing is hidden.
   Eigen::Matrix<double, Eigen::Dynamic, 6> payloadWrench, contactWrench;
+  /// What arrives from the gauges through filters and delays, effects included, before bias and noise, N x 6.
+  Eigen::Matrix<double, Eigen::Dynamic, 6> signal;
 };
 
 /// Deterministic: same options and payload give the same bytes on every machine with the same libm.
@@ -81,7 +88,8 @@ struct Simulated {
 Result<Simulated> simulate(const RobotModel& robot, const Payload& payload, const SimulateOptions& options,
                            const Progress& progress = {});
 
-/// {"schema": "heft.truth/1", "payload": {...}, "bias": {...}, "marks": [...], "options": {...}}, keys as in a result.
+/// {"schema": "heft.truth/1", "payload": {...}, "bias": {...}, "marks": [...], "effects": [...], "options": {...}},
+/// keys as in a result.
 nlohmann::json toJson(const SimulationTruth& truth);
 
 }  // namespace heft
