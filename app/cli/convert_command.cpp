@@ -1,13 +1,14 @@
-// heft convert: a recording in the contract's plain form, and what is odd about it.
+// heft convert: a recording of any kind in the contract's plain form, and what is odd about it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
+#include "app/cli/recording_options.h"
 #include "core/base/text.h"
-#include "core/recording/csv_reader.h"
 
 namespace heft::cli {
 namespace {
@@ -15,8 +16,10 @@ namespace {
 using nlohmann::json;
 
 struct Options {
-  std::string input, output, meta, json;
+  std::string input, output, json;
+  ImportOptions import;
   bool force = false;
+  bool list = false;
 };
 
 std::string motionForm(const Recording& recording) {
@@ -25,7 +28,56 @@ std::string motionForm(const Recording& recording) {
   return "orientation only";
 }
 
+/// What there is to choose from, and what would be taken.
+void list(const Options& options) {
+  if (!options.output.empty()) throw WrongUsage("--list writes no recording; leave OUT away.");
+  RecordingContents contents = [&] {
+    ProgressLine line;
+    return orFail(inspectRecording(options.input, options.import, line.progress()));
+  }();
+  std::string text = fmt::format("{}: {}\n", options.input, toString(contents.kind));
+  json streams = json::array();
+  for (std::size_t s = 0; s < contents.streams.size(); ++s) {
+    const Stream& stream = contents.streams[s];
+    text +=
+        fmt::format("\n{}{}{}\n  {} samples, {:.4g} Hz, {:.4g} s\n", stream.name.empty() ? stream.file : stream.name,
+                    stream.type.empty() ? "" : ", ", stream.type, stream.samples, stream.rateHz(), stream.duration());
+    json fields = json::array();
+    for (std::size_t f = 0; f < stream.fields.size(); ++f) {
+      const auto taken = std::find_if(contents.chosen.begin(), contents.chosen.end(),
+                                      [&](const auto& c) { return c.stream == s && c.field == f; });
+      const bool is = taken != contents.chosen.end();
+      text +=
+          fmt::format("    {}{}\n", stream.fields[f], is ? fmt::format("  -> {} ({})", taken->column, taken->why) : "");
+      fields.push_back({{"name", stream.fields[f]},
+                        {"column", is ? json(taken->column) : json(nullptr)},
+                        {"why", is ? json(taken->why) : json(nullptr)}});
+    }
+    streams.push_back({{"name", stream.name},
+                       {"type", stream.type},
+                       {"file", stream.file},
+                       {"samples", stream.samples},
+                       {"rate_hz", stream.rateHz()},
+                       {"fields", std::move(fields)}});
+  }
+  if (!options.json.empty())
+    writeOutput(options.json,
+                fileText({{"schema", "heft.contents/1"},
+                          {"file", options.input},
+                          {"kind", toString(contents.kind)},
+                          {"streams", std::move(streams)},
+                          {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
+                          {"findings", toJson(contents.findings)}}),
+                {options.force, [](const std::string& old) { return hasSchema(old, "heft.contents/1"); }});
+  if (options.json == "-") return;
+  if (!contents.missing.empty()) text += fmt::format("\n{}\n", contents.missing);
+  print(text);
+  printFindings(contents.findings, true);
+}
+
 void run(const Options& options) {
+  if (options.list) return list(options);
+  if (options.output.empty()) throw WrongUsage("OUT is missing: the CSV to write.");
   const std::filesystem::path csv = options.output;
   if (csv.extension() != ".csv")
     throw WrongUsage(fmt::format("OUT expects a name that ends in .csv, not '{}'.", options.output));
@@ -39,7 +91,7 @@ void run(const Options& options) {
 
   ReadRecording read = [&] {
     ProgressLine line;
-    return orFail(readRecording(options.input, {options.meta}, line.progress()));
+    return orFail(openRecording(options.input, options.import, line.progress()));
   }();
   // One sign in every file that Heft writes: what the sensor exerts on the payload.
   const bool flipped = read.recording.meta.wrenchSign == WrenchSign::payloadOnSensor;
@@ -69,17 +121,21 @@ void run(const Options& options) {
 Command makeConvertCommand(CLI::App& root) {
   auto options = std::make_shared<Options>();
   CLI::App* app = root.add_subcommand("convert", "Check a recording and write it in the plain form");
-  app->add_option("IN", options->input, "The recording, CSV with a header row")->type_name("")->required();
-  app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")
+  app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5")
       ->type_name("")
       ->required();
-  app->add_option("--meta", options->meta, "Meta file; otherwise IN's own .meta.json if it exists")->type_name("FILE");
+  app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")->type_name("");
+  app->add_flag("--list", options->list, "Show topics and columns and what would be taken from them; write nothing");
+  addRecordingOptions(*app, options->import);
   app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace files that exist");
   app->footer(
       "Examples:\n"
       "  heft convert raw.csv rec.csv\n"
-      "  heft convert raw.csv rec.csv --meta sensor.meta.json --json check.json\n\n"
+      "  heft convert raw.csv rec.csv --meta sensor.meta.json --json check.json\n"
+      "  heft convert demo.bag --list\n"
+      "  heft convert demo.bag rec.csv --use wrench=/ft/raw\n"
+      "  heft convert robot_log.csv rec.csv --join wrench.csv\n\n"
       "Commas between columns, SI units, time rising, unit quaternions, wrench as the sensor exerts it on the\n"
       "payload. What was repaired or looks odd is said with line and column.");
   return {app, [options] { run(*options); }};

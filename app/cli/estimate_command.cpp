@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
+#include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
 #include "core/estimation/comparison.h"
 #include "core/exporters/flange.h"
-#include "core/recording/csv_reader.h"
 
 namespace heft::cli {
 namespace {
@@ -22,9 +22,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string recording, meta, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
+  std::string recording, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
   bool noBias = false, force = false, compare = false;
+  ImportOptions import;
   EstimateOptions estimate;
 };
 
@@ -112,7 +113,7 @@ struct Estimated {
 
 Estimated estimateFile(const Options& options, const EstimateOptions& settings, const Progress& progress,
                        Clock::time_point start) {
-  ReadRecording read = orFail(readRecording(options.recording, {options.meta}, progress));
+  ReadRecording read = orFail(openRecording(options.recording, options.import, progress));
   const auto robot = robotOf(read);
   const RobotModel* const model = robot ? &*robot : nullptr;
   const double readSeconds = secondsSince(start);
@@ -177,12 +178,11 @@ Command makeEstimateCommand(CLI::App& root) {
   auto& estimate = options->estimate;
   auto& motion = estimate.motion;
   CLI::App* app = root.add_subcommand("estimate", "Find mass, centre of mass and inertia from a recording");
-  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")
+  app->add_option("RECORDING", options->recording,
+                  "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
       ->type_name("")
       ->required();
   app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
-      ->type_name("FILE");
-  app->add_option("--meta", options->meta, "Meta file; otherwise RECORDING's own .meta.json if it exists")
       ->type_name("FILE");
   app->add_option("-o,--output", options->output,
                   "Also write the payload file, in flange axes, ready for the controller")
@@ -191,6 +191,7 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist");
+  addRecordingOptions(*app, options->import);
   const char* const kMethodGroup = "Method";
   app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kAllMethods), ", ")))
       ->type_name("NAME")

@@ -24,6 +24,53 @@ std::string percent(double share) {
   return share >= 0.1 ? fmt::format("{:.0f} %", 100.0 * share) : fmt::format("{:.2g} %", 100.0 * share);
 }
 
+std::optional<Error> assumeRobot(const Examined& examined, long header) {
+  auto& meta = examined.recording.meta;
+  if (!examined.map.hasJoints() || meta.robot) return std::nullopt;
+  const auto joints = examined.map.joints.size();
+  if (joints == 7) {
+    meta.robot = "panda";
+    examined.note(
+        examined.map.hasOrientation() ? Severity::info : Severity::warning, "robot_assumed", examined.column(0),
+        "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange.",
+        "Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
+    return std::nullopt;
+  }
+  if (examined.map.hasOrientation()) return std::nullopt;
+  return errorAt({examined.file, header, examined.table ? examined.map.joints[0] : 0},
+                 fmt::format("there are {} joints but no robot is named.", joints),
+                 "Name it in the meta file: \"robot\": \"PATH.urdf\".");
+}
+
+namespace {
+
+void checkMarks(const Examined& examined) {
+  const Recording& recording = examined.recording;
+  if (recording.meta.kind == RecordingKind::poses) return;
+  const double from = recording.time(0);
+  const double to = recording.time(recording.rows() - 1);
+  for (const auto& mark : recording.meta.marks)
+    if (mark.to < from || mark.from > to)
+      examined.note(
+          Severity::warning, "mark_outside", examined.column(0),
+          fmt::format("The mark \"{}\" from {} to {} s lies outside the recording, which runs from {} to {} s.",
+                      toString(mark.label), mark.from, mark.to, from, to),
+          "Marks are on the clock of the column time.");
+}
+
+}  // namespace
+
+std::optional<Error> checkAll(const Examined& examined) {
+  if (auto failure = checkTime(examined)) return failure;
+  if (auto failure = checkQuaternions(examined)) return failure;
+  if (auto failure = checkUnits(examined)) return failure;
+  auto& recording = examined.recording;
+  if (recording.meta.wrenchSign == WrenchSign::payloadOnSensor) recording.wrench = -recording.wrench;
+  checkSignals(examined);
+  checkMarks(examined);
+  return std::nullopt;
+}
+
 void truncateRows(Recording& recording, std::vector<std::uint32_t>& lines, Eigen::Index rows) {
   forEachSeries(recording, [&](auto& series) {
     if (series.rows() != rows) series.conservativeResize(rows, series.cols());

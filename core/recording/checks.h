@@ -19,11 +19,13 @@ struct Examined {
   const std::string& file;
   std::vector<std::uint32_t>& lines;  ///< Line of each row.
   Findings& findings;
+  bool table = true;  ///< False: joined from messages, so that rows and fields of the file mean nothing.
 
   Location at(Eigen::Index row, long field = 0) const {
+    if (!table) return {file, 0, 0};
     return {file, static_cast<long>(lines[static_cast<std::size_t>(row)]), field};
   }
-  Location column(long field) const { return {file, 0, field}; }
+  Location column(long field) const { return {file, 0, table ? field : 0}; }
   void note(Severity severity, const char* code, Location where, std::string text, std::string remedy = {}) const {
     findings.push_back({severity, code, std::move(text), std::move(remedy), std::move(where)});
   }
@@ -31,6 +33,13 @@ struct Examined {
 
 /// "34 %", "3.2 %", "0.05 %".
 std::string percent(double share);
+
+/// All checks below in order, and the wrench brought to the sign that it has in memory.
+std::optional<Error> checkAll(const Examined& examined);
+
+/// Seven joints without a named robot are a Panda's; other numbers of joints need a name or poses. `header` is the line
+/// of the header, `field` that of the first joint.
+std::optional<Error> assumeRobot(const Examined& examined, long header);
 
 /// Shortens every series and `lines` to the first `rows` rows.
 void truncateRows(Recording& recording, std::vector<std::uint32_t>& lines, Eigen::Index rows);

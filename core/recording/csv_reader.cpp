@@ -40,7 +40,8 @@ class RecordingParser {
     auto map = mapColumns(header_.names, recording_.meta, {name_, header_.line, 0}, findings_);
     if (!map) return map.error();
     map_ = std::move(*map);
-    if (auto failure = assumeRobot()) return *failure;
+    const Examined examined{recording_, map_, name_, lines_, findings_};
+    if (auto failure = assumeRobot(examined, header_.line)) return *failure;
 
     const auto lineCount = csv::countRows(header_);
     if (const auto columns = header_.names.size(); columns * static_cast<std::size_t>(lineCount) > kMaxNumbers)
@@ -62,35 +63,13 @@ class RecordingParser {
     readLabels();
     truncateRows(recording_, lines_, static_cast<Eigen::Index>(lines_.size()));
     if (auto failure = removeMissing()) return *failure;
-    const Examined examined{recording_, map_, name_, lines_, findings_};
-    if (auto failure = checkTime(examined)) return *failure;
-    if (auto failure = checkQuaternions(examined)) return *failure;
-    if (auto failure = checkUnits(examined)) return *failure;
-    if (recording_.meta.wrenchSign == WrenchSign::payloadOnSensor) recording_.wrench = -recording_.wrench;
-    checkSignals(examined);
-    checkMarks();
+    if (auto failure = checkAll(examined)) return *failure;
     return ReadRecording{std::move(recording_), std::move(findings_)};
   }
 
  private:
   void note(Severity severity, const char* code, long line, std::string text, std::string remedy = {}, long field = 0) {
     findings_.push_back({severity, code, std::move(text), std::move(remedy), {name_, line, field}});
-  }
-
-  std::optional<Error> assumeRobot() {
-    if (!map_.hasJoints() || recording_.meta.robot) return std::nullopt;
-    const auto joints = map_.joints.size();
-    if (joints == 7) {
-      recording_.meta.robot = "panda";
-      note(map_.hasOrientation() ? Severity::info : Severity::warning, "robot_assumed", 0,
-           "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange.",
-           "Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
-      return std::nullopt;
-    }
-    if (map_.hasOrientation()) return std::nullopt;
-    return errorAt({name_, header_.line, map_.joints[0]},
-                   fmt::format("there are {} joints but no robot is named.", joints),
-                   "Name it in the meta file: \"robot\": \"PATH.urdf\".");
   }
 
   /// Points every field at the memory that its column fills.
@@ -279,18 +258,6 @@ class RecordingParser {
     labelCells_.clear();
   }
 
-  void checkMarks() {
-    if (recording_.meta.kind == RecordingKind::poses) return;
-    const double from = recording_.time(0);
-    const double to = recording_.time(recording_.rows() - 1);
-    for (const auto& mark : recording_.meta.marks)
-      if (mark.to < from || mark.from > to)
-        note(Severity::warning, "mark_outside", 0,
-             fmt::format("The mark \"{}\" from {} to {} s lies outside the recording, which runs from {} to {} s.",
-                         toString(mark.label), mark.from, mark.to, from, to),
-             "Marks are on the clock of the column time.");
-  }
-
   const std::string_view csv_;
   const std::string& name_;
   Recording recording_;
@@ -307,6 +274,27 @@ class RecordingParser {
 Result<ReadRecording> parseRecording(std::string_view csv, const std::string& name, RecordingMeta meta,
                                      const Progress& progress) {
   return RecordingParser(csv, name, std::move(meta)).parse(progress);
+}
+
+Result<ReadRecording> checkRecording(Recording recording) {
+  ReadRecording read{std::move(recording), {}};
+  Recording& checked = read.recording;
+  // Numbers of columns stand for "is there"; no message shows them.
+  ColumnMap map;
+  map.time = 1;
+  if (checked.hasJoints()) map.joints.assign(static_cast<std::size_t>(checked.q.cols()), 1);
+  if (checked.dq.rows() > 0) map.velocities.assign(static_cast<std::size_t>(checked.dq.cols()), 1);
+  if (checked.hasPosition()) map.position.fill(1);
+  if (checked.hasOrientation()) map.quaternion.fill(1);
+  if (checked.twist.rows() > 0) map.twist.fill(1);
+  map.wrench.fill(1);
+  std::vector<std::uint32_t> lines(static_cast<std::size_t>(checked.rows()), 0);
+  const std::string file = checked.file;
+  if (lines.empty()) return errorAt({file, 0, 0}, "there is no sample.", "Record again, or check the export.");
+  const Examined examined{checked, map, file, lines, read.findings, false};
+  if (auto failure = assumeRobot(examined, 0)) return *failure;
+  if (auto failure = checkAll(examined)) return *failure;
+  return read;
 }
 
 Result<ReadRecording> readRecording(const std::filesystem::path& csv, const ReadOptions& options,

@@ -1,5 +1,5 @@
 #pragma once
-// Reads a recording (CSV + sidecar, CONTRACT form) and says everything that is wrong with it.
+// Reads a recording (CSV + sidecar, contract form) and says everything that is wrong with it.
 //
 // What cannot be trusted is an error that names file, line and field: text in a number, rows of a wrong length, time
 // that falls, values missing in more than 5 % of the rows, degrees or millimetres, quaternions that are none. What can
@@ -37,11 +37,18 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
 Result<ReadRecording> parseRecording(std::string_view csv, const std::string& name, RecordingMeta meta,
                                      const Progress& progress = {});
 
+/// The same checks for a recording that was joined from messages or streams: time, rotations, units, signals, marks.
+/// The wrench comes in the sign that the meta states and leaves as sensorOnPayload. All numbers must be finite.
+Result<ReadRecording> checkRecording(Recording recording);
+
 Result<RecordingMeta> readMeta(const std::filesystem::path& file, Findings& findings);
 
 /// Same from text in memory; `name` stands in messages, a relative robot path is taken against `folder`.
 Result<RecordingMeta> parseMeta(std::string_view json, const std::string& name, const std::filesystem::path& folder,
                                 Findings& findings);
+
+/// Writes a meta file alone.
+Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file);
 
 /// Writes NAME.csv and NAME.meta.json in the file's own wrench sign; numbers survive the round trip bit by bit. "-"
 /// writes the CSV alone to stdout. Refuses NaN, infinities and series of unequal length.

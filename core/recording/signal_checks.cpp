@@ -278,7 +278,7 @@ class SignalChecker {
     const double start = force.topRows(count).colwise().mean().norm();
     const double range = (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm();
     if (range < 2.0 || start > 0.02 * range) return;
-    examined_.note(Severity::info, "wrench_tared", {examined_.file, 0, examined_.map.wrench[0]},
+    examined_.note(Severity::info, "wrench_tared", examined_.column(examined_.map.wrench[0]),
                    fmt::format("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "
                                "with the payload on.",
                                start, range),

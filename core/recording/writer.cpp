@@ -151,15 +151,18 @@ Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::p
 
 }  // namespace
 
+Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file) {
+  const auto text = metaText(meta, file);
+  if (!text) return text.error();
+  return writeTextFile(file, *text);
+}
+
 Result<bool> writeRecording(const Recording& recording, const std::filesystem::path& csv) {
   const auto text = csvText(recording);
   if (!text) return text.error();
   if (csv == "-") return writeTextFile(csv, *text);
-  const auto metaFile = metaFileOf(csv);
-  const auto meta = metaText(recording.meta, metaFile);
-  if (!meta) return meta.error();
   if (auto written = writeTextFile(csv, *text); !written) return written;
-  return writeTextFile(metaFile, *meta);
+  return writeMeta(recording.meta, metaFileOf(csv));
 }
 
 }  // namespace heft

@@ -3,8 +3,8 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 
+#include "core/import/import.h"
 #include "core/motion/motion.h"
-#include "core/recording/csv_reader.h"
 
 namespace heft {
 namespace {
@@ -14,7 +14,7 @@ using OpenResult = Result<std::shared_ptr<const OpenRecording>>;
 OpenResult openRecording(const QString& path, const Progress& progress) {
   QElapsedTimer clock;
   clock.start();
-  auto read = readRecording(path.toStdString(), {}, progress);
+  auto read = heft::openRecording(std::filesystem::path(path.toStdString()), ImportOptions{}, progress);
   if (!read) return read.error();
   auto opened = std::make_shared<OpenRecording>();
   opened->path = path;

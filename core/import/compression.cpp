@@ -1,0 +1,96 @@
+#include "core/import/compression.h"
+
+#include <bzlib.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace heft {
+
+namespace {
+
+constexpr std::size_t kBlock = 256u << 10;
+
+Unpacked unpackBz2(std::string_view packed, std::size_t maxBytes) {
+  Unpacked out;
+  bz_stream stream{};
+  if (packed.size() > std::numeric_limits<unsigned>::max() || BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return out;
+  std::string block(kBlock, '\0');
+  stream.next_in = const_cast<char*>(packed.data());  // the library does not write to it
+  stream.avail_in = static_cast<unsigned>(packed.size());
+  for (;;) {
+    stream.next_out = block.data();
+    stream.avail_out = static_cast<unsigned>(block.size());
+    const int state = BZ2_bzDecompress(&stream);
+    const std::size_t got = block.size() - stream.avail_out;
+    if (out.bytes.size() + got > maxBytes) break;
+    out.bytes.append(block, 0, got);
+    out.complete = state == BZ_STREAM_END;
+    if (state != BZ_OK || (got == 0 && stream.avail_in == 0)) break;
+  }
+  BZ2_bzDecompressEnd(&stream);
+  return out;
+}
+
+Unpacked unpackLz4(std::string_view packed, std::size_t maxBytes) {
+  Unpacked out;
+  LZ4F_dctx* context = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) return out;
+  std::string block(kBlock, '\0');
+  while (!packed.empty()) {
+    std::size_t got = block.size();
+    std::size_t used = packed.size();
+    const std::size_t state = LZ4F_decompress(context, block.data(), &got, packed.data(), &used, nullptr);
+    if (LZ4F_isError(state) != 0 || out.bytes.size() + got > maxBytes) break;
+    out.bytes.append(block, 0, got);
+    packed.remove_prefix(used);
+    out.complete = state == 0;
+    if (out.complete || (used == 0 && got == 0)) break;
+  }
+  LZ4F_freeDecompressionContext(context);
+  return out;
+}
+
+Unpacked unpackZstd(std::string_view packed, std::size_t maxBytes) {
+  Unpacked out;
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
+  if (!context) return out;
+  std::string block(kBlock, '\0');
+  ZSTD_inBuffer input{packed.data(), packed.size(), 0};
+  for (;;) {
+    ZSTD_outBuffer output{block.data(), block.size(), 0};
+    const std::size_t state = ZSTD_decompressStream(context.get(), &output, &input);
+    if (ZSTD_isError(state) != 0 || out.bytes.size() + output.pos > maxBytes) {
+      out.complete = false;
+      break;
+    }
+    out.bytes.append(block, 0, output.pos);
+    out.complete = state == 0;
+    // A file may hold several frames one after the other.
+    if (input.pos == input.size && output.pos < output.size) break;
+  }
+  return out;
+}
+
+}  // namespace
+
+Unpacked unpack(std::string_view packed, Compression compression, std::size_t maxBytes) {
+  switch (compression) {
+    case Compression::none:
+      return {std::string(packed), true};
+    case Compression::bz2:
+      return unpackBz2(packed, maxBytes);
+    case Compression::lz4:
+      return unpackLz4(packed, maxBytes);
+    case Compression::zstd:
+      return unpackZstd(packed, maxBytes);
+  }
+  return {};
+}
+
+bool looksLikeZstd(std::string_view bytes) { return bytes.starts_with("\x28\xB5\x2F\xFD"); }
+
+}  // namespace heft

@@ -1,0 +1,431 @@
+#include "core/import/join.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/import/align.h"
+#include "core/math/statistics.h"
+#include "core/motion/motion.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kSameClock = 0.5;        ///< [s] Delays from stamp to recorder that differ less belong to one clock.
+constexpr double kEpoch = 1e9;            ///< [s] Later times count from 1970, earlier ones from some start.
+constexpr double kLongestGapSteps = 5.0;  ///< Across longer gaps nothing is interpolated.
+constexpr double kLongestReach = 600.0;   ///< [s] Offsets between unrelated clocks are looked for up to this.
+
+/// Rows of some columns of one stream.
+struct Signal {
+  std::size_t stream = 0;
+  std::vector<std::int64_t> nanoseconds;
+  VectorXd time;  ///< [s] after the joint beginning
+  MatrixXd values;
+  double step = 0.0;  ///< [s] median
+
+  bool empty() const { return values.cols() == 0; }
+};
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+class Joiner {
+ public:
+  Joiner(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns, const MappingWishes& wishes,
+         Findings& findings)
+      : streams_(streams), columns_(columns), wishes_(wishes), findings_(findings) {}
+
+  Result<Recording> join(RecordingMeta meta) {
+    recording_.file = streams_[columns_[0].stream].file;
+    recording_.meta = std::move(meta);
+    for (const auto& column : columns_) used_.insert(column.stream);
+    chooseClocks();
+    wrench_ = signalOf({"fx", "fy", "fz", "tx", "ty", "tz"});
+    joints_ = signalOf(numbered("q"));
+    velocities_ = signalOf(numbered("dq"));
+    quaternion_ = signalOf({"qx", "qy", "qz", "qw"});
+    position_ = signalOf({"px", "py", "pz"});
+    for (const auto* signal : {&wrench_, &joints_, &velocities_, &quaternion_, &position_})
+      if (!signal->empty() && signal->nanoseconds.size() < 2)
+        return errorAt({streams_[signal->stream].file, 0, 0},
+                       fmt::format("{} has fewer than two complete samples.", nameOf(signal->stream)),
+                       "Record again, or choose other columns.");
+    makeTimes();
+    makeQuaternionsSmooth();
+    if (auto failure = align()) return *failure;
+    if (auto failure = resample()) return *failure;
+    return std::move(recording_);
+  }
+
+ private:
+  void note(Severity severity, const char* code, std::string text, std::string remedy = {}) {
+    findings_.push_back({severity, code, std::move(text), std::move(remedy), {recording_.file, 0, 0}});
+  }
+
+  std::string nameOf(std::size_t stream) const {
+    const auto& each = streams_[stream];
+    return each.name.empty() || each.name == "/" ? each.file : each.name;
+  }
+
+  std::vector<std::string> numbered(const std::string& prefix) const {
+    std::vector<std::string> out;
+    for (int j = 1; j <= 64; ++j) {
+      const auto name = fmt::format("{}{}", prefix, j);
+      if (std::none_of(columns_.begin(), columns_.end(), [&](const auto& c) { return c.column == name; })) break;
+      out.push_back(name);
+    }
+    return out;
+  }
+
+  bool sameFile() const {
+    for (const auto s : used_)
+      if (streams_[s].file != streams_[*used_.begin()].file) return false;
+    return true;
+  }
+
+  /// Stamps of the messages' headers are when something was measured; the recorder's times come after the network.
+  void chooseClocks() {
+    clockShift_.assign(streams_.size(), 0);
+    useStamps_.assign(streams_.size(), false);
+    if (wishes_.clock == "received") return;
+    std::vector<std::pair<std::size_t, double>> delays;
+    bool allStamped = true;
+    for (const auto s : used_) {
+      const auto& stream = streams_[s];
+      std::vector<double> delay;
+      bool stamped = !stream.stamps.empty() && stream.stamps.size() == stream.received.size() &&
+                     std::all_of(stream.stamps.begin(), stream.stamps.end(), [](auto t) { return t != 0; });
+      if (stamped)
+        stamped = *std::max_element(stream.stamps.begin(), stream.stamps.end()) >
+                  *std::min_element(stream.stamps.begin(), stream.stamps.end());
+      allStamped = allStamped && stamped;
+      if (!stamped) continue;
+      for (std::size_t k = 0; k < stream.stamps.size(); ++k)
+        delay.push_back(1e-9 * static_cast<double>(stream.received[k] - stream.stamps[k]));
+      delays.emplace_back(s, quantile(std::move(delay), 0.05));
+    }
+    if (!allStamped) {
+      if (!delays.empty())
+        note(Severity::info, "clock_received",
+             "Not every topic stamps its messages, so the recorder's times are used for all.");
+      return;
+    }
+    for (const auto& [s, delay] : delays) useStamps_[s] = true;
+    const auto [least, most] = std::minmax_element(delays.begin(), delays.end(),
+                                                   [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (wishes_.clock == "header" || most->second - least->second < kSameClock) return;
+    for (const auto& [s, delay] : delays) {
+      clockShift_[s] = nanoseconds(delay);
+      note(Severity::warning, "clock_shifted",
+           fmt::format("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
+                       nameOf(s), delay),
+           "The transport's delay is not known; state offset_s in a map file if you know better.");
+    }
+  }
+
+  Signal signalOf(const std::vector<std::string>& names) {
+    Signal out;
+    std::vector<const ColumnSource*> sources;
+    for (const auto& name : names) {
+      const auto found =
+          std::find_if(columns_.begin(), columns_.end(), [&](const auto& c) { return c.column == name; });
+      if (found == columns_.end()) return out;
+      sources.push_back(&*found);
+    }
+    if (sources.empty()) return out;
+    out.stream = sources[0]->stream;
+    const auto& stream = streams_[out.stream];
+    const auto rows = stream.received.size();
+    std::vector<std::pair<std::int64_t, std::size_t>> order;
+    std::size_t missing = 0;
+    std::size_t backwards = 0;
+    for (std::size_t k = 0; k < rows; ++k) {
+      bool complete = true;
+      for (const auto* source : sources) {
+        const auto& values = stream.values[source->field];
+        complete = complete && k < values.size() && std::isfinite(values[k]);
+      }
+      if (!complete) {
+        ++missing;
+        continue;
+      }
+      const auto time = (useStamps_[out.stream] ? stream.stamps[k] : stream.received[k]) + clockShift_[out.stream] +
+                        offsetOf(out.stream);
+      if (!order.empty() && time < order.back().first) ++backwards;
+      order.emplace_back(time, k);
+    }
+    if (missing > 0)
+      note(Severity::warning, "values_missing",
+           fmt::format("{} of {} samples of {} lack a value and were left out.", missing, rows, nameOf(out.stream)));
+    if (backwards > 0) {
+      std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      note(Severity::warning, "time_sorted",
+           fmt::format("{} samples of {} were not in the order of their times and were sorted.", backwards,
+                       nameOf(out.stream)));
+    }
+    const auto before = order.size();
+    order.erase(
+        std::unique(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+        order.end());
+    if (order.size() < before)
+      note(Severity::warning, "time_repeated",
+           fmt::format("{} of {} samples of {} repeat a time and were left out.", before - order.size(), before,
+                       nameOf(out.stream)));
+    out.values.resize(static_cast<Eigen::Index>(order.size()), static_cast<Eigen::Index>(sources.size()));
+    for (std::size_t r = 0; r < order.size(); ++r) {
+      out.nanoseconds.push_back(order[r].first);
+      for (std::size_t c = 0; c < sources.size(); ++c)
+        out.values(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
+            sources[c]->scale * stream.values[sources[c]->field][order[r].second];
+    }
+    return out;
+  }
+
+  std::int64_t offsetOf(std::size_t s) const {
+    for (const auto& [name, seconds] : wishes_.offset)
+      if (name == streams_[s].name || name == streams_[s].file ||
+          name == std::filesystem::path(streams_[s].file).filename().string())
+        return nanoseconds(seconds);
+    return 0;
+  }
+  bool offsetStated(std::size_t s) const {
+    for (const auto& [name, seconds] : wishes_.offset)
+      if (name == streams_[s].name || name == streams_[s].file ||
+          name == std::filesystem::path(streams_[s].file).filename().string())
+        return true;
+    return false;
+  }
+
+  Signal& motion() { return joints_.empty() ? quaternion_ : joints_; }
+
+  void makeTimes() {
+    // Times that count from 1970 begin at the motion's first sample; others stay as they are, so that marks fit.
+    unrelated_ = !sameFile() && !clocksRelated();
+    const auto origin = [](const Signal& signal) {
+      const auto first = signal.nanoseconds.front();
+      return 1e-9 * static_cast<double>(first) > kEpoch ? first : 0;
+    };
+    const auto common = origin(motion());
+    for (auto* signal : {&wrench_, &joints_, &velocities_, &quaternion_, &position_}) {
+      if (signal->empty()) continue;
+      const auto zero = unrelated_ ? origin(*signal) : common;
+      const auto size = static_cast<Eigen::Index>(signal->nanoseconds.size());
+      signal->time.resize(size);
+      std::vector<double> steps;
+      for (Eigen::Index k = 0; k < size; ++k) {
+        signal->time(k) = 1e-9 * static_cast<double>(signal->nanoseconds[static_cast<std::size_t>(k)] - zero);
+        if (k > 0) steps.push_back(signal->time(k) - signal->time(k - 1));
+      }
+      signal->step = median(std::move(steps));
+    }
+  }
+
+  /// Two files share a clock if both count from 1970 and overlap.
+  bool clocksRelated() {
+    const auto& a = motion().nanoseconds;
+    const auto& b = wrench_.nanoseconds;
+    if (offsetStated(motion().stream) || offsetStated(wrench_.stream)) return true;
+    const double shorter = 1e-9 * static_cast<double>(std::min(a.back() - a.front(), b.back() - b.front()));
+    const double overlap = 1e-9 * static_cast<double>(std::min(a.back(), b.back()) - std::max(a.front(), b.front()));
+    return 1e-9 * static_cast<double>(a.front()) > kEpoch && 1e-9 * static_cast<double>(b.front()) > kEpoch &&
+           overlap > 0.2 * shorter;
+  }
+
+  /// q and -q are one rotation; neighbours get the same sign before anything is averaged.
+  void makeQuaternionsSmooth() {
+    auto& values = quaternion_.values;
+    for (Eigen::Index k = 1; k < values.rows(); ++k)
+      if (values.row(k).dot(values.row(k - 1)) < 0.0) values.row(k) = -values.row(k);
+  }
+
+  /// The sensor's specific force from the motion alone.
+  std::optional<Motion> specificForce() {
+    Recording alone;
+    alone.file = recording_.file;
+    alone.meta = recording_.meta;
+    if (!joints_.empty() && !alone.meta.robot && joints_.values.cols() == 7) alone.meta.robot = "panda";
+    const Signal& from = motion();
+    alone.time = from.time;
+    alone.wrench.setZero(from.time.size(), 6);
+    Findings aside;
+    std::optional<RobotModel> robot;
+    if (!joints_.empty()) {
+      if (!alone.meta.robot) return std::nullopt;
+      auto made = robotFor(alone.meta, aside);
+      if (!made || made->dof() != joints_.values.cols()) return std::nullopt;
+      robot = std::move(*made);
+      alone.q = joints_.values;
+    } else {
+      alone.quaternion = quaternion_.values;
+      for (Eigen::Index k = 0; k < alone.quaternion.rows(); ++k) {
+        const double norm = alone.quaternion.row(k).norm();
+        if (norm < 0.5) return std::nullopt;
+        alone.quaternion.row(k) /= norm;
+      }
+    }
+    MotionOptions options;
+    options.cutoffHz = 5.0;
+    options.outputRateHz = 100.0;
+    auto motion = motionOf(alone, robot ? &*robot : nullptr, options);
+    if (!motion || motion->size() < 50 || !motion->specificForce.allFinite()) return std::nullopt;
+    return std::move(*motion);
+  }
+
+  std::optional<Error> align() {
+    if (wrench_.stream == motion().stream) return std::nullopt;
+    const auto how = "State it in a map file, for instance {\"offset_s\": {\"" + displayName(nameOf(wrench_.stream)) +
+                     "\": 0.0}} (seconds added to its times).";
+    const auto moved = recording_.meta.kind == RecordingKind::motion ? specificForce() : std::nullopt;
+    if (!moved && !unrelated_) return std::nullopt;
+    const auto& motionTime = motion().time;
+    double from = -0.5;
+    double to = 0.5;
+    if (unrelated_) {
+      from = std::max(motionTime(0) - wrench_.time(wrench_.time.size() - 1),
+                      motionTime(0) - wrench_.time(0) - kLongestReach);
+      to = std::min(motionTime(motionTime.size() - 1) - wrench_.time(0),
+                    motionTime(0) - wrench_.time(0) + kLongestReach);
+    }
+    OffsetEstimate offset;
+    if (moved)
+      offset = findOffset(moved->specificForce, moved->startTime, moved->rateHz, wrench_.time,
+                          wrench_.values.leftCols<3>(), from, to);
+    const auto figures = fmt::format("{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)",
+                                     offset.seconds, 2.0 * offset.std, 100.0 * offset.explained);
+    if (unrelated_) {
+      if (!offset.sure)
+        return errorAt({recording_.file, 0, 0},
+                       fmt::format("the clocks of {} and {} have nothing in common, and the data do not tell how much "
+                                   "one is later than the other.",
+                                   nameOf(motion().stream), nameOf(wrench_.stream)),
+                       how);
+      wrench_.time.array() += offset.seconds;
+      note(Severity::warning, "clock_offset",
+           fmt::format("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
+                       nameOf(wrench_.stream), figures),
+           "Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too.");
+    } else if (offset.sure) {
+      note(
+          std::abs(offset.seconds) > std::max(0.02, 4.0 * offset.std) ? Severity::warning : Severity::info,
+          "time_offset_estimated",
+          fmt::format("On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing "
+                      "was shifted.",
+                      nameOf(wrench_.stream), nameOf(motion().stream), figures),
+          how);
+    }
+    return std::nullopt;
+  }
+
+  /// Both signals at the times of the slower one.
+  std::optional<Error> resample() {
+    Signal& moving = motion();
+    const bool together = wrench_.stream == moving.stream && wrench_.nanoseconds == moving.nanoseconds;
+    const bool wrenchSlower = wrench_.step > 1.01 * moving.step;
+    const Signal& base = wrenchSlower ? wrench_ : moving;
+    const double overlapFrom = std::max(wrench_.time(0), moving.time(0));
+    const double overlapTo = std::min(wrench_.time(wrench_.time.size() - 1), moving.time(moving.time.size() - 1));
+    std::vector<double> times;
+    std::size_t inGaps = 0;
+    for (const double t : base.time) {
+      if (t < overlapFrom || t > overlapTo) continue;
+      if (nearSamples(wrench_, t, base.step) && nearSamples(moving, t, base.step))
+        times.push_back(t);
+      else
+        ++inGaps;
+    }
+    if (times.size() < 2)
+      return errorAt(
+          {recording_.file, 0, 0},
+          fmt::format("{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.",
+                      nameOf(moving.stream), nameOf(wrench_.stream), moving.time(0),
+                      moving.time(moving.time.size() - 1), wrench_.time(0), wrench_.time(wrench_.time.size() - 1)),
+          "Were they recorded together? State offset_s in a map file if one clock is late.");
+    const VectorXd at = Eigen::Map<const VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
+    const auto on = [&](const Signal& signal) -> MatrixXd {
+      if (signal.empty()) return {};
+      if (signal.time.size() == at.size() && signal.time == at) return signal.values;
+      return averageAt(signal.time, signal.values, clamped(at, signal),
+                       signal.step < 0.67 * base.step ? base.step : 0.0);
+    };
+    recording_.time = at;
+    recording_.wrench = on(wrench_);
+    recording_.q = on(joints_);
+    recording_.dq = on(velocities_);
+    if (!quaternion_.empty()) recording_.quaternion = on(quaternion_);
+    if (!position_.empty()) recording_.position = on(position_);
+    if (wishes_.poseOfFlange && !quaternion_.empty()) fromFlangeToSensor();
+
+    if (!together) {
+      const Signal& other = wrenchSlower ? moving : wrench_;
+      note(Severity::info, "streams_joined",
+           fmt::format("{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.", nameOf(moving.stream),
+                       1.0 / moving.step, nameOf(wrench_.stream), 1.0 / wrench_.step, nameOf(base.stream),
+                       other.step < 0.67 * base.step ? "the faster one is averaged over each step"
+                                                     : "the other one is interpolated"));
+    }
+    if (inGaps > 0)
+      note(Severity::warning, "stream_gaps",
+           fmt::format("At {} of {} times one of the streams has a gap; they were left out.", inGaps,
+                       inGaps + times.size()));
+    if (moving.step > 0.0201 && moving.step > 2.0 * wrench_.step)
+      note(Severity::warning, "motion_rate_low",
+           fmt::format("The motion comes at {:.3g} Hz only; inertia needs about 100 Hz or more.", 1.0 / moving.step),
+           "Panda's ROS driver publishes at 30 Hz by default: raise its publish rate to 1000 Hz.");
+    return std::nullopt;
+  }
+
+  static VectorXd clamped(const VectorXd& at, const Signal& signal) {
+    return at.cwiseMax(signal.time(0)).cwiseMin(signal.time(signal.time.size() - 1));
+  }
+
+  static bool nearSamples(const Signal& signal, double t, double step) {
+    const auto after = std::lower_bound(signal.time.begin(), signal.time.end(), t) - signal.time.begin();
+    if (after >= signal.time.size()) return false;
+    if (after == 0 || signal.time(after) == t) return true;
+    return signal.time(after) - signal.time(after - 1) <= kLongestGapSteps * std::max(signal.step, step);
+  }
+
+  /// X_BS = X_BF X_FS for poses of the flange.
+  void fromFlangeToSensor() {
+    const Isometry3d X_FS = poseFromXyzRpy(recording_.meta.mount.xyz, recording_.meta.mount.rpy);
+    for (Eigen::Index k = 0; k < recording_.quaternion.rows(); ++k) {
+      Quaterniond q(recording_.quaternion(k, 3), recording_.quaternion(k, 0), recording_.quaternion(k, 1),
+                    recording_.quaternion(k, 2));
+      q.normalize();
+      if (recording_.position.rows() > 0) recording_.position.row(k) += (q * X_FS.translation()).transpose();
+      const Quaterniond turned = q * Quaterniond(X_FS.linear());
+      recording_.quaternion.row(k) = turned.coeffs().transpose();
+    }
+    note(Severity::info, "pose_of_flange", "The poses are the flange's; the sensor's follow by its mount.");
+  }
+
+  const std::vector<Stream>& streams_;
+  const std::vector<ColumnSource>& columns_;
+  const MappingWishes& wishes_;
+  Findings& findings_;
+  std::set<std::size_t> used_;
+  std::vector<std::int64_t> clockShift_;
+  std::vector<bool> useStamps_;
+  bool unrelated_ = false;
+  Signal wrench_, joints_, velocities_, quaternion_, position_;
+  Recording recording_;
+};
+
+}  // namespace
+
+Result<Recording> joinStreams(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns,
+                              const MappingWishes& wishes, RecordingMeta meta, Findings& findings) {
+  return Joiner(streams, columns, wishes, findings).join(std::move(meta));
+}
+
+}  // namespace heft

@@ -1,0 +1,75 @@
+#include "core/import/json_numbers.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text.h"
+
+namespace heft {
+
+namespace {
+
+constexpr std::size_t kMostNumbers = 4096;
+constexpr std::size_t kDeepest = 32;
+
+using nlohmann::json;
+
+bool flatten(const json& node, const std::string& path, std::size_t depth, NamedNumbers& out) {
+  if (out.size() > kMostNumbers || depth > kDeepest) return false;
+  if (node.is_number()) {
+    out.emplace_back(path, node.get<double>());
+  } else if (node.is_boolean()) {
+    out.emplace_back(path, node.get<bool>() ? 1.0 : 0.0);
+  } else if (node.is_null()) {
+    out.emplace_back(path, std::numeric_limits<double>::quiet_NaN());
+  } else if (node.is_array()) {
+    for (std::size_t i = 0; i < node.size(); ++i)
+      if (!flatten(node[i], fmt::format("{}[{}]", path, i), depth + 1, out)) return false;
+  } else if (node.is_object()) {
+    const auto labels = node.find("name");
+    const bool labelled = labels != node.end() && labels->is_array();
+    for (const auto& [key, value] : node.items()) {
+      const std::string inner = path.empty() ? printable(key, 100) : path + "." + printable(key, 100);
+      if (labelled && value.is_array() && value.size() == labels->size()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+          const json& label = (*labels)[i];
+          const std::string name = label.is_string() ? printable(label.get<std::string>(), 100) : std::to_string(i);
+          if (!flatten(value[i], fmt::format("{}[{}]", inner, name), depth + 1, out)) return false;
+        }
+      } else if (!flatten(value, inner, depth + 1, out)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool flattenJson(std::string_view text, NamedNumbers& out) {
+  out.clear();
+  // Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kDeepest) return false;
+    } else if ((c == '}' || c == ']') && depth > 0) {
+      --depth;
+    }
+  }
+  const json object = json::parse(text, nullptr, false);
+  return object.is_object() && flatten(object, {}, 0, out);
+}
+
+}  // namespace heft

@@ -1,0 +1,300 @@
+#include "core/import/mapping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/base/json_file.h"
+#include "core/base/text.h"
+
+namespace heft {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kParts = {"joints", "velocities", "position", "quaternion", "wrench"};
+
+bool isColumn(const std::string& name) {
+  static const std::set<std::string> kFixed = {"px", "py", "pz", "qx", "qy", "qz", "qw",
+                                               "fx", "fy", "fz", "tx", "ty", "tz", "time"};
+  if (kFixed.contains(name)) return true;
+  const auto digits = name.starts_with("dq") ? name.substr(2) : name.starts_with("q") ? name.substr(1) : std::string();
+  return !digits.empty() && digits.size() <= 2 && digits[0] != '0' &&
+         digits.find_first_not_of("0123456789") == std::string::npos;
+}
+
+std::string partOf(const std::string& column) {
+  static const std::set<std::string> kQuaternion = {"qx", "qy", "qz", "qw"};
+  if (kQuaternion.contains(column)) return "quaternion";
+  if (column[0] == 'p') return "position";
+  if (column[0] == 'd') return "velocities";
+  if (column[0] == 'q') return "joints";
+  return "wrench";
+}
+
+std::optional<Error> checkTarget(const std::string& name, const std::string& where) {
+  const bool part = std::find(kParts.begin(), kParts.end(), name) != kParts.end();
+  if (part || isColumn(name)) return std::nullopt;
+  return errorAt({where, 0, 0}, fmt::format("\"{}\" is no column of a recording.", printable(name)),
+                 "Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the "
+                 "groups joints, velocities, position, quaternion, wrench.");
+}
+
+std::string shown(const Stream& stream) {
+  if (stream.name.empty() || stream.name == "/") return stream.file;
+  return stream.name;
+}
+
+class Chooser {
+ public:
+  Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
+          Findings& findings)
+      : streams_(streams), wishes_(wishes), findings_(findings), candidates_(findCandidates(streams, jointNames)) {}
+
+  Result<std::vector<ColumnSource>> run() {
+    for (const auto& [target, source] : wishes_.use) {
+      if (target == "time") continue;
+      if (auto failure = grant(target, source)) return *failure;
+    }
+    // What the user names in part is completed from the same stream.
+    for (const char* const part : {"wrench", "joints", "quaternion"})
+      if (has(part)) takeFrom(part, streamOf(part));
+    if (!has("wrench")) take("wrench");
+    if (!has("joints") && !has("quaternion")) {
+      if (!take("joints") && take("quaternion")) takeFrom("position", streamOf("quaternion"));
+    }
+    if (has("joints") && !has("velocities")) takeFrom("velocities", streamOf("joints"));
+    if (auto failure = requireAll()) return *failure;
+    scale();
+    say();
+    return std::move(chosen_);
+  }
+
+ private:
+  bool has(const std::string& part) const {
+    return std::any_of(chosen_.begin(), chosen_.end(), [&](const auto& c) { return partOf(c.column) == part; });
+  }
+  std::size_t streamOf(const std::string& part) const {
+    for (const auto& column : chosen_)
+      if (partOf(column.column) == part) return column.stream;
+    return streams_.size();
+  }
+
+  void use(const Candidate& candidate) {
+    for (const auto& column : candidate.columns) {
+      const bool there =
+          std::any_of(chosen_.begin(), chosen_.end(), [&](const auto& other) { return other.column == column.column; });
+      if (!there) chosen_.push_back(column);
+    }
+  }
+
+  bool take(const std::string& part) {
+    for (const auto& candidate : candidates_) {
+      if (candidate.part != part || candidate.score < 0) continue;
+      use(candidate);
+      return true;
+    }
+    return false;
+  }
+
+  /// Velocities belong to the joints' own stream, and are as many.
+  void takeFrom(const std::string& part, std::size_t stream) {
+    const auto joints =
+        std::count_if(chosen_.begin(), chosen_.end(), [](const auto& c) { return partOf(c.column) == "joints"; });
+    for (const auto& candidate : candidates_) {
+      if (candidate.part != part || candidate.score < 0 || candidate.columns[0].stream != stream) continue;
+      if (part == "velocities" && static_cast<long>(candidate.columns.size()) != joints) continue;
+      use(candidate);
+      return;
+    }
+  }
+
+  std::optional<Error> grant(const std::string& target, const std::string& source) {
+    if (std::find(kParts.begin(), kParts.end(), target) != kParts.end()) {
+      for (const auto& candidate : candidates_) {
+        const auto& stream = streams_[candidate.columns[0].stream];
+        if (candidate.part != target ||
+            (stream.name != source && stream.file != source && std::filesystem::path(stream.file).filename() != source))
+          continue;
+        Candidate wished = candidate;
+        for (auto& column : wished.columns) column.why = "said by the user";
+        use(wished);
+        return std::nullopt;
+      }
+      return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
+                     fmt::format("\"{}\" has no {} that Heft can find by name.", printable(source), target),
+                     "Name its columns one by one, for instance fx=TOPIC:FIELD.");
+    }
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      for (std::size_t f = 0; f < streams_[s].fields.size(); ++f) {
+        const auto& field = streams_[s].fields[f];
+        if (field != source && streams_[s].name + ":" + field != source && streams_[s].file + ":" + field != source)
+          continue;
+        chosen_.push_back({target, s, f, 1.0, "said by the user"});
+        return std::nullopt;
+      }
+    }
+    return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
+                   fmt::format("there is no \"{}\", which {} was to be read from.", printable(source), target),
+                   "'heft convert IN --list' shows what there is.");
+  }
+
+  std::optional<Error> requireAll() const {
+    std::vector<std::string> missing;
+    for (const char* const name : {"fx", "fy", "fz", "tx", "ty", "tz"})
+      if (std::none_of(chosen_.begin(), chosen_.end(), [&](const auto& c) { return c.column == name; }))
+        missing.emplace_back(name);
+    const std::string file = streams_.empty() ? "" : streams_[0].file;
+    if (!missing.empty()) {
+      std::string other;
+      for (const auto& candidate : candidates_)
+        if (candidate.part == "wrench" && candidate.score < 0 && other.empty())
+          other = fmt::format(" {} has one, but it is {}; --use wrench={} takes it nevertheless.",
+                              shown(streams_[candidate.columns[0].stream]), candidate.why,
+                              shown(streams_[candidate.columns[0].stream]));
+      return errorAt({file, 0, 0},
+                     missing.size() == 6 ? "no wrench of a sensor was found."
+                                         : fmt::format("of the wrench {} is missing.", fmt::join(missing, ", ")),
+                     "Add its file with --join FILE, or say which columns it has with --use." + other);
+    }
+    if (!has("joints") && !has("quaternion"))
+      return errorAt({file, 0, 0}, "no motion was found: neither joint positions nor a pose of the sensor.",
+                     "Add its file with --join FILE, or say which columns it has with --use.");
+    for (const auto& part : kParts) {
+      std::size_t stream = streams_.size();
+      for (const auto& column : chosen_) {
+        if (partOf(column.column) != part) continue;
+        if (stream != streams_.size() && column.stream != stream)
+          return errorAt({file, 0, 0},
+                         fmt::format("the columns of the {} come from {} and from {}.", part, shown(streams_[stream]),
+                                     shown(streams_[column.stream])),
+                         "They must share their times.");
+        stream = column.stream;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void scale() {
+    for (auto& column : chosen_) {
+      if (const auto found = wishes_.scale.find(partOf(column.column)); found != wishes_.scale.end())
+        column.scale = found->second;
+      if (const auto found = wishes_.scale.find(column.column); found != wishes_.scale.end())
+        column.scale = found->second;
+    }
+  }
+
+  void say() {
+    std::vector<std::string> texts;
+    for (const auto& part : kParts) {
+      if (!has(part)) continue;
+      const auto first =
+          std::find_if(chosen_.begin(), chosen_.end(), [&](const auto& c) { return partOf(c.column) == part; });
+      const auto& stream = streams_[first->stream];
+      texts.push_back(fmt::format("{} from {} ({})", part, shown(stream), first->why));
+      std::vector<std::string> others;
+      for (const auto& candidate : candidates_) {
+        const auto other = candidate.columns[0].stream;
+        if (candidate.part == part && candidate.score >= 0 && other != first->stream && others.size() < 4 &&
+            candidate.score + 10 >= 30)
+          others.push_back(shown(streams_[other]));
+      }
+      if (!others.empty() && first->why != "said by the user")
+        findings_.push_back({Severity::info,
+                             "other_source",
+                             fmt::format("The {} could also be {}.", part, fmt::join(others, " or ")),
+                             fmt::format("Choose with --use {}=NAME.", part),
+                             {stream.file, 0, 0}});
+    }
+    findings_.push_back({Severity::info,
+                         "sources",
+                         fmt::format("Read {}.", fmt::join(texts, ", ")),
+                         "",
+                         {streams_[chosen_[0].stream].file, 0, 0}});
+  }
+
+  const std::vector<Stream>& streams_;
+  const MappingWishes& wishes_;
+  Findings& findings_;
+  std::vector<Candidate> candidates_;
+  std::vector<ColumnSource> chosen_;
+};
+
+Error badMap(const std::string& name, const std::string& what) {
+  return errorAt({name, 0, 0}, what, "A map file is a JSON object with use, scale, offset_s, join, pose_of, clock.");
+}
+
+}  // namespace
+
+Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
+  const auto name = displayName(file);
+  const auto read = readJsonFile(file);
+  if (!read) return read.error();
+  if (!read->is_object()) return badMap(name, "this is no JSON object.");
+  MappingWishes wishes;
+  const auto numbers = [&](const json& node, std::map<std::string, double>& out) {
+    if (!node.is_object()) return false;
+    for (const auto& [key, value] : node.items()) {
+      if (!value.is_number() || !std::isfinite(value.get<double>())) return false;
+      out[key] = value.get<double>();
+    }
+    return true;
+  };
+  for (const auto& [key, value] : read->items()) {
+    if (key == "use") {
+      if (!value.is_object()) return badMap(name, "\"use\" is no object.");
+      for (const auto& [target, source] : value.items()) {
+        if (!source.is_string()) return badMap(name, fmt::format("\"{}\" in \"use\" is no text.", printable(target)));
+        if (auto failure = checkTarget(target, name)) return *failure;
+        wishes.use[target] = source.get<std::string>();
+      }
+    } else if (key == "scale") {
+      if (!numbers(value, wishes.scale)) return badMap(name, "\"scale\" is no object of numbers.");
+      for (const auto& [target, factor] : wishes.scale) {
+        if (auto failure = checkTarget(target, name)) return *failure;
+        if (factor == 0.0 || (target == "time" && factor < 0.0))
+          return badMap(name, fmt::format("the scale of {} is {}.", target, factor));
+      }
+    } else if (key == "offset_s") {
+      if (!numbers(value, wishes.offset)) return badMap(name, "\"offset_s\" is no object of numbers.");
+    } else if (key == "join") {
+      if (!value.is_array()) return badMap(name, "\"join\" is no list of files.");
+      for (const auto& each : value) {
+        if (!each.is_string()) return badMap(name, "\"join\" is no list of files.");
+        const std::filesystem::path other(each.get<std::string>());
+        wishes.join.push_back(other.is_absolute() ? other : file.parent_path() / other);
+      }
+    } else if (key == "pose_of") {
+      if (value != "sensor" && value != "flange") return badMap(name, "\"pose_of\" is neither sensor nor flange.");
+      wishes.poseOfFlange = value == "flange";
+    } else if (key == "clock") {
+      if (value != "header" && value != "received") return badMap(name, "\"clock\" is neither header nor received.");
+      wishes.clock = value.get<std::string>();
+    } else {
+      return badMap(name, fmt::format("\"{}\" is not known.", printable(key)));
+    }
+  }
+  return wishes;
+}
+
+Result<bool> addWish(MappingWishes& wishes, const std::string& text) {
+  const auto sign = text.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+    return Error{fmt::format("\"{}\" should be NAME=SOURCE, for instance wrench=/ft/raw.", printable(text))};
+  const auto target = text.substr(0, sign);
+  if (auto failure = checkTarget(target, "--use")) return *failure;
+  wishes.use[target] = text.substr(sign + 1);
+  return true;
+}
+
+Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,
+                                                const std::vector<std::string>& jointNames, Findings& findings) {
+  return Chooser(streams, wishes, jointNames, findings).run();
+}
+
+}  // namespace heft

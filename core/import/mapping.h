@@ -1,0 +1,55 @@
+#pragma once
+// Which topic or column is which quantity: guessed from types and names, or said by the user.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/import/streams.h"
+
+namespace heft {
+
+/// Where one column of a recording comes from.
+struct ColumnSource {
+  std::string column;      ///< Contract name: q1, dq1, px, qx, fx, tx, ...
+  std::size_t stream = 0;  ///< Index into the streams.
+  std::size_t field = 0;   ///< Index into the stream's fields.
+  double scale = 1.0;      ///< Factor to SI units.
+  std::string why;         ///< In words: "type geometry_msgs/WrenchStamped", "said by the user".
+};
+
+/// A set of columns that belong together, found in one stream.
+struct Candidate {
+  std::string part;  ///< joints, velocities, position, quaternion or wrench
+  std::vector<ColumnSource> columns;
+  int score = 0;    ///< Higher is better; below zero it is not taken without being asked for.
+  std::string why;  ///< For or against it.
+};
+
+/// What the user says: all that a map file may hold.
+struct MappingWishes {
+  std::map<std::string, std::string> use;   ///< Column or part: "STREAM", "STREAM:FIELD" or "FIELD"; and "time".
+  std::map<std::string, double> scale;      ///< Column or part: factor to SI units; and "time" in s.
+  std::map<std::string, double> offset;     ///< Stream or file: seconds added to its times.
+  std::vector<std::filesystem::path> join;  ///< Further files.
+  bool poseOfFlange = false;                ///< Poses are the flange's, not the sensor's.
+  std::string clock;                        ///< "header", "received", or empty: whichever is better.
+};
+
+/// Reads a map file (JSON): {"use": {"wrench": "/ft/raw", "q1": "/arm:position[j1]"}, "scale": {"torque": 0.001},
+/// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header"}. Relative files count
+/// from the map file's folder. Unknown keys fail.
+Result<MappingWishes> readMapFile(const std::filesystem::path& file);
+
+/// Adds "NAME=SOURCE" as it stands on a command line.
+Result<bool> addWish(MappingWishes& wishes, const std::string& text);
+
+/// Every set of columns that may be a part of a recording, best first. `jointNames`: of the arm, if it is known.
+std::vector<Candidate> findCandidates(const std::vector<Stream>& streams, const std::vector<std::string>& jointNames);
+
+/// The columns to read: wishes first, then the best candidates. Fails if a wish names nothing that is there, or if
+/// wrench or motion are missing; says in findings what was chosen and what else might have been.
+Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,
+                                                const std::vector<std::string>& jointNames, Findings& findings);
+
+}  // namespace heft

@@ -1,0 +1,179 @@
+// MCAP (mcap.dev/spec): records of an opcode, a length of 64 bits and content, little-endian, between two magics. A
+// scan from the front that stops at DataEnd needs no index, so that files without a summary are read, too.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "core/base/text.h"
+#include "core/import/bytes.h"
+#include "core/import/compression.h"
+#include "core/import/container.h"
+#include "core/import/message_definition.h"
+
+namespace heft {
+
+namespace {
+
+constexpr std::string_view kMagic = "\x89MCAP0\r\n";
+constexpr std::uint64_t kLargestRecord = 1u << 30;
+constexpr std::size_t kLargestChunk = 1u << 30;
+
+enum Op : unsigned char { kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
+
+struct Schema {
+  std::string name, encoding, definition;
+};
+
+class McapScan {
+ public:
+  McapScan(const ByteFile& file, std::string name, MessageListener& listener, Findings& findings)
+      : file_(file), name_(std::move(name)), listener_(listener), findings_(findings) {}
+
+  Result<bool> run(const Progress& progress) {
+    std::uint64_t at = kMagic.size();
+    bool ended = false;
+    while (!stopped_ && !ended) {
+      if (progress.cancelled()) return Error{"Reading was stopped.", true};
+      progress(static_cast<double>(at) / static_cast<double>(file_.size()), "reading");
+      const auto head = file_.read(at, 9);
+      if (head.size() < 9) {
+        cutOff(at);
+        break;
+      }
+      ByteReader reader(head);
+      const auto op = reader.read<std::uint8_t>();
+      const auto length = reader.read<std::uint64_t>();
+      ended = op == kDataEnd;
+      const bool wanted = op == kSchema || op == kChannel || op == kMessage || op == kChunk;
+      const std::uint64_t left = file_.size() - at - 9;
+      if (length > left && (!wanted || length > kLargestRecord)) {
+        cutOff(at);
+        break;
+      }
+      if (wanted && length <= kLargestRecord) {
+        const auto content = file_.read(at + 9, length);
+        if (op == kChunk)
+          chunk(content);
+        else if (content.size() == length)
+          record(op, content);
+        if (content.size() < length) {
+          cutOff(at);
+          break;
+        }
+      }
+      at += 9 + length;
+    }
+    if (badChunks_ > 0)
+      note("chunk_damaged",
+           fmt::format("{} chunks of the file are damaged; what could be unpacked was read.", badChunks_));
+    if (!unknownCompression_.empty())
+      note("compression_unknown",
+           fmt::format("Chunks compressed as \"{}\" cannot be unpacked and were left out.", unknownCompression_),
+           "Convert them with the program 'mcap' to zstd or lz4.");
+    return true;
+  }
+
+ private:
+  void note(const char* code, std::string text, std::string remedy = {}) {
+    findings_.push_back({Severity::warning, code, std::move(text), std::move(remedy), {name_, 0, 0}});
+  }
+
+  void cutOff(std::uint64_t at) {
+    note("file_cut_off", fmt::format("The file is cut off or damaged at byte {} of {}; what stands before was read.",
+                                     at, file_.size()));
+  }
+
+  void chunk(std::string_view content) {
+    ByteReader reader(content);
+    reader.take(8 + 8);  // first and last time
+    reader.read<std::uint64_t>();
+    reader.read<std::uint32_t>();  // checksum
+    const auto compression = reader.text();
+    const auto length = reader.read<std::uint64_t>();
+    if (!reader.ok()) {
+      ++badChunks_;
+      return;
+    }
+    // A chunk that is cut off in the file still gives its beginning.
+    const auto packed = reader.take(std::min<std::uint64_t>(length, reader.remaining()));
+    bool complete = packed.size() == length;
+    if (compression.empty()) {
+      complete = records(packed) && complete;
+    } else if (compression == "zstd" || compression == "lz4") {
+      const auto unpacked = unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4, kLargestChunk);
+      complete = records(unpacked.bytes) && unpacked.complete && complete;
+    } else {
+      unknownCompression_ = printable(compression);
+    }
+    if (!complete) ++badChunks_;
+  }
+
+  bool records(std::string_view data) {
+    ByteReader reader(data);
+    while (!reader.atEnd() && !stopped_) {
+      const auto op = reader.read<std::uint8_t>();
+      const auto content = reader.take(reader.read<std::uint64_t>());
+      if (!reader.ok()) return false;
+      record(op, content);
+    }
+    return true;
+  }
+
+  void record(unsigned char op, std::string_view content) {
+    ByteReader reader(content);
+    if (op == kSchema) {
+      const auto id = reader.read<std::uint16_t>();
+      Schema schema;
+      schema.name = reader.text();
+      schema.encoding = reader.text();
+      schema.definition = reader.text();
+      if (reader.ok() && id != 0) schemas_[id] = std::move(schema);
+    } else if (op == kChannel) {
+      const auto id = reader.read<std::uint16_t>();
+      const auto schemaId = reader.read<std::uint16_t>();
+      TopicInfo info;
+      info.name = printable(reader.text(), 200);
+      const auto encoding = reader.text();
+      if (!reader.ok()) return;
+      if (const auto found = schemas_.find(schemaId); found != schemas_.end()) {
+        const auto& schema = found->second;
+        info.type = printable(plainTypeName(schema.name), 200);
+        if (schema.encoding == "ros1msg" || schema.encoding == "ros2msg") info.definition = schema.definition;
+      }
+      info.encoding = encoding == "cdr"    ? PayloadEncoding::cdr
+                      : encoding == "ros1" ? PayloadEncoding::ros1
+                      : encoding == "json" ? PayloadEncoding::json
+                                           : PayloadEncoding::other;
+      listener_.topic(id, info);
+    } else if (op == kMessage) {
+      const auto channel = reader.read<std::uint16_t>();
+      reader.read<std::uint32_t>();  // sequence
+      const auto logged = reader.read<std::uint64_t>();
+      reader.read<std::uint64_t>();  // published
+      if (reader.ok())
+        stopped_ = !listener_.message(channel, static_cast<std::int64_t>(logged), content.substr(reader.position()));
+    }
+  }
+
+  const ByteFile& file_;
+  const std::string name_;
+  MessageListener& listener_;
+  Findings& findings_;
+  std::map<std::uint16_t, Schema> schemas_;
+  std::string unknownCompression_;
+  std::size_t badChunks_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+Result<bool> scanMcap(const std::filesystem::path& path, MessageListener& listener, Findings& findings,
+                      const Progress& progress) {
+  const auto file = ByteFile::open(path);
+  if (!file) return file.error();
+  if (file->read(0, kMagic.size()) != kMagic)
+    return errorAt({displayName(path), 0, 0}, "this is no MCAP file.", "Its first eight bytes are others.");
+  return McapScan(*file, displayName(path), listener, findings).run(progress);
+}
+
+}  // namespace heft

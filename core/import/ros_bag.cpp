@@ -1,0 +1,182 @@
+// ROS 1 bag, format 2.0 (wiki.ros.org/Bags/Format/2.0): records of a header (fields name=value) and data, both after
+// their length of 32 bits, little-endian. Messages stand in chunks, which may be compressed, or between them.
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+#include "core/base/text.h"
+#include "core/import/bytes.h"
+#include "core/import/compression.h"
+#include "core/import/container.h"
+
+namespace heft {
+
+namespace {
+
+constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
+constexpr std::uint32_t kLongestHeader = 16u << 20;
+constexpr std::uint64_t kLargestChunk = 512u << 20;
+
+enum Op : unsigned char { kMessage = 2, kBagHeader = 3, kIndex = 4, kChunk = 5, kChunkInfo = 6, kConnection = 7 };
+
+class RecordFields {
+ public:
+  explicit RecordFields(std::string_view header) {
+    ByteReader reader(header);
+    while (!reader.atEnd() && reader.ok()) {
+      const auto field = reader.text();
+      const auto sign = field.find('=');
+      if (!reader.ok() || sign == std::string_view::npos) {
+        ok_ = false;
+        return;
+      }
+      fields_.emplace(field.substr(0, sign), field.substr(sign + 1));
+    }
+  }
+
+  bool ok() const { return ok_; }
+  std::string_view text(std::string_view name) const {
+    const auto found = fields_.find(name);
+    return found == fields_.end() ? std::string_view() : found->second;
+  }
+  template <class T>
+  std::optional<T> number(std::string_view name) const {
+    const auto bytes = text(name);
+    if (bytes.size() != sizeof(T)) return std::nullopt;
+    return ByteReader(bytes).read<T>();
+  }
+
+ private:
+  std::map<std::string_view, std::string_view> fields_;
+  bool ok_ = true;
+};
+
+class BagScan {
+ public:
+  BagScan(const ByteFile& file, std::string name, MessageListener& listener, Findings& findings)
+      : file_(file), name_(std::move(name)), listener_(listener), findings_(findings) {}
+
+  Result<bool> run(const Progress& progress) {
+    std::uint64_t at = kMagic.size();
+    while (at < file_.size() && !stopped_) {
+      if (progress.cancelled()) return Error{"Reading was stopped.", true};
+      progress(static_cast<double>(at) / static_cast<double>(file_.size()), "reading");
+      const auto lengthBytes = file_.read(at, 4);
+      const auto headerLength = ByteReader(lengthBytes).read<std::uint32_t>();
+      if (lengthBytes.size() < 4 || headerLength > kLongestHeader) return cutOff(at);
+      const auto header = file_.read(at + 4, std::uint64_t{headerLength} + 4);
+      if (header.size() < std::uint64_t{headerLength} + 4) return cutOff(at);
+      const auto dataLength = ByteReader(std::string_view(header).substr(headerLength)).read<std::uint32_t>();
+      const RecordFields fields(std::string_view(header).substr(0, headerLength));
+      const auto op = fields.number<unsigned char>("op");
+      if (!fields.ok() || !op) return cutOff(at);
+      const std::uint64_t dataAt = at + 8 + headerLength;
+      at = dataAt + dataLength;
+      if (*op == kChunk || *op == kMessage || *op == kConnection) {
+        if (dataLength > kLargestChunk) return cutOff(dataAt);
+        const auto data = file_.read(dataAt, dataLength);
+        if (*op == kChunk)
+          chunk(fields, data);
+        else
+          record(*op, fields, data);
+      }
+      if (at > file_.size()) return cutOff(dataAt);
+    }
+    return finish();
+  }
+
+ private:
+  Result<bool> cutOff(std::uint64_t at) {
+    findings_.push_back(
+        {Severity::warning,
+         "file_cut_off",
+         fmt::format("The bag is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()),
+         "The recorder was probably killed; 'rosbag reindex' mends the bag for other programs.",
+         {name_, 0, 0}});
+    return finish();
+  }
+
+  Result<bool> finish() {
+    if (badChunks_ > 0)
+      findings_.push_back(
+          {Severity::warning,
+           "chunk_damaged",
+           fmt::format("{} chunks of the bag are damaged; what could be unpacked was read.", badChunks_),
+           "",
+           {name_, 0, 0}});
+    return true;
+  }
+
+  void chunk(const RecordFields& fields, std::string_view data) {
+    const auto compression = fields.text("compression");
+    if (compression == "none") {
+      if (!records(data)) ++badChunks_;
+      return;
+    }
+    const bool bz2 = compression == "bz2";
+    if (!bz2 && compression != "lz4") {
+      ++badChunks_;
+      return;
+    }
+    const auto unpacked = unpack(data, bz2 ? Compression::bz2 : Compression::lz4, kLargestChunk);
+    if (!records(unpacked.bytes) || !unpacked.complete) ++badChunks_;
+  }
+
+  /// The records of a chunk; false if they end in the middle of one.
+  bool records(std::string_view data) {
+    ByteReader reader(data);
+    while (!reader.atEnd() && !stopped_) {
+      const auto header = reader.text();
+      const auto content = reader.text();
+      if (!reader.ok()) return false;
+      const RecordFields fields(header);
+      const auto op = fields.number<unsigned char>("op");
+      if (!fields.ok() || !op) return false;
+      record(*op, fields, content);
+    }
+    return true;
+  }
+
+  void record(unsigned char op, const RecordFields& fields, std::string_view data) {
+    const auto connection = fields.number<std::uint32_t>("conn");
+    if (!connection) return;
+    if (op == kConnection) {
+      const RecordFields inner(data);
+      TopicInfo info;
+      info.name = printable(fields.text("topic"), 200);
+      info.type = printable(inner.text("type"), 200);
+      info.definition = inner.text("message_definition");
+      info.encoding = PayloadEncoding::ros1;
+      listener_.topic(*connection, info);
+    } else if (op == kMessage) {
+      const auto time = fields.text("time");
+      if (time.size() != 8) return;
+      ByteReader reader(time);
+      const auto seconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
+      const auto nanoseconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
+      stopped_ = !listener_.message(*connection, seconds * 1'000'000'000 + nanoseconds, data);
+    }
+  }
+
+  const ByteFile& file_;
+  const std::string name_;
+  MessageListener& listener_;
+  Findings& findings_;
+  std::size_t badChunks_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+Result<bool> scanRosBag(const std::filesystem::path& path, MessageListener& listener, Findings& findings,
+                        const Progress& progress) {
+  const auto file = ByteFile::open(path);
+  if (!file) return file.error();
+  if (file->read(0, kMagic.size()) != kMagic)
+    return errorAt({displayName(path), 0, 0}, "this is a ROS bag of an old format.",
+                   "Bring it to format 2.0 with 'rosbag fix' first.");
+  return BagScan(*file, displayName(path), listener, findings).run(progress);
+}
+
+}  // namespace heft

@@ -1,0 +1,254 @@
+// Tables of text: CSV of PlotJuggler, of "rostopic echo -p" and of libfranka, and JSON lines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "core/base/json_file.h"
+#include "core/base/text.h"
+#include "core/import/json_numbers.h"
+#include "core/import/streams.h"
+#include "core/import/time_column.h"
+#include "core/recording/csv_reader.h"
+#include "core/recording/csv_table.h"
+#include "core/recording/number.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// What the names of a stream's columns begin with: up to the last '/', '.' or '['.
+std::string prefixOf(const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  std::string common = names.front();
+  for (const auto& name : names) {
+    std::size_t same = 0;
+    while (same < common.size() && same < name.size() && common[same] == name[same]) ++same;
+    common.resize(same);
+  }
+  const auto end = common.find_last_of("/.[");
+  return end == std::string::npos || end == 0 ? std::string() : common.substr(0, end);
+}
+
+/// Columns of numbers over one column of time, to be parted into streams: columns with values in the same rows are one
+/// stream, as PlotJuggler leaves cells empty where it merges series.
+class Table {
+ public:
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;
+
+  Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
+    auto time = findTime(names, choice);
+    if (!time)
+      return errorAt({set.file, 0, 0},
+                     choice.column.empty()
+                         ? "no column holds the time."
+                         : fmt::format("there is no column \"{}\" for the time.", printable(choice.column)),
+                     "Name it time (in seconds), or say which it is with --use time=COLUMN.");
+    const auto& clock = columns[time->index];
+    if (!time->unitKnown) time->unit = unitOfTimes(clock);
+    const std::size_t rows = clock.size();
+    std::map<std::vector<bool>, std::vector<std::size_t>> groups;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (c == time->index) continue;
+      std::vector<bool> present(rows);
+      std::size_t count = 0;
+      for (std::size_t r = 0; r < rows; ++r) {
+        present[r] = !std::isnan(columns[c][r]) && std::isfinite(clock[r]);
+        count += present[r] ? 1 : 0;
+      }
+      if (count == 0) continue;
+      // A few holes belong to one stream, not to a slower one.
+      if (count * 20 >= rows * 19) {
+        for (std::size_t r = 0; r < rows; ++r) present[r] = std::isfinite(clock[r]);
+      }
+      groups[std::move(present)].push_back(c);
+    }
+    std::vector<std::pair<std::size_t, const std::vector<bool>*>> order;
+    for (const auto& [present, members] : groups) order.emplace_back(members.front(), &present);
+    std::sort(order.begin(), order.end());
+    for (const auto& [first, present] : order) {
+      const auto& members = groups.at(*present);
+      Stream stream;
+      stream.file = set.file;
+      for (const auto c : members) stream.fields.push_back(names[c]);
+      stream.name = prefixOf(stream.fields);
+      // Stamps in seconds are exact enough: 2^-52 of today's epoch is 0.3 us.
+      for (std::size_t r = 0; r < rows; ++r)
+        if ((*present)[r]) stream.received.push_back(nanoseconds(clock[r] * time->unit));
+      stream.stamps.assign(stream.received.size(), 0);
+      for (const auto c : members) {
+        auto& values = stream.values.emplace_back();
+        values.reserve(stream.received.size());
+        for (std::size_t r = 0; r < rows; ++r)
+          if ((*present)[r]) values.push_back(columns[c][r]);
+        if (names[c] == "field.header.stamp")  // rostopic echo -p, in ns
+          for (std::size_t r = 0; r < values.size(); ++r)
+            if (values[r] > 0.0) stream.stamps[r] = nanoseconds(1e-9 * values[r]);
+      }
+      stream.samples = stream.received.size();
+      if (stream.samples == 0) continue;
+      const auto [low, high] = std::minmax_element(stream.received.begin(), stream.received.end());
+      stream.first = *low;
+      stream.last = *high;
+      set.streams.push_back(std::move(stream));
+    }
+    if (set.streams.empty())
+      return errorAt({set.file, 0, 0}, "no column of the table holds numbers.", "Check the export.");
+    return true;
+  }
+};
+
+/// Cells as numbers; text becomes NaN.
+std::vector<double> toNumbers(const std::vector<std::string>& cells) {
+  std::vector<double> out;
+  out.reserve(cells.size());
+  for (const auto& cell : cells) {
+    double value = kMissing;
+    const char* const end = cell.data() + cell.size();
+    if (cell.empty() || csv::parseNumber(cell.data(), end, value) != end || !std::isfinite(value)) value = kMissing;
+    out.push_back(value);
+  }
+  return out;
+}
+
+/// "rostopic echo -p" of a JointState writes the joints' names into columns of their own: field.name0 names
+/// field.position0.
+void nameJoints(std::vector<std::string>& names, const std::vector<std::vector<std::string>>& cells) {
+  constexpr std::string_view kName = "field.name";
+  std::map<std::string, std::string> labels;
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (names[c].starts_with(kName) && !cells[c].empty() && !cells[c].front().empty())
+      labels[names[c].substr(kName.size())] = cells[c].front();
+  for (auto& name : names)
+    for (const std::string_view quantity : {"field.position", "field.velocity"})
+      if (name.starts_with(quantity))
+        if (const auto label = labels.find(name.substr(quantity.size())); label != labels.end())
+          name = fmt::format("{}[{}]", quantity, printable(label->second));
+}
+
+/// A table separated by blanks becomes one separated by commas.
+std::string commasForBlanks(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  bool pending = false;
+  bool lineStart = true;
+  for (const char c : text) {
+    if (c == ' ') {
+      pending = !lineStart;
+      continue;
+    }
+    if (pending && c != '\n' && c != '\r') out += ',';
+    pending = false;
+    out += c;
+    lineStart = c == '\n';
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<StreamSet> readTableStreams(const std::filesystem::path& path, const TimeChoice& time,
+                                   const Progress& progress) {
+  StreamSet set;
+  set.file = displayName(path);
+  set.kind = FileKind::table;
+  auto text = readTextFile(path, kMaxRecordingBytes);
+  if (!text) return text.error();
+  const auto firstLine = std::string_view(*text).substr(0, text->find('\n'));
+  if (firstLine.find_first_of(",;\t") == std::string_view::npos && firstLine.find(' ') != std::string_view::npos)
+    *text = commasForBlanks(*text);
+  const auto header = csv::readHeader(*text, set.file);
+  if (!header) return header.error();
+  const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
+  if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
+    return errorAt({set.file, 0, 0}, "the table holds more cells than can be held in memory.",
+                   "Export fewer columns or a shorter stretch.");
+  std::vector<std::vector<std::string>> cells(header->names.size());
+  std::vector<csv::Field> fields(header->names.size());
+  for (std::size_t f = 0; f < fields.size(); ++f) fields[f].text = &cells[f];
+  const auto rows = csv::readRows(*header, fields, set.file, progress);
+  if (!rows) return rows.error();
+  if (rows->cutLine > 0)
+    set.findings.push_back({Severity::warning,
+                            "line_cut_off",
+                            "The last line ends in the middle and was left out.",
+                            "",
+                            {set.file, rows->cutLine, 0}});
+  Table table;
+  table.names = header->names;
+  nameJoints(table.names, cells);
+  for (auto& column : cells) table.columns.push_back(toNumbers(column));
+  const auto done = table.toStreams(set, time);
+  if (!done) return done.error();
+  return set;
+}
+
+Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeChoice& time, const Progress& progress) {
+  StreamSet set;
+  set.file = displayName(path);
+  set.kind = FileKind::jsonLines;
+  const auto text = readTextFile(path, kMaxRecordingBytes);
+  if (!text) return text.error();
+  Table table;
+  std::unordered_map<std::string, std::size_t> byName;
+  std::size_t rows = 0;
+  std::size_t bad = 0;
+  long line = 0;
+  long firstBad = 0;
+  NamedNumbers numbers;
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    const auto stop = rest.find('\n');
+    auto content = rest.substr(0, stop);
+    rest = stop == std::string_view::npos ? std::string_view() : rest.substr(stop + 1);
+    if (++line % 1000 == 0) {
+      if (progress.cancelled()) return Error{"Reading was stopped.", true};
+      progress(1.0 - static_cast<double>(rest.size()) / static_cast<double>(text->size()), "reading");
+    }
+    while (!content.empty() && (content.back() == '\r' || content.back() == ' ' || content.back() == ','))
+      content.remove_suffix(1);
+    if (content.find_first_not_of(" \t") == std::string_view::npos) continue;
+    if (!flattenJson(content, numbers)) {
+      if (bad++ == 0) firstBad = line;
+      continue;
+    }
+    for (const auto& [name, value] : numbers) {
+      const auto [entry, fresh] = byName.try_emplace(name, table.names.size());
+      if (fresh) {
+        if (table.names.size() >= 10000) continue;
+        table.names.push_back(name);
+        table.columns.emplace_back();
+      }
+      if (entry->second >= table.columns.size()) continue;
+      auto& column = table.columns[entry->second];
+      column.resize(rows, kMissing);
+      column.push_back(value);
+    }
+    ++rows;
+    if (rows * table.names.size() > kMaxStreamNumbers)
+      return errorAt({set.file, line, 0}, "the file holds more numbers than can be held in memory.",
+                     "Record fewer values, or a shorter stretch.");
+  }
+  for (auto& column : table.columns) column.resize(rows, kMissing);
+  if (rows == 0)
+    return errorAt({set.file, firstBad, 0}, "no line of the file is a JSON object.",
+                   "JSON recordings have one object a line.");
+  if (bad > 0)
+    set.findings.push_back({Severity::warning,
+                            "line_damaged",
+                            fmt::format("{} of {} lines are no JSON objects and were left out.", bad, rows + bad),
+                            "",
+                            {set.file, firstBad, 0}});
+  const auto done = table.toStreams(set, time);
+  if (!done) return done.error();
+  return set;
+}
+
+}  // namespace heft
