@@ -72,7 +72,8 @@ int runCommandLine(int argc, char** argv) {
 
   const std::array commands{heft::cli::makeEstimateCommand(root), heft::cli::makeSimulateCommand(root),
                             heft::cli::makeExportCommand(root), heft::cli::makeConvertCommand(root),
-                            heft::cli::makeReproduceCommand(root)};
+                            heft::cli::makeReproduceCommand(root), heft::cli::makeSegmentCommand(root),
+                            heft::cli::makeCompensateCommand(root)};
   const auto names = [&] {
     std::vector<std::string> list;
     for (const Command& command : commands) list.push_back(command.app->get_name());

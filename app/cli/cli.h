@@ -48,6 +48,8 @@ Command makeSimulateCommand(CLI::App& root);
 Command makeExportCommand(CLI::App& root);
 Command makeConvertCommand(CLI::App& root);
 Command makeReproduceCommand(CLI::App& root);
+Command makeSegmentCommand(CLI::App& root);
+Command makeCompensateCommand(CLI::App& root);
 
 /// "heft 0.1.0"
 std::string programVersion();

@@ -11,9 +11,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
+#include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
 #include "core/estimation/comparison.h"
+#include "core/estimation/joint.h"
 #include "core/exporters/flange.h"
 
 namespace heft::cli {
@@ -22,7 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  std::string recording, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
+  std::vector<std::string> recordings;
+  std::string robot, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
   bool noBias = false, force = false, compare = false;
   ImportOptions import;
@@ -94,42 +97,44 @@ EstimateOptions estimateOptions(const Options& options) {
   return out;
 }
 
-/// The arm that the joints belong to, if they are needed: poses in the file do without it.
-std::optional<RobotModel> robotOf(ReadRecording& read) {
-  const Recording& recording = read.recording;
-  if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) return std::nullopt;
-  if (!recording.meta.robot)
-    throw Failed(
-        fmt::format("{} has joint angles, but nothing says of which arm: state \"robot\", \"panda\" or a URDF, in its "
-                    "meta file.",
-                    recording.file));
-  return orFail(robotFor(recording.meta, read.findings));
-}
-
 struct Estimated {
   EstimateReport report;
   std::vector<ComparedMethod> comparison;  ///< Empty unless asked for; the report is then one of them.
+  std::optional<JointReport> joint;        ///< Of several recordings; the report is then that of the first used one.
 };
 
-Estimated estimateFile(const Options& options, const EstimateOptions& settings, const Progress& progress,
-                       Clock::time_point start) {
-  ReadRecording read = orFail(openRecording(options.recording, options.import, progress));
-  const auto robot = robotOf(read);
-  const RobotModel* const model = robot ? &*robot : nullptr;
+Estimated estimateFiles(const Options& options, const EstimateOptions& settings, const Progress& progress,
+                        Clock::time_point start) {
+  std::vector<Input> inputs;
+  for (const auto& file : options.recordings) inputs.push_back(readInput(file, options.import, options.robot, progress));
   const double readSeconds = secondsSince(start);
+  const Input& first = inputs.front();
   Estimated out;
+  Findings read = first.findings;
+  if (inputs.size() > 1) {
+    std::vector<JointInput> joined;
+    for (const Input& input : inputs) joined.push_back({&input.recording, input.model()});
+    out.joint = orFail(estimateJointly(joined, settings, progress));
+    read.clear();
+    for (const Input& input : inputs) read.insert(read.end(), input.findings.begin(), input.findings.end());
+    EstimateReport& report = out.joint->pieces[out.joint->first].report;
+    report.findings.insert(report.findings.begin(), read.begin(), read.end());
+    report.timing.read = readSeconds;
+    report.timing.total = secondsSince(start);
+    out.report = report;
+    return out;
+  }
   if (options.compare) {
-    out.comparison = orFail(compareMethods(read.recording, model, settings, progress));
+    out.comparison = orFail(compareMethods(first.recording, first.model(), settings, progress));
     const auto chosen = std::ranges::find(out.comparison, settings.method, &ComparedMethod::method);
     if (!chosen->report) throw Failed(chosen->failure);
     out.report = *chosen->report;
     out.report.timing.total += readSeconds;
   } else {
-    out.report = orFail(estimate(read.recording, model, settings, progress));
+    out.report = orFail(estimate(first.recording, first.model(), settings, progress));
     out.report.timing.total = secondsSince(start);
   }
-  auto& findings = out.report.findings;
-  findings.insert(findings.begin(), read.findings.begin(), read.findings.end());
+  out.report.findings.insert(out.report.findings.begin(), read.begin(), read.end());
   out.report.timing.read = readSeconds;
   return out;
 }
@@ -137,6 +142,10 @@ Estimated estimateFile(const Options& options, const EstimateOptions& settings, 
 void run(const Options& options) {
   const auto start = Clock::now();
   const EstimateOptions settings = estimateOptions(options);
+  if (options.recordings.size() > 1 && options.compare)
+    throw WrongUsage("--compare shows one recording; give one.");
+  if (options.recordings.size() > 1 && (!options.import.metaFile.empty() || !options.import.join.empty()))
+    throw WrongUsage("--meta and --join go with one recording; several have their own .meta.json beside them.");
   const ExportFormat* format = nullptr;
   if (!options.output.empty()) {
     if (options.output == "-") throw WrongUsage("-o expects a file name; 'heft export' writes to stdout.");
@@ -150,17 +159,17 @@ void run(const Options& options) {
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
 
   ProgressLine line;
-  const auto [report, comparison] = estimateFile(options, settings, line.progress(), start);
+  const auto [report, comparison, joint] = estimateFiles(options, settings, line.progress(), start);
   line.clear();
-  nlohmann::json result = toJson(report);
+  nlohmann::json result = joint ? toJson(*joint) : toJson(report);
   if (options.compare) result["comparison"] = toJson(comparison);
   if (!options.json.empty()) writeOutput(options.json, fileText(result), overwriteResult);
-  if (options.json != "-") print(options.compare ? toText(comparison) : toText(report));
+  if (options.json != "-") print(joint ? toText(*joint) : options.compare ? toText(comparison) : toText(report));
   if (options.compare) printFindings(report.findings, false);  // the table has no room for them
   if (format) {
     FlangeOptions flange;
     flange.program = programVersion();
-    FlangePayload payload = orFail(toFlange(result, options.recording, flange));
+    FlangePayload payload = orFail(toFlange(result, report.file, flange));
     const std::string text = orFail(exportPayload(*format, payload.input, payload.findings));
     writeOutput(options.output, text, {options.force, {}});
     printFindings(payload.findings, false);
@@ -178,12 +187,14 @@ Command makeEstimateCommand(CLI::App& root) {
   auto& estimate = options->estimate;
   auto& motion = estimate.motion;
   CLI::App* app = root.add_subcommand("estimate", "Find mass, centre of mass and inertia from a recording");
-  app->add_option("RECORDING", options->recording,
-                  "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
+  app->add_option("RECORDING", options->recordings,
+                  "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...\n"
+                  "Several recordings of one tool are joined")
       ->type_name("")
       ->required();
   app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   app->add_option("-o,--output", options->output,
                   "Also write the payload file, in flange axes, ready for the controller")
       ->type_name("FILE");
@@ -264,9 +275,13 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate rec.csv --json result.json -o tool.json --format franka-desk\n"
       "  heft estimate rec.csv --parameters mass-com --known cad.json\n"
       "  heft estimate rec.csv --compare\n"
+      "  heft estimate first.csv second.csv third.csv\n"
       "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08 --mass 0.812\n\n"
       "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");
-  return {app, [options] { run(*options); }};
+  return {app, [app, options] {
+            options->estimate.keepTrim = app->count("--trim") > 0;
+            run(*options);
+          }};
 }
 
 }  // namespace heft::cli

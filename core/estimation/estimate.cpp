@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/estimation/estimate_prepared.h"
 #include "core/estimation/judgement.h"
 #include "core/estimation/linear_estimate.h"
 #include "core/estimation/map.h"
@@ -64,17 +65,32 @@ void fillSeries(const Prepared& prepared, const Vector10d& phi, const Vector6d& 
 
 }  // namespace
 
-Result<EstimateReport> estimate(const Recording& recording, const RobotModel* robot, const EstimateOptions& requested,
-                                const Progress& progress) {
-  const auto begin = Clock::now();
+Result<Prepared> prepareFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& requested,
+                            const Progress& progress) {
   EstimateOptions options = requested;
-  const bool poses = recording.meta.kind == RecordingKind::poses;
   if (!(options.trim >= 0.0 && options.trim < 0.5))
     return Error{
         fmt::format("The trim is a fraction of the duration at each end, from 0 to below 0.5, not {}.", options.trim)};
   const bool paperMethod = options.method != Method::map;
-  if (paperMethod && !poses) options.motion.outputRateHz = 0.0;  // they see every sample
+  if (paperMethod && recording.meta.kind != RecordingKind::poses)
+    options.motion.outputRateHz = 0.0;  // they see every sample
+  return prepare(recording, robot, options, progress);
+}
 
+Result<EstimateReport> estimate(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                                const Progress& progress) {
+  const auto begin = Clock::now();
+  const auto prepared = prepareFor(recording, robot, options, progress);
+  if (!prepared) return prepared.error();
+  return estimatePrepared(recording, *prepared, options, {}, secondsSince(begin), progress);
+}
+
+Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepared& prepared,
+                                        const EstimateOptions& requested, const std::vector<Triangle>& others,
+                                        double prepareSeconds, const Progress& progress) {
+  const auto begin = Clock::now();
+  EstimateOptions options = requested;
+  const bool poses = recording.meta.kind == RecordingKind::poses;
   EstimateReport report;
   report.method = options.method;
   report.parameters = options.parameters;
@@ -84,14 +100,15 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   report.rateHz = poses ? 0.0 : recording.rateHz();
   report.duration = poses ? 0.0 : recording.duration();
 
-  auto preparedResult = prepare(recording, robot, options, progress);
-  if (!preparedResult) return preparedResult.error();
-  const Prepared& prepared = *preparedResult;
   report.usedDuration = prepared.usedDuration;
   report.segments = prepared.segments;
   report.findings = prepared.findings;
   report.findings.insert(report.findings.end(), prepared.motion.findings.begin(), prepared.motion.findings.end());
-  const Triangle& whitened = prepared.whitened;
+  const auto withOthers = [&](std::vector<Triangle> own) {
+    own.insert(own.end(), others.begin(), others.end());
+    return merged(own);
+  };
+  const Triangle whitened = others.empty() ? prepared.whitened : withOthers({prepared.whitened});
 
   PartialPayload known = recording.meta.knownPayload;
   if (options.known.mass) known.mass = options.known.mass;
@@ -101,7 +118,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   auto priorResult = priorFor(options, whitened, report.findings);
   if (!priorResult) return priorResult.error();
   const auto& [prior, start, told, priorAlone] = *priorResult;
-  report.timing.prepare = secondsSince(begin);
+  report.timing.prepare = prepareSeconds + secondsSince(begin);
 
   progress(0.8, "Estimating");
   const auto solveBegin = Clock::now();
@@ -201,9 +218,9 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   if (!folds.empty()) {
     std::vector<SolverSolution> heldoutSolutions;
     for (std::size_t fold = 0; fold < folds.size(); ++fold) {
-      auto others = without(folds, fold);
-      if (options.method == Method::map && !isMapFull(options)) others.push_back(believed);
-      const Triangle rest = merged(others);
+      auto parts = without(folds, fold);
+      if (options.method == Method::map && !isMapFull(options)) parts.push_back(believed);
+      const Triangle rest = withOthers(std::move(parts));
       if (isMapFull(options)) {
         const MapSolution part = solveMap(rest, prior, options.bias, map.v);
         heldoutSolutions.push_back({part.phi, part.bias, part.converged, part.iterations, ""});
@@ -223,7 +240,7 @@ Result<EstimateReport> estimate(const Recording& recording, const RobotModel* ro
   judgeFit(prepared, heldout, report);
   addFindings(report);
   progress(1.0, "Done");
-  report.timing.total = secondsSince(begin);
+  report.timing.total = prepareSeconds + secondsSince(begin);
   return report;
 }
 

@@ -25,7 +25,9 @@ struct EstimateOptions {
   ParameterSet parameters = ParameterSet::full;
   bool bias = true;                     ///< Six constant sensor biases are estimated too.
   double trim = 0.10;                   ///< Fraction of the duration dropped at each end.
+  bool keepTrim = false;                ///< Even where contact leaves little else.
   std::optional<SegmentMode> segments;  ///< Absent: marks if the recording has any, else automatic.
+  std::optional<PayloadGuess> firstEstimate;  ///< Helps to find what is free; the estimate itself does not lean on it.
   PartialPayload known;               ///< Values for parameters that are not estimated; overrides the recording's own.
   std::optional<Shape> shape;         ///< Prior.
   std::vector<StatedPayload> stated;  ///< Soft information about what is estimated: a scale's mass, CAD numbers.

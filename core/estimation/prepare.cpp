@@ -7,6 +7,8 @@
 #include <cmath>
 #include <future>
 
+#include "core/estimation/swing.h"
+
 namespace heft {
 
 namespace {
@@ -103,17 +105,52 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
   out.blocks = rowsOf(out.motion, kBlockRate);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
-  out.labels = labelBlocks(recording, out.blocks, mode);
-  out.segments = segmentsOf(recording, out.blocks, out.labels, mode);
+  Segmentation segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
+  if (!out.motion.originAccelerationKnown) {
+    if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
+      addSwing(*point, out.motion);
+      out.blocks = rowsOf(out.motion, kBlockRate);
+      segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
+      out.findings.push_back({Severity::info,
+                              "swing_assumed",
+                              fmt::format("The forces fit a sensor that swings about a point {:.2g} m away, so its "
+                                          "acceleration was taken from that instead of zero.",
+                                          point->norm()),
+                              "",
+                              {}});
+    }
+  }
+  out.labels = std::move(segmentation.labels);
+  out.segments = std::move(segmentation.segments);
+  out.findings.insert(out.findings.end(), segmentation.findings.begin(), segmentation.findings.end());
   const double start = recording.time(0), span = recording.duration();
-  const double edge = std::max(options.trim * span, options.motion.smoothing == SmoothingKind::lowPass ? 0.1 : 0.0);
-  const auto index = [&](double t) {
-    return static_cast<Eigen::Index>(std::ceil((t - out.blocks.startTime) * out.blocks.rateHz));
+  const double filterEdge = options.motion.smoothing == SmoothingKind::lowPass ? 0.1 : 0.0;
+  const auto useWithout = [&](double edge) {
+    const auto index = [&](double t) {
+      return static_cast<Eigen::Index>(std::ceil((t - out.blocks.startTime) * out.blocks.rateHz));
+    };
+    const Eigen::Index from = std::clamp<Eigen::Index>(index(start + edge), 0, out.blocks.size());
+    const Eigen::Index to = std::clamp<Eigen::Index>(index(start + span - edge), from, out.blocks.size());
+    out.runs = runsOf(out.labels, from, to, kMaxArOrder + 4);
+    out.usedBlocks = 0;
+    for (const auto& run : out.runs) out.usedBlocks += run.to - run.from;
+    return static_cast<double>(out.usedBlocks) / std::max(1.0, static_cast<double>(to - from));
   };
-  const Eigen::Index from = std::clamp<Eigen::Index>(index(start + edge), 0, out.blocks.size());
-  const Eigen::Index to = std::clamp<Eigen::Index>(index(start + span - edge), from, out.blocks.size());
-  out.runs = runsOf(out.labels, from, to, kMaxArOrder + 4);
-  for (const auto& run : out.runs) out.usedBlocks += run.to - run.from;
+  const double share = useWithout(std::max(options.trim * span, filterEdge));
+  // The trim guards against hands and stops at the ends. Where contact was looked for and has left little else, what is
+  // free there is worth more than the guard.
+  if (mode == SegmentMode::automatic && !options.keepTrim && options.trim * span > filterEdge && share < 0.5) {
+    const auto before = out.usedBlocks;
+    useWithout(filterEdge);
+    if (out.usedBlocks > before)
+      out.findings.push_back({Severity::info,
+                              "trim_lifted",
+                              fmt::format("Contact leaves only {:.1f} s inside the trimmed range, so the free parts at "
+                                          "the recording's ends are used too.",
+                                          static_cast<double>(before) / out.blocks.rateHz),
+                              "Give --trim to keep them out.",
+                              {}});
+  }
   out.usedDuration = static_cast<double>(out.usedBlocks) / out.blocks.rateHz;
   if (6 * out.usedBlocks < 4 * kColumns)
     return Error{
@@ -131,7 +168,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   Prepared out;
   out.motion = std::move(*motion);
   out.blocks = rowsOf(out.motion, 0.0);
-  out.labels = labelBlocks(recording, out.blocks, SegmentMode::all);
+  out.labels = segmentRows(recording, out.blocks, SegmentMode::all).labels;
   // Poses are independent measurements: each is a run of its own.
   for (Eigen::Index k = 0; k < out.blocks.size(); ++k) out.runs.push_back({k, k + 1});
   out.usedBlocks = out.blocks.size();

@@ -156,9 +156,7 @@ std::string headline(const EstimateReport& report) {
 }  // namespace
 
 json toJson(const EstimateReport& report) {
-  json segments = json::array(), findings = json::array();
-  for (const auto& s : report.segments)
-    segments.push_back({{"from_s", s.from}, {"to_s", s.to}, {"label", toString(s.label)}, {"reason", s.reason}});
+  json findings = json::array();
   for (const auto& f : report.findings) findings.push_back(jsonOf(f));
   json out = {
       {"schema", "heft.estimate/1"},
@@ -184,7 +182,7 @@ json toJson(const EstimateReport& report) {
         {"torque_rms_nm", report.torqueRms},
         {"heldout_force_rms_n", report.heldoutForceRms},
         {"heldout_torque_rms_nm", report.heldoutTorqueRms}}},
-      {"segments", segments},
+      {"segments", toJson(report.segments)},
       {"timing_s",
        {{"read", report.timing.read},
         {"prepare", report.timing.prepare},

@@ -1,217 +1,283 @@
 #include "core/segmentation/segmentation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
-#include <random>
+#include <nlohmann/json.hpp>
 
 #include "core/math/statistics.h"
+#include "core/segmentation/payload_change.h"
+#include "core/segmentation/sensor_trouble.h"
 
 namespace heft {
 
 namespace {
 
-using Matrix17d = Eigen::Matrix<double, 17, 17>;
-using Vector16d = Eigen::Matrix<double, 16, 1>;
-
-constexpr double kWindow = 0.2;  // [s] unit of the robust fit
-constexpr int kStarts = 60;      // random starts; each costs a few small factorisations
-constexpr double kCap = 4.0;     // root-mean-square misfit of a window, in allowances, beyond which it is not free
+constexpr int kStarts = 60;      // random starts of the first fit; each costs a few small factorisations
 constexpr double kOuter = 6.0;   // scatter multiples that open a contact,
 constexpr double kInner = 3.5;   // and those that end it
 constexpr double kOuterAllowed = 2.0;  // but never less than so many allowances
 constexpr double kInnerAllowed = 1.0;
 constexpr double kMargin = 0.06;    // [s] kept away from a contact on both sides
 constexpr double kShortest = 0.05;  // [s] shorter excursions are spikes, which the robust fit handles
+constexpr double kSliver = 0.1;     // [s]
+constexpr double kTransition = 0.1;  // [s] on both sides of a payload change, which has no sharp moment
+constexpr double kRest = 0.5;        // [s] that the tool must keep still to count as standing
+constexpr std::size_t kFewestWindows = 10;
 
-/// Normal matrix of [Y, bias, y] over a stretch of blocks, channels scaled by what they may miss.
-Matrix17d normalMatrix(const WrenchRows& rows, const Vector6d& scale, Eigen::Index from, Eigen::Index to) {
-  Matrix17d N = Matrix17d::Zero();
-  Eigen::Matrix<double, 6, 17> A;
-  for (Eigen::Index k = from; k < to; ++k) {
-    A.leftCols<10>() = rows.Y[static_cast<std::size_t>(k)];
-    A.middleCols<6>(10).setIdentity();
-    A.col(16) = rows.wrench.col(k);
-    A = scale.cwiseInverse().asDiagonal() * A;
-    N.selfadjointView<Eigen::Lower>().rankUpdate(A.transpose());
+std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
+
+struct Range {
+  Eigen::Index from = 0, to = 0;  ///< Blocks [from, to).
+};
+
+/// What is known of each block.
+struct Blocks {
+  std::vector<MarkLabel> labels;
+  std::vector<SegmentKind> kinds;
+  std::vector<int> notes;  ///< 0, or 1 + the index of a reason in `reasons`
+  VectorXd scores;         ///< Residual, worst channel: 1 where a contact ends, 2 where one opens
+  std::vector<std::string> reasons;
+
+  explicit Blocks(Eigen::Index n)
+      : labels(at(n), MarkLabel::free),
+        kinds(at(n), SegmentKind::freeMotion),
+        notes(at(n), 0),
+        scores(VectorXd::Zero(n)) {}
+  void set(Eigen::Index k, MarkLabel label, SegmentKind kind, int note = 0) {
+    labels[at(k)] = label;
+    kinds[at(k)] = kind;
+    notes[at(k)] = note;
   }
-  return N.selfadjointView<Eigen::Lower>();
-}
-
-/// Weak information that keeps unexcited directions at zero instead of anywhere.
-Vector16d solveNormal(const Matrix17d& N) {
-  Eigen::Matrix<double, 16, 16> H = N.topLeftCorner<16, 16>();
-  Vector16d ridge;
-  ridge << 1e-2, Eigen::Matrix<double, 3, 1>::Constant(1.0), Eigen::Matrix<double, 6, 1>::Constant(1e2),
-      Eigen::Matrix<double, 6, 1>::Constant(1e-6);
-  H.diagonal() += ridge;
-  return H.ldlt().solve(N.topRightCorner<16, 1>());
-}
-
-double energy(const Matrix17d& N, const Vector16d& x) {
-  Eigen::Matrix<double, 17, 1> z;
-  z << -x, 1.0;
-  return std::max(0.0, z.dot(N * z));
-}
-
-/// Wrench that a fit leaves over.
-Eigen::Matrix<double, 6, Eigen::Dynamic> residualOf(const WrenchRows& rows, const Vector16d& x) {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> residual(6, rows.size());
-  for (Eigen::Index k = 0; k < rows.size(); ++k)
-    residual.col(k) = rows.wrench.col(k) - rows.Y[static_cast<std::size_t>(k)] * x.head<10>() - x.tail<6>();
-  return residual;
-}
-
-/// What a rigid model may miss in each channel without anything touching the tool: three times the sensor's own scatter
-/// (from steps between neighbouring blocks of what a plain fit leaves over, blind to slow misfit and to contact), or
-/// what delay, drift and cables usually do, up to 0.15 N and 0.015 N m.
-Vector6d allowances(const WrenchRows& rows) {
-  Vector6d scale;
-  scale << Vector3d::Constant(0.1), Vector3d::Constant(0.01);
-  const auto residual = residualOf(rows, solveNormal(normalMatrix(rows, scale, 0, rows.size())));
-  Vector6d allowed;
-  for (int c = 0; c < 6; ++c) {
-    std::vector<double> steps;
-    for (Eigen::Index k = 1; k < rows.size(); ++k) steps.push_back(std::abs(residual(c, k) - residual(c, k - 1)));
-    // A normal distribution has 30 % of its values within 0.385 standard deviations; contact may fill more than half.
-    const auto low = steps.begin() + static_cast<std::ptrdiff_t>(0.3 * static_cast<double>(steps.size()));
-    std::nth_element(steps.begin(), low, steps.end());
-    const double scatter = *low / 0.385;
-    const double range = rows.wrench.row(c).maxCoeff() - rows.wrench.row(c).minCoeff();
-    allowed(c) = std::max(3.0 * scatter, std::min(c < 3 ? 0.15 : 0.015, 0.03 * range));
+  int addReason(std::string reason) {
+    reasons.push_back(std::move(reason));
+    return static_cast<int>(reasons.size());
   }
-  // A channel that hardly moves is no better than its neighbours.
-  const double force = std::max(allowed.head<3>().maxCoeff(), 1e-3),
-               torque = std::max(allowed.tail<3>().maxCoeff(), 1e-4);
-  for (int c = 0; c < 6; ++c) allowed(c) = std::max(allowed(c), 0.5 * (c < 3 ? force : torque));
-  return allowed;
-}
+};
 
-/// The fit with the least sum of window energies, each capped: windows beyond the cap are not free and pull no further.
-/// Random starts and concentration on the windows below the cap (after Rousseeuw & Van Driessen's fast LTS).
-Vector16d cappedFit(const std::vector<Matrix17d>& windows, double rowsPerWindow) {
-  const auto count = windows.size();
-  const double cap = kCap * kCap * rowsPerWindow;
-  const auto concentrate = [&](Vector16d x, int steps, double& total) {
-    for (int s = 0; s < steps; ++s) {
-      Matrix17d N = Matrix17d::Zero();
-      std::size_t kept = 0;
-      for (const auto& window : windows)
-        if (energy(window, x) < cap) {
-          N += window;
-          ++kept;
-        }
-      if (kept < 5) break;
-      x = solveNormal(N);
-    }
-    total = 0.0;
-    for (const auto& window : windows) total += std::min(cap, energy(window, x));
-    return x;
-  };
-  std::mt19937 random(20240229);  // raw engine output only: the same on every platform
-  std::vector<std::pair<double, Vector16d>> best;
-  for (int start = 0; start <= kStarts; ++start) {
-    Matrix17d N = Matrix17d::Zero();
-    if (start == 0) {
-      for (const auto& window : windows) N += window;
-    } else {
-      for (int i = 0; i < 8; ++i) N += windows[random() % count];
-    }
-    double total = 0.0;
-    const Vector16d x = concentrate(solveNormal(N), 2, total);
-    best.emplace_back(total, x);
-  }
-  const auto byEnergy = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(best.begin(), best.end(), byEnergy);
-  best.resize(std::min<std::size_t>(best.size(), 5));
-  for (auto& candidate : best) candidate.second = concentrate(candidate.second, 15, candidate.first);
-  return std::min_element(best.begin(), best.end(), byEnergy)->second;
-}
-
-/// Residual of every block, worst channel: 1 where a contact ends, 2 where one opens.
-VectorXd blockScores(const WrenchRows& rows, const Vector16d& x, const std::vector<MarkLabel>& labels,
-                     const Vector6d& allowed) {
+void scoreBlocks(const WrenchRows& rows, const FitVector& x, const Vector6d& allowed, Range range, Blocks& blocks) {
   const auto residual = residualOf(rows, x);
   Vector6d inner, outer;
   for (int c = 0; c < 6; ++c) {
     std::vector<double> values;
-    for (Eigen::Index k = 0; k < rows.size(); ++k)
-      if (labels[static_cast<std::size_t>(k)] == MarkLabel::free) values.push_back(residual(c, k));
+    for (Eigen::Index k = range.from; k < range.to; ++k)
+      if (blocks.labels[at(k)] == MarkLabel::free) values.push_back(residual(c, k));
     const double scatter = robustStd(values);
     inner(c) = std::max(kInner * scatter, kInnerAllowed * allowed(c));
     outer(c) = std::max(kOuter * scatter, kOuterAllowed * allowed(c));
   }
-  VectorXd scores(rows.size());
-  for (Eigen::Index k = 0; k < rows.size(); ++k) {
+  for (Eigen::Index k = range.from; k < range.to; ++k) {
     const Vector6d size = residual.col(k).cwiseAbs();
     // 1 at the inner limit, 2 at the outer one.
     const double in = size.cwiseQuotient(inner).maxCoeff(), out = size.cwiseQuotient(outer).maxCoeff();
-    scores(k) = out >= 1.0 ? 2.0 * out : std::min(in, 1.999);
+    blocks.scores(k) = out >= 1.0 ? 2.0 * out : std::min(in, 1.999);
   }
-  return scores;
 }
 
 /// Contact where the score passes 2, grown while it stays above 1, widened by kMargin, spikes left out.
-std::vector<MarkLabel> labelsFromScores(const VectorXd& scores, double rateHz) {
-  const Eigen::Index n = scores.size();
-  std::vector<MarkLabel> labels(static_cast<std::size_t>(n), MarkLabel::free);
+void labelFromScores(double rateHz, Range range, Blocks& blocks) {
+  for (Eigen::Index k = range.from; k < range.to; ++k)
+    if (blocks.labels[at(k)] == MarkLabel::contact) blocks.set(k, MarkLabel::free, SegmentKind::freeMotion);
   const auto margin = static_cast<Eigen::Index>(std::ceil(kMargin * rateHz));
   const auto shortest = static_cast<Eigen::Index>(std::ceil(kShortest * rateHz));
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (scores(k) < 1.0) continue;
+  const auto above = [&](Eigen::Index k) { return k < range.to && blocks.scores(k) >= 1.0; };
+  for (Eigen::Index k = range.from; k < range.to; ++k) {
+    if (!above(k)) continue;
     Eigen::Index end = k;
     double peak = 0.0;
     // Two blocks below the inner limit end the stretch; one may be a zero crossing.
-    for (Eigen::Index j = k; j < n && (scores(j) >= 1.0 || (j + 1 < n && scores(j + 1) >= 1.0)); ++j) {
+    for (Eigen::Index j = k; above(j) || (j < range.to && above(j + 1)); ++j) {
       end = j;
-      peak = std::max(peak, scores(j));
+      peak = std::max(peak, blocks.scores(j));
     }
     if (peak >= 2.0 && end - k + 1 >= shortest)
-      for (Eigen::Index j = std::max<Eigen::Index>(0, k - margin); j <= std::min(n - 1, end + margin); ++j)
-        labels[static_cast<std::size_t>(j)] = MarkLabel::contact;
+      for (Eigen::Index j = std::max(range.from, k - margin); j <= std::min(range.to - 1, end + margin); ++j)
+        if (blocks.labels[at(j)] == MarkLabel::free) blocks.set(j, MarkLabel::contact, SegmentKind::contact);
     k = end;
   }
-  return labels;
 }
 
-std::vector<MarkLabel> labelsAllowing(const WrenchRows& rows, const Vector6d& allowed) {
-  std::vector<MarkLabel> labels(static_cast<std::size_t>(rows.size()), MarkLabel::free);
-  const auto length = std::max<Eigen::Index>(1, std::lround(kWindow * rows.rateHz));
-  std::vector<Matrix17d> windows;
-  for (Eigen::Index k = 0; k + length <= rows.size(); k += length)
-    windows.push_back(normalMatrix(rows, allowed, k, k + length));
-  if (windows.size() < 10) return labels;
-  Vector16d x = cappedFit(windows, 6.0 * static_cast<double>(length));
-  for (int round = 0; round < 4; ++round) {
-    const auto next = labelsFromScores(blockScores(rows, x, labels, allowed), rows.rateHz);
-    Matrix17d N = Matrix17d::Zero();
-    std::size_t used = 0;
-    for (std::size_t w = 0; w < windows.size(); ++w) {
-      const auto first = next.begin() + static_cast<std::ptrdiff_t>(w) * length;
-      if (std::find(first, first + length, MarkLabel::contact) != first + length) continue;
-      N += windows[w];
-      ++used;
-    }
-    const bool settled = next == labels;
-    labels = next;
-    if (settled || used < 5) break;
-    x = solveNormal(N);
+/// Free motion for less than kSliver between two contacts is none.
+void closeSlivers(double rateHz, Range range, Blocks& blocks) {
+  const auto longest = static_cast<Eigen::Index>(std::floor(kSliver * rateHz));
+  Eigen::Index lastContact = -1;
+  for (Eigen::Index k = range.from; k < range.to; ++k) {
+    if (blocks.labels[at(k)] != MarkLabel::contact) continue;
+    if (lastContact >= 0 && k - lastContact - 1 <= longest)
+      for (Eigen::Index j = lastContact + 1; j < k; ++j)
+        if (blocks.labels[at(j)] == MarkLabel::free) blocks.set(j, MarkLabel::contact, SegmentKind::contact);
+    lastContact = k;
   }
-  return labels;
+}
+
+/// Labels the blocks of one payload, alternating with the fit; x is the robust start.
+void labelPart(const WrenchRows& rows, const FitWindows& windows, const Vector6d& allowed, const FitPrior& prior,
+               PayloadPart& part, Range range, Blocks& blocks) {
+  for (int round = 0; round < 4; ++round) {
+    const auto before = blocks.labels;
+    scoreBlocks(rows, part.x, allowed, range, blocks);
+    labelFromScores(rows.rateHz, range, blocks);
+    closeSlivers(rows.rateHz, range, blocks);
+    WindowMatrix sum = WindowMatrix::Zero();
+    std::vector<std::size_t> free;
+    for (std::size_t w = part.from; w < part.to; ++w) {
+      const auto first = blocks.labels.begin() + static_cast<std::ptrdiff_t>(w) * windows.length;
+      if (!std::all_of(first, first + windows.length, [](MarkLabel l) { return l == MarkLabel::free; })) continue;
+      sum += windows.matrices[w];
+      free.push_back(w);
+    }
+    if (free.size() >= 5) part.free = free;
+    if (blocks.labels == before || free.size() < 5) break;
+    part.x = solveNormal(sum, prior);
+  }
+}
+
+/// Contiguous blocks around k that are contact.
+Range contactAround(const Blocks& blocks, Eigen::Index k) {
+  const auto touching = [&](Eigen::Index j) { return blocks.labels[at(j)] == MarkLabel::contact; };
+  Range range{k, k};
+  while (range.from > 0 && touching(range.from - 1)) --range.from;
+  while (range.to < static_cast<Eigen::Index>(blocks.labels.size()) && touching(range.to)) ++range.to;
+  return range;
+}
+
+/// Leaves out the parts whose payload is not that of the reference part, and names the changes.
+void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::vector<PayloadPart>& parts,
+                 const std::vector<Range>& ranges, std::size_t reference, Blocks& blocks, Findings& findings) {
+  std::vector<PayloadStep> steps;
+  for (const auto& part : parts) steps.push_back(compareParts(windows, parts[reference], part, weakPrior()));
+  steps[reference] = {};
+  std::string changes, used;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const double from = rows.time(ranges[p].from), to = rows.time(ranges[p].to - 1);
+    if (steps[p].same) {
+      used += fmt::format("{}{:.1f} to {:.1f} s", used.empty() ? "" : ", ", from, to);
+    } else {
+      const int note =
+          blocks.addReason(steps[p].payload
+                               ? fmt::format("Free, but {:.2g} kg {} than where the payload is estimated.",
+                                             std::abs(steps[p].massStep), steps[p].massStep > 0.0 ? "heavier" : "lighter")
+                               : "Free, but the sensor's bias (or the payload) is another one here.");
+      for (Eigen::Index k = ranges[p].from; k < ranges[p].to; ++k)
+        if (blocks.labels[at(k)] == MarkLabel::free) blocks.set(k, MarkLabel::ignore, SegmentKind::otherPayload, note);
+    }
+    if (p == 0 || steps[p].same == steps[p - 1].same) continue;
+    const double step = (steps[p].same ? 0.0 : steps[p].massStep) - (steps[p - 1].same ? 0.0 : steps[p - 1].massStep);
+    const bool payload = (steps[p].same || steps[p].payload) && (steps[p - 1].same || steps[p - 1].payload);
+    changes += changes.empty() ? "" : ", ";
+    changes += payload ? fmt::format("{:+.2g} kg at {:.1f} s", step, from)
+                       : fmt::format("at {:.1f} s, or the sensor's bias moved there", from);
+    const SegmentKind kind = step > 0.0 ? SegmentKind::pickUp : SegmentKind::putDown;
+    const int note = blocks.addReason(
+        payload ? fmt::format("The payload {} by {:.2g} kg: something was {}.", step > 0.0 ? "grows" : "shrinks",
+                              std::abs(step), step > 0.0 ? "picked up" : "put down")
+                : std::string("The payload changes here, or the sensor's bias moves: this motion cannot tell which."));
+    const auto half = static_cast<Eigen::Index>(std::ceil(kTransition * rows.rateHz));
+    const Range first = contactAround(blocks, std::max<Eigen::Index>(0, ranges[p].from - half));
+    const Range last = contactAround(blocks, std::min(rows.size() - 1, ranges[p].from + half));
+    for (Eigen::Index k = std::min(first.from, ranges[p].from - half);
+         k < std::max(last.to, std::min(rows.size(), ranges[p].from + half)); ++k)
+      if (k >= 0) blocks.set(k, MarkLabel::contact, kind, note);
+  }
+  if (!changes.empty())
+    findings.push_back({Severity::warning,
+                        "payload_change",
+                        fmt::format("The payload changes inside the recording ({}); only {} is used, so that two "
+                                    "payloads are not mixed.",
+                                    changes, used),
+                        "To estimate the other payload, mark its part as free.",
+                        {}});
+}
+
+/// What is free with hardly any motion.
+void markStanding(const WrenchRows& rows, Blocks& blocks) {
+  const auto window = static_cast<Eigen::Index>(std::ceil(kRest * rows.rateHz));
+  if (rows.size() < window) return;
+  std::vector<char> still(at(rows.size()), 0);
+  // Column 0 of the regressor is the specific force; the trace of the next three columns' upper block is -2 |omega|^2.
+  const auto force = [&](Eigen::Index k) { return Vector3d(rows.Y[at(k)].block<3, 1>(0, 0)); };
+  const Eigen::Index stride = std::max<Eigen::Index>(1, window / 4);
+  for (Eigen::Index next = 0; next < rows.size() - window + stride; next += stride) {
+    const Eigen::Index from = std::min(next, rows.size() - window);
+    Vector3d first = Vector3d::Zero(), second = Vector3d::Zero();
+    double turning = 0.0;
+    for (Eigen::Index k = from; k < from + window; ++k) {
+      (k < from + window / 2 ? first : second) += force(k);
+      turning += std::max(0.0, -0.5 * rows.Y[at(k)].block<3, 3>(0, 1).trace());
+    }
+    first /= static_cast<double>(window / 2);
+    second /= static_cast<double>(window - window / 2);
+    const double omega = std::sqrt(turning / static_cast<double>(window));
+    if ((second - first).norm() < 0.15 && omega < 0.08)
+      std::fill(still.begin() + from, still.begin() + from + window, char{1});
+  }
+  for (Eigen::Index k = 0; k < rows.size(); ++k)
+    if (still[at(k)] != 0 && blocks.kinds[at(k)] == SegmentKind::freeMotion) blocks.kinds[at(k)] = SegmentKind::standing;
+}
+
+void markTrouble(const Recording& recording, const WrenchRows& rows, Blocks& blocks, Findings& findings) {
+  const double half = 0.5 / rows.rateHz;
+  for (const auto& trouble : sensorTrouble(recording)) {
+    const int note = blocks.addReason(trouble.reason);
+    for (Eigen::Index k = 0; k < rows.size(); ++k)
+      if (rows.time(k) + half > trouble.from && rows.time(k) - half < trouble.to)
+        blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
+    findings.push_back({Severity::warning,
+                        "sensor_trouble",
+                        fmt::format("{:.2f} to {:.2f} s: {}", trouble.from, trouble.to, trouble.reason),
+                        "That stretch is left out.",
+                        {}});
+  }
+}
+
+void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::optional<PayloadGuess>& guess,
+                   Blocks& blocks, Findings& findings) {
+  const FitWindows windows = windowsOf(rows, allowed);
+  if (windows.size() < kFewestWindows) return;
+  std::vector<char> usable(windows.size(), 1);
+  for (std::size_t w = 0; w < windows.size(); ++w)
+    for (Eigen::Index k = 0; k < windows.length; ++k)
+      if (blocks.labels[w * at(windows.length) + at(k)] != MarkLabel::free) usable[w] = 0;
+  const FitPrior prior = guess ? priorFrom(guess->payload, guess->std) : weakPrior();
+  auto parts = payloadParts(windows, usable, weakPrior());
+  // With one payload the first estimate helps from the start; with several it only says which one is meant.
+  if (parts.size() == 1 && guess) parts[0].x = cappedFit(windows, 0, windows.size(), usable, prior, kStarts).x;
+  std::vector<Range> ranges;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const Range range{static_cast<Eigen::Index>(parts[p].from) * windows.length,
+                      p + 1 < parts.size() ? static_cast<Eigen::Index>(parts[p].to) * windows.length : rows.size()};
+    labelPart(rows, windows, allowed, parts.size() == 1 ? prior : weakPrior(), parts[p], range, blocks);
+    ranges.push_back(range);
+  }
+  if (parts.size() < 2) return;
+  const auto reference = std::max_element(parts.begin(), parts.end(), [&](const PayloadPart& a, const PayloadPart& b) {
+    if (guess) return std::abs(a.x(0) - guess->payload.mass) > std::abs(b.x(0) - guess->payload.mass);
+    return a.free.size() < b.free.size();
+  });
+  chooseParts(rows, windows, parts, ranges, static_cast<std::size_t>(reference - parts.begin()), blocks, findings);
 }
 
 /// Where a rigid tool explains next to nothing, the misfit is larger than usual rather than everything contact: more is
 /// allowed until a quarter of the recording is free.
-std::vector<MarkLabel> automaticLabels(const WrenchRows& rows) {
-  Vector6d allowed = allowances(rows);
-  std::vector<MarkLabel> labels;
+Blocks automaticBlocks(const Recording& recording, const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
+                       Findings& findings) {
+  Blocks clean(rows.size());
+  markTrouble(recording, rows, clean, findings);
+  Vector6d allowed = allowancesOf(rows);
+  Blocks blocks = clean;
+  Findings changes;
   for (int attempt = 0; attempt < 6; ++attempt, allowed *= 2.0) {
-    labels = labelsAllowing(rows, allowed);
-    const auto free = std::count(labels.begin(), labels.end(), MarkLabel::free);
-    if (static_cast<double>(free) >= 0.25 * static_cast<double>(labels.size())) break;
+    blocks = clean;
+    changes.clear();
+    labelAllowing(rows, allowed, guess, blocks, changes);
+    const auto free = std::count(blocks.labels.begin(), blocks.labels.end(), MarkLabel::free);
+    const auto other = std::count(blocks.kinds.begin(), blocks.kinds.end(), SegmentKind::otherPayload);
+    if (static_cast<double>(free + other) >= 0.25 * static_cast<double>(blocks.labels.size())) break;
   }
-  return labels;
+  findings.insert(findings.end(), changes.begin(), changes.end());
+  markStanding(rows, blocks);
+  return blocks;
 }
 
 /// What the user said about time t, if anything: the last mark that covers it wins.
@@ -231,11 +297,6 @@ std::optional<MarkLabel> columnAt(const Recording& recording, double t) {
   return recording.labels[static_cast<std::size_t>(index)];
 }
 
-std::optional<MarkLabel> userLabelAt(const Recording& recording, double t) {
-  const auto mark = markAt(recording.meta.marks, t);
-  return mark ? mark : columnAt(recording, t);
-}
-
 bool userMarkedFree(const Recording& recording) {
   const auto isFree = [](const auto& label) { return label == MarkLabel::free; };
   return std::any_of(recording.meta.marks.begin(), recording.meta.marks.end(),
@@ -243,7 +304,99 @@ bool userMarkedFree(const Recording& recording) {
          std::any_of(recording.labels.begin(), recording.labels.end(), isFree);
 }
 
+SegmentKind kindOf(MarkLabel label) {
+  switch (label) {
+    case MarkLabel::free:
+      return SegmentKind::freeMotion;
+    case MarkLabel::contact:
+      return SegmentKind::contact;
+    case MarkLabel::ignore:
+      break;
+  }
+  return SegmentKind::ignored;
+}
+
+void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode mode, Blocks& blocks) {
+  const int byUser = blocks.addReason("Marked by you.");
+  const int notMarked = blocks.addReason("Not marked as free.");
+  // Where the user marked free parts, what they left unmarked is not free; where they only marked contact, it is.
+  const bool onlyMarked = mode == SegmentMode::marks && userMarkedFree(recording);
+  for (Eigen::Index k = 0; k < rows.size(); ++k) {
+    const auto mark = markAt(recording.meta.marks, rows.time(k));
+    if (const auto label = mark ? mark : columnAt(recording, rows.time(k)))
+      blocks.set(k, *label, kindOf(*label), byUser);
+    else if (onlyMarked)
+      blocks.set(k, MarkLabel::ignore, SegmentKind::ignored, notMarked);
+  }
+}
+
+/// Why the blocks of a segment have their label, where no note says it.
+std::string reasonFor(SegmentKind kind, SegmentMode mode) {
+  if (mode == SegmentMode::all) return "Everything was asked for.";
+  if (mode == SegmentMode::marks) return "Not marked as contact.";
+  if (kind == SegmentKind::contact) return "A push that the motion does not explain.";
+  if (kind == SegmentKind::standing) return "At rest, and a rigid tool explains the forces.";
+  return "A rigid tool explains the forces here.";
+}
+
+/// How sure the label of blocks [from, to) is. A contact is the surer the further its peak lies above the limit that
+/// opens one; free motion, the further its largest residuals stay below it.
+double confidenceOf(const Blocks& blocks, Range range) {
+  const auto part = blocks.scores.segment(range.from, range.to - range.from);
+  const MarkLabel label = blocks.labels[at(range.from)];
+  std::vector<double> ordered(part.data(), part.data() + part.size());
+  if (label == MarkLabel::contact) {
+    const double peak = *std::max_element(ordered.begin(), ordered.end());
+    return std::clamp(peak * peak / (peak * peak + 4.0), 0.5, 0.99);
+  }
+  const auto high = ordered.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(ordered.size() - 1));
+  std::nth_element(ordered.begin(), high, ordered.end());
+  return std::clamp(1.0 - 0.25 * *high * *high, 0.5, 0.99);
+}
+
+std::vector<Segment> segmentsFrom(const WrenchRows& rows, const Blocks& blocks, SegmentMode mode, int byUser) {
+  std::vector<Segment> segments;
+  const double half = 0.5 / rows.rateHz;
+  for (Eigen::Index from = 0; from < rows.size();) {
+    Eigen::Index to = from + 1;
+    while (to < rows.size() && blocks.labels[at(to)] == blocks.labels[at(from)] &&
+           blocks.kinds[at(to)] == blocks.kinds[at(from)] && blocks.notes[at(to)] == blocks.notes[at(from)])
+      ++to;
+    const int note = blocks.notes[at(from)];
+    Segment segment{rows.time(from) - half, rows.time(to - 1) + half, blocks.labels[at(from)],
+                    note > 0 ? blocks.reasons[at(note - 1)] : reasonFor(blocks.kinds[at(from)], mode),
+                    blocks.kinds[at(from)], 1.0};
+    const bool judged = mode == SegmentMode::automatic && note != byUser;
+    if (judged) segment.confidence = note > 0 ? 0.9 : confidenceOf(blocks, {from, to});
+    segments.push_back(std::move(segment));
+    from = to;
+  }
+  return segments;
+}
+
 }  // namespace
+
+std::string_view toString(SegmentKind kind) {
+  switch (kind) {
+    case SegmentKind::freeMotion:
+      return "free_motion";
+    case SegmentKind::standing:
+      return "standing_still";
+    case SegmentKind::contact:
+      return "contact";
+    case SegmentKind::pickUp:
+      return "pick_up";
+    case SegmentKind::putDown:
+      return "put_down";
+    case SegmentKind::otherPayload:
+      return "other_payload";
+    case SegmentKind::sensorTrouble:
+      return "sensor_trouble";
+    case SegmentKind::ignored:
+      break;
+  }
+  return "ignored";
+}
 
 SegmentMode defaultSegmentMode(const Recording& recording) {
   const bool marked = !recording.meta.marks.empty() || std::any_of(recording.labels.begin(), recording.labels.end(),
@@ -251,49 +404,28 @@ SegmentMode defaultSegmentMode(const Recording& recording) {
   return marked ? SegmentMode::marks : SegmentMode::automatic;
 }
 
-std::vector<MarkLabel> labelBlocks(const Recording& recording, const WrenchRows& rows, SegmentMode mode) {
-  std::vector<MarkLabel> labels(static_cast<std::size_t>(rows.size()), MarkLabel::free);
-  if (mode == SegmentMode::all) return labels;
-  if (mode == SegmentMode::automatic) labels = automaticLabels(rows);
-  // Where the user marked free parts, what they left unmarked is not free; where they only marked contact, it is.
-  const bool onlyMarked = mode == SegmentMode::marks && userMarkedFree(recording);
-  for (Eigen::Index k = 0; k < rows.size(); ++k) {
-    auto& label = labels[static_cast<std::size_t>(k)];
-    if (const auto user = userLabelAt(recording, rows.time(k))) {
-      label = *user;
-    } else if (onlyMarked) {
-      label = MarkLabel::ignore;
-    }
-  }
-  return labels;
+Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, SegmentMode mode,
+                         const std::optional<PayloadGuess>& guess) {
+  Segmentation out;
+  Blocks blocks = mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings)
+                                                 : Blocks(rows.size());
+  const int byUser = static_cast<int>(blocks.reasons.size()) + 1;
+  if (mode != SegmentMode::all) applyMarks(recording, rows, mode, blocks);
+  out.segments = segmentsFrom(rows, blocks, mode, byUser);
+  out.labels = std::move(blocks.labels);
+  return out;
 }
 
-std::vector<Segment> segmentsOf(const Recording& recording, const WrenchRows& rows,
-                                const std::vector<MarkLabel>& labels, SegmentMode mode) {
-  std::vector<Segment> segments;
-  const double half = 0.5 / rows.rateHz;
-  for (Eigen::Index k = 0; k < rows.size(); ++k) {
-    const MarkLabel label = labels[static_cast<std::size_t>(k)];
-    const bool byUser = mode != SegmentMode::all && userLabelAt(recording, rows.time(k)).has_value();
-    std::string reason;
-    if (mode == SegmentMode::all) {
-      reason = "Everything was asked for.";
-    } else if (byUser) {
-      reason = "Marked by you.";
-    } else if (label == MarkLabel::free) {
-      reason = "A rigid tool explains the forces here.";
-    } else if (label == MarkLabel::contact) {
-      reason = "A push that the motion does not explain.";
-    } else {
-      reason = "Not marked as free.";
-    }
-    if (!segments.empty() && segments.back().label == label && segments.back().reason == reason) {
-      segments.back().to = rows.time(k) + half;
-    } else {
-      segments.push_back({rows.time(k) - half, rows.time(k) + half, label, reason});
-    }
-  }
-  return segments;
+nlohmann::json toJson(const std::vector<Segment>& segments) {
+  auto list = nlohmann::json::array();
+  for (const auto& s : segments)
+    list.push_back({{"from_s", s.from},
+                    {"to_s", s.to},
+                    {"label", toString(s.label)},
+                    {"kind", toString(s.kind)},
+                    {"reason", s.reason},
+                    {"confidence", s.confidence}});
+  return list;
 }
 
 }  // namespace heft

@@ -49,6 +49,19 @@ TEST_F(RealData, KukaTurnWithoutPosition) {
   EXPECT_TRUE(has(report, "origin_acceleration_unknown"));
 }
 
+TEST_F(RealData, KukaContactIsFoundAndDoesNotPull) {
+  const auto report = run("kuka_gamma_vibrations_contact.csv");
+  EXPECT_NEAR(report.payload.mass, 0.9323, 0.03 * 0.9323);
+  EXPECT_LT((report.payload.com - Vector3d(0.0003, 0.0001, 0.0439)).norm(), 0.005);
+  EXPECT_TRUE(has(report, "contact_left_out"));
+  EXPECT_TRUE(has(report, "trim_lifted"));
+  double contact = 0.0;
+  for (const auto& segment : report.segments)
+    if (segment.label == MarkLabel::contact) contact += segment.to - segment.from;
+  EXPECT_GT(contact, 3.2);
+  EXPECT_LT(contact, 4.2) << "it lasts from about 0.6 to 4.1 s";
+}
+
 TEST_F(RealData, PandaWithPolledSensor) {
   const auto report = run("panda_optoforce_14-23-21.csv");
   EXPECT_NEAR(report.payload.mass, 1.13, 0.06);
@@ -64,6 +77,15 @@ TEST_F(RealData, IcubFootIsNotTrusted) {
   ASSERT_GT(report.segments.size(), 2u);
   EXPECT_EQ(report.segments.front().label, MarkLabel::contact);
   EXPECT_EQ(report.segments.back().label, MarkLabel::contact);
+  double free = 0.0, onFloor = 0.0;
+  for (const auto& segment : report.segments) {
+    const double middle = std::max(0.0, std::min(segment.to, 60.0) - std::max(segment.from, 16.0));
+    const double floor = segment.to - segment.from - std::max(0.0, std::min(segment.to, 62.0) - std::max(segment.from, 14.0));
+    if (segment.label == MarkLabel::free) free += middle;
+    if (segment.label == MarkLabel::contact) onFloor += floor;
+  }
+  EXPECT_GT(free, 0.85 * 44.0) << "free from 16 to 60 s";
+  EXPECT_GT(onFloor, 0.97 * 26.7) << "on the floor before 14 s and after 62 s";
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+#pragma once
+// Stretches in which the wrench is not what the sensor felt.
+#include <string>
+#include <vector>
+
+#include "core/recording/recording.h"
+
+namespace heft {
+
+struct Trouble {
+  double from = 0, to = 0;  ///< [s]
+  std::string reason;
+};
+
+/// The whole wrench hung (no channel changes for 50 ms and twenty times longer than usual), or a channel sits at the
+/// largest or smallest value it ever has, for 10 ms and far longer than its values usually repeat, while others change:
+/// cut off at its range.
+std::vector<Trouble> sensorTrouble(const Recording& recording);
+
+}  // namespace heft
