@@ -11,7 +11,7 @@ constexpr double kLongest = 1.5;      // [s] of an approach
 constexpr double kBlind = 0.5;        // [s] of an approach when only the orientation is known
 constexpr double kShortest = 0.05;    // [s]
 constexpr double kAtRest = 0.01;      // [m/s]
-constexpr double kTouchWindow = 0.2;  // [s] before the contact that give its direction
+constexpr double kTouchWindow = 0.6;  // [s] before the contact that give its direction; a hand slows down and waits
 
 Phase phaseOf(const Segment& segment) {
   if (segment.kind == SegmentKind::pickUp || segment.kind == SegmentKind::putDown) return Phase::contact;

@@ -6,6 +6,7 @@ namespace {
 
 constexpr int kUnknowns = 19;    // phi, biases, -m r
 constexpr double kFarthest = 3;  // [m]
+constexpr double kClear = 0.9;   // energy that may be left
 
 /// Normal matrix of [phi, bias, lever | y] over the free blocks. The lever's columns are those of the first moment in
 /// the force rows: alpha x r + omega x (omega x r).
@@ -32,6 +33,8 @@ MatrixXd normalOf(const WrenchRows& blocks, const std::vector<MarkLabel>& labels
 double solve(const MatrixXd& N, int unknowns, VectorXd& x) {
   MatrixXd H = N.topLeftCorner(unknowns, unknowns);
   H.diagonal().array() += 1e-6;
+  // About one kilogram and metre: nothing tells the lever along the only axis that the wrist turns about.
+  if (unknowns == kUnknowns) H.diagonal().tail<3>().array() += 1.0;
   const VectorXd g = N.col(kUnknowns).head(unknowns);
   x = H.ldlt().solve(g);
   return N(kUnknowns, kUnknowns) - 2.0 * x.dot(g) + x.dot(N.topLeftCorner(unknowns, unknowns) * x);
@@ -44,7 +47,7 @@ std::optional<Vector3d> restingPoint(const WrenchRows& blocks, const std::vector
   VectorXd x;
   const double resting = solve(N, kUnknowns - 3, x);
   const double swinging = solve(N, kUnknowns, x);
-  if (!(x(0) > 0.02) || swinging > 0.8 * resting) return std::nullopt;
+  if (!(x(0) > 0.02) || swinging > kClear * resting) return std::nullopt;
   const Vector3d lever = x.tail<3>() / x(0);
   if (!(lever.norm() < kFarthest)) return std::nullopt;
   return Vector3d(-lever);

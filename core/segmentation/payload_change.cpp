@@ -55,16 +55,6 @@ WindowMatrix sumOf(const FitWindows& windows, const std::vector<std::size_t>& me
   return sum;
 }
 
-PayloadPart partOf(const FitWindows& windows, const std::vector<char>& usable, const FitPrior& prior, std::size_t from,
-                   std::size_t to, int starts) {
-  PayloadPart part{from, to, cappedFit(windows, from, to, usable, prior, starts).x, {}};
-  for (std::size_t w = from; w < to; ++w) {
-    if (!usable.empty() && usable[w] == 0) continue;
-    if (energyOf(windows.matrices[w], part.x) < windows.cap) part.free.push_back(w);
-  }
-  return part;
-}
-
 double cappedEnergy(const FitWindows& windows, const std::vector<char>& usable, std::size_t w, const FitVector& x) {
   return usable.empty() || usable[w] != 0 ? std::min(windows.cap, energyOf(windows.matrices[w], x)) : 0.0;
 }
@@ -117,6 +107,16 @@ void split(const FitWindows& windows, const std::vector<char>& usable, const Fit
 }
 
 }  // namespace
+
+PayloadPart partOf(const FitWindows& windows, const std::vector<char>& usable, const FitPrior& prior, std::size_t from,
+                   std::size_t to, int starts) {
+  PayloadPart part{from, to, cappedFit(windows, from, to, usable, prior, starts).x, {}};
+  for (std::size_t w = from; w < to; ++w) {
+    if (!usable.empty() && usable[w] == 0) continue;
+    if (energyOf(windows.matrices[w], part.x) < windows.cap) part.free.push_back(w);
+  }
+  return part;
+}
 
 PayloadStep compareParts(const FitWindows& windows, const PayloadPart& a, const PayloadPart& b,
                          const FitPrior& prior) {

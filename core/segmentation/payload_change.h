@@ -17,6 +17,10 @@ struct PayloadPart {
 std::vector<PayloadPart> payloadParts(const FitWindows& windows, const std::vector<char>& usable,
                                       const FitPrior& prior);
 
+/// Windows [from, to) as one part.
+PayloadPart partOf(const FitWindows& windows, const std::vector<char>& usable, const FitPrior& prior, std::size_t from,
+                   std::size_t to, int starts);
+
 /// How two parts compare.
 struct PayloadStep {
   bool same = true;       ///< One payload and bias explain both.

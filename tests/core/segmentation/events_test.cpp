@@ -125,21 +125,6 @@ TEST(SegmentEvents, AFirstEstimateSaysWhichPayloadIsMeant) {
   EXPECT_GT(freeAround(both, rows, 7.0).second, 12.0);
 }
 
-TEST(SegmentEvents, AFirstEstimateFindsTheFreeThird) {
-  // Two thirds are pressed by a force that turns with the tool: more than the robust start can see through alone.
-  const Labelled data = simulated(MotionKind::free, 24);
-  WrenchRows rows = data.rows();
-  for (Eigen::Index k = 0; k < rows.size(); ++k)
-    if (const double t = rows.time(k); t > 6.5) {
-      rows.wrench.col(k).head<3>() += Vector3d(4.0, -2.0, 3.0 + std::sin(t));
-      rows.wrench.col(k).tail<3>() += Vector3d(0.2, 0.1, 0.05 * std::cos(2.0 * t));
-    }
-  const auto found = segmentRows(data.recording, rows, SegmentMode::automatic, PayloadGuess{data.payload, {}});
-  const auto [before, after] = freeAround(found, rows, 6.5);
-  EXPECT_GT(before, 6.0);
-  EXPECT_LT(after, 0.3);
-}
-
 TEST(SegmentEvents, RestIsStandingStill) {
   Labelled data = simulated(MotionKind::free, 25);
   Recording& r = data.recording;

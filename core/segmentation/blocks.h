@@ -1,0 +1,46 @@
+#pragma once
+// Labels block by block, before they become segments.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/segmentation/segmentation.h"
+
+namespace heft {
+
+inline std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
+
+struct Range {
+  Eigen::Index from = 0, to = 0;  ///< Blocks [from, to).
+};
+
+/// What is known of each block.
+struct Blocks {
+  std::vector<MarkLabel> labels;
+  std::vector<SegmentKind> kinds;
+  std::vector<int> notes;  ///< 0, or 1 + the index of a reason in `reasons`
+  VectorXd scores;         ///< Residual, worst channel: 1 where a contact ends, 2 where one opens
+  std::vector<std::string> reasons;
+
+  explicit Blocks(Eigen::Index n)
+      : labels(at(n), MarkLabel::free),
+        kinds(at(n), SegmentKind::freeMotion),
+        notes(at(n), 0),
+        scores(VectorXd::Zero(n)) {}
+  void set(Eigen::Index k, MarkLabel label, SegmentKind kind, int note = 0) {
+    labels[at(k)] = label;
+    kinds[at(k)] = kind;
+    notes[at(k)] = note;
+  }
+  int addReason(std::string reason) {
+    reasons.push_back(std::move(reason));
+    return static_cast<int>(reasons.size());
+  }
+};
+
+/// What a rigid payload explains, what pushes, where the payload changes, where the sensor fails and where the tool
+/// rests, without looking at the user's marks.
+Blocks automaticBlocks(const Recording& recording, const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
+                       Findings& findings);
+
+}  // namespace heft
