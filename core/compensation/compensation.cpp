@@ -140,8 +140,8 @@ Result<Compensated> compensate(const Recording& recording, const RobotModel* rob
   }
   out.freeForceRms = std::sqrt(force / std::max(1.0, count));
   out.freeTorqueRms = std::sqrt(torque / std::max(1.0, count));
-  out.noiseForce = scatter(recording.wrench, 0);
-  out.noiseTorque = scatter(recording.wrench, 3);
+  out.noiseForce = scatter(out.wrench, 0);
+  out.noiseTorque = scatter(out.wrench, 3);
   if (count > 0.0 && out.freeForceRms > 3.0 * out.noiseForce && out.freeForceRms > 0.05)
     out.findings.push_back(
         {Severity::warning,

@@ -65,7 +65,7 @@ struct Compensated {
   Vector6d bias = Vector6d::Zero();  ///< That was taken off.
   bool ownBias = false;              ///< It comes from this recording's free parts.
   double freeForceRms = 0, freeTorqueRms = 0;    ///< What is left in free motion [N], [N m]
-  double noiseForce = 0, noiseTorque = 0;        ///< The sensor's own scatter, from steps between rows that differ
+  double noiseForce = 0, noiseTorque = 0;        ///< The sensor's own scatter, from steps between rows of `wrench` that differ
   Findings findings;
 };
 

@@ -22,6 +22,7 @@ constexpr double kShortest = 0.05;  // [s] shorter excursions are spikes, which 
 constexpr double kSliver = 0.1;     // [s]
 constexpr double kTransition = 0.1;  // [s] on both sides of a payload change, which has no sharp moment
 constexpr double kRest = 0.5;        // [s] that the tool must keep still to count as standing
+constexpr double kBrief = 0.3;       // [s]
 constexpr std::size_t kFewestWindows = 10;
 
 void scoreBlocks(const WrenchRows& rows, const FitVector& x, const Vector6d& allowed, Range range, Blocks& blocks) {
@@ -182,6 +183,18 @@ void markStanding(const WrenchRows& rows, Blocks& blocks) {
   }
   for (Eigen::Index k = 0; k < rows.size(); ++k)
     if (still[at(k)] != 0 && blocks.kinds[at(k)] == SegmentKind::freeMotion) blocks.kinds[at(k)] = SegmentKind::standing;
+  // Rest or motion for a moment only is that of its free neighbour.
+  const auto brief = static_cast<Eigen::Index>(kBrief * rows.rateHz);
+  const auto isFree = [&](Eigen::Index k) {
+    return k >= 0 && k < rows.size() && blocks.labels[at(k)] == MarkLabel::free;
+  };
+  for (Eigen::Index from = 0, to = 0; from < rows.size(); from = to) {
+    to = from + 1;
+    while (to < rows.size() && isFree(to) && blocks.kinds[at(to)] == blocks.kinds[at(from)]) ++to;
+    if (!isFree(from) || to - from > brief || (!isFree(from - 1) && !isFree(to))) continue;
+    const SegmentKind kind = blocks.kinds[at(isFree(from - 1) ? from - 1 : to)];
+    std::fill(blocks.kinds.begin() + from, blocks.kinds.begin() + to, kind);
+  }
 }
 
 void markTrouble(const Recording& recording, const WrenchRows& rows, Blocks& blocks, Findings& findings) {
