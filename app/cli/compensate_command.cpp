@@ -51,7 +51,8 @@ void run(const Options& options) {
 Command makeCompensateCommand(CLI::App& root) {
   auto options = std::make_shared<Options>();
   CLI::App* app = root.add_subcommand("compensate", "Take the payload's share out of the measured wrench");
-  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
+  app->add_option("RECORDING", options->recording,
+                  "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
       ->type_name("")
       ->required();
   app->add_option("RESULT", options->result, "JSON from 'heft estimate --json', or a payload JSON in sensor axes")
@@ -68,7 +69,8 @@ Command makeCompensateCommand(CLI::App& root) {
       "Examples:\n"
       "  heft compensate rec.csv result.json\n"
       "  heft compensate rec.csv result.json -o contact.csv --json phases.json\n\n"
-      "Phases: free, approach (on the way to a contact), contact, ignore. The wrench keeps the recording's sign inside\n"
+      "Phases: free, approach (on the way to a contact), contact, ignore. The wrench keeps the recording's sign "
+      "inside\n"
       "Heft, what the sensor exerts on the payload; \"on the tool\" is what the surroundings exert.");
   return {app, [options] { run(*options); }};
 }

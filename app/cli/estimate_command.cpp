@@ -106,7 +106,8 @@ struct Estimated {
 Estimated estimateFiles(const Options& options, const EstimateOptions& settings, const Progress& progress,
                         Clock::time_point start) {
   std::vector<Input> inputs;
-  for (const auto& file : options.recordings) inputs.push_back(readInput(file, options.import, options.robot, progress));
+  for (const auto& file : options.recordings)
+    inputs.push_back(readInput(file, options.import, options.robot, progress));
   const double readSeconds = secondsSince(start);
   const Input& first = inputs.front();
   Estimated out;
@@ -142,8 +143,7 @@ Estimated estimateFiles(const Options& options, const EstimateOptions& settings,
 void run(const Options& options) {
   const auto start = Clock::now();
   const EstimateOptions settings = estimateOptions(options);
-  if (options.recordings.size() > 1 && options.compare)
-    throw WrongUsage("--compare shows one recording; give one.");
+  if (options.recordings.size() > 1 && options.compare) throw WrongUsage("--compare shows one recording; give one.");
   if (options.recordings.size() > 1 && (!options.import.metaFile.empty() || !options.import.join.empty()))
     throw WrongUsage("--meta and --join go with one recording; several have their own .meta.json beside them.");
   const ExportFormat* format = nullptr;

@@ -12,8 +12,7 @@ Input readInput(const std::string& file, const ImportOptions& options, const std
   ReadRecording read = orFail(openRecording(file, options, progress));
   Input input{std::move(read.recording), std::nullopt, std::move(read.findings)};
   const Recording& recording = input.recording;
-  if (!robot.empty())
-    input.recording.meta.robot = robot == "panda" ? robot : std::filesystem::absolute(robot).string();
+  if (!robot.empty()) input.recording.meta.robot = robot == "panda" ? robot : std::filesystem::absolute(robot).string();
   if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) return input;
   if (!recording.meta.robot)
     throw Failed(

@@ -31,8 +31,7 @@ void run(const Options& options) {
 
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());
-  SegmentedRecording segmented =
-      orFail(segmentRecording(input.recording, input.model(), settings, line.progress()));
+  SegmentedRecording segmented = orFail(segmentRecording(input.recording, input.model(), settings, line.progress()));
   line.clear();
   segmented.findings.insert(segmented.findings.begin(), input.findings.begin(), input.findings.end());
   if (!options.json.empty()) {
@@ -48,7 +47,8 @@ void run(const Options& options) {
 Command makeSegmentCommand(CLI::App& root) {
   auto options = std::make_shared<Options>();
   CLI::App* app = root.add_subcommand("segment", "Find the free parts of a recording, contact and other events");
-  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
+  app->add_option("RECORDING", options->recording,
+                  "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")
       ->type_name("")
       ->required();
   app->add_option("--json", options->json, "Write the segments as JSON; - is stdout, instead of the text")

@@ -23,8 +23,8 @@ WrenchSamples payloadShare(const VectorXd& time, const Motion& motion, const Vec
     onGrid.col(k) = regressor({motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)}) * phi;
   WrenchSamples share(time.size(), 6);
   for (Eigen::Index i = 0; i < time.size(); ++i) {
-    const double place = std::clamp((time(i) - motion.startTime) * motion.rateHz, 0.0,
-                                    static_cast<double>(motion.size() - 1));
+    const double place =
+        std::clamp((time(i) - motion.startTime) * motion.rateHz, 0.0, static_cast<double>(motion.size() - 1));
     const auto k = std::min(static_cast<Eigen::Index>(place), std::max<Eigen::Index>(0, motion.size() - 2));
     const double part = place - static_cast<double>(k);
     share.row(i) = ((1.0 - part) * onGrid.col(k) + part * onGrid.col(std::min(k + 1, motion.size() - 1))).transpose();
@@ -87,13 +87,14 @@ void chooseBias(const CompensateOptions& options, Compensated& out) {
     out.ownBias = true;
     for (int c = 0; c < 6; ++c) out.bias(c) = median(free[static_cast<std::size_t>(c)]);
   } else {
-    out.findings.push_back({Severity::warning,
-                            "bias_of_result",
-                            fmt::format("Only {:.1f} s touch nothing, so the result's bias is taken off; it may be that "
-                                        "of another day.",
-                                        seconds),
-                            "Record a second of free motion before the contact.",
-                            {}});
+    out.findings.push_back(
+        {Severity::warning,
+         "bias_of_result",
+         fmt::format("Only {:.1f} s touch nothing, so the result's bias is taken off; it may be that "
+                     "of another day.",
+                     seconds),
+         "Record a second of free motion before the contact.",
+         {}});
   }
 }
 

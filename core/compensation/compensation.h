@@ -51,21 +51,22 @@ struct PhaseSegment {
 };
 
 struct CompensateOptions {
-  EstimateOptions estimate;  ///< How the motion is smoothed and the recording segmented.
-  PayloadGuess payload;      ///< What is taken off.
+  EstimateOptions estimate;          ///< How the motion is smoothed and the recording segmented.
+  PayloadGuess payload;              ///< What is taken off.
   Vector6d bias = Vector6d::Zero();  ///< Of the result [N], [N m]: used where the recording has too little free motion.
   std::vector<std::shared_ptr<const WrenchEffect>> effects;  ///< Removed first, in this order.
 };
 
 struct Compensated {
-  VectorXd time;          ///< The recording's rows [s]
-  WrenchSamples wrench;   ///< F_PSo_S less the payload's share, effects and bias [N], [N m]; the sensor's sign, S axes
+  VectorXd time;         ///< The recording's rows [s]
+  WrenchSamples wrench;  ///< F_PSo_S less the payload's share, effects and bias [N], [N m]; the sensor's sign, S axes
   std::vector<Phase> phase;  ///< One a row.
   std::vector<PhaseSegment> segments;
-  Vector6d bias = Vector6d::Zero();  ///< That was taken off.
-  bool ownBias = false;              ///< It comes from this recording's free parts.
-  double freeForceRms = 0, freeTorqueRms = 0;    ///< What is left in free motion [N], [N m]
-  double noiseForce = 0, noiseTorque = 0;        ///< The sensor's own scatter, from steps between rows of `wrench` that differ
+  Vector6d bias = Vector6d::Zero();            ///< That was taken off.
+  bool ownBias = false;                        ///< It comes from this recording's free parts.
+  double freeForceRms = 0, freeTorqueRms = 0;  ///< What is left in free motion [N], [N m]
+  double noiseForce = 0,
+         noiseTorque = 0;  ///< The sensor's own scatter, from steps between rows of `wrench` that differ
   Findings findings;
 };
 

@@ -42,7 +42,8 @@ PhaseSegment approachTo(const Motion& motion, double earliest, double touch) {
   const Vector3d direction = arriving.normalized();
   // The window itself may hold the stop at the surface; before it the tool must keep coming.
   Eigen::Index k = from;
-  while (k > first && motion.velocity.col(k - 1).dot(direction) > std::max(kAtRest, 0.5 * motion.velocity.col(k - 1).norm()))
+  while (k > first &&
+         motion.velocity.col(k - 1).dot(direction) > std::max(kAtRest, 0.5 * motion.velocity.col(k - 1).norm()))
     --k;
   out.from = std::max(earliest, motion.time(k));
   if (motion.position.cols() == motion.size()) {

@@ -6,8 +6,8 @@
 namespace heft {
 
 /// Neighbouring free segments are one phase. What comes right before a contact is its approach: back to where the tool
-/// stood or turned away from the direction in which it touches, at most 1.5 s; where the position is not known, the last
-/// 0.5 s of motion.
+/// stood or turned away from the direction in which it touches, at most 1.5 s; where the position is not known, the
+/// last 0.5 s of motion.
 std::vector<PhaseSegment> phasesOf(const std::vector<Segment>& segments, const Motion& motion);
 
 }  // namespace heft

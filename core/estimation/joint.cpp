@@ -14,8 +14,8 @@ namespace heft {
 
 namespace {
 
-constexpr double kWorthwhile = 1.10;     // an interval that is this much wider without a recording
-constexpr double kContradiction = 25.0;  // chi-squared, 4 degrees of freedom: p = 5e-5
+constexpr double kWorthwhile = 1.10;                     // an interval that is this much wider without a recording
+constexpr double kContradiction = 25.0;                  // chi-squared, 4 degrees of freedom: p = 5e-5
 constexpr double kMassFloor = 0.005, kComFloor = 0.001;  // relative, [m]: calibration and mounting, one deviation
 
 using Clock = std::chrono::steady_clock;
@@ -142,14 +142,16 @@ std::string proposalWords(const std::vector<JointPiece>& pieces, const std::vect
   }
   std::string text = idle.empty() && foreign.empty() ? "Use all of them" : "Use " + listed(proposal);
   if (!idle.empty()) text += fmt::format("; {} add{} nothing", listed(idle), idle.size() == 1 ? "s" : "");
-  if (!foreign.empty()) text += fmt::format("; {} {} of another tool", listed(foreign), foreign.size() == 1 ? "is" : "are");
+  if (!foreign.empty())
+    text += fmt::format("; {} {} of another tool", listed(foreign), foreign.size() == 1 ? "is" : "are");
   return text + ".";
 }
 
 std::string gainWords(const InformationGain& gain) {
   if (largest(gain) < kWorthwhile) return "Adds next to nothing: without it the intervals are as narrow.";
-  return fmt::format("Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.",
-                     gain.mass, gain.com, gain.inertia);
+  return fmt::format(
+      "Without it the intervals of mass, centre and inertia are {:.1f}, {:.1f} and {:.1f} times as wide.", gain.mass,
+      gain.com, gain.inertia);
 }
 
 }  // namespace
@@ -226,10 +228,11 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
       out.pieces[out.first].report.findings.push_back(
           {Severity::warning,
            "different_tool",
-           fmt::format("Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. "
-                       "It was left out.",
-                       i + 1, out.pieces[i].alone.mass, all->components(0),
-                       1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
+           fmt::format(
+               "Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. "
+               "It was left out.",
+               i + 1, out.pieces[i].alone.mass, all->components(0),
+               1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
            out.pieces.size() == 2 ? "With two recordings nobody can tell which is of the right tool: check both."
                                   : "Estimate it by itself.",
            {}});

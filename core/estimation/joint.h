@@ -13,23 +13,23 @@ struct JointInput {
 
 /// How many times wider the intervals would be without a recording; 1: it adds nothing.
 struct InformationGain {
-  Vector10d components = Vector10d::Ones();      ///< mass, com, Ixx, Ixy, Ixz, Iyy, Iyz, Izz
+  Vector10d components = Vector10d::Ones();     ///< mass, com, Ixx, Ixy, Ixz, Iyy, Iyz, Izz
   double mass = 1.0, com = 1.0, inertia = 1.0;  ///< of the norms
 };
 
 struct JointPiece {
-  EstimateReport report;     ///< The joint payload with this recording's own bias, residual and segments.
-  Payload alone, aloneStd;   ///< What the recording tells by itself.
-  bool used = true;          ///< Takes part in the joint estimate.
+  EstimateReport report;    ///< The joint payload with this recording's own bias, residual and segments.
+  Payload alone, aloneStd;  ///< What the recording tells by itself.
+  bool used = true;         ///< Takes part in the joint estimate.
   InformationGain adds;
-  std::string words;         ///< What it adds, one sentence.
+  std::string words;  ///< What it adds, one sentence.
 };
 
 struct JointReport {
-  std::vector<JointPiece> pieces;        ///< As given.
-  std::size_t first = 0;                 ///< The first that is used: its report is the result.
-  std::vector<std::size_t> proposal;     ///< Enough of the used ones: the others narrow no interval by a tenth.
-  std::string proposalText;              ///< "Use 2 and 3; 1 adds nothing."
+  std::vector<JointPiece> pieces;     ///< As given.
+  std::size_t first = 0;              ///< The first that is used: its report is the result.
+  std::vector<std::size_t> proposal;  ///< Enough of the used ones: the others narrow no interval by a tenth.
+  std::string proposalText;           ///< "Use 2 and 3; 1 adds nothing."
 
   const EstimateReport& report() const { return pieces[first].report; }
 };

@@ -12,14 +12,14 @@ namespace heft {
 
 namespace {
 
-constexpr int kStarts = 60;      // random starts of the first fit; each costs a few small factorisations
-constexpr double kOuter = 6.0;   // scatter multiples that open a contact,
-constexpr double kInner = 3.5;   // and those that end it
+constexpr int kStarts = 60;            // random starts of the first fit; each costs a few small factorisations
+constexpr double kOuter = 6.0;         // scatter multiples that open a contact,
+constexpr double kInner = 3.5;         // and those that end it
 constexpr double kOuterAllowed = 2.0;  // but never less than so many allowances
 constexpr double kInnerAllowed = 1.0;
-constexpr double kMargin = 0.06;    // [s] kept away from a contact on both sides
-constexpr double kShortest = 0.05;  // [s] shorter excursions are spikes, which the robust fit handles
-constexpr double kSliver = 0.1;     // [s]
+constexpr double kMargin = 0.06;     // [s] kept away from a contact on both sides
+constexpr double kShortest = 0.05;   // [s] shorter excursions are spikes, which the robust fit handles
+constexpr double kSliver = 0.1;      // [s]
 constexpr double kTransition = 0.1;  // [s] on both sides of a payload change, which has no sharp moment
 constexpr double kRest = 0.5;        // [s] that the tool must keep still to count as standing
 constexpr double kBrief = 0.3;       // [s]
@@ -123,11 +123,10 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
     if (steps[p].same) {
       used += fmt::format("{}{:.1f} to {:.1f} s", used.empty() ? "" : ", ", from, to);
     } else {
-      const int note =
-          blocks.addReason(steps[p].payload
-                               ? fmt::format("Free, but {:.2g} kg {} than where the payload is estimated.",
-                                             std::abs(steps[p].massStep), steps[p].massStep > 0.0 ? "heavier" : "lighter")
-                               : "Free, but the sensor's bias (or the payload) is another one here.");
+      const int note = blocks.addReason(
+          steps[p].payload ? fmt::format("Free, but {:.2g} kg {} than where the payload is estimated.",
+                                         std::abs(steps[p].massStep), steps[p].massStep > 0.0 ? "heavier" : "lighter")
+                           : "Free, but the sensor's bias (or the payload) is another one here.");
       for (Eigen::Index k = ranges[p].from; k < ranges[p].to; ++k)
         if (blocks.labels[at(k)] == MarkLabel::free) blocks.set(k, MarkLabel::ignore, SegmentKind::otherPayload, note);
     }
@@ -182,7 +181,8 @@ void markStanding(const WrenchRows& rows, Blocks& blocks) {
       std::fill(still.begin() + from, still.begin() + from + window, char{1});
   }
   for (Eigen::Index k = 0; k < rows.size(); ++k)
-    if (still[at(k)] != 0 && blocks.kinds[at(k)] == SegmentKind::freeMotion) blocks.kinds[at(k)] = SegmentKind::standing;
+    if (still[at(k)] != 0 && blocks.kinds[at(k)] == SegmentKind::freeMotion)
+      blocks.kinds[at(k)] = SegmentKind::standing;
   // Rest or motion for a moment only is that of its free neighbour.
   const auto brief = static_cast<Eigen::Index>(kBrief * rows.rateHz);
   const auto isFree = [&](Eigen::Index k) {
@@ -220,7 +220,9 @@ void splitAtStretches(const WrenchRows& rows, const FitWindows& windows, const V
   const PayloadPart whole = parts.front();
   const auto pieceOf = [&](Range range) {
     PayloadPart piece{static_cast<std::size_t>((range.from + windows.length - 1) / windows.length),
-                      static_cast<std::size_t>(range.to / windows.length), whole.x, {}};
+                      static_cast<std::size_t>(range.to / windows.length),
+                      whole.x,
+                      {}};
     for (const std::size_t w : whole.free)
       if (w >= piece.from && w < piece.to) piece.free.push_back(w);
     return piece;

@@ -60,8 +60,8 @@ double cappedEnergy(const FitWindows& windows, const std::vector<char>& usable, 
 }
 
 /// The best place to cut [from, to), or `to` if none is clear.
-std::size_t bestCut(const FitWindows& windows, const std::vector<char>& usable, const FitPrior& prior,
-                    std::size_t from, std::size_t to) {
+std::size_t bestCut(const FitWindows& windows, const std::vector<char>& usable, const FitPrior& prior, std::size_t from,
+                    std::size_t to) {
   if (to - from < 2 * kShortestPart) return to;
   const std::size_t stride = std::max<std::size_t>(1, (to - from) / kSplits);
   std::size_t best = to;
@@ -118,8 +118,7 @@ PayloadPart partOf(const FitWindows& windows, const std::vector<char>& usable, c
   return part;
 }
 
-PayloadStep compareParts(const FitWindows& windows, const PayloadPart& a, const PayloadPart& b,
-                         const FitPrior& prior) {
+PayloadStep compareParts(const FitWindows& windows, const PayloadPart& a, const PayloadPart& b, const FitPrior& prior) {
   if (a.free.size() < kFewestFree || b.free.size() < kFewestFree) return {};
   const WindowMatrix before = sumOf(windows, a.free), after = sumOf(windows, b.free);
   const WindowMatrix both = before + after;

@@ -9,8 +9,8 @@ namespace heft {
 
 namespace {
 
-constexpr double kWindow = 0.2;  // [s] unit of the robust fit
-constexpr double kCap = 4.0;     // root-mean-square misfit of a window, in allowances, beyond which it is not free
+constexpr double kWindow = 0.2;     // [s] unit of the robust fit
+constexpr double kCap = 4.0;        // root-mean-square misfit of a window, in allowances, beyond which it is not free
 constexpr std::size_t kFewest = 5;  // windows that a fit needs
 
 }  // namespace
@@ -113,7 +113,9 @@ CappedFit cappedFit(const FitWindows& windows, std::size_t from, std::size_t to,
           ++kept;
         }
       if (kept < kFewest) break;
-      fit.x = solveNormal(N, prior);
+      const FitVector next = solveNormal(N, prior);
+      if (next == fit.x) break;  // the same windows again
+      fit.x = next;
     }
     fit.energy = 0.0;
     for (const std::size_t w : members) fit.energy += std::min(windows.cap, energyOf(windows.matrices[w], fit.x));

@@ -93,9 +93,10 @@ std::vector<Segment> segmentsFrom(const WrenchRows& rows, const Blocks& blocks, 
            blocks.kinds[at(to)] == blocks.kinds[at(from)] && blocks.notes[at(to)] == blocks.notes[at(from)])
       ++to;
     const int note = blocks.notes[at(from)];
-    Segment segment{rows.time(from) - half, rows.time(to - 1) + half, blocks.labels[at(from)],
-                    note > 0 ? blocks.reasons[at(note - 1)] : reasonFor(blocks.kinds[at(from)], mode),
-                    blocks.kinds[at(from)], 1.0};
+    Segment segment{
+        rows.time(from) - half,  rows.time(to - 1) + half,
+        blocks.labels[at(from)], note > 0 ? blocks.reasons[at(note - 1)] : reasonFor(blocks.kinds[at(from)], mode),
+        blocks.kinds[at(from)],  1.0};
     const bool judged = mode == SegmentMode::automatic && note != byUser;
     if (judged) segment.confidence = note > 0 ? 0.9 : confidenceOf(blocks, {from, to});
     segments.push_back(std::move(segment));
@@ -137,8 +138,8 @@ SegmentMode defaultSegmentMode(const Recording& recording) {
 Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, SegmentMode mode,
                          const std::optional<PayloadGuess>& guess) {
   Segmentation out;
-  Blocks blocks = mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings)
-                                                 : Blocks(rows.size());
+  Blocks blocks =
+      mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings) : Blocks(rows.size());
   const int byUser = static_cast<int>(blocks.reasons.size()) + 1;
   if (mode != SegmentMode::all) applyMarks(recording, rows, mode, blocks);
   out.segments = segmentsFrom(rows, blocks, mode, byUser);

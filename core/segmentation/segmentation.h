@@ -49,11 +49,11 @@ struct Segmentation {
 /// Labels by what the user marked (meta marks, then the label column) and, in automatic mode, by how far a rigid
 /// payload explains the wrench. Marks always win. `rows` must not be averaged over more than 50 ms.
 ///
-/// Automatic: a fit whose cost is capped in windows of 0.2 s finds the payload and bias that explain most of the motion,
-/// however much of it is contact; blocks whose residual stays far above that fit's own scatter for longer than a spike
-/// are contact, and the fit is repeated without them. With `guess` the fit starts from that payload, and gives way where
-/// the data say otherwise. Where two payloads explain two parts far better than one payload and a moved bias explain
-/// both, the part with more free motion (or the one that fits the guess) is used and the other left out.
+/// Automatic: a fit whose cost is capped in windows of 0.2 s finds the payload and bias that explain most of the
+/// motion, however much of it is contact; blocks whose residual stays far above that fit's own scatter for longer than
+/// a spike are contact, and the fit is repeated without them. With `guess` the fit starts from that payload, and gives
+/// way where the data say otherwise. Where two payloads explain two parts far better than one payload and a moved bias
+/// explain both, the part with more free motion (or the one that fits the guess) is used and the other left out.
 Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, SegmentMode mode,
                          const std::optional<PayloadGuess>& guess = std::nullopt);
 

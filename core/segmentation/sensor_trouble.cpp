@@ -50,9 +50,9 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
           Eigen::Index alive = 0;
           for (Eigen::Index k = from + 1; k < to; ++k) alive += wrench.row(k) != wrench.row(k - 1) ? 1 : 0;
           if (2 * alive < to - from) return;
-          out.push_back({time(from), time(to - 1),
-                         fmt::format("{} is cut off at {:.4g}: the sensor is at the end of its range.", kNames[c],
-                                     value)});
+          out.push_back(
+              {time(from), time(to - 1),
+               fmt::format("{} is cut off at {:.4g}: the sensor is at the end of its range.", kNames[c], value)});
         });
   }
   std::sort(out.begin(), out.end(), [](const Trouble& a, const Trouble& b) { return a.from < b.from; });

@@ -18,8 +18,8 @@ class SegmentTest : public CliTest {
               0);
   }
   void freeMotion(const std::string& name, const std::string& seed, const std::string& payload = "") const {
-    std::vector<std::string> arguments{"simulate", "--motion", "free", "--rate", "250", "--duration", "8",
-                                       "--seed",   seed,       "-o",   name + ".csv"};
+    std::vector<std::string> arguments{"simulate", "--motion", "free", "--rate", "250",        "--duration",
+                                       "8",        "--seed",   seed,   "-o",     name + ".csv"};
     if (!payload.empty()) arguments.insert(arguments.end(), {"--payload", payload});
     ASSERT_EQ(heft(arguments).exitCode, 0);
   }

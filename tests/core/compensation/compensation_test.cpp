@@ -175,7 +175,8 @@ TEST(Compensation, ReadsResultsAndSaysWhatIsWrong) {
   const auto good = compensateOptionsFromJson(result, "r.json");
   ASSERT_TRUE(good);
   EXPECT_EQ(good->bias(5), 0.3);
-  for (const auto& bad : {nlohmann::json(3), nlohmann::json{{"force_n", {1, 2}}}, nlohmann::json{{"force_n", {1, 2, "x"}}}}) {
+  for (const auto& bad :
+       {nlohmann::json(3), nlohmann::json{{"force_n", {1, 2}}}, nlohmann::json{{"force_n", {1, 2, "x"}}}}) {
     result["bias"] = bad;
     const auto failed = compensateOptionsFromJson(result, "r.json");
     ASSERT_FALSE(failed);

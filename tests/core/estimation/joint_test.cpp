@@ -59,8 +59,8 @@ TEST(Joint, TwoRecordingsWithTheirOwnBiasesNarrowTheIntervals) {
 }
 
 TEST(Joint, ARecordingWithoutMotionAddsNothing) {
-  const auto joint = joined({heldStill(3), recordingOf(MotionKind::excitation, kTool, 4),
-                             recordingOf(MotionKind::excitation, kTool, 5)});
+  const auto joint = joined(
+      {heldStill(3), recordingOf(MotionKind::excitation, kTool, 4), recordingOf(MotionKind::excitation, kTool, 5)});
   EXPECT_EQ(joint.proposalText, "Use 2 and 3; 1 adds nothing.");
   EXPECT_THAT(joint.proposal, testing::ElementsAre(1u, 2u));
   EXPECT_LT(joint.pieces[0].adds.mass, 1.1);

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/estimation/segment_recording.h"
 #include "core/estimation/estimate.h"
+#include "core/estimation/segment_recording.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/random_tool.h"
 
@@ -128,9 +128,8 @@ TEST(Segments, ARecordingThatIsAllContactStillHasSegments) {
 }
 
 TEST(Segments, AFirstEstimateIsReadFromAResult) {
-  const nlohmann::json result{
-      {"payload", toJson(test::boxPayload(0.5, {0.1, 0.1, 0.1}, {0, 0, 0.05}))},
-      {"std", {{"mass_kg", 0.01}, {"com_m", {0.001, 0.001, 0.002}}}}};
+  const nlohmann::json result{{"payload", toJson(test::boxPayload(0.5, {0.1, 0.1, 0.1}, {0, 0, 0.05}))},
+                              {"std", {{"mass_kg", 0.01}, {"com_m", {0.001, 0.001, 0.002}}}}};
   const auto guess = payloadGuessFromJson(result, "result.json");
   ASSERT_TRUE(guess);
   EXPECT_EQ(guess->payload.mass, 0.5);
