@@ -59,11 +59,30 @@ double cappedEnergy(const FitWindows& windows, const std::vector<char>& usable, 
   return usable.empty() || usable[w] != 0 ? std::min(windows.cap, energyOf(windows.matrices[w], x)) : 0.0;
 }
 
+/// A quick look at recordings that one payload explains nearly everywhere: no place where a step of the payload would
+/// help much.
+bool noStepSeen(const FitWindows& windows, const PayloadPart& whole, std::size_t stride, const FitPrior& prior) {
+  if (10 * whole.free.size() < 9 * (whole.to - whole.from)) return false;
+  const WindowMatrix all = sumOf(windows, whole.free);
+  const double single = energyOf(all, solveNormal(all, prior));
+  WindowMatrix before = WindowMatrix::Zero();
+  for (std::size_t i = 0; i < whole.free.size(); ++i) {
+    before += windows.matrices[whole.free[i]];
+    if (i % stride != 0) continue;
+    ExtendedFit step(0, kMassAndMoments);
+    step.add(before, 0.0);
+    step.add(all - before, 1.0);
+    if (step.solve(prior) < 0.6 * single) return false;
+  }
+  return true;
+}
+
 /// The best place to cut [from, to), or `to` if none is clear.
 std::size_t bestCut(const FitWindows& windows, const std::vector<char>& usable, const FitPrior& prior, std::size_t from,
                     std::size_t to) {
   if (to - from < 2 * kShortestPart) return to;
   const std::size_t stride = std::max<std::size_t>(1, (to - from) / kSplits);
+  if (noStepSeen(windows, partOf(windows, usable, prior, from, to, kStarts), stride, prior)) return to;
   std::size_t best = to;
   double least = 0.0;
   CappedFit left, right;
