@@ -154,7 +154,7 @@ using Family = std::map<int, std::size_t>;
 
 class StreamGuess {
  public:
-  StreamGuess(const std::vector<Stream>& streams, std::size_t index, std::vector<Candidate>& out)
+  StreamGuess(const std::vector<Stream>& streams, std::size_t index, std::vector<ColumnCandidate>& out)
       : stream_(streams[index]), index_(index), out_(out) {}
 
   void run(const std::vector<std::string>& jointNames) {
@@ -190,7 +190,7 @@ class StreamGuess {
 
   template <class Names>
   void add(const char* part, const Family& fields, int first, const Names& names, int score, std::string reason) {
-    Candidate candidate{part, {}, score, std::move(reason)};
+    ColumnCandidate candidate{part, {}, score, std::move(reason)};
     for (const auto& [index, field] : fields)
       candidate.columns.push_back({names[static_cast<std::size_t>(index - first)], index_, field, 1.0, candidate.why});
     out_.push_back(std::move(candidate));
@@ -221,7 +221,7 @@ class StreamGuess {
     if (fields.size() > 32) return;
     int score = 10;
     if (stream_.type == "sensor_msgs/JointState") score = 30;
-    if (stream_.type.starts_with("franka_msgs/")) score = 25;
+    if (stream_.type.starts_with("franka_msgs/")) score = 30;
     if (std::find(family.begin(), family.end(), "measured") != family.end()) score += 3;
     if (fields.size() == 7) score += 2;
     std::vector<std::string> names;
@@ -232,7 +232,7 @@ class StreamGuess {
   /// Joints of a known arm by their names.
   void addNamed(const char* part, const char* prefix, const std::string& quantity,
                 const std::vector<std::string>& jointNames) {
-    Candidate candidate{part, {}, 60, "names of the arm's joints"};
+    ColumnCandidate candidate{part, {}, 60, "names of the arm's joints"};
     for (std::size_t j = 0; j < jointNames.size(); ++j) {
       const std::array<std::string, 4> forms = {fmt::format("{}[{}]", quantity, jointNames[j]),
                                                 fmt::format("measured_joint_state.{}[{}]", quantity, jointNames[j]),
@@ -251,15 +251,16 @@ class StreamGuess {
 
   const Stream& stream_;
   const std::size_t index_;
-  std::vector<Candidate>& out_;
+  std::vector<ColumnCandidate>& out_;
 };
 
 }  // namespace
 
-std::vector<Candidate> findCandidates(const std::vector<Stream>& streams, const std::vector<std::string>& jointNames) {
-  std::vector<Candidate> out;
+std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,
+                                            const std::vector<std::string>& jointNames) {
+  std::vector<ColumnCandidate> out;
   for (std::size_t s = 0; s < streams.size(); ++s) StreamGuess(streams, s, out).run(jointNames);
-  std::stable_sort(out.begin(), out.end(), [&](const Candidate& a, const Candidate& b) {
+  std::stable_sort(out.begin(), out.end(), [&](const ColumnCandidate& a, const ColumnCandidate& b) {
     if (a.score != b.score) return a.score > b.score;
     return streams[a.columns[0].stream].samples > streams[b.columns[0].stream].samples;
   });

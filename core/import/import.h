@@ -31,10 +31,10 @@ struct ImportOptions {
 /// What a recording holds and what Heft would take from it: for a dialog of topics and columns.
 struct RecordingContents {
   FileKind kind = FileKind::contractCsv;
-  std::vector<Stream> streams;        ///< Of the recording and of joined files; their fields are names only.
-  std::vector<Candidate> candidates;  ///< Best first; `why` is for the user to read.
-  std::vector<ColumnSource> chosen;   ///< Empty if a part is missing; `missing` says which.
-  std::string missing;                ///< The sentence with which openRecording would fail.
+  std::vector<Stream> streams;              ///< Of the recording and of joined files; their fields are names only.
+  std::vector<ColumnCandidate> candidates;  ///< Best first; `why` is for the user to read.
+  std::vector<ColumnSource> chosen;         ///< Empty if a part is missing; `missing` says which.
+  std::string missing;                      ///< The sentence with which openRecording would fail.
   Findings findings;
 };
 

@@ -85,7 +85,7 @@ class Chooser {
     return streams_.size();
   }
 
-  void use(const Candidate& candidate) {
+  void use(const ColumnCandidate& candidate) {
     for (const auto& column : candidate.columns) {
       const bool there =
           std::any_of(chosen_.begin(), chosen_.end(), [&](const auto& other) { return other.column == column.column; });
@@ -121,7 +121,7 @@ class Chooser {
         if (candidate.part != target ||
             (stream.name != source && stream.file != source && std::filesystem::path(stream.file).filename() != source))
           continue;
-        Candidate wished = candidate;
+        ColumnCandidate wished = candidate;
         for (auto& column : wished.columns) column.why = "said by the user";
         use(wished);
         return std::nullopt;
@@ -221,7 +221,7 @@ class Chooser {
   const std::vector<Stream>& streams_;
   const MappingWishes& wishes_;
   Findings& findings_;
-  std::vector<Candidate> candidates_;
+  std::vector<ColumnCandidate> candidates_;
   std::vector<ColumnSource> chosen_;
 };
 

@@ -19,7 +19,7 @@ struct ColumnSource {
 };
 
 /// A set of columns that belong together, found in one stream.
-struct Candidate {
+struct ColumnCandidate {
   std::string part;  ///< joints, velocities, position, quaternion or wrench
   std::vector<ColumnSource> columns;
   int score = 0;    ///< Higher is better; below zero it is not taken without being asked for.
@@ -45,7 +45,8 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file);
 Result<bool> addWish(MappingWishes& wishes, const std::string& text);
 
 /// Every set of columns that may be a part of a recording, best first. `jointNames`: of the arm, if it is known.
-std::vector<Candidate> findCandidates(const std::vector<Stream>& streams, const std::vector<std::string>& jointNames);
+std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,
+                                            const std::vector<std::string>& jointNames);
 
 /// The columns to read: wishes first, then the best candidates. Fails if a wish names nothing that is there, or if
 /// wrench or motion are missing; says in findings what was chosen and what else might have been.

@@ -1,0 +1,123 @@
+// Foxglove WebSocket protocol: the server advertises channels as JSON; the client subscribes; data come as binary
+// messages (opcode 1, subscription, log time, payload; little-endian).
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/base/text.h"
+#include "core/import/bytes.h"
+#include "core/import/json_numbers.h"
+#include "core/import/message_definition.h"
+#include "core/live/bridge.h"
+#include "core/live/sources.h"
+
+namespace heft {
+
+namespace {
+
+using nlohmann::json;
+
+struct Channel {
+  std::string topic, type;
+  bool json = false;
+  std::optional<MessageDecoder> decoder;
+};
+
+class FoxgloveSource : public BridgeSource {
+ public:
+  FoxgloveSource(std::string host, std::uint16_t port)
+      : BridgeSource("Foxglove bridge", std::move(host), port, "foxglove.sdk.v1, foxglove.websocket.v1") {}
+  ~FoxgloveSource() override { FoxgloveSource::stop(); }
+
+ protected:
+  void connected() override {
+    channels_.clear();
+    ids_.clear();
+  }
+
+  bool message(const WebSocketMessage& message) override {
+    return message.binary ? data(message.bytes) : control(message.bytes);
+  }
+
+ private:
+  bool control(const std::string& text) {
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return false;
+    const auto op = object.value("op", json()).is_string() ? object["op"].get<std::string>() : std::string();
+    if (op != "advertise") return !op.empty();
+    const auto list = object.find("channels");
+    if (list == object.end() || !list->is_array()) return false;
+    json subscriptions = json::array();
+    bool sound = true;
+    for (const auto& each : *list) {
+      const auto wish = advertised(each);
+      if (!wish) sound = false;
+      if (wish && *wish > 0) subscriptions.push_back({{"id", *wish}, {"channelId", each["id"]}});
+    }
+    if (!subscriptions.empty()) send(json{{"op", "subscribe"}, {"subscriptions", subscriptions}}.dump());
+    return sound;
+  }
+
+  /// The number of the subscription to make, 0 for a channel of no interest, nothing if it is malformed.
+  std::optional<std::uint32_t> advertised(const json& channel) {
+    if (!channel.is_object()) return std::nullopt;
+    const auto text = [&](const char* key) {
+      const auto found = channel.find(key);
+      return found != channel.end() && found->is_string() ? found->get<std::string>() : std::string();
+    };
+    const auto id = channel.find("id");
+    if (id == channel.end() || !id->is_number_unsigned() || text("topic").empty()) return std::nullopt;
+    Channel made;
+    made.topic = printable(text("topic"), 200);
+    made.type = plainTypeName(text("schemaName"));
+    if (!isLiveType(made.type)) return 0;
+    const auto encoding = text("encoding");
+    made.json = encoding == "json";
+    if (!made.json) {
+      if (encoding != "cdr" && encoding != "ros1") return 0;
+      const auto definition = text("schema").empty() ? builtInDefinition(made.type) : text("schema");
+      auto decoder =
+          MessageDecoder::make(made.type, definition, encoding == "cdr" ? MessageEncoding::cdr : MessageEncoding::ros1);
+      if (!decoder) return std::nullopt;
+      made.decoder = std::move(*decoder);
+    }
+    // A channel that is advertised again keeps its subscription.
+    const auto [entry, fresh] = ids_.try_emplace(id->get<std::uint64_t>(), static_cast<std::uint32_t>(ids_.size() + 1));
+    channels_[entry->second] = std::move(made);
+    return fresh ? entry->second : 0;
+  }
+
+  bool data(const std::string& bytes) {
+    ByteReader reader(bytes);
+    const auto op = reader.read<std::uint8_t>();
+    if (op != 1) return !bytes.empty();  // other opcodes are none of ours
+    const auto subscription = reader.read<std::uint32_t>();
+    const auto logged = static_cast<std::int64_t>(reader.read<std::uint64_t>());
+    const auto found = channels_.find(subscription);
+    if (!reader.ok() || found == channels_.end()) return false;
+    auto& channel = found->second;
+    const auto payload = std::string_view(bytes).substr(reader.position());
+    if (channel.json) {
+      if (!flattenJson(payload, numbers_)) return false;
+      take(channel.topic, channel.type, numbers_, logged);
+      return true;
+    }
+    if (!channel.decoder->decode(payload)) return false;
+    const auto stamp = channel.decoder->stamp();
+    take(channel.topic, channel.type, channel.decoder->names(), channel.decoder->values(), stamp != 0 ? stamp : logged);
+    return true;
+  }
+
+  std::map<std::uint32_t, Channel> channels_;   ///< By subscription.
+  std::map<std::uint64_t, std::uint32_t> ids_;  ///< Subscription of each channel.
+  NamedNumbers numbers_;
+};
+
+}  // namespace
+
+std::unique_ptr<LiveSource> makeFoxgloveSource(const std::string& host, std::uint16_t port) {
+  return std::make_unique<FoxgloveSource>(host, port);
+}
+
+}  // namespace heft

@@ -1,0 +1,102 @@
+// JSON over UDP: one object a datagram, with the names that a CSV's columns have.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/import/json_numbers.h"
+#include "core/import/time_column.h"
+#include "core/live/clock.h"
+#include "core/live/field_mapper.h"
+#include "core/live/network.h"
+#include "core/live/sources.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kSilence = 1.0;  ///< [s] after which the sender counts as gone
+
+class JsonUdpSource : public ThreadedSource {
+ public:
+  JsonUdpSource(std::string host, std::uint16_t port)
+      : ThreadedSource(fmt::format("JSON over UDP {}:{}", host, port)), host_(std::move(host)), port_(port) {}
+  ~JsonUdpSource() override { JsonUdpSource::stop(); }
+
+ protected:
+  Result<bool> prepare() override {
+    auto socket = UdpSocket::listening(host_, port_);
+    if (!socket) return socket.error();
+    socket_.emplace(std::move(*socket));
+    return true;
+  }
+
+  void run(const std::stop_token& stopping) override {
+    double heard = hostNow();
+    while (!stopping.stop_requested()) {
+      const auto bytes = socket_->receive(0.1);
+      const double now = hostNow();
+      if (bytes) {
+        take(*bytes, now);
+        heard = now;
+      } else if (now - heard > kSilence) {
+        setState(LinkState::lost, fmt::format("Nothing arrives at {}:{}.", host_, port_));
+        heard = now;
+      }
+    }
+    socket_.reset();
+  }
+
+ private:
+  void take(const std::string& bytes, double now) {
+    if (!flattenJson(bytes, numbers_)) {
+      count([](SourceStatus& status) { ++status.malformed; });
+      return;
+    }
+    names_.resize(numbers_.size());
+    values_.resize(numbers_.size());
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      names_[i] = numbers_[i].first;
+      values_[i] = numbers_[i].second;
+    }
+    auto sample = mapper_.map({}, {}, names_, values_);
+    if (!sample) {
+      count([](SourceStatus& status) {
+        ++status.malformed;
+        status.text = "The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.";
+      });
+      return;
+    }
+    sample->time = now;
+    if (const auto time = findTime(names_, {}); time && std::isfinite(values_[time->index])) {
+      const double unit = time->unitKnown ? time->unit : unitOfTimes({values_[time->index]});
+      const double stamp = values_[time->index] * unit;
+      // A sender that begins anew, seconds back, is a new beginning; less is a packet that took another way.
+      if (lastStamp_ && stamp <= *lastStamp_ && stamp > *lastStamp_ - 5.0) {
+        count([](SourceStatus& status) { ++status.reordered; });
+        return;
+      }
+      lastStamp_ = stamp;
+      sample->time = clock_.timeOf(stamp, now);
+    }
+    setState(LinkState::live);
+    if (std::isfinite(sample->time)) emit(*sample);
+  }
+
+  const std::string host_;
+  const std::uint16_t port_;
+  std::optional<UdpSocket> socket_;
+  FieldMapper mapper_;
+  StampClock clock_;
+  std::optional<double> lastStamp_;
+  NamedNumbers numbers_;
+  std::vector<std::string> names_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+std::unique_ptr<LiveSource> makeJsonUdpSource(const std::string& host, std::uint16_t port) {
+  return std::make_unique<JsonUdpSource>(host, port);
+}
+
+}  // namespace heft

@@ -1,0 +1,128 @@
+#include "core/live/merger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace heft {
+
+namespace {
+
+constexpr double kLongest = 2.0;     ///< [s] A part waits so long for its partner.
+constexpr double kWidestGap = 0.25;  ///< [s] Across wider gaps nothing is interpolated, unless the streams are so slow.
+constexpr std::size_t kMostWaiting = 40000;
+
+/// Between two samples, `share` of the way to the later one.
+LiveSample between(const LiveSample& a, const LiveSample& b, double share) {
+  LiveSample out;
+  out.time = (1.0 - share) * a.time + share * b.time;
+  const auto mix = [&](const std::array<double, 7>& x, const std::array<double, 7>& y) {
+    std::array<double, 7> z{};
+    for (std::size_t j = 0; j < z.size(); ++j) z[j] = (1.0 - share) * x[j] + share * y[j];
+    return z;
+  };
+  out.joints = a.joints;
+  if (a.q && b.q) out.q = mix(*a.q, *b.q);
+  if (a.dq && b.dq) out.dq = mix(*a.dq, *b.dq);
+  if (a.orientation && b.orientation) out.orientation = a.orientation->slerp(share, *b.orientation);
+  if (a.position && b.position) out.position = (1.0 - share) * *a.position + share * *b.position;
+  if (a.wrench && b.wrench) out.wrench = (1.0 - share) * *a.wrench + share * *b.wrench;
+  return out;
+}
+
+}  // namespace
+
+bool StreamMerger::take(Lane& lane, const LiveSample& part) {
+  if (lane.seen > 0 && part.time <= lane.last) {
+    ++late_;
+    return false;
+  }
+  if (lane.seen > 0) {
+    const double step = part.time - lane.last;
+    // Long pauses are no steps.
+    if (lane.step <= 0.0 || step < 10.0 * lane.step) {
+      const double gain = std::max(0.02, 1.0 / static_cast<double>(lane.seen));
+      lane.step += gain * (step - lane.step);
+    }
+  }
+  lane.last = part.time;
+  lane.seen = std::min(lane.seen + 1, 1000000);
+  lane.samples.push_back(part);
+  return true;
+}
+
+std::optional<LiveSample> StreamMerger::matched(const LiveSample& base, const Lane& other, double width,
+                                                bool wrenchBase) const {
+  const auto& samples = other.samples;
+  const auto after = std::lower_bound(samples.begin(), samples.end(), base.time,
+                                      [](const LiveSample& sample, double t) { return sample.time < t; });
+  if (after == samples.end()) return std::nullopt;
+  if (after == samples.begin() && after->time != base.time) return std::nullopt;
+  LiveSample found = *after;
+  if (after->time != base.time) {
+    const auto& before = *(after - 1);
+    if (after->time - before.time > std::max(kWidestGap, 5.0 * other.step)) return std::nullopt;
+    found = between(before, *after, (base.time - before.time) / (after->time - before.time));
+  }
+  LiveSample out = wrenchBase ? found : base;
+  out.time = base.time;
+  out.wrench = wrenchBase ? base.wrench : found.wrench;
+  if (width > 0.0 && !wrenchBase) {  // the wrench is faster: its mean over the motion's step
+    Vector6d sum = Vector6d::Zero();
+    int count = 0;
+    for (auto it = after; it != samples.end() && it->time <= base.time + 0.5 * width; ++it, ++count) sum += *it->wrench;
+    for (auto it = after; it != samples.begin() && (it - 1)->time >= base.time - 0.5 * width; --it, ++count)
+      sum += *(it - 1)->wrench;
+    if (count > 1) out.wrench = sum / count;
+  }
+  return out;
+}
+
+void StreamMerger::emitReady(std::vector<LiveSample>& complete) {
+  if (motion_.seen < 3 || wrench_.seen < 3) return;
+  const bool wrenchBase = wrench_.step > 1.2 * motion_.step;
+  Lane& base = wrenchBase ? wrench_ : motion_;
+  Lane& other = wrenchBase ? motion_ : wrench_;
+  const double width = other.step < 0.67 * base.step ? base.step : 0.0;
+  while (!base.samples.empty() && !other.samples.empty()) {
+    const LiveSample& next = base.samples.front();
+    if (other.last < next.time + 0.5 * width) return;  // its partner may still come
+    const auto found = matched(next, other, width, wrenchBase);
+    if (found && found->time > emitted_) {
+      complete.push_back(*found);
+      emitted_ = found->time;
+    } else {
+      ++unmatched_;
+    }
+    base.samples.pop_front();
+    // Partners before the next base sample's reach are done with.
+    const double done = base.last - kLongest;
+    const double needed = base.samples.empty() ? emitted_ - width : base.samples.front().time - width;
+    while (other.samples.size() > 2 && other.samples[1].time < std::max(needed, done)) other.samples.pop_front();
+  }
+}
+
+void StreamMerger::add(const LiveSample& part, std::vector<LiveSample>& complete) {
+  if (!std::isfinite(part.time)) return;
+  if (part.hasMotion() && part.wrench) {
+    if (part.time <= emitted_) {
+      ++late_;
+      return;
+    }
+    emitted_ = part.time;
+    complete.push_back(part);
+    return;
+  }
+  if (part.hasMotion()) take(motion_, part);
+  if (part.wrench) take(wrench_, part);
+  emitReady(complete);
+  // A source that stays away must not fill the memory.
+  for (Lane* lane : {&motion_, &wrench_}) {
+    while (!lane->samples.empty() &&
+           (lane->samples.front().time < lane->last - kLongest || lane->samples.size() > kMostWaiting)) {
+      lane->samples.pop_front();
+      ++unmatched_;
+    }
+  }
+}
+
+}  // namespace heft

@@ -1,0 +1,40 @@
+#pragma once
+// Motion of one source and wrench of another become complete samples, on the times of the slower one.
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/live/source.h"
+
+namespace heft {
+
+/// As joinStreams() does for recordings: the slower of motion and wrench gives the times, the faster one is averaged
+/// over its steps. Which is slower is seen from the samples themselves. Samples that have both pass through.
+/// Not safe to use from several threads at once.
+class StreamMerger {
+ public:
+  /// Takes a part in and appends the samples that have become complete, their times rising.
+  void add(const LiveSample& part, std::vector<LiveSample>& complete);
+
+  std::uint64_t late() const { return late_; }            ///< Came after their time had passed, or twice.
+  std::uint64_t unmatched() const { return unmatched_; }  ///< Found no partner within two seconds, or across a gap.
+
+ private:
+  struct Lane {
+    std::deque<LiveSample> samples;
+    double step = 0.0;  ///< [s] Running mean.
+    int seen = 0;
+    double last = 0.0;
+  };
+  bool take(Lane& lane, const LiveSample& part);
+  void emitReady(std::vector<LiveSample>& complete);
+  std::optional<LiveSample> matched(const LiveSample& base, const Lane& other, double width, bool wrenchBase) const;
+
+  Lane motion_, wrench_;
+  double emitted_ = -1e300;
+  std::uint64_t late_ = 0;
+  std::uint64_t unmatched_ = 0;
+};
+
+}  // namespace heft

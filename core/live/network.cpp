@@ -1,0 +1,149 @@
+#include "core/live/network.h"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/live/source.h"
+
+namespace heft {
+
+namespace {
+
+constexpr std::size_t kLargestBody = 1u << 20;
+
+using Addresses = std::unique_ptr<addrinfo, void (*)(addrinfo*)>;
+
+Addresses resolve(const std::string& host, std::uint16_t port, int type) {
+  addrinfo hints{};
+  hints.ai_family = AF_INET;
+  hints.ai_socktype = type;
+  addrinfo* found = nullptr;
+  if (::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) found = nullptr;
+  return {found, &::freeaddrinfo};
+}
+
+Error unreachable(const std::string& host, std::uint16_t port, const char* what) {
+  return Error{fmt::format("{}:{} {}. Check the name, the cable and the firewall.", printable(host), port, what)};
+}
+
+/// True if the socket becomes ready in time.
+bool waitFor(int number, short events, double seconds) {
+  pollfd descriptor{number, events, 0};
+  const int milliseconds = static_cast<int>(std::ceil(1000.0 * std::max(seconds, 0.0)));
+  return ::poll(&descriptor, 1, milliseconds) > 0 && (descriptor.revents & (events | POLLERR | POLLHUP)) != 0;
+}
+
+}  // namespace
+
+Result<UdpSocket> UdpSocket::listening(const std::string& host, std::uint16_t port) {
+  const auto addresses = resolve(host, port, SOCK_DGRAM);
+  if (!addresses) return unreachable(host, port, "is no address of this machine");
+  UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  const int room = 1 << 20;
+  ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));
+  if (out.number_ < 0 || ::bind(out.number_, addresses->ai_addr, addresses->ai_addrlen) != 0)
+    return Error{
+        fmt::format("Port {} of {} cannot be opened; does another program listen there?", port, printable(host))};
+  return out;
+}
+
+Result<UdpSocket> UdpSocket::connected(const std::string& host, std::uint16_t port) {
+  const auto addresses = resolve(host, port, SOCK_DGRAM);
+  if (!addresses) return unreachable(host, port, "cannot be found");
+  UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  const int room = 1 << 20;
+  ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));
+  if (out.number_ < 0 || ::connect(out.number_, addresses->ai_addr, addresses->ai_addrlen) != 0)
+    return unreachable(host, port, "cannot be reached");
+  return out;
+}
+
+UdpSocket::UdpSocket(UdpSocket&& other) noexcept
+    : number_(std::exchange(other.number_, -1)), sender_(std::move(other.sender_)) {}
+UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
+  std::swap(number_, other.number_);
+  std::swap(sender_, other.sender_);
+  return *this;
+}
+UdpSocket::~UdpSocket() {
+  if (number_ >= 0) ::close(number_);
+}
+
+std::optional<std::string> UdpSocket::receive(double seconds) {
+  if (!waitFor(number_, POLLIN, seconds)) return std::nullopt;
+  std::string bytes(65536, '\0');
+  sockaddr_storage from{};
+  socklen_t length = sizeof(from);
+  const auto got =
+      ::recvfrom(number_, bytes.data(), bytes.size(), MSG_DONTWAIT, reinterpret_cast<sockaddr*>(&from), &length);
+  if (got < 0) return std::nullopt;  // an ICMP message that nobody listens is no datagram either
+  sender_.assign(reinterpret_cast<const char*>(&from), length);
+  bytes.resize(static_cast<std::size_t>(got));
+  return bytes;
+}
+
+bool UdpSocket::send(std::string_view bytes) {
+  return ::send(number_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
+}
+
+bool UdpSocket::reply(std::string_view bytes) {
+  if (sender_.empty()) return false;
+  return ::sendto(number_, bytes.data(), bytes.size(), MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(sender_.data()),
+                  static_cast<socklen_t>(sender_.size())) == static_cast<ssize_t>(bytes.size());
+}
+
+std::uint16_t UdpSocket::port() const {
+  sockaddr_in address{};
+  socklen_t length = sizeof(address);
+  if (::getsockname(number_, reinterpret_cast<sockaddr*>(&address), &length) != 0) return 0;
+  return ntohs(address.sin_port);
+}
+
+Result<std::string> httpGet(const std::string& host, std::uint16_t port, const std::string& path) {
+  const double deadline = hostNow() + 2.0;
+  const auto addresses = resolve(host, port, SOCK_STREAM);
+  if (!addresses) return unreachable(host, port, "cannot be found");
+  struct Closer {
+    int number;
+    ~Closer() {
+      if (number >= 0) ::close(number);
+    }
+  } const socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
+  if (socket.number < 0) return unreachable(host, port, "cannot be reached");
+  if (::connect(socket.number, addresses->ai_addr, addresses->ai_addrlen) != 0) {
+    int failure = errno;
+    socklen_t length = sizeof(failure);
+    if (failure == EINPROGRESS && waitFor(socket.number, POLLOUT, deadline - hostNow()))
+      ::getsockopt(socket.number, SOL_SOCKET, SO_ERROR, &failure, &length);
+    if (failure != 0) return unreachable(host, port, "does not answer over HTTP");
+  }
+  const std::string request = fmt::format("GET {} HTTP/1.0\r\nHost: {}\r\nConnection: close\r\n\r\n", path, host);
+  if (::send(socket.number, request.data(), request.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(request.size()))
+    return unreachable(host, port, "does not answer over HTTP");
+  std::string answer;
+  std::string block(4096, '\0');
+  while (answer.size() < kLargestBody && waitFor(socket.number, POLLIN, deadline - hostNow())) {
+    const auto got = ::recv(socket.number, block.data(), block.size(), 0);
+    if (got <= 0) break;
+    answer.append(block, 0, static_cast<std::size_t>(got));
+  }
+  const auto body = answer.find("\r\n\r\n");
+  const auto status = answer.substr(0, answer.find("\r\n"));
+  if (body == std::string::npos || status.find(" 200") == std::string::npos)
+    return Error{fmt::format("http://{}:{}{} does not answer as expected (\"{}\").", printable(host), port, path,
+                             printable(status))};
+  return answer.substr(body + 4);
+}
+
+}  // namespace heft

@@ -1,0 +1,40 @@
+#pragma once
+// Sockets that can be left at any time.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace heft {
+
+/// UDP over IPv4. Movable.
+class UdpSocket {
+ public:
+  /// Receives what is sent to `host`:`port` of this machine; port 0 takes any free one.
+  static Result<UdpSocket> listening(const std::string& host, std::uint16_t port);
+  /// Exchanges datagrams with one other address; those of others are not received.
+  static Result<UdpSocket> connected(const std::string& host, std::uint16_t port);
+
+  UdpSocket(UdpSocket&& other) noexcept;
+  UdpSocket& operator=(UdpSocket&& other) noexcept;
+  ~UdpSocket();
+
+  /// One datagram, or nothing after `seconds`. Longer ones than 64 KB cannot be.
+  std::optional<std::string> receive(double seconds);
+  bool send(std::string_view bytes);
+  /// To whoever sent the datagram received last.
+  bool reply(std::string_view bytes);
+  std::uint16_t port() const;
+
+ private:
+  explicit UdpSocket(int number) : number_(number) {}
+  int number_ = -1;
+  std::string sender_;  ///< Its socket address.
+};
+
+/// The body of http://host:port/path, at most 1 MB, within two seconds.
+Result<std::string> httpGet(const std::string& host, std::uint16_t port, const std::string& path);
+
+}  // namespace heft

@@ -1,0 +1,78 @@
+// A recording at the pace at which it was recorded, or faster.
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+#include "core/import/import.h"
+#include "core/live/sources.h"
+
+namespace heft {
+
+namespace {
+
+class ReplaySource : public ThreadedSource {
+ public:
+  ReplaySource(std::filesystem::path file, double speed)
+      : ThreadedSource(fmt::format("replay of {}", displayName(file.filename()))),
+        file_(std::move(file)),
+        speed_(speed) {}
+  ~ReplaySource() override { ReplaySource::stop(); }
+
+ protected:
+  Result<bool> prepare() override {
+    auto read = openRecording(file_);
+    if (!read) return read.error();
+    recording_ = std::move(read->recording);
+    if (recording_.hasJoints() && recording_.q.cols() > 7)
+      return Error{
+          fmt::format("{} has {} joints; live samples have seven at most.", displayName(file_), recording_.q.cols())};
+    return true;
+  }
+
+  void run(const std::stop_token& stopping) override {
+    setState(LinkState::live);
+    const double start = hostNow();
+    for (Eigen::Index k = 0; k < recording_.rows() && !stopping.stop_requested(); ++k) {
+      LiveSample sample = sampleAt(k);
+      // Faster means sooner, not another motion: the times between samples stay those of the recording.
+      const double elapsed = recording_.time(k) - recording_.time(0);
+      sample.time = start + elapsed;
+      const double due = start + elapsed / speed_;
+      for (double left = due - hostNow(); left > 0.0 && !stopping.stop_requested(); left = due - hostNow())
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, 0.05)));
+      if (stopping.stop_requested()) return;
+      emit(sample);
+    }
+    setState(LinkState::finished);
+  }
+
+ private:
+  LiveSample sampleAt(Eigen::Index k) const {
+    LiveSample sample;
+    const auto row = [&](const auto& values) {
+      std::array<double, 7> out{};
+      for (Eigen::Index j = 0; j < values.cols(); ++j) out[static_cast<std::size_t>(j)] = values(k, j);
+      return out;
+    };
+    if (recording_.hasJoints()) sample.q = row(recording_.q);
+    sample.joints = static_cast<int>(recording_.q.cols());
+    if (recording_.dq.rows() > 0) sample.dq = row(recording_.dq);
+    if (recording_.hasOrientation())
+      sample.orientation = Quaterniond(recording_.quaternion(k, 3), recording_.quaternion(k, 0),
+                                       recording_.quaternion(k, 1), recording_.quaternion(k, 2));
+    if (recording_.hasPosition()) sample.position = recording_.position.row(k).transpose();
+    sample.wrench = recording_.wrench.row(k).transpose();
+    return sample;
+  }
+
+  const std::filesystem::path file_;
+  const double speed_;
+  Recording recording_;
+};
+
+}  // namespace
+
+std::unique_ptr<LiveSource> makeReplaySource(const std::filesystem::path& file, double speed) {
+  return std::make_unique<ReplaySource>(file, speed);
+}
+
+}  // namespace heft

@@ -1,0 +1,85 @@
+#include "core/live/session.h"
+
+#include <algorithm>
+
+namespace heft {
+
+void SampleRing::push(const LiveSample& sample) {
+  if (samples_.size() == capacity_) samples_.pop_front();
+  samples_.push_back(sample);
+  ++total_;
+}
+
+std::uint64_t SampleRing::since(std::uint64_t seen, std::vector<LiveSample>& out) const {
+  const auto fresh = std::min<std::uint64_t>(total_ - std::min(seen, total_), samples_.size());
+  out.insert(out.end(), samples_.end() - static_cast<std::ptrdiff_t>(fresh), samples_.end());
+  return total_;
+}
+
+LiveSession::LiveSession(std::size_t ringCapacity) : ring_(ringCapacity) {}
+
+LiveSession::~LiveSession() { stop(); }
+
+void LiveSession::addSource(std::unique_ptr<LiveSource> source) { sources_.push_back(std::move(source)); }
+
+Result<bool> LiveSession::start() {
+  for (const auto& source : sources_) {
+    auto started = source->start([this](const LiveSample& part) { take(part); });
+    if (started) continue;
+    stop();
+    return started;
+  }
+  return true;
+}
+
+void LiveSession::stop() {
+  for (const auto& source : sources_) source->stop();
+  const std::lock_guard lock(mutex_);
+  if (recorder_) recorder_->flush();
+}
+
+void LiveSession::take(const LiveSample& part) {
+  const std::lock_guard lock(mutex_);
+  complete_.clear();
+  merger_.add(part, complete_);
+  for (const auto& sample : complete_) {
+    ring_.push(sample);
+    newest_ = sample.time;
+    if (recorder_) recorder_->add(sample);
+  }
+}
+
+Result<bool> LiveSession::record(const std::filesystem::path& csv, const RecordingMeta& meta) {
+  auto made = Recorder::create(csv, meta);
+  if (!made) return made.error();
+  const std::lock_guard lock(mutex_);
+  recorder_.emplace(std::move(*made));
+  return true;
+}
+
+std::uint64_t LiveSession::endRecording() {
+  const std::lock_guard lock(mutex_);
+  const auto rows = recorder_ ? recorder_->rows() : 0;
+  recorder_.reset();
+  return rows;
+}
+
+SessionStatus LiveSession::status() const {
+  SessionStatus out;
+  for (const auto& source : sources_) out.sources.push_back(source->status());
+  const std::lock_guard lock(mutex_);
+  out.samples = ring_.total();
+  out.late = merger_.late();
+  out.unmatched = merger_.unmatched();
+  out.recorded = recorder_ ? recorder_->rows() : 0;
+  if (recorder_) out.recordingProblem = recorder_->problem();
+  out.newest = newest_;
+  return out;
+}
+
+std::uint64_t LiveSession::since(std::uint64_t seen, std::vector<LiveSample>& out) const {
+  const std::lock_guard lock(mutex_);
+  return ring_.since(seen, out);
+}
+
+}  // namespace heft

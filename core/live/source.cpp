@@ -1,0 +1,193 @@
+#include "core/live/source.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <map>
+
+#include "core/base/text.h"
+#include "core/live/sources.h"
+
+namespace heft {
+
+std::string_view toString(LinkState state) {
+  switch (state) {
+    case LinkState::idle:
+      return "idle";
+    case LinkState::connecting:
+      return "connecting";
+    case LinkState::live:
+      return "live";
+    case LinkState::lost:
+      return "lost";
+    case LinkState::failed:
+      return "failed";
+    case LinkState::finished:
+      return "finished";
+  }
+  return "";
+}
+
+double hostNow() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// Derived classes stop in their own destructors, while run() still exists; this only joins what is left.
+ThreadedSource::~ThreadedSource() { ThreadedSource::stop(); }
+
+Result<bool> ThreadedSource::start(SampleSink sink) {
+  stop();
+  sink_ = std::move(sink);
+  if (auto ready = prepare(); !ready) {
+    setState(LinkState::failed, ready.error().message);
+    return ready;
+  }
+  setState(LinkState::connecting);
+  thread_ = std::jthread([this](const std::stop_token& stopping) { run(stopping); });
+  return true;
+}
+
+void ThreadedSource::stop() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+  thread_ = std::jthread();
+  count([](SourceStatus& status) {
+    if (status.state != LinkState::finished && status.state != LinkState::failed) status.state = LinkState::idle;
+  });
+}
+
+SourceStatus ThreadedSource::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+void ThreadedSource::emit(const LiveSample& sample) {
+  count([](SourceStatus& status) { ++status.samples; });
+  sink_(sample);
+}
+
+void ThreadedSource::setState(LinkState state, std::string text) {
+  const std::lock_guard lock(mutex_);
+  if (status_.state == LinkState::live && state == LinkState::lost) ++status_.disconnects;
+  status_.state = state;
+  status_.text = std::move(text);
+}
+
+namespace {
+
+struct Address {
+  std::string kind;  ///< Before the first colon.
+  std::string rest;  ///< Host and port, or a file.
+  std::map<std::string, std::string> parameters;
+};
+
+std::optional<std::uint16_t> portOf(std::string_view text) {
+  unsigned port = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), port);
+  if (code != std::errc() || end != text.data() + text.size() || port == 0 || port > 65535) return std::nullopt;
+  return static_cast<std::uint16_t>(port);
+}
+
+std::optional<double> positive(const std::string& text) {
+  double value = 0.0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc() || end != text.data() + text.size() || !(value > 0.0) || value > 1e12) return std::nullopt;
+  return value;
+}
+
+Error badAddress(const std::string& address) {
+  return Error{
+      fmt::format("\"{}\" is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], "
+                  "udp:[HOST:]PORT and replay:FILE.",
+                  printable(address, 100))};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address) {
+  Address parts;
+  const auto colon = address.find(':');
+  if (colon == std::string::npos || colon + 1 == address.size()) return badAddress(address);
+  parts.kind = address.substr(0, colon);
+  parts.rest = address.substr(colon + 1);
+  if (parts.rest.starts_with("//")) parts.rest.erase(0, 2);
+  if (const auto mark = parts.rest.rfind('?'); mark != std::string::npos) {
+    std::string_view query = std::string_view(parts.rest).substr(mark + 1);
+    while (!query.empty()) {
+      const auto pair = query.substr(0, query.find('&'));
+      query.remove_prefix(std::min(query.size(), pair.size() + 1));
+      const auto sign = pair.find('=');
+      if (sign == std::string_view::npos) return badAddress(address);
+      parts.parameters[std::string(pair.substr(0, sign))] = pair.substr(sign + 1);
+    }
+    parts.rest.resize(mark);
+  }
+  const auto take = [&](const std::string& name) {
+    const auto node = parts.parameters.extract(name);
+    return node.empty() ? std::string() : node.mapped();
+  };
+  const auto unknownParameter = [&]() -> std::optional<Error> {
+    if (parts.parameters.empty()) return std::nullopt;
+    return Error{fmt::format("\"{}\" in \"{}\" is not known.", printable(parts.parameters.begin()->first),
+                             printable(address, 100))};
+  };
+
+  if (parts.kind == "replay") {
+    double speed = 1.0;
+    if (const auto text = take("speed"); !text.empty()) {
+      const auto value = positive(text);
+      if (!value) return badAddress(address);
+      speed = *value;
+    }
+    if (auto failure = unknownParameter()) return *failure;
+    return makeReplaySource(parts.rest, speed);
+  }
+
+  std::string host = parts.rest;
+  std::optional<std::uint16_t> port;
+  if (const auto last = host.rfind(':'); last != std::string::npos) {
+    port = portOf(std::string_view(host).substr(last + 1));
+    if (!port) return badAddress(address);
+    host.resize(last);
+  } else if (parts.kind == "udp") {
+    port = portOf(host);
+    if (!port) return badAddress(address);
+    host.clear();
+  }
+  if (host.empty() && parts.kind != "udp") return badAddress(address);
+  if (parts.kind == "udp") {
+    if (auto failure = unknownParameter()) return *failure;
+    return makeJsonUdpSource(host.empty() ? "127.0.0.1" : host, *port);
+  }
+  if (parts.kind == "rdt") {
+    RdtSettings settings;
+    settings.host = host;
+    settings.port = port.value_or(49152);
+    for (const auto& [name, target] :
+         {std::pair{"cpf", &settings.countsPerNewton}, std::pair{"cpt", &settings.countsPerNewtonMetre}}) {
+      const auto text = take(name);
+      if (text.empty()) continue;
+      const auto value = positive(text);
+      if (!value) return badAddress(address);
+      *target = *value;
+    }
+    if (auto failure = unknownParameter()) return *failure;
+    if ((settings.countsPerNewton > 0.0) != (settings.countsPerNewtonMetre > 0.0))
+      return Error{"cpf and cpt, the counts per newton and per newton metre, belong together."};
+    return makeRdtSource(settings);
+  }
+  if (parts.kind == "foxglove") {
+    if (auto failure = unknownParameter()) return *failure;
+    return makeFoxgloveSource(host, port.value_or(8765));
+  }
+  if (parts.kind == "rosbridge") {
+    RosbridgeTopics topics;
+    topics.wrench = take("wrench");
+    topics.joints = take("joints");
+    if (auto failure = unknownParameter()) return *failure;
+    return makeRosbridgeSource(host, port.value_or(9090), topics);
+  }
+  return badAddress(address);
+}
+
+}  // namespace heft

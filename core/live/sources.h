@@ -1,0 +1,38 @@
+#pragma once
+// The sources that Heft has; makeLiveSource() finds the right one for an address.
+#include <filesystem>
+
+#include "core/live/source.h"
+
+namespace heft {
+
+struct RdtSettings {
+  std::string host;
+  std::uint16_t port = 49152;
+  double countsPerNewton = 0.0;       ///< 0: asked of the sensor (netftapi2.xml)
+  double countsPerNewtonMetre = 0.0;  ///< 0: asked of the sensor
+  std::uint16_t httpPort = 80;
+};
+
+/// ATI and Schunk Net F/T: asks for real-time streaming and for its end, and nothing else. The sensor serves one client
+/// only: what follows a silence of one second is asked for again.
+std::unique_ptr<LiveSource> makeRdtSource(const RdtSettings& settings);
+
+/// JSON objects with a CSV's column names, one a datagram; nested objects are paths ("a.b[0]").
+std::unique_ptr<LiveSource> makeJsonUdpSource(const std::string& host, std::uint16_t port);
+
+/// Foxglove WebSocket protocol: subscribes to joint states, wrenches, poses and robot states.
+std::unique_ptr<LiveSource> makeFoxgloveSource(const std::string& host, std::uint16_t port);
+
+struct RosbridgeTopics {
+  std::string wrench;  ///< geometry_msgs/WrenchStamped; empty: what rosapi lists
+  std::string joints;  ///< sensor_msgs/JointState
+};
+std::unique_ptr<LiveSource> makeRosbridgeSource(const std::string& host, std::uint16_t port,
+                                                const RosbridgeTopics& topics);
+
+/// A recording of any kind that openRecording reads, `speed` times as fast as it was recorded; the
+/// samples' times stay those of the motion.
+std::unique_ptr<LiveSource> makeReplaySource(const std::filesystem::path& file, double speed);
+
+}  // namespace heft

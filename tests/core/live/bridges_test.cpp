@@ -1,0 +1,153 @@
+// Foxglove WebSocket and rosbridge.
+#include <fmt/format.h>
+
+#include <cstring>
+#include <random>
+
+#include "core/live/sources.h"
+#include "tests/core/live/collected.h"
+
+namespace heft {
+namespace {
+
+using namespace testing_support;
+
+template <class T>
+std::string little(T value) {
+  std::string out(sizeof(T), '\0');
+  std::memcpy(out.data(), &value, sizeof(T));
+  return out;
+}
+
+/// CDR of a WrenchStamped whose six numbers are first, first + 1, ...
+std::string cdrWrench(std::int32_t seconds, std::uint32_t nanoseconds, double first) {
+  std::string body = little(seconds) + little(nanoseconds) + little<std::uint32_t>(3) + std::string("ft\0", 3);
+  body.resize(16);
+  for (int a = 0; a < 6; ++a) body += little(first + a);
+  return std::string("\0\1\0\0", 4) + body;
+}
+
+std::string dataMessage(std::uint32_t subscription, const std::string& payload) {
+  return std::string(1, '\1') + little(subscription) + little<std::uint64_t>(12345) + payload;
+}
+
+const char* const kAdvertise =
+    R"({"op":"advertise","channels":[)"
+    R"({"id":10,"topic":"/ft","encoding":"cdr","schemaName":"geometry_msgs/msg/WrenchStamped","schema":"","schemaEncoding":"ros2msg"},)"
+    R"({"id":11,"topic":"/js","encoding":"json","schemaName":"sensor_msgs/msg/JointState","schema":"{}","schemaEncoding":"jsonschema"},)"
+    R"({"id":12,"topic":"/camera","encoding":"cdr","schemaName":"sensor_msgs/msg/Image","schema":"","schemaEncoding":"ros2msg"}]})";
+
+TEST(Foxglove, SubscribesReadsAndComesBack) {
+  FakeBridge bridge("foxglove.sdk.v1",
+                    [](FakeBridge& self) {
+                      self.sendText(R"({"op":"serverInfo","name":"x","capabilities":[]})");
+                      self.sendText(kAdvertise);
+                    },
+                    {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  EXPECT_THAT(bridge.offered(), ::testing::HasSubstr("foxglove.websocket.v1"));
+  EXPECT_EQ(bridge.texts()[0],
+            R"({"op":"subscribe","subscriptions":[{"channelId":10,"id":1},{"channelId":11,"id":2}]})");
+  for (int k = 0; k < 20; ++k) {
+    bridge.sendBinary(dataMessage(1, cdrWrench(5, 1000000 * (k + 1), k)));
+    bridge.sendBinary(dataMessage(
+        2, fmt::format(R"({{"header":{{"stamp":{{"sec":5,"nanosec":{}}}}},"name":["j1","j2","j3","j4","j5","j6","j7"],)"
+                       R"("position":[1,2,3,4,5,6,{}],"velocity":[],"effort":[]}})",
+                       1000000 * (k + 1) + 500000, k)));
+  }
+  bridge.sendBinary(dataMessage(1, cdrWrench(5, 3000000, 0.0)));          // late
+  bridge.sendBinary(dataMessage(1, cdrWrench(6, 0, 0.0).substr(0, 30)));  // cut off
+  bridge.sendBinary(dataMessage(9, cdrWrench(6, 0, 0.0)));                // never subscribed to
+  bridge.sendText("{broken");
+  ASSERT_TRUE(eventually([&] { return source->status().malformed == 3; }));
+  ASSERT_TRUE(collected.reach(30));  // ten teach the clock
+  EXPECT_EQ(source->status().reordered, 1u);
+  EXPECT_THAT(source->status().topics, ::testing::ElementsAre("/ft", "/js"));
+  int wrenches = 0;
+  for (const auto& sample : collected.samples()) {
+    if (sample.wrench) {
+      ++wrenches;
+      EXPECT_EQ((*sample.wrench)(5) - (*sample.wrench)(0), 5.0);
+    } else {
+      ASSERT_TRUE(sample.q);
+      EXPECT_EQ((*sample.q)[0], 1.0);
+    }
+  }
+  EXPECT_EQ(wrenches, 15);
+
+  bridge.drop();
+  ASSERT_TRUE(eventually([&] { return bridge.connections() == 2 && bridge.texts().size() == 2; }));
+  EXPECT_EQ(source->status().disconnects, 1u);
+  const auto before = collected.samples().size();
+  for (int k = 0; k < 15; ++k) bridge.sendBinary(dataMessage(1, cdrWrench(7, 1000000 * (k + 1), k)));
+  EXPECT_TRUE(collected.reach(before + 5));
+  source->stop();
+}
+
+TEST(Foxglove, SurvivesDamagedMessages) {
+  FakeBridge bridge("foxglove.websocket.v1", [](FakeBridge& self) { self.sendText(kAdvertise); }, {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  std::mt19937 random(8);
+  for (int round = 0; round < 300; ++round) {
+    const bool text = random() % 3 == 0;
+    std::string bytes =
+        text ? kAdvertise : dataMessage(1 + random() % 2, cdrWrench(1, static_cast<std::uint32_t>(round), 1.0));
+    for (unsigned i = 0; i < 1 + random() % 4; ++i) bytes[random() % bytes.size()] = static_cast<char>(random() % 127);
+    if (random() % 4 == 0) bytes.resize(random() % bytes.size());
+    if (text)
+      bridge.sendText(bytes);
+    else
+      bridge.sendBinary(bytes);
+  }
+  const auto before = collected.samples().size();
+  for (int k = 0; k < 40; ++k) bridge.sendBinary(dataMessage(1, cdrWrench(2000000, 1000000 * (k + 1), k)));
+  EXPECT_TRUE(collected.reach(before + 10));
+}
+
+TEST(Rosbridge, AsksForTopicsAndReadsThem) {
+  FakeBridge bridge("", {}, [](FakeBridge& self, const std::string& text) {
+    if (text.find("/rosapi/topics") == std::string::npos) return;
+    self.sendText(
+        R"({"op":"service_response","service":"/rosapi/topics","result":true,"values":{"topics":["/rosout","/ft","/joint_states"],)"
+        R"("types":["rosgraph_msgs/Log","geometry_msgs/WrenchStamped","sensor_msgs/JointState"]}})");
+  });
+  Collected collected;
+  const auto source = makeRosbridgeSource("127.0.0.1", bridge.port(), {});
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return bridge.texts().size() == 3; }));
+  EXPECT_THAT(bridge.texts()[1], ::testing::HasSubstr(R"("topic":"/ft")"));
+  for (int k = 0; k < 20; ++k)
+    bridge.sendText(fmt::format(
+        R"({{"op":"publish","topic":"/ft","msg":{{"header":{{"stamp":{{"secs":9,"nsecs":{}}},"frame_id":"x"}},"wrench":)"
+        R"({{"force":{{"x":1,"y":2,"z":{}}},"torque":{{"x":4,"y":5,"z":6}}}}}}}})",
+        1000 * (k + 1), k));
+  bridge.sendText(R"({"op":"publish","topic":"/other","msg":{}})");
+  bridge.sendText(R"(["no object"])");
+  ASSERT_TRUE(collected.reach(10));
+  ASSERT_TRUE(eventually([&] { return source->status().malformed == 2; }));
+  EXPECT_EQ((*collected.samples()[9].wrench)(2), 19.0);
+}
+
+TEST(Rosbridge, WhereNothingListensSaysSoAndKeepsTrying) {
+  std::uint16_t port = 0;
+  {
+    const FakeBridge gone("", {}, {});
+    port = gone.port();
+  }
+  Collected collected;
+  const auto source = makeRosbridgeSource("127.0.0.1", port, {});
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !source->status().text.empty(); }));
+  EXPECT_EQ(source->status().state, LinkState::connecting);
+  source->stop();
+  source->stop();
+}
+
+}  // namespace
+}  // namespace heft

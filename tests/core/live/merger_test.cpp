@@ -1,0 +1,107 @@
+#include "core/live/merger.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/live/session.h"
+
+namespace heft {
+namespace {
+
+LiveSample motionAt(double t) {
+  LiveSample out;
+  out.time = t;
+  out.q = std::array<double, 7>{t, 2.0 * t, 0, 0, 0, 0, -t};
+  return out;
+}
+LiveSample wrenchAt(double t) {
+  LiveSample out;
+  out.time = t;
+  out.wrench = (Vector6d() << t, -t, 3.0 * t, 0.0, 1.0, t).finished();
+  return out;
+}
+
+/// Parts of both streams in the order of time.
+std::vector<LiveSample> merged(double motionStep, double wrenchStep, double until, StreamMerger& merger) {
+  std::vector<LiveSample> out;
+  double m = 0.0005;
+  double w = 0.0;
+  while (m < until || w < until) {
+    if (m < w) {
+      merger.add(motionAt(m), out);
+      m += motionStep;
+    } else {
+      merger.add(wrenchAt(w), out);
+      w += wrenchStep;
+    }
+  }
+  return out;
+}
+
+TEST(Merger, TheSlowerStreamGivesTheTimes) {
+  for (const auto& [motionStep, wrenchStep] :
+       {std::pair{0.01, 0.001}, std::pair{0.001, 0.01}, std::pair{0.001, 0.001}}) {
+    StreamMerger merger;
+    const auto out = merged(motionStep, wrenchStep, 3.0, merger);
+    const double base = std::max(motionStep, wrenchStep);
+    EXPECT_NEAR(static_cast<double>(out.size()), 3.0 / base, 0.05 / base);
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      ASSERT_TRUE(out[k].q && out[k].wrench);
+      ASSERT_NEAR((*out[k].q)[1], 2.0 * out[k].time, 1e-9);
+      if (k > 20) ASSERT_NEAR((*out[k].wrench)(0), out[k].time, 0.0006);
+      if (k > 0) ASSERT_GT(out[k].time, out[k - 1].time);
+    }
+    EXPECT_LT(merger.unmatched(), 5u);
+  }
+}
+
+TEST(Merger, NothingIsInventedAcrossAGap) {
+  StreamMerger merger;
+  std::vector<LiveSample> out;
+  for (int k = 0; k < 4000; ++k) {
+    const double t = 0.001 * k;
+    if (k < 1000 || k > 3000) merger.add(wrenchAt(t), out);
+    if (k % 10 == 5) merger.add(motionAt(t), out);
+  }
+  for (const auto& sample : out) EXPECT_TRUE(sample.time < 1.01 || sample.time > 2.99) << sample.time;
+  EXPECT_GT(merger.unmatched(), 150u);
+}
+
+TEST(Merger, LateAndRepeatedPartsAreCounted) {
+  StreamMerger merger;
+  std::vector<LiveSample> out;
+  merged(0.01, 0.001, 0.5, merger);
+  merger.add(wrenchAt(0.3), out);
+  merger.add(motionAt(0.2), out);
+  EXPECT_EQ(merger.late(), 2u);
+  LiveSample broken = motionAt(std::nan(""));
+  merger.add(broken, out);
+  EXPECT_TRUE(out.empty());
+}
+
+TEST(Merger, AnAbsentPartnerDoesNotFillTheMemory) {
+  StreamMerger merger;
+  std::vector<LiveSample> out;
+  for (int k = 0; k < 20000; ++k) merger.add(wrenchAt(0.001 * k), out);
+  EXPECT_TRUE(out.empty());
+  EXPECT_GT(merger.unmatched(), 17000u);
+}
+
+TEST(Ring, ForgetsTheOldest) {
+  SampleRing ring(100);
+  for (int k = 0; k < 250; ++k) ring.push(motionAt(k));
+  std::vector<LiveSample> out;
+  EXPECT_EQ(ring.since(0, out), 250u);
+  ASSERT_EQ(out.size(), 100u);
+  EXPECT_EQ(out.front().time, 150.0);
+  out.clear();
+  EXPECT_EQ(ring.since(248, out), 250u);
+  EXPECT_EQ(out.size(), 2u);
+  out.clear();
+  EXPECT_EQ(ring.since(300, out), 250u);
+  EXPECT_TRUE(out.empty());
+}
+
+}  // namespace
+}  // namespace heft
