@@ -48,6 +48,7 @@ Command makeSimulateCommand(CLI::App& root);
 Command makeExportCommand(CLI::App& root);
 Command makeConvertCommand(CLI::App& root);
 Command makeReproduceCommand(CLI::App& root);
+Command makeLiveCommand(CLI::App& root);
 Command makeSegmentCommand(CLI::App& root);
 Command makeCompensateCommand(CLI::App& root);
 

@@ -1,0 +1,350 @@
+// heft live: samples as they arrive, the estimate while the hand moves, and a recording that grows on disk.
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/cli/cli.h"
+#include "app/cli/running_estimate.h"
+#include "core/base/text.h"
+#include "core/estimation/estimate.h"
+#include "core/import/import.h"
+#include "core/live/session.h"
+#include "core/motion/motion.h"
+
+namespace heft::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kShowEvery = 0.07;           ///< [s] On a terminal
+constexpr double kLineEvery = 1.0;            ///< [s] Elsewhere
+constexpr std::size_t kMostRows = 4'000'000;  ///< About an hour at 1 kHz is kept for the final estimate.
+
+struct Options {
+  std::vector<std::string> sources;
+  std::string record, meta, shape, shapeFile, json;
+  double duration = 0.0;
+  bool force = false;
+};
+
+std::atomic<bool> interrupted = false;
+
+/// Ends the loop at Ctrl-C instead of the program, so that what came so far is estimated.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    interrupted = false;
+    struct sigaction action {};
+    action.sa_handler = [](int) { interrupted = true; };
+    ::sigaction(SIGINT, &action, &oldInterrupt_);
+    ::sigaction(SIGTERM, &action, &oldTerminate_);
+  }
+  ~InterruptGuard() {
+    ::sigaction(SIGINT, &oldInterrupt_, nullptr);
+    ::sigaction(SIGTERM, &oldTerminate_, nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  struct sigaction oldInterrupt_ {
+  }, oldTerminate_{};
+};
+
+/// All complete samples, for the estimate at the end.
+class Kept {
+ public:
+  void add(const LiveSample& sample) {
+    if (samples_.size() < kMostRows) samples_.push_back(sample);
+  }
+  bool empty() const { return samples_.empty(); }
+  bool full() const { return samples_.size() == kMostRows; }
+  const LiveSample& first() const { return samples_.front(); }
+
+  /// In the form that the first sample has.
+  Recording toRecording(const RecordingMeta& meta, const std::string& name) const {
+    Recording out;
+    out.file = name;
+    out.meta = meta;
+    std::vector<const LiveSample*> rows;
+    const bool joints = first().q.has_value();
+    const bool velocities = joints && std::ranges::all_of(samples_, [](const auto& s) { return s.dq.has_value(); });
+    const bool position =
+        !joints && std::ranges::all_of(samples_, [](const auto& s) { return s.position.has_value(); });
+    for (const auto& sample : samples_)
+      if (joints ? sample.q.has_value() : sample.orientation.has_value()) rows.push_back(&sample);
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    out.time.resize(count);
+    out.wrench.resize(count, 6);
+    if (joints) out.q.resize(count, first().joints);
+    if (velocities) out.dq.resize(count, first().joints);
+    if (!joints) out.quaternion.resize(count, 4);
+    if (position) out.position.resize(count, 3);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const LiveSample& sample = *rows[static_cast<std::size_t>(k)];
+      out.time(k) = sample.time - first().time;
+      out.wrench.row(k) = sample.wrench->transpose();
+      for (Eigen::Index j = 0; j < out.q.cols(); ++j) out.q(k, j) = (*sample.q)[static_cast<std::size_t>(j)];
+      for (Eigen::Index j = 0; j < out.dq.cols(); ++j) out.dq(k, j) = (*sample.dq)[static_cast<std::size_t>(j)];
+      if (!joints) out.quaternion.row(k) = sample.orientation->coeffs().transpose();
+      if (position) out.position.row(k) = sample.position->transpose();
+    }
+    return out;
+  }
+
+ private:
+  std::vector<LiveSample> samples_;
+};
+
+std::string troubleLine(const SessionStatus& status) {
+  std::string text;
+  for (const auto& source : status.sources) {
+    std::string part;
+    for (const auto& [count, word] :
+         {std::pair{source.lost, "lost"}, std::pair{source.reordered, "late"}, std::pair{source.malformed, "malformed"},
+          std::pair{source.flagged, "flagged"}, std::pair{source.disconnects, "disconnects"}})
+      if (count > 0) part += fmt::format("{}{} {}", part.empty() ? "" : ", ", count, word);
+    if (!part.empty()) text += fmt::format("  [{}: {}]", source.name, part);
+    if (source.state != LinkState::live && source.state != LinkState::finished && !source.text.empty())
+      text += fmt::format("  {}", source.text);
+  }
+  return text;
+}
+
+json toJson(const SessionStatus& status) {
+  json sources = json::array();
+  for (const auto& source : status.sources)
+    sources.push_back({{"name", source.name},
+                       {"state", toString(source.state)},
+                       {"samples", source.samples},
+                       {"lost", source.lost},
+                       {"reordered", source.reordered},
+                       {"malformed", source.malformed},
+                       {"flagged", source.flagged},
+                       {"disconnects", source.disconnects},
+                       {"topics", source.topics}});
+  return {{"sources", std::move(sources)},
+          {"samples", status.samples},
+          {"late", status.late},
+          {"unmatched", status.unmatched},
+          {"recorded", status.recorded}};
+}
+
+/// A line that changes on a terminal, one a second elsewhere; to stderr, as stdout is for the result.
+class StatusLine {
+ public:
+  StatusLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+  void show(const std::string& text) {
+    const double now = hostNow();
+    if (now - last_ < (terminal_ ? kShowEvery : kLineEvery)) return;
+    last_ = now;
+    if (terminal_)
+      fmt::print(stderr, "\r\033[K{}", text);
+    else
+      fmt::print(stderr, "{}\n", text);
+    std::fflush(stderr);
+  }
+  ~StatusLine() {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+ private:
+  bool terminal_;
+  double last_ = -1e9;
+};
+
+/// The meta file given, or that of the only recording replayed.
+RecordingMeta metaOf(const Options& options, Findings& findings) {
+  std::filesystem::path file = options.meta;
+  const bool replays = std::ranges::all_of(options.sources, [](const auto& s) { return s.starts_with("replay:"); });
+  if (file.empty() && replays && options.sources.size() == 1) {
+    auto name = options.sources[0].substr(7);
+    name.resize(std::min(name.size(), name.rfind('?')));
+    if (std::filesystem::exists(metaFileOf(name))) file = metaFileOf(name);
+  }
+  RecordingMeta meta;
+  if (!file.empty()) meta = orFail(readMeta(file, findings));
+  if (meta.kind == RecordingKind::poses) throw Failed("Live samples are of a motion, not of standing poses.");
+  // A replayed recording was brought to one sign when it was read.
+  if (replays) meta.wrenchSign = WrenchSign::sensorOnPayload;
+  return meta;
+}
+
+class LiveRun {
+ public:
+  LiveRun(const Options& options, EstimateOptions settings)
+      : options_(options), settings_(std::move(settings)), meta_(metaOf(options, findings_)) {
+    for (const auto& address : options.sources) {
+      auto source = makeLiveSource(address);
+      if (!source) throw WrongUsage(source.error().message);
+      session_.addSource(std::move(*source));
+    }
+  }
+
+  void run() {
+    if (!options_.record.empty()) orFail(session_.record(options_.record, meta_));
+    orFail(session_.start());
+    {
+      const InterruptGuard guard;
+      StatusLine line;
+      const double start = hostNow();
+      while (!interrupted && !(options_.duration > 0.0 && hostNow() - start >= options_.duration)) {
+        const bool finished = allFinished();
+        takeNew();
+        const auto status = session_.status();
+        if (!status.recordingProblem.empty()) throw Failed(status.recordingProblem);
+        line.show((running_ ? running_->line() : std::string("waiting for motion and wrench")) + troubleLine(status));
+        if (finished) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+    }
+    session_.stop();
+    takeNew();
+    status_ = session_.status();
+    session_.endRecording();
+  }
+
+  EstimateReport report() {
+    if (kept_.empty()) {
+      std::string why;
+      for (const auto& source : status_.sources)
+        if (!source.text.empty()) why += " " + source.text;
+      throw Failed("No complete sample arrived: motion and wrench are both needed." + why);
+    }
+    if (kept_.full())
+      findings_.push_back({Severity::warning,
+                           "live_too_long",
+                           "More samples came than are kept; the estimate rests on the first ones.",
+                           "Estimate the "
+                           "recording instead.",
+                           {}});
+    const auto name = options_.record.empty() ? "live" : options_.record;
+    auto checked = orFail(checkRecording(kept_.toRecording(meta_, name)));
+    std::optional<RobotModel> robot;
+    if (checked.recording.hasJoints()) robot = orFail(robotFor(checked.recording.meta, findings_));
+    auto report = orFail(estimate(checked.recording, robot ? &*robot : nullptr, settings_));
+    report.findings.insert(report.findings.begin(), checked.findings.begin(), checked.findings.end());
+    report.findings.insert(report.findings.begin(), findings_.begin(), findings_.end());
+    return report;
+  }
+
+  const SessionStatus& status() const { return status_; }
+
+ private:
+  bool allFinished() const {
+    const auto status = session_.status();
+    return std::ranges::all_of(status.sources, [](const auto& s) { return s.state == LinkState::finished; });
+  }
+
+  void takeNew() {
+    fresh_.clear();
+    seen_ = session_.since(seen_, fresh_);
+    for (const auto& sample : fresh_) {
+      if (kept_.empty()) begin(sample);
+      kept_.add(sample);
+      running_->add(sample);
+    }
+  }
+
+  /// The first sample tells whether there are joints, and so which arm is needed.
+  void begin(const LiveSample& first) {
+    if (first.q && !meta_.robot) {
+      if (first.joints != 7)
+        throw Failed(fmt::format("There are {} joints but no robot is named: give --meta.", first.joints));
+      meta_.robot = "panda";
+      findings_.push_back({Severity::warning,
+                           "robot_assumed",
+                           "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at "
+                           "its flange.",
+                           "Name it in a meta file: --meta FILE.",
+                           {}});
+    }
+    std::optional<RobotModel> robot;
+    if (first.q) robot = orFail(robotFor(meta_, findings_));
+    running_.emplace(meta_, robot ? &*robot : nullptr, settings_.shape);
+  }
+
+  const Options& options_;
+  EstimateOptions settings_;
+  Findings findings_;
+  RecordingMeta meta_;
+  LiveSession session_;
+  std::optional<RunningEstimate> running_;
+  Kept kept_;
+  std::vector<LiveSample> fresh_;
+  std::uint64_t seen_ = 0;
+  SessionStatus status_;
+};
+
+void run(const Options& options) {
+  EstimateOptions settings;
+  if (options.duration != 0.0) requireRange("--duration", options.duration, 0.1, 86400.0, "s");
+  if (!options.shape.empty() && !options.shapeFile.empty())
+    throw WrongUsage("--shape and --shape-file exclude each other; put all bodies into the file.");
+  if (!options.shape.empty()) {
+    auto shape = parseShape(options.shape);
+    if (!shape) throw WrongUsage(shape.error().message);
+    settings.shape = std::move(shape).value();
+  }
+  if (!options.shapeFile.empty()) settings.shape = orFail(readShapeFile(options.shapeFile));
+  if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
+    throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));
+  const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  if (!options.json.empty()) requireWritable(options.json, overwrite);
+
+  LiveRun live(options, settings);
+  live.run();
+  const auto& status = live.status();
+  if (!options.record.empty() && options.json != "-")
+    print(fmt::format("{}: {} samples\n", options.record, status.recorded));
+  const EstimateReport report = live.report();
+  json result = heft::toJson(report);
+  result["live"] = toJson(status);
+  if (!options.json.empty()) writeOutput(options.json, fileText(result), overwrite);
+  if (options.json != "-") print(toText(report));
+  if (const auto trouble = troubleLine(status); !trouble.empty()) fmt::print(stderr, "heft:{}\n", trouble);
+}
+
+}  // namespace
+
+Command makeLiveCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = root.add_subcommand("live", "Estimate while the hand moves, and record");
+  app->add_option("SOURCE", options->sources,
+                  "One source with motion and wrench, or one for each:\n"
+                  "rdt:HOST[:PORT]  Net F/T sensor (ATI, Schunk)\n"
+                  "foxglove:HOST[:PORT]  Foxglove WebSocket bridge\n"
+                  "rosbridge:HOST[:PORT]  rosbridge\n"
+                  "udp:PORT  JSON objects in datagrams, with a CSV's column names\n"
+                  "replay:FILE  a recording, in real time")
+      ->type_name("")
+      ->required();
+  app->add_option("--record", options->record, "Write the samples to this CSV as they arrive")->type_name("FILE");
+  app->add_option("--meta", options->meta, "Meta file: robot, sensor mount, wrench sign, gravity")->type_name("FILE");
+  app->add_option("--duration", options->duration, "End after so many seconds; otherwise at Ctrl-C")->type_name("S");
+  app->add_option("--shape", options->shape, "Shape of the tool, as in 'heft estimate'")->type_name("SHAPE");
+  app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")->type_name("FILE");
+  app->add_option("--json", options->json, "Write the final estimate as JSON; - is stdout")->type_name("FILE");
+  app->add_flag("--force", options->force, "Replace a result file that exists");
+  app->footer(
+      "Examples:\n"
+      "  heft live replay:rec.csv --duration 5\n"
+      "  heft live rdt:192.168.1.1 foxglove:localhost --record demo.csv --meta rig.meta.json\n"
+      "  heft live udp:9870 --json result.json\n\n"
+      "Lost, late and malformed packets are counted and shown. Nothing is sent to a sensor but the request for its\n"
+      "data; in particular it is never tared. A recording never replaces a file.");
+  return {app, [options] { run(*options); }};
+}
+
+}  // namespace heft::cli

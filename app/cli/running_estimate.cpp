@@ -1,0 +1,71 @@
+#include "app/cli/running_estimate.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/cli.h"
+#include "core/online/online_estimator.h"
+
+namespace heft::cli {
+
+struct RunningEstimate::Impl {
+  bool flip = false;  ///< The samples' wrench is the payload's on the sensor.
+  std::optional<double> start;
+  double newest = 0.0;
+  std::uint64_t samples = 0;
+#ifdef HEFT_HAS_ONLINE
+  OnlineEstimator estimator;
+#endif
+};
+
+#ifdef HEFT_HAS_ONLINE
+
+RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* robot,
+                                 const std::optional<Shape>& shape) {
+  OnlineOptions options;
+  options.shape = shape;
+  impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor, std::nullopt, 0.0, 0,
+                       orFail(OnlineEstimator::create(meta, robot, options))});
+}
+
+void RunningEstimate::add(const LiveSample& sample) {
+  if (!impl_->start) impl_->start = sample.time;
+  OnlineSample out;
+  out.time = sample.time - *impl_->start;
+  out.q = sample.q;
+  out.dq = sample.dq;
+  if (sample.orientation) out.pose = OnlineSample::Pose{sample.position, *sample.orientation};
+  out.wrench = impl_->flip ? Vector6d(-*sample.wrench) : *sample.wrench;
+  impl_->estimator.add(out);
+}
+
+std::string RunningEstimate::line() const {
+  const OnlineState& state = impl_->estimator.state();
+  if (!state.estimated) return fmt::format("{:6.1f} s  moving and measuring ...", state.time);
+  const auto& com = state.payload.com;
+  const auto& mass = state.interval95.mass;
+  return fmt::format("{:6.1f} s  {:.3f} kg [{:.3f}, {:.3f}]  centre ({:.1f}, {:.1f}, {:.1f}) mm  {}  {}", state.time,
+                     state.payload.mass, mass.lower, mass.upper, 1e3 * com.x(), 1e3 * com.y(), 1e3 * com.z(),
+                     toString(state.touch), state.inertia.words);
+}
+
+#else
+
+RunningEstimate::RunningEstimate(const RecordingMeta&, const RobotModel*, const std::optional<Shape>&)
+    : impl_(new Impl) {}
+
+void RunningEstimate::add(const LiveSample& sample) {
+  if (!impl_->start) impl_->start = sample.time;
+  impl_->newest = sample.time - *impl_->start;
+  ++impl_->samples;
+}
+
+std::string RunningEstimate::line() const {
+  const double rate = impl_->newest > 0.0 ? static_cast<double>(impl_->samples - 1) / impl_->newest : 0.0;
+  return fmt::format("{:6.1f} s  {} samples, {:.0f} Hz", impl_->newest, impl_->samples, rate);
+}
+
+#endif
+
+RunningEstimate::~RunningEstimate() = default;
+
+}  // namespace heft::cli

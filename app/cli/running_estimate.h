@@ -1,0 +1,31 @@
+#pragma once
+// The estimate while samples arrive, as a line of text.
+#include <memory>
+#include <string>
+
+#include "core/live/source.h"
+#include "core/payload/shape.h"
+#include "core/recording/recording.h"
+#include "core/robot/robot_model.h"
+
+namespace heft::cli {
+
+class RunningEstimate {
+ public:
+  /// `robot` may be null where samples have poses. Throws Failed.
+  RunningEstimate(const RecordingMeta& meta, const RobotModel* robot, const std::optional<Shape>& shape);
+  ~RunningEstimate();
+  RunningEstimate(const RunningEstimate&) = delete;
+  RunningEstimate& operator=(const RunningEstimate&) = delete;
+
+  /// A complete sample, in the wrench sign of the meta.
+  void add(const LiveSample& sample);
+  /// "  12.4 s  0.800 kg [0.798, 0.803]  centre (8.4, 2.1, 53.1) mm  free  Inertia: turn the tool faster"
+  std::string line() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace heft::cli
