@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCoarseStep = 0.05;   ///< [s]
 constexpr double kFineStep = 0.004;    ///< [s]
+constexpr double kSmoothing = 0.1;     ///< [s] Both are averaged over it: what interpolation takes away is then gone.
 constexpr double kLeastOverlap = 0.5;  ///< Of the shorter recording.
 constexpr double kFarAway = 0.5;       ///< [s] Another peak, not the same one's flank.
 constexpr double kLeastSpan = 8.0;     ///< [s] In less any two smooth motions look alike.
@@ -133,7 +134,10 @@ OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForc
                           double to) {
   OffsetEstimate out;
   if (forceTime.size() < 20 || specificForce.cols() < 20) return out;
-  const Track motion{start, 1.0 / rateHz, specificForce};
+  const double motionEnd = start + static_cast<double>(specificForce.cols() - 1) / rateHz;
+  const VectorXd motionTime = VectorXd::LinSpaced(specificForce.cols(), start, motionEnd);
+  const Track motion{start, 1.0 / rateHz,
+                     averageAt(motionTime, specificForce.transpose(), motionTime, kSmoothing).transpose()};
   Track wrench;
   wrench.step = motion.step;
   wrench.start = forceTime(0);
@@ -141,7 +145,7 @@ OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForc
   if (count < 20) return out;
   const VectorXd grid =
       VectorXd::LinSpaced(count, wrench.start, wrench.start + wrench.step * static_cast<double>(count - 1));
-  wrench.values = averageAt(forceTime, force, grid, wrench.step).transpose();
+  wrench.values = averageAt(forceTime, force, grid, kSmoothing).transpose();
 
   const Track coarseMotion = thinned(motion, kCoarseStep);
   const Track coarseForce = thinned(wrench, kCoarseStep);
