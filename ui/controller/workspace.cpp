@@ -1,45 +1,39 @@
 #include "ui/controller/workspace.h"
 
-#include <QElapsedTimer>
+#include <QDir>
 #include <QFileInfo>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <type_traits>
 
-#include "core/import/import.h"
-#include "core/motion/motion.h"
+#include "core/recording/csv_reader.h"
+#include "core/workspace/marks.h"
+#include "ui/controller/edit_command.h"
+#include "ui/controller/open_recording.h"
 
 namespace heft {
 namespace {
 
-using OpenResult = Result<std::shared_ptr<const OpenRecording>>;
+constexpr int kEstimateDelay = 350;  ///< [ms] after the last edit
+enum EditKind { kMarks = 1, kShape, kSettings, kExport };
 
-OpenResult openRecording(const QString& path, const Progress& progress) {
-  QElapsedTimer clock;
-  clock.start();
-  auto read = heft::openRecording(std::filesystem::path(path.toStdString()), ImportOptions{}, progress);
-  if (!read) return read.error();
-  auto opened = std::make_shared<OpenRecording>();
-  opened->path = path;
-  opened->readSeconds = static_cast<double>(clock.elapsed()) / 1000.0;
-  opened->findings = std::move(read->findings);
-  opened->recording = std::move(read->recording);
-  if (progress.cancelled()) return Error{"Opening was stopped.", true};
-  // A pose says where the sensor is without a robot; then the robot is only for looks and may be missing.
-  if (opened->recording.meta.robot) {
-    auto robot = robotFor(opened->recording.meta, opened->findings);
-    if (robot) {
-      opened->robot = std::make_shared<const RobotModel>(std::move(robot).value());
-      opened->look = std::make_shared<const RobotLook>(loadLook(*opened->robot, opened->findings, progress));
-    } else if (opened->recording.hasJoints() && !opened->recording.hasOrientation()) {
-      return robot.error();
-    } else {
-      opened->findings.push_back({Severity::warning, "robot_not_loaded", robot.error().message, "", {}});
-    }
-  }
-  return std::shared_ptr<const OpenRecording>(std::move(opened));
+bool isSession(const QString& path) {
+  return path.endsWith(QLatin1String(kSessionExtension.data()), Qt::CaseInsensitive);
 }
 
 }  // namespace
 
+Recording Snapshot::recording() const {
+  Recording copy = opened->recording;
+  // The last mark that covers an instant wins: the painted ones come last.
+  copy.meta.marks.insert(copy.meta.marks.end(), marks.begin(), marks.end());
+  return copy;
+}
+
 Workspace::Workspace(QObject* parent) : QObject(parent) {
+  due_.setSingleShot(true);
+  due_.setInterval(kEstimateDelay);
+  connect(&due_, &QTimer::timeout, this, &Workspace::estimate);
   connect(&jobs_, &JobRunner::started, this, &Workspace::busyChanged);
   connect(&jobs_, &JobRunner::finished, this, &Workspace::busyChanged);
 }
@@ -50,42 +44,284 @@ void Workspace::fail(const Error& error) {
   emit failed(lastFailure_);
 }
 
-void Workspace::open(const QString& path) {
-  const QString absolute = QFileInfo(path).absoluteFilePath();
+const Workspace::Entry* Workspace::active() const {
+  const int index = session_.active;
+  return index >= 0 && index < static_cast<int>(entries_.size()) ? &entries_[static_cast<std::size_t>(index)] : nullptr;
+}
+
+std::shared_ptr<const OpenRecording> Workspace::opened() const { return active() ? active()->opened : nullptr; }
+
+std::shared_ptr<const EstimateReport> Workspace::report() const { return active() ? active()->report : nullptr; }
+
+std::shared_ptr<const OpenRecording> Workspace::openedAt(int index) const {
+  return index >= 0 && index < static_cast<int>(entries_.size()) ? entries_[static_cast<std::size_t>(index)].opened
+                                                                 : nullptr;
+}
+
+std::shared_ptr<const EstimateReport> Workspace::reportAt(int index) const {
+  return index >= 0 && index < static_cast<int>(entries_.size()) ? entries_[static_cast<std::size_t>(index)].report
+                                                                 : nullptr;
+}
+
+void Workspace::open(const QStringList& paths) {
+  for (const QString& path : paths) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (isSession(absolute)) {
+      auto session = readSession(absolute.toStdString());
+      if (!session) {
+        fail(session.error());
+        continue;
+      }
+      takeSession(std::move(session).value());
+    } else if (!queue_.contains(absolute)) {
+      queue_ << absolute;
+    }
+  }
+  if (!queue_.isEmpty() && !loading_) loadNext();
+}
+
+void Workspace::addRecording(const Recording& recording, const QString& folder, const QString& name) {
+  QDir().mkpath(folder);
+  QString path = QDir(folder).filePath(name + ".csv");
+  for (int k = 2; QFileInfo::exists(path); ++k) path = QDir(folder).filePath(QStringLiteral("%1-%2.csv").arg(name).arg(k));
+  const auto written = writeRecording(recording, path.toStdString());
+  if (!written) return fail(written.error());
+  open(path);
+}
+
+void Workspace::startAfresh() { takeSession({}); }
+
+void Workspace::takeSession(Session session) {
+  jobs_.cancel();
+  loading_ = false;
+  due_.stop();
+  undo_.clear();
+  modified_ = false;
+  lastFailure_.clear();
+  showAfter_ = session.active;
+  session_ = std::move(session);
+  session_.active = -1;
+  entries_.assign(session_.recordings.size(), {});
+  queue_.clear();
+  for (const SessionRecording& recording : session_.recordings) queue_ << QString::fromStdString(recording.file.string());
+  emit shapeChanged();
+  emit settingsChanged();
+  emit exportChanged();
+  emit openedChanged();
+  emit reportChanged();
+  emit sessionChanged();
+  if (!queue_.isEmpty()) loadNext();
+}
+
+void Workspace::loadNext() {
+  loading_ = true;
+  const QString path = queue_.takeFirst();
   jobs_.start(
       tr("Opening %1").arg(QFileInfo(path).fileName()),
-      [absolute](const Progress& progress) { return openRecording(absolute, progress); },
-      [this](OpenResult result) {
-        if (!result) return fail(result.error());
-        opened_ = *result;
-        report_.reset();
-        emit openedChanged();
-        emit reportChanged();
-        estimate();
+      [path](const Progress& progress) { return loadRecording(path, progress); },
+      [this, path](Result<std::shared_ptr<const OpenRecording>> result) {
+        if (result) {
+          loaded(path, *result);
+        } else {
+          fail(result.error());
+          if (result.error().cancelled) queue_.clear();
+        }
+        if (!queue_.isEmpty()) return loadNext();
+        loading_ = false;
+        if (showAfter_ >= 0 && openedAt(showAfter_)) show(showAfter_);
+        showAfter_ = -1;
+        if (opened() && (!report() || outdated())) estimate();
       });
+}
+
+void Workspace::loaded(const QString& path, std::shared_ptr<const OpenRecording> opened) {
+  const std::filesystem::path file = path.toStdString();
+  std::size_t index = 0;
+  while (index < session_.recordings.size() && session_.recordings[index].file != file) ++index;
+  if (index == session_.recordings.size()) {
+    session_.recordings.push_back({file, {}, {}, {}});
+    entries_.emplace_back();
+    modified_ = true;
+  }
+  entries_[index] = {std::move(opened), nullptr, false};
+  // Of a session, the one that was shown is shown again; the first one meanwhile.
+  if (showAfter_ < 0 || session_.active < 0) show(static_cast<int>(index));
+  emit sessionChanged();
+}
+
+void Workspace::show(int index) {
+  session_.active = index;
+  lastFailure_.clear();
+  emit openedChanged();
+  emit reportChanged();
+  emit sessionChanged();
+}
+
+void Workspace::activate(int index) {
+  if (index == session_.active || !openedAt(index)) return;
+  show(index);
+  if ((!report() || outdated()) && queue_.isEmpty()) estimate();
+}
+
+void Workspace::estimateSoon(int index) {
+  for (int k = 0; k < static_cast<int>(entries_.size()); ++k)
+    if (index == kAllRecordings || k == index) entries_[static_cast<std::size_t>(k)].outdated = true;
+  if (!opened()) return;
+  due_.start();
+  emit busyChanged();
+}
+
+Snapshot Workspace::snapshot() const {
+  Snapshot out;
+  out.opened = opened();
+  if (!out.opened) return out;
+  out.marks = session_.recordings[static_cast<std::size_t>(session_.active)].marks;
+  out.options = estimateOptions(session_);
+  // Painting over a suggestion must not turn the rest of the recording into "not marked": what counts is whether the
+  // file itself came with marks.
+  out.options.segments = defaultSegmentMode(out.opened->recording);
+  return out;
+}
+
+std::vector<Segment> Workspace::segments() const {
+  const auto now = opened();
+  if (!now) return {};
+  std::vector<Segment> base;
+  if (report()) {
+    base = report()->segments;
+  } else {
+    for (const Mark& mark : now->recording.meta.marks) {
+      Segment segment;
+      segment.from = mark.from;
+      segment.to = mark.to;
+      segment.label = mark.label;
+      segment.reason = tr("Marked in the file.").toStdString();
+      base.push_back(segment);
+    }
+  }
+  return withMarks(base, session_.recordings[static_cast<std::size_t>(session_.active)].marks,
+                   tr("Marked by you.").toStdString());
+}
+
+bool Workspace::suggested(const Segment& segment) const {
+  const auto now = opened();
+  if (!now || segment.label == MarkLabel::free) return false;
+  if (defaultSegmentMode(now->recording) != SegmentMode::automatic) return false;
+  const double middle = 0.5 * (segment.from + segment.to);
+  const auto& marks = session_.recordings[static_cast<std::size_t>(session_.active)].marks;
+  return std::none_of(marks.begin(), marks.end(),
+                      [&](const Mark& mark) { return middle >= mark.from && middle <= mark.to; });
 }
 
 void Workspace::estimate() {
-  if (!opened_) return;
+  due_.stop();
+  if (!opened() || loading_) return;  // After loading it is estimated anyway.
   lastFailure_.clear();
+  const Snapshot now = snapshot();
   jobs_.start(
       tr("Estimating"),
-      [snapshot = opened_](const Progress& progress) -> Result<std::shared_ptr<const EstimateReport>> {
-        auto result = heft::estimate(snapshot->recording, snapshot->robot.get(), EstimateOptions{}, progress);
+      [now](const Progress& progress) -> Result<std::shared_ptr<const EstimateReport>> {
+        auto result = heft::estimate(now.recording(), now.robot(), now.options, progress);
         if (!result) return result.error();
         // Findings of reading concern the result as much as those of estimating.
         auto report = std::make_shared<EstimateReport>(std::move(result).value());
-        report->timing.read = snapshot->readSeconds;
-        report->findings.insert(report->findings.begin(), snapshot->findings.begin(), snapshot->findings.end());
+        report->timing.read = now.opened->readSeconds;
+        report->findings.insert(report->findings.begin(), now.opened->findings.begin(), now.opened->findings.end());
         return std::shared_ptr<const EstimateReport>(std::move(report));
       },
-      [this](Result<std::shared_ptr<const EstimateReport>> result) {
-        if (!result) return fail(result.error());
-        report_ = *result;
+      [this, now](Result<std::shared_ptr<const EstimateReport>> result) {
+        for (std::size_t k = 0; k < entries_.size(); ++k) {
+          if (entries_[k].opened != now.opened) continue;
+          if (result) {
+            entries_[k].report = *result;
+            entries_[k].outdated = false;
+            session_.recordings[k].result = toJson(**result).dump();
+          } else if (!result.error().cancelled) {
+            // The earlier numbers were of other marks or another shape.
+            entries_[k].report.reset();
+          }
+        }
+        if (!result) fail(result.error());
         emit reportChanged();
+        emit sessionChanged();
       });
 }
 
-void Workspace::cancel() { jobs_.cancel(); }
+void Workspace::cancel() {
+  due_.stop();
+  queue_.clear();
+  jobs_.cancel();
+  emit busyChanged();
+}
+
+bool Workspace::save(const QString& file) {
+  const auto written = writeSession(session_, file.toStdString());
+  if (!written) {
+    emit failed(QString::fromStdString(written.error().message));
+    return false;
+  }
+  session_.home = QFileInfo(file).absoluteFilePath().toStdString();
+  modified_ = false;
+  undo_.setClean();
+  emit saved(file);
+  emit sessionChanged();
+  return true;
+}
+
+template <class T>
+void Workspace::edit(T Session::* part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(),
+                     bool estimates) {
+  const int kind = std::is_same_v<T, ShapeChoice> ? kShape : std::is_same_v<T, EstimateSettings> ? kSettings : kExport;
+  undo_.push(new EditCommand<T>(text, kind, mergeKey, session_.*part, std::move(after),
+                                [this, part, changed, estimates](const T& value) {
+                                  session_.*part = value;
+                                  emit(this->*changed)();
+                                  emit sessionChanged();
+                                  if (estimates) estimateSoon(kAllRecordings);
+                                }));
+}
+
+void Workspace::setShape(const ShapeChoice& shape, const QString& text, int mergeKey) {
+  edit(&Session::shape, shape, text, mergeKey, &Workspace::shapeChanged, true);
+}
+
+void Workspace::setSettings(const EstimateSettings& settings, const QString& text, int mergeKey) {
+  edit(&Session::settings, settings, text, mergeKey, &Workspace::settingsChanged, true);
+}
+
+void Workspace::setExport(const ExportChoice& choice, const QString& text, int mergeKey) {
+  edit(&Session::exporting, choice, text, mergeKey, &Workspace::exportChanged, false);
+}
+
+void Workspace::setMarks(const std::vector<Mark>& marks, const QString& text, int mergeKey) {
+  if (!opened()) return;
+  const auto index = static_cast<std::size_t>(session_.active);
+  undo_.push(new EditCommand<std::vector<Mark>>(text, kMarks, mergeKey, session_.recordings[index].marks, marks,
+                                                [this, index](const std::vector<Mark>& value) {
+                                                  session_.recordings[index].marks = value;
+                                                  // Undoing shows what it changes.
+                                                  if (session_.active != static_cast<int>(index))
+                                                    show(static_cast<int>(index));
+                                                  emit marksChanged();
+                                                  emit sessionChanged();
+                                                  estimateSoon(static_cast<int>(index));
+                                                }));
+}
+
+void Workspace::paint(double from, double to, std::optional<MarkLabel> label, int mergeKey) {
+  if (!opened()) return;
+  const QString text = !label                         ? tr("take back a mark")
+                       : *label == MarkLabel::free    ? tr("mark as free")
+                       : *label == MarkLabel::contact ? tr("mark as contact")
+                                                      : tr("mark as ignored");
+  setMarks(painted(session_.recordings[static_cast<std::size_t>(session_.active)].marks, from, to, label), text,
+           mergeKey);
+}
+
+void Workspace::setStep(const QString& id) {
+  if (showAfter_ >= 0 || session_.step == id.toStdString()) return;  // A session being opened brings its own.
+  session_.step = id.toStdString();
+  emit sessionChanged();
+}
 
 }  // namespace heft

@@ -1,13 +1,19 @@
 #pragma once
-// What is open, and what was found out about it. The window and its panels listen; they change nothing behind its back.
+// What is open and what was found out about it: the session of core/workspace, with every edit an undoable command, and
+// the loading and estimating that follow from it. Windows and panels listen; they change nothing behind its back.
 #include <QObject>
 #include <QString>
+#include <QStringList>
+#include <QTimer>
 #include <QUndoStack>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/estimation/estimate.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
+#include "core/workspace/session.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/robot_view/robot_look.h"
 
@@ -23,43 +29,126 @@ struct OpenRecording {
   double readSeconds = 0.0;
 };
 
+/// What an estimate or a diagnosis reads, detached from the window: the recording with the user's marks in it, and the
+/// options that the session asks for. Cheap to copy; recording() copies the series and belongs into the job.
+struct Snapshot {
+  std::shared_ptr<const OpenRecording> opened;
+  std::vector<Mark> marks;  ///< Painted, laid over the file's own.
+  EstimateOptions options;
+
+  Recording recording() const;
+  const RobotModel* robot() const { return opened->robot.get(); }
+};
+
 class Workspace : public QObject {
   Q_OBJECT
  public:
   explicit Workspace(QObject* parent = nullptr);
 
-  /// Reads the file in a job, then estimates. The present recording stays until the new one is read; a file that cannot
-  /// be read leaves it in place and gives failed().
-  void open(const QString& path);
-  /// Estimates the open recording in a job.
+  /// Recordings are read in a job and added to the session, the last one is shown and estimated. A session (.heft)
+  /// replaces what is open. What cannot be read leaves everything in place and gives failed().
+  void open(const QString& path) { open(QStringList{path}); }
+  void open(const QStringList& paths);
+  /// Writes a recording made in the program (virtual arm, live) into `folder` under a name that is free and opens it.
+  void addRecording(const Recording& recording, const QString& folder, const QString& name);
+  /// Nothing open, nothing said.
+  void startAfresh();
+  /// Shows another recording of the session.
+  void activate(int index);
+  /// Estimates the shown recording in a job.
   void estimate();
   void cancel();
 
-  std::shared_ptr<const OpenRecording> opened() const { return opened_; }
-  std::shared_ptr<const EstimateReport> report() const { return report_; }
-  bool busy() const { return jobs_.running(); }
+  const Session& session() const { return session_; }
+  /// Writes the session; false, with failed(), where that is not possible.
+  bool save(const QString& file);
+  QString sessionFile() const { return QString::fromStdString(session_.home.string()); }
+  /// Something was edited or opened since the session was saved.
+  bool modified() const { return modified_ || !undo_.isClean(); }
+  /// Replaces what is open, for instance with a recovered session.
+  void takeSession(Session session);
+
+  /// Null while there is none.
+  std::shared_ptr<const OpenRecording> opened() const;
+  std::shared_ptr<const EstimateReport> report() const;
+  /// Of any recording of the session; null while it is not read or not estimated.
+  std::shared_ptr<const OpenRecording> openedAt(int index) const;
+  std::shared_ptr<const EstimateReport> reportAt(int index) const;
+  /// The report is of an earlier state: a new estimate is due or under way.
+  bool outdated() const { return active() && active()->outdated; }
+  Snapshot snapshot() const;
+  /// The report's segments, painted marks laid over them at once.
+  std::vector<Segment> segments() const;
+  /// Heft proposes this stretch and the user has not decided it yet.
+  bool suggested(const Segment& segment) const;
+
+  bool busy() const { return jobs_.running() || due_.isActive(); }
   /// Why there is no report for the open recording; empty if nothing failed.
   QString lastFailure() const { return lastFailure_; }
   JobRunner& jobs() { return jobs_; }
   QUndoStack* undoStack() { return &undo_; }
 
+  // Edits. Each is one undo step called `text`; edits with the same `mergeKey` above 0 in a row become one step (a
+  // drag: take a new key from newMergeKey() when it begins).
+
+  /// Marks a stretch of the shown recording; without a label it becomes Heft's suggestion again.
+  void paint(double from, double to, std::optional<MarkLabel> label, int mergeKey = 0);
+  void setMarks(const std::vector<Mark>& marks, const QString& text, int mergeKey = 0);
+  void setShape(const ShapeChoice& shape, const QString& text, int mergeKey = 0);
+  void setSettings(const EstimateSettings& settings, const QString& text, int mergeKey = 0);
+  void setExport(const ExportChoice& choice, const QString& text, int mergeKey = 0);
+  int newMergeKey() { return ++mergeKey_; }
+  /// View state: kept in the session, never undone.
+  void setStep(const QString& id);
+
  signals:
+  /// Another recording is shown, or none.
   void openedChanged();
   /// The report is null while there is none for the open recording.
   void reportChanged();
+  void marksChanged();
+  void shapeChanged();
+  void settingsChanged();
+  void exportChanged();
+  /// Anything in the session changed, results included.
+  void sessionChanged();
   /// busy() would answer differently.
   void busyChanged();
+  void saved(const QString& file);
   /// One sentence for a person.
   void failed(const QString& sentence);
 
  private:
+  struct Entry {
+    std::shared_ptr<const OpenRecording> opened;
+    std::shared_ptr<const EstimateReport> report;
+    bool outdated = false;  ///< The report is of other marks, another shape or other settings.
+  };
+  void loadNext();
+  void loaded(const QString& path, std::shared_ptr<const OpenRecording> opened);
+  /// After an edit that concerns one recording, or all of them.
+  void estimateSoon(int index);
+  static constexpr int kAllRecordings = -1;
   void fail(const Error& error);
+  const Entry* active() const;
+  void show(int index);
 
+  /// One undoable change of a part of the session.
+  template <class T>
+  void edit(T Session::* part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(),
+            bool estimates);
+
+  Session session_;
+  std::vector<Entry> entries_;  ///< One a recording of the session.
+  QStringList queue_;           ///< Still to be read.
+  bool loading_ = false;        ///< The job under way reads a file of the queue.
+  int showAfter_ = -1;          ///< Recording of a session to show when all are read.
   JobRunner jobs_;
+  QTimer due_;                  ///< Edits in quick succession make one estimate.
   QUndoStack undo_;
-  std::shared_ptr<const OpenRecording> opened_;
-  std::shared_ptr<const EstimateReport> report_;
   QString lastFailure_;
+  int mergeKey_ = 0;
+  bool modified_ = false;
 };
 
 }  // namespace heft

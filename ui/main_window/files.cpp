@@ -3,11 +3,15 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QUrl>
+#include <QUndoStack>
 #include <QVariant>
+#include <algorithm>
 
+#include "core/base/json_file.h"
 #include "ui/controller/workspace.h"
 
 namespace heft {
@@ -22,13 +26,58 @@ Files::Files(Workspace* workspace, bool remembers, QWidget* window)
 
 void Files::choose() {
   const QString folder = workspace_->opened() ? QFileInfo(workspace_->opened()->path).absolutePath() : QString();
-  const QStringList paths =
-      QFileDialog::getOpenFileNames(window_, tr("Open recordings"), folder, tr("Recordings (*.csv);;All files (*)"));
+  const QStringList paths = QFileDialog::getOpenFileNames(
+      window_, tr("Open recordings or a session"), folder,
+      tr("Recordings and sessions (%1);;All files (*)")
+          .arg(QStringLiteral("*.csv *.heft *.bag *.mcap *.db3 *.zstd *.h5 *.hdf5 *.jsonl *.json *.txt *.log")));
   open(paths);
 }
 
 void Files::open(const QStringList& paths) {
-  for (const QString& path : paths) workspace_->open(path);
+  const bool replaces = std::any_of(paths.begin(), paths.end(), [](const QString& path) {
+    return path.endsWith(QLatin1String(kSessionExtension.data()), Qt::CaseInsensitive);
+  });
+  if (replaces && !mayClose()) return;
+  if (paths.isEmpty()) return;
+  emit opening();
+  workspace_->open(paths);
+}
+
+void Files::startAfresh() {
+  if (mayClose()) workspace_->startAfresh();
+}
+
+bool Files::save() {
+  return workspace_->sessionFile().isEmpty() ? saveAs() : workspace_->save(workspace_->sessionFile());
+}
+
+bool Files::saveAs() {
+  const QString base = besideRecording();
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save the session"), base.isEmpty() ? QString() : base + ".heft",
+                                              tr("Heft sessions (*.heft)"));
+  if (path.isEmpty()) return false;
+  if (QFileInfo(path).suffix().isEmpty()) {
+    path += ".heft";
+    // The dialog asked about the name without the extension; this one it has not seen.
+    if (QFileInfo::exists(path)) {
+      emit said(Severity::error,
+                tr("%1 exists already and was not replaced: choose it in the dialog to replace it.").arg(path));
+      return false;
+    }
+  }
+  if (!workspace_->save(path)) return false;
+  remember(path);
+  emit said(Severity::info, tr("Saved %1.").arg(path));
+  return true;
+}
+
+bool Files::mayClose() {
+  if (!remembers_ || !workspace_->modified() || workspace_->undoStack()->count() == 0) return true;
+  QMessageBox box(QMessageBox::Question, tr("Heft Studio"), tr("Save the session first?"),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  box.setInformativeText(tr("Marks, shape and settings since the last save would be gone."));
+  const int answer = box.exec();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
 QStringList Files::recent() const {
@@ -74,6 +123,19 @@ void Files::savePicture(const QImage& image, const QString& what) {
   } else {
     emit said(Severity::error,
               tr("%1 could not be written: check that the folder exists and may be written to.").arg(path));
+  }
+}
+
+void Files::saveText(const std::string& text, const QString& what, const QString& extension, const QString& filter) {
+  const QString base = besideRecording();
+  const QString path = QFileDialog::getSaveFileName(window_, tr("Save"),
+                                                    (base.isEmpty() ? QString() : base + "-") + what + extension, filter);
+  if (path.isEmpty()) return;
+  const auto written = writeTextFile(path.toStdString(), text);
+  if (written) {
+    emit said(Severity::info, tr("Saved %1.").arg(path));
+  } else {
+    emit said(Severity::error, QString::fromStdString(written.error().message));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QObject>
 #include <QStringList>
+#include <string>
 
 #include "core/base/findings.h"
 
@@ -20,7 +21,15 @@ class Files : public QObject {
   /// Dialogs belong to `window`. With `remembers` false recent files are neither read nor kept.
   Files(Workspace* workspace, bool remembers, QWidget* window);
 
+  /// Recordings or a session.
   void choose();
+  /// A new, empty session; asks first where something would be lost.
+  void startAfresh();
+  /// Saves the session where it lives, or asks where; true once it is saved.
+  bool save();
+  bool saveAs();
+  /// True if the session may be closed: saved, unchanged, or given up by the user.
+  bool mayClose();
   void open(const QStringList& paths);
   QStringList recent() const;
   void remember(const QString& path);
@@ -29,10 +38,14 @@ class Files : public QObject {
   /// Asks where to, beside the recording, and saves; `what` becomes part of the name.
   void savePicture(const QImage& image, const QString& what);
 
+  /// The same for text.
+  void saveText(const std::string& text, const QString& what, const QString& extension, const QString& filter);
+
   /// The local files of a drop.
   static QStringList dropped(const QMimeData* data);
 
  signals:
+  void opening();
   void said(heft::Severity severity, const QString& sentence);
 
  private:

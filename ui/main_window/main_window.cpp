@@ -5,13 +5,17 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QSettings>
 #include <QSplitter>
+#include <QMenu>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
+#include "ui/controller/autosave.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/files.h"
 #include "ui/main_window/header_bar.h"
@@ -47,8 +51,6 @@ MainWindow::MainWindow(Workspace* workspace, bool remembers, QWidget* parent)
   addPanels(menus);
   builder.finish(header_->menuBar(), menus);
   connectParts();
-  status_->setFacts(tr("No recording open"));
-  loadArm();
   if (remembers_) restoreGeometry(QSettings().value("window/geometry").toByteArray());
   showOpened();
 }
@@ -98,7 +100,11 @@ void MainWindow::addPanels(const StudioMenus& menus) {
   parts.playback = &playback_;
   parts.view = view_;
   parts.plots = pane_;
-  parts.goTo = [this](Step step) { showStep(step); };
+  // "Go on" leads past a step that this build has no panel for.
+  parts.goTo = [this](Step step) {
+    while (!panels_.contains(step) && step < Step::exportFile) step = static_cast<Step>(static_cast<int>(step) + 1);
+    showStep(step);
+  };
   parts.say = [this](Severity severity, const QString& sentence) { message_->showMessage(severity, sentence); };
   parts.chooseFiles = [this] { files_->choose(); };
   parts.recentFiles = [this] { return files_->recent(); };
@@ -113,6 +119,9 @@ void MainWindow::addPanels(const StudioMenus& menus) {
     steps_->addStep(panel->step());
     steps_->setState(panel->step(), panel->state());
     connect(panel, &StepPanel::stateChanged, this, [this, panel] { steps_->setState(panel->step(), panel->state()); });
+    connect(panel, &StepPanel::arrangementChanged, this, [this, panel] {
+      if (panel == panels_.value(step_)) arrangeFor(panel);
+    });
     panel->addActions(menus);
   }
   panels_[step_]->entered();
@@ -124,13 +133,19 @@ void MainWindow::connectParts() {
     details_ = shown;
     for (StepPanel* panel : panels_) panel->setDetailsShown(shown);
   });
-  connect(files_, &Files::said, message_, &MessageBar::showMessage);
+  connect(files_, &Files::opening, message_, &QWidget::hide);
+  connect(files_, &Files::said, this,
+          [this](Severity severity, const QString& sentence) { message_->showMessage(severity, sentence); });
   connect(workspace_, &Workspace::openedChanged, this, &MainWindow::showOpened);
   connect(workspace_, &Workspace::reportChanged, this, &MainWindow::showReport);
+  connect(workspace_, &Workspace::marksChanged, this, &MainWindow::showMarks);
   connect(workspace_, &Workspace::failed, this,
           [this](const QString& sentence) { message_->showMessage(Severity::error, sentence); });
   connect(&playback_, &Playback::timeChanged, view_, &RobotView::showTime);
   connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->grab().toImage(), tr("view")); });
+  connect(pane_, &RecordingPane::csvWanted, this, [this] {
+    files_->saveText(pane_->visibleText(), tr("visible"), ".csv", tr("Tables (*.csv)"));
+  });
   connect(pane_, &RecordingPane::unfoldWanted, this, [this] {
     pane_->setFolded(false);
     below_->setMaximumHeight(QWIDGETSIZE_MAX);
@@ -158,13 +173,17 @@ void MainWindow::showStep(Step step) {
   StepPanel* panel = panels_.value(step);
   if (!panel || step == step_) return;
   StepPanel* before = panels_.value(step_);
-  acrossSizes_[step_] = across_->saveState();
-  downSizes_[step_] = down_->saveState();
+  if (isVisible()) {
+    acrossSizes_[step_] = across_->saveState();
+    downSizes_[step_] = down_->saveState();
+  }
   before->left();
   step_ = step;
+  workspace_->setStep(QString::fromUtf8(stepId(step).data()));
   panelStack_->setCurrentWidget(panel);
   steps_->setNow(step);
   arrangeFor(panel);
+  status_->setHint(panel->hint());
   panel->entered();
 }
 
@@ -174,7 +193,11 @@ void MainWindow::arrangeFor(StepPanel* panel) {
   below_->setVisible(own || workspace_->opened());
   pane_->setFolded(panel->below() == StepPanel::Below::marksOnly);
   below_->setMaximumHeight(!own && pane_->folded() ? pane_->foldedHeight() : QWIDGETSIZE_MAX);
-  if (acrossSizes_.contains(step_)) across_->restoreState(acrossSizes_[step_]);
+  if (acrossSizes_.contains(step_)) {
+    across_->restoreState(acrossSizes_[step_]);
+  } else {
+    across_->setSizes({across_->width() - kPanelWidth, kPanelWidth});
+  }
   if (downSizes_.contains(step_)) {
     down_->restoreState(downSizes_[step_]);
   } else {
@@ -195,12 +218,33 @@ QImage MainWindow::picture() {
   return grab().toImage();
 }
 
+void MainWindow::showSaved() {
+  const QString at = autosave_ && autosave_->lastSaved().isValid()
+                         ? QLocale().toString(autosave_->lastSaved().time(), QLocale::ShortFormat)
+                         : QString();
+  status_->setSaved(at.isEmpty() ? QString() : tr("Saved automatically, %1").arg(at));
+}
+
+void MainWindow::useAutosave(Autosave* autosave) {
+  autosave_ = autosave;
+  connect(autosave_, &Autosave::saved, this, &MainWindow::showSaved);
+  showSaved();
+  const QStringList orphans = autosave_->leftBehind();
+  if (orphans.isEmpty()) return;
+  message_->showMessage(Severity::warning,
+                        tr("Heft Studio ended without closing last time. What you had open was kept."),
+                        tr("Open it again"), [this] {
+                          if (!autosave_->recover()) {
+                            message_->showMessage(Severity::error, tr("What was kept could not be read."));
+                          }
+                        });
+}
+
 void MainWindow::showOpened() {
   const auto opened = workspace_->opened();
-  if (!opened) return;
+  if (!opened) return showNothing();
   const Recording& recording = opened->recording;
   const std::shared_ptr<const Recording> shared(opened, &recording);
-  message_->hide();
   header_->setFileName(QFileInfo(opened->path).fileName(), opened->path);
   setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
   view_->showRecording(shared, opened->robot, opened->look);
@@ -215,11 +259,23 @@ void MainWindow::showOpened() {
   status_->setFacts(facts.join(QStringLiteral(" · ")));
   files_->remember(opened->path);
   if (step_ == Step::record) {
-    showStep(Step::result);
+    // A session comes back where it was left.
+    const auto kept = stepFromId(workspace_->session().step);
+    showStep(kept && *kept != Step::record && panels_.contains(*kept) ? *kept : Step::result);
   } else if (!below_->isVisible()) {
     arrangeFor(panels_[step_]);
   }
   showReport();
+}
+
+void MainWindow::showNothing() {
+  header_->setFileName({}, {});
+  setWindowTitle(tr("Heft Studio"));
+  status_->setFacts(tr("No recording open"));
+  pane_->setRecording(nullptr);
+  showStep(Step::record);
+  arrangeFor(panels_[step_]);
+  loadArm();
 }
 
 void MainWindow::showReport() {
@@ -228,6 +284,15 @@ void MainWindow::showReport() {
   const auto report = workspace_->report();
   pane_->setReport(&opened->recording, report.get());
   view_->showReport(report);
+  showMarks();
+}
+
+void MainWindow::showMarks() {
+  if (!workspace_->opened()) return;
+  const std::vector<Segment> segments = workspace_->segments();
+  std::vector<bool> suggested;
+  for (const Segment& segment : segments) suggested.push_back(workspace_->suggested(segment));
+  pane_->setSegments(segments, suggested);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -246,6 +311,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   const double step = pane_->timeAxis()->poses()                 ? 1.0
                       : (event->modifiers() & Qt::ShiftModifier) ? 10 * kKeyStep
                                                                  : kKeyStep;
+  if (panels_[step_]->keyPressed(event)) return;
   switch (event->key()) {
     case Qt::Key_Space:
       playback_.toggle();
@@ -267,7 +333,27 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   }
 }
 
+void MainWindow::setLanguages(const QStringList& codes, const QString& current) {
+  languages_->clear();
+  for (const QString& code : codes) {
+    // Each language in its own words, so that everybody finds theirs.
+    QString name = QLocale(code).nativeLanguageName();
+    if (code == QLatin1String("en")) name = QStringLiteral("English");
+    QAction* action = languages_->addAction(name, this, [this, code] { emit languageWanted(code); });
+    action->setCheckable(true);
+    action->setChecked(code == current);
+  }
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // Only now the splitters have a height to share out.
+  if (!arranged_) QTimer::singleShot(0, this, [this] { arrangeFor(panels_[step_]); });
+  arranged_ = true;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayClose()) return event->ignore();
   if (remembers_) QSettings().setValue("window/geometry", saveGeometry());
   QMainWindow::closeEvent(event);
 }

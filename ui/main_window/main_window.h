@@ -11,11 +11,13 @@
 #include "ui/theme/theme.h"
 #include "ui/timeline/playback.h"
 
+class QMenu;
 class QSplitter;
 class QStackedWidget;
 
 namespace heft {
 
+class Autosave;
 class Files;
 class HeaderBar;
 class MessageBar;
@@ -44,6 +46,11 @@ class MainWindow : public QMainWindow {
   void showStep(Step step);
   Step step() const { return step_; }
 
+  /// Which languages the menu offers, and which one is in force.
+  void setLanguages(const QStringList& codes, const QString& current);
+  /// Shows when it saved, and offers what an earlier program left behind. Must outlive the window.
+  void useAutosave(Autosave* autosave);
+
   /// True once the arm's shape is loaded and nothing is under way: the picture will not change by itself.
   bool settled() const;
   /// Also the engineer's numbers.
@@ -54,12 +61,14 @@ class MainWindow : public QMainWindow {
 
  signals:
   void themeWanted(heft::ThemeKind kind);
+  void languageWanted(const QString& code);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   friend class MenuBuilder;  ///< Joins the menus to the parts.
@@ -67,7 +76,10 @@ class MainWindow : public QMainWindow {
   void addPanels(const StudioMenus& menus);
   void connectParts();
   void showOpened();
+  void showNothing();
   void showReport();
+  void showMarks();
+  void showSaved();
   void loadArm();
   void arrangeFor(StepPanel* panel);
 
@@ -79,6 +91,7 @@ class MainWindow : public QMainWindow {
   JobRunner lookJobs_;  ///< Loads the arm that stands there before a recording is open.
   std::vector<JobRunner*> followed_;
   Files* files_;
+  Autosave* autosave_ = nullptr;
   HeaderBar* header_ = nullptr;
   StepBar* steps_ = nullptr;
   MessageBar* message_ = nullptr;
@@ -89,6 +102,8 @@ class MainWindow : public QMainWindow {
   QSplitter* down_ = nullptr;
   QStackedWidget* below_ = nullptr;
   QStackedWidget* panelStack_ = nullptr;
+  QMenu* languages_ = nullptr;
+  bool arranged_ = false;
   QMap<Step, StepPanel*> panels_;
   QMap<Step, QByteArray> acrossSizes_, downSizes_;  ///< Each step keeps its own.
 };

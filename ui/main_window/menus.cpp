@@ -40,8 +40,12 @@ void MenuBuilder::finish(QMenuBar*, const StudioMenus& menus) {
 }
 
 void MenuBuilder::buildFile(QMenu* menu) {
+  menu->addAction(tr("&New"), w_->files_, &Files::startAfresh)->setShortcut(QKeySequence::New);
   menu->addAction(tr("&Open …"), w_->files_, &Files::choose)->setShortcut(QKeySequence::Open);
   w_->files_->fillRecent(menu->addMenu(tr("Opened &lately")));
+  menu->addSeparator();
+  menu->addAction(tr("&Save the session"), w_->files_, &Files::save)->setShortcut(QKeySequence::Save);
+  menu->addAction(tr("Save the session &as …"), w_->files_, &Files::saveAs)->setShortcut(QKeySequence("Ctrl+Shift+S"));
   menu->addSeparator();
   QAction* payload = menu->addAction(tr("Payload &file …"), w_, [w = w_] { w->showStep(Step::exportFile); });
   payload->setShortcut(QKeySequence("Ctrl+E"));
@@ -82,6 +86,7 @@ void MenuBuilder::buildView(QMenu* menu) {
     action->setChecked(theme().dark == (kind == ThemeKind::dark));
     themes->addAction(action);
   }
+  w_->languages_ = menu->addMenu(tr("L&anguage"));
   menu->addSeparator();
 }
 

@@ -1,5 +1,7 @@
 #include "ui/main_window/panels.h"
 
+#include "ui/export_panel/export_panel.h"
+#include "ui/mark_panel/mark_panel.h"
 #include "ui/record_panel/record_panel.h"
 #include "ui/results/result_step.h"
 
@@ -8,7 +10,9 @@ namespace heft {
 std::vector<StepPanel*> makePanels(const StudioParts& parts) {
   return {
       new RecordPanel(parts),
+      new MarkPanel(parts),
       new ResultStep(parts),
+      new ExportPanel(parts),
   };
 }
 

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "ui/controller/workspace.h"
 #include "ui/models/numbers.h"
@@ -13,6 +14,7 @@ namespace heft {
 
 RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts) {
   connect(&workspace(), &Workspace::openedChanged, this, &RecordPanel::refresh);
+  connect(&workspace(), &Workspace::reportChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::busyChanged, this, &StepPanel::stateChanged);
   refresh();
 }
@@ -43,6 +45,7 @@ void RecordPanel::refresh() {
                                       "caption", content));
   card.layout->addWidget(wrappedLabel(tr("You can also drop a file anywhere in this window."), "caption", content));
   column->addWidget(card.frame);
+  addOpened(column);
   addRecent(column);
   column->addStretch(1);
   if (opened) {
@@ -53,6 +56,31 @@ void RecordPanel::refresh() {
     page()->setMainButton(tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
   }
   emit stateChanged();
+}
+
+void RecordPanel::addOpened(QVBoxLayout* column) {
+  const Session& session = workspace().session();
+  if (session.recordings.empty()) return;
+  column->addSpacing(6);
+  column->addWidget(styledLabel(tr("In this session"), "sectionTitle", page()->content()));
+  for (int k = 0; k < static_cast<int>(session.recordings.size()); ++k) {
+    const QString path = QString::fromStdString(session.recordings[static_cast<std::size_t>(k)].file.string());
+    const auto opened = workspace().openedAt(k);
+    const auto report = workspace().reportAt(k);
+    QString text = QFileInfo(path).fileName();
+    if (!opened) {
+      text = tr("%1, not read").arg(text);
+    } else if (report) {
+      text = tr("%1, %2 kg").arg(text, numberText(report->payload.mass, 3));
+    }
+    auto* button = new QPushButton(text, page()->content());
+    button->setObjectName(QStringLiteral("recording%1").arg(k));
+    button->setProperty("role", k == session.active ? "chosen" : "plain");
+    button->setToolTip(k == session.active ? tr("Shown now: %1").arg(path) : tr("Show %1").arg(path));
+    button->setEnabled(opened != nullptr);
+    connect(button, &QPushButton::clicked, this, [this, k] { workspace().activate(k); });
+    column->addWidget(button);
+  }
 }
 
 void RecordPanel::addRecent(QVBoxLayout* column) {

@@ -17,6 +17,7 @@ class RecordPanel : public StepPanel {
 
  private:
   void refresh();
+  void addOpened(QVBoxLayout* column);
   void addRecent(QVBoxLayout* column);
 };
 

@@ -12,6 +12,7 @@
 #include "ui/steps/studio_parts.h"
 #include "ui/widgets/panel_page.h"
 
+class QKeyEvent;
 class QMenu;
 
 namespace heft {
@@ -45,6 +46,12 @@ class StepPanel : public QWidget {
   /// With Below::own: a widget that the window places and the panel owns.
   virtual QWidget* ownPane() { return nullptr; }
 
+  /// What may be done here, for the line at the bottom: "Drag an edge to move it · Ctrl+Z undoes".
+  virtual QString hint() const { return {}; }
+
+  /// A key that no control wanted while this step is shown; true if it was used.
+  virtual bool keyPressed(QKeyEvent*) { return false; }
+
   /// Adds actions once, while the window is being built.
   virtual void addActions(const StudioMenus&) {}
 
@@ -58,6 +65,8 @@ class StepPanel : public QWidget {
  signals:
   /// state() would answer differently.
   void stateChanged();
+  /// below() would answer differently.
+  void arrangementChanged();
 
  protected:
   const StudioParts& parts() const { return parts_; }

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QStyle>
 #include <QVariant>
 
@@ -21,6 +22,14 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addWidget(text_, 1);
+  action_ = new QPushButton(this);
+  action_->setObjectName("messageAction");
+  connect(action_, &QPushButton::clicked, this, [this] {
+    const auto clicked = clicked_;  // It may show the next message.
+    hide();
+    if (clicked) clicked();
+  });
+  row->addWidget(action_, 0, Qt::AlignTop);
   auto* close = new IconButton("close", tr("Close this message"), this);
   close->setObjectName("messageClose");
   row->addWidget(close, 0, Qt::AlignTop);
@@ -28,7 +37,13 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-void MessageBar::showMessage(Severity severity, const QString& text) {
+void MessageBar::showMessage(Severity severity, const QString& text) { showMessage(severity, text, {}, {}); }
+
+void MessageBar::showMessage(Severity severity, const QString& text, const QString& action,
+                             std::function<void()> clicked) {
+  action_->setText(action);
+  action_->setVisible(!action.isEmpty());
+  clicked_ = std::move(clicked);
   icon_->setLight(severity == Severity::error     ? Light::notPossible
                   : severity == Severity::warning ? Light::look
                                                   : Light::info);

@@ -91,7 +91,9 @@ QVBoxLayout* PanelPage::restart(const QString& question, const QString& answer) 
   second->setVisible(!answer.isEmpty());
   column->addWidget(second);
   column->addSpacing(2);
-  scroll_->setWidget(content);  // Deletes the one before.
+  // The page is often rebuilt by a click on one of its own buttons, which must outlive its signal.
+  if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
+  scroll_->setWidget(content);
   return column;
 }
 
@@ -136,7 +138,12 @@ void PanelPage::showFoot() {
 
 void PanelPage::refreshIcons() {
   const Theme& t = theme();
-  main_->setIcon(mainIcon_.isEmpty() ? QIcon() : QIcon(iconPixmap(mainIcon_, 20, Qt::white, t.accentFill, 2.0)));
+  QIcon onFill;
+  if (!mainIcon_.isEmpty()) {
+    onFill.addPixmap(iconPixmap(mainIcon_, 20, Qt::white, t.accentFill, 2.0));
+    onFill.addPixmap(iconPixmap(mainIcon_, 20, t.text3, t.raised, 2.0), QIcon::Disabled);
+  }
+  main_->setIcon(onFill);
   second_->setIcon(secondIcon_.isEmpty() ? QIcon() : themedIcon(secondIcon_));
   main_->setIconSize(QSize(20, 20));
   second_->setIconSize(QSize(20, 20));

@@ -1,0 +1,205 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/recording/csv_reader.h"
+#include "tests/ui/fixtures.h"
+#include "ui/controller/autosave.h"
+#include "ui/controller/workspace.h"
+
+namespace heft {
+namespace {
+
+constexpr int kPatience = 60000;
+
+/// A recording that a reader accepts: within an arm's reach.
+Recording reachable(Eigen::Index rows, double rateHz) {
+  Recording recording = test::sineRecording(rows, rateHz);
+  recording.position *= 0.05;
+  return recording;
+}
+
+QString writeSine(const QTemporaryDir& folder, const QString& name) {
+  const QString path = folder.filePath(name);
+  const auto written = writeRecording(reachable(2000, 200), path.toStdString());
+  EXPECT_TRUE(written.ok());
+  return path;
+}
+
+class WorkspaceTest : public testing::Test {
+ protected:
+  void open(const QStringList& files) {
+    workspace.open(files);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+    ASSERT_TRUE(workspace.opened());
+  }
+  const std::vector<Mark>& marks() {
+    return workspace.session().recordings[static_cast<std::size_t>(workspace.session().active)].marks;
+  }
+  QTemporaryDir folder;
+  Workspace workspace;
+};
+
+TEST_F(WorkspaceTest, SeveralRecordingsAreOpenedAndTheLastIsShown) {
+  const QStringList files{writeSine(folder, "a.csv"), writeSine(folder, "b.csv")};
+  QSignalSpy failed(&workspace, &Workspace::failed);
+  open(files + QStringList{folder.filePath("none.csv")});
+  EXPECT_EQ(failed.count(), 1);
+  EXPECT_EQ(workspace.session().recordings.size(), 2u);
+  EXPECT_EQ(workspace.opened()->path, files[1]);
+  workspace.activate(0);
+  EXPECT_EQ(workspace.opened()->path, files[0]);
+  open({files[1]});  // Opened again: shown, not doubled.
+  EXPECT_EQ(workspace.session().recordings.size(), 2u);
+  EXPECT_EQ(workspace.opened()->path, files[1]);
+}
+
+TEST_F(WorkspaceTest, PaintingIsUndoneAndEstimatesAgain) {
+  open({writeSine(folder, "a.csv")});
+  const auto before = workspace.report();
+  workspace.paint(2, 4, MarkLabel::ignore);
+  EXPECT_EQ(marks().size(), 1u);
+  EXPECT_TRUE(workspace.busy());
+  EXPECT_TRUE(workspace.outdated());
+  bool shown = false;
+  for (const Segment& segment : workspace.segments())
+    shown = shown || (segment.label == MarkLabel::ignore && segment.from == 2 && segment.to == 4);
+  EXPECT_TRUE(shown) << "painting is seen before the next estimate";
+  EXPECT_EQ(workspace.undoStack()->undoText(), "mark as ignored");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  EXPECT_FALSE(workspace.outdated());
+  EXPECT_NE(workspace.report(), before);
+  workspace.undoStack()->undo();
+  EXPECT_TRUE(marks().empty());
+  workspace.undoStack()->redo();
+  EXPECT_EQ(marks().size(), 1u);
+}
+
+TEST_F(WorkspaceTest, ADragIsOneStep) {
+  open({writeSine(folder, "a.csv")});
+  ShapeChoice shape;
+  shape.answer = ShapeChoice::Answer::given;
+  ShapeBody body;
+  body.dims = {0.1, 0.1, 0.1};
+  const int key = workspace.newMergeKey();
+  for (int k = 1; k <= 5; ++k) {
+    body.dims[0] = 0.1 + 0.01 * k;
+    shape.shape.bodies = {body};
+    workspace.setShape(shape, "size", key);
+  }
+  EXPECT_EQ(workspace.undoStack()->count(), 1);
+  EXPECT_NEAR(workspace.session().shape.shape.bodies[0].dims[0], 0.15, 1e-12);
+  workspace.setShape(shape, "size", workspace.newMergeKey());
+  EXPECT_EQ(workspace.undoStack()->count(), 2);
+  workspace.undoStack()->undo();
+  workspace.undoStack()->undo();
+  EXPECT_EQ(workspace.session().shape.answer, ShapeChoice::Answer::notGiven);
+}
+
+TEST_F(WorkspaceTest, ASessionComesBackWithRecordingsAndMarks) {
+  const QStringList files{writeSine(folder, "a.csv"), writeSine(folder, "b.csv")};
+  open(files);
+  workspace.activate(0);
+  workspace.paint(1, 2, MarkLabel::contact);
+  EXPECT_TRUE(workspace.modified());
+  const QString session = folder.filePath("work.heft");
+  ASSERT_TRUE(workspace.save(session));
+  EXPECT_FALSE(workspace.modified());
+  Workspace other;
+  other.open(session);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !other.busy() && other.opened(); }, kPatience));
+  EXPECT_EQ(other.opened()->path, files[0]);
+  EXPECT_EQ(other.session().recordings.size(), 2u);
+  ASSERT_EQ(other.session().recordings[0].marks.size(), 1u);
+  EXPECT_EQ(other.session().recordings[0].marks[0].label, MarkLabel::contact);
+  EXPECT_TRUE(other.report());
+  EXPECT_FALSE(other.modified());
+}
+
+TEST_F(WorkspaceTest, RecordingsMadeHereGetAFreeName) {
+  const QString made = folder.filePath("made");
+  workspace.addRecording(reachable(1000, 100), made, "virtual");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  workspace.addRecording(reachable(1000, 100), made, "virtual");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  EXPECT_TRUE(QFile::exists(made + "/virtual.csv"));
+  EXPECT_TRUE(QFile::exists(made + "/virtual-2.csv"));
+  EXPECT_EQ(workspace.session().recordings.size(), 2u);
+}
+
+/// What the test below starts and kills; by itself it does nothing.
+TEST(AutosaveVictim, DISABLED_WorksUntilItIsKilled) {
+  const QString state = qEnvironmentVariable("HEFT_TEST_STATE"), file = qEnvironmentVariable("HEFT_TEST_FILE");
+  ASSERT_FALSE(state.isEmpty());
+  Workspace workspace;
+  Autosave autosave(&workspace, state, 50);
+  workspace.open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, kPatience));
+  workspace.paint(3, 5, MarkLabel::contact);
+  workspace.setStep("mark");
+  QTest::qWait(300);
+  std::printf("painted\n");
+  std::fflush(stdout);
+  QTest::qWait(60000);
+}
+
+TEST(Autosave, NothingIsLostByAKill) {
+  QTemporaryDir folder;
+  const QString state = folder.filePath("state");
+  QProcess victim;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("HEFT_TEST_STATE", state);
+  environment.insert("HEFT_TEST_FILE", writeSine(folder, "a.csv"));
+  victim.setProcessEnvironment(environment);
+  victim.start(QCoreApplication::applicationFilePath(),
+               {"--gtest_also_run_disabled_tests", "--gtest_filter=AutosaveVictim.*"});
+  QByteArray said;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        said += victim.readAllStandardOutput();
+        return said.contains("painted\n");
+      },
+      kPatience))
+      << said.toStdString();
+  {
+    Workspace workspace;
+    Autosave autosave(&workspace, state, 50);
+    EXPECT_TRUE(autosave.leftBehind().isEmpty()) << "a session of a living program is not taken from it";
+  }
+  victim.kill();  // SIGKILL
+  ASSERT_TRUE(victim.waitForFinished());
+  Workspace workspace;
+  Autosave autosave(&workspace, state, 50);
+  ASSERT_EQ(autosave.leftBehind().size(), 1);
+  ASSERT_TRUE(autosave.recover());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && workspace.opened(); }, kPatience));
+  EXPECT_EQ(workspace.opened()->path, folder.filePath("a.csv"));
+  ASSERT_EQ(workspace.session().recordings[0].marks.size(), 1u);
+  EXPECT_EQ(workspace.session().recordings[0].marks[0].from, 3);
+  EXPECT_EQ(workspace.session().step, "mark");
+  EXPECT_TRUE(autosave.leftBehind().isEmpty()) << "it is now this program's own";
+  EXPECT_TRUE(QFile::exists(autosave.file())) << "and a second kill loses nothing either";
+}
+
+TEST(Autosave, ANormalEndLeavesNothingBehind) {
+  QTemporaryDir folder;
+  Workspace workspace;
+  QString file;
+  {
+    Autosave autosave(&workspace, folder.path(), 1);
+    workspace.setStep("mark");
+    autosave.flush();
+    file = autosave.file();
+    EXPECT_TRUE(QFile::exists(file));
+  }
+  EXPECT_TRUE(QDir(folder.path()).entryList(QDir::Files).isEmpty());
+}
+
+}  // namespace
+}  // namespace heft

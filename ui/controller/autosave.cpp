@@ -1,0 +1,99 @@
+#include "ui/controller/autosave.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include "core/base/json_file.h"
+#include "core/workspace/session.h"
+#include "ui/controller/workspace.h"
+
+namespace heft {
+namespace {
+
+QString lockOf(const QString& file) { return file + QStringLiteral(".lock"); }
+
+}  // namespace
+
+QString stateFolder() {
+  const QString state = qEnvironmentVariable("XDG_STATE_HOME");
+  return (QDir::isAbsolutePath(state) ? state : QDir::homePath() + QStringLiteral("/.local/state")) +
+         QStringLiteral("/heft");
+}
+
+QString recordedFolder() { return stateFolder() + QStringLiteral("/recordings"); }
+
+Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QObject* parent)
+    : QObject(parent), workspace_(workspace), folder_(folder) {
+  QDir().mkpath(folder_);
+  // A name that no living program holds; two windows of one process differ by the number.
+  for (int k = 0; k < 1000 && !lock_; ++k) {
+    file_ = QDir(folder_).filePath(
+        QStringLiteral("autosave-%1-%2.heft").arg(QCoreApplication::applicationPid()).arg(k));
+    if (QFileInfo::exists(file_)) continue;
+    auto lock = std::make_unique<QLockFile>(lockOf(file_));
+    lock->setStaleLockTime(0);  // Only a dead owner makes it stale, not its age.
+    if (lock->tryLock(0)) lock_ = std::move(lock);
+  }
+  timer_.setSingleShot(true);
+  timer_.setInterval(interval);
+  connect(&timer_, &QTimer::timeout, this, &Autosave::flush);
+  connect(workspace_, &Workspace::sessionChanged, this, [this] {
+    changed_ = true;
+    if (!timer_.isActive()) timer_.start();
+  });
+}
+
+Autosave::~Autosave() { QFile::remove(file_); }
+
+void Autosave::flush() {
+  timer_.stop();
+  if (!changed_ || !lock_) return;
+  const Session& session = workspace_->session();
+  const auto written =
+      writeTextFile(file_.toStdString(), sessionText(session, folder_.toStdString(), true));
+  // A full disk is no reason to trouble the user every few seconds; the next change tries again.
+  if (!written) return;
+  changed_ = false;
+  lastSaved_ = QDateTime::currentDateTime();
+  emit saved();
+}
+
+QStringList Autosave::leftBehind() const {
+  QStringList orphans;
+  const QFileInfoList files =
+      QDir(folder_).entryInfoList({QStringLiteral("autosave-*.heft")}, QDir::Files, QDir::Time);
+  for (const QFileInfo& info : files) {
+    if (info.absoluteFilePath() == QFileInfo(file_).absoluteFilePath()) continue;
+    QLockFile lock(lockOf(info.absoluteFilePath()));
+    lock.setStaleLockTime(0);
+    if (lock.tryLock(0)) orphans << info.absoluteFilePath();
+  }
+  return orphans;
+}
+
+bool Autosave::recover() {
+  for (const QString& orphan : leftBehind()) {
+    auto text = readTextFile(orphan.toStdString());
+    if (!text) continue;
+    auto session = parseSession(*text, QFileInfo(orphan).fileName().toStdString(), folder_.toStdString());
+    if (!session || session->recordings.empty()) {
+      discard(orphan);
+      continue;
+    }
+    workspace_->takeSession(std::move(session).value());
+    changed_ = true;
+    flush();
+    if (!changed_) discard(orphan);
+    return true;
+  }
+  return false;
+}
+
+void Autosave::discard(const QString& file) {
+  QFile::remove(file);
+  QFile::remove(lockOf(file));
+}
+
+}  // namespace heft

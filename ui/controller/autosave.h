@@ -1,0 +1,54 @@
+#pragma once
+// Nothing is lost when the program or the machine dies: the session is written every few seconds into the state folder
+// (XDG_STATE_HOME/heft), and the next start finds what was left behind there.
+#include <QDateTime>
+#include <QLockFile>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+#include <memory>
+
+namespace heft {
+
+class Workspace;
+
+/// XDG_STATE_HOME/heft, or ~/.local/state/heft.
+QString stateFolder();
+/// Where recordings made in the program are kept until the user saves them elsewhere.
+QString recordedFolder();
+
+class Autosave : public QObject {
+  Q_OBJECT
+ public:
+  /// Writes to `folder` at most every `interval` milliseconds, and only when something changed. `workspace` must
+  /// outlive it.
+  Autosave(Workspace* workspace, const QString& folder, int interval = 3000, QObject* parent = nullptr);
+  /// A normal end: what was autosaved is removed.
+  ~Autosave() override;
+
+  /// Sessions that programs left behind that are no longer running, newest first.
+  QStringList leftBehind() const;
+  /// Opens the newest of them and removes it once it is saved under this program's own name; false if there is none
+  /// that can be read.
+  bool recover();
+  /// Forgets one that the user does not want.
+  static void discard(const QString& file);
+
+  QString file() const { return file_; }
+  QDateTime lastSaved() const { return lastSaved_; }
+  /// Writes at once if anything changed.
+  void flush();
+
+ signals:
+  void saved();
+
+ private:
+  Workspace* workspace_;
+  QString folder_, file_;
+  std::unique_ptr<QLockFile> lock_;  ///< Held as long as the program lives; a dead one's is stale.
+  QTimer timer_;
+  QDateTime lastSaved_;
+  bool changed_ = false;
+};
+
+}  // namespace heft
