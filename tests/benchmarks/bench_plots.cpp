@@ -51,6 +51,7 @@ struct Pane {
     pane.resize(1000, 400);
     pane.setRecording(&longRecording().recording);
     pane.setReport(&longRecording().recording, &longRecording().report);
+    pane.setSegments(longRecording().report.segments, {});
     pane.show();
     QApplication::processEvents();
   }

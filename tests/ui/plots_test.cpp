@@ -11,8 +11,10 @@
 #include "tests/ui/fixtures.h"
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/playback.h"
+#include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/min_max_pyramid.h"
 #include "ui/wrench_plots/recording_pane.h"
+#include "ui/wrench_plots/visible_csv.h"
 #include "ui/wrench_plots/wrench_plots.h"
 #include "ui/wrench_plots/wrench_traces.h"
 
@@ -99,6 +101,7 @@ class PlotsTest : public testing::Test {
     pane.show();
     pane.setRecording(&recording);
     pane.setReport(&recording, &report);
+    pane.setSegments(report.segments, {});
     QApplication::processEvents();
   }
   QWidget* canvas() { return pane.plots()->findChild<QWidget*>(QString(), Qt::FindDirectChildrenOnly); }
@@ -182,6 +185,118 @@ TEST_F(PlotsTest, KeysZoomAndShowAll) {
   EXPECT_LT(pane.timeAxis()->span(), 9);
   QTest::keyClick(pane.plots(), Qt::Key_0);
   EXPECT_TRUE(pane.timeAxis()->showsAll());
+}
+
+TEST(WrenchTraces, ValuesAreReadBetweenSamples) {
+  const Recording recording = test::sineRecording(1000, 100);
+  const EstimateReport report = test::reportOn(recording);
+  const WrenchTraces traces(recording, &report);
+  EXPECT_NEAR(traces.valueAt(WrenchTraces::Kind::measured, 2, 3.005), -5 + 3.005, 1e-9);
+  EXPECT_NEAR(traces.valueAt(WrenchTraces::Kind::difference, 0, 3.005), 0.25, 1e-9);
+  EXPECT_TRUE(std::isnan(traces.valueAt(WrenchTraces::Kind::measured, 2, 99)));
+  const auto rows = cursorTable(traces, 2.0, 5.0);
+  ASSERT_EQ(rows.size(), 8u);
+  EXPECT_EQ(rows[1][3], "3.000");
+  EXPECT_EQ(rows[4][0], "Fz [N]");
+  EXPECT_EQ(rows[4][3], "3.00");
+}
+
+TEST(VisibleCsv, HoldsTheVisibleSamplesOfAllKinds) {
+  const Recording recording = test::sineRecording(1000, 100);
+  const EstimateReport report = test::reportOn(recording);
+  const QStringList lines =
+      QString::fromStdString(visibleCsv(WrenchTraces(recording, &report), 1.0, 1.1)).trimmed().split('\n');
+  ASSERT_EQ(lines.size(), 12);
+  EXPECT_TRUE(lines[0].startsWith("time,fx,fy,fz,tx,ty,tz,fx_simulated"));
+  const QStringList cells = lines[1].split(',');
+  ASSERT_EQ(cells.size(), 19);
+  EXPECT_NEAR(cells[0].toDouble(), 1.0, 1e-9);
+  EXPECT_NEAR(cells[3].toDouble(), -4.0, 1e-9);
+  EXPECT_NEAR(cells[13].toDouble(), 0.25, 1e-9);
+  const QString without = QString::fromStdString(visibleCsv(WrenchTraces(recording, nullptr), 1.0, 1.1));
+  EXPECT_EQ(without.split('\n')[1].split(',').size(), 7);
+}
+
+TEST_F(PlotsTest, ASecondCursorIsPutDownAndDragged) {
+  pane.setMeasuring(true);
+  EXPECT_TRUE(pane.differenceCursor()->isVisible());
+  QTest::mouseClick(canvas(), Qt::LeftButton, Qt::ControlModifier, {400, 50});
+  EXPECT_NEAR(pane.differenceCursor()->second(), pane.timeAxis()->toTime(400, canvas()->width()), 1e-9);
+  QTest::mousePress(canvas(), Qt::LeftButton, {}, {402, 50});
+  QMouseEvent move(QEvent::MouseMove, QPointF(600, 50), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(canvas(), &move);
+  QTest::mouseRelease(canvas(), Qt::LeftButton, {}, {600, 50});
+  EXPECT_NEAR(pane.differenceCursor()->second(), pane.timeAxis()->toTime(600, canvas()->width()), 1e-9);
+  EXPECT_TRUE(pane.timeAxis()->showsAll());
+  pane.setMeasuring(false);
+  EXPECT_FALSE(pane.differenceCursor()->isVisible());
+}
+
+class PaintTest : public PlotsTest {
+ protected:
+  PaintTest() {
+    pane.setBrush(MarkLabel::ignore);
+    QObject::connect(&pane, &RecordingPane::painted, &pane, [this](double from, double to, MarkLabel label) {
+      strokes.push_back({from, to, label});
+    });
+  }
+  void drag(QWidget* widget, int from, int to, int y) {
+    QTest::mousePress(widget, Qt::LeftButton, {}, {from, y});
+    QMouseEvent move(QEvent::MouseMove, QPointF(to, y), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(widget, &move);
+    QTest::mouseRelease(widget, Qt::LeftButton, {}, {to, y});
+  }
+  double timeAt(int x) { return pane.timeAxis()->toTime(x, pane.marks()->width()); }
+  std::vector<Mark> strokes;
+};
+
+TEST_F(PaintTest, DraggingOverTheBarPaints) {
+  drag(pane.marks(), 200, 320, 12);
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_EQ(strokes[0].label, MarkLabel::ignore);
+  EXPECT_NEAR(strokes[0].from, timeAt(200), 1e-9);
+  EXPECT_NEAR(strokes[0].to, timeAt(320), 1e-9);
+  QTest::mouseClick(pane.marks(), Qt::LeftButton, {}, {250, 12});
+  EXPECT_EQ(strokes.size(), 1u) << "a click only picks a time";
+}
+
+TEST_F(PaintTest, AnEdgeIsMovedByDragging) {
+  const int edge = static_cast<int>(pane.timeAxis()->toX(report.segments[1].from, pane.marks()->width()));
+  drag(pane.marks(), edge, edge + 40, 12);
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_EQ(strokes[0].label, MarkLabel::free) << "the free part before it grows";
+  EXPECT_NEAR(strokes[0].from, report.segments[1].from, 1e-9);
+  EXPECT_NEAR(strokes[0].to, timeAt(edge + 40), 1e-9);
+}
+
+TEST_F(PaintTest, KeysPaintFromEnterToEnter) {
+  pane.marks()->setFocus();
+  playback.setTime(2.0);
+  QTest::keyClick(pane.marks(), Qt::Key_Return);
+  playback.setTime(3.5);
+  QTest::keyClick(pane.marks(), Qt::Key_Return);
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_NEAR(strokes[0].from, 2.0, 1e-9);
+  EXPECT_NEAR(strokes[0].to, 3.5, 1e-9);
+  QTest::keyClick(pane.marks(), Qt::Key_Return);
+  playback.setTime(5.0);
+  QTest::keyClick(pane.marks(), Qt::Key_Escape);
+  QTest::keyClick(pane.marks(), Qt::Key_Return);
+  EXPECT_EQ(strokes.size(), 1u) << "Escape gives the stroke up";
+}
+
+TEST_F(PaintTest, ThePlotsPaintOnlyWhilePaintIsPressed) {
+  auto* paint = pane.findChild<QAbstractButton*>("paintButton");
+  ASSERT_TRUE(paint->isVisible());
+  QTest::mouseClick(paint, Qt::LeftButton);
+  drag(canvas(), 300, 500, 50);
+  EXPECT_EQ(strokes.size(), 1u);
+  EXPECT_TRUE(pane.timeAxis()->showsAll());
+  pane.setBrush(std::nullopt);
+  EXPECT_FALSE(paint->isVisible());
+  drag(canvas(), 300, 500, 50);
+  EXPECT_EQ(strokes.size(), 1u);
+  EXPECT_FALSE(pane.timeAxis()->showsAll());
 }
 
 TEST_F(PlotsTest, MarksBarTellsWhatIsUnderThePointer) {

@@ -1,6 +1,7 @@
 #include "ui/timeline/marks_bar.h"
 
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -13,12 +14,7 @@
 namespace heft {
 namespace {
 
-constexpr int kBarTop = 4, kBarHeight = 22;
-
-const QColor& markColour(MarkLabel label) {
-  const Theme& t = theme();
-  return label == MarkLabel::free ? t.markFree : label == MarkLabel::contact ? t.markContact : t.markIgnored;
-}
+constexpr int kBarTop = 4, kBarHeight = 22, kEdgeReach = 5;
 
 /// Text on a mark: dark on the light theme's pale colours; on the dark theme only the amber one is bright.
 QColor markTextColour(MarkLabel label) {
@@ -36,6 +32,11 @@ double tickStep(double span, double wanted, bool whole) {
 }
 
 }  // namespace
+
+const QColor& markColour(MarkLabel label) {
+  const Theme& t = theme();
+  return label == MarkLabel::free ? t.markFree : label == MarkLabel::contact ? t.markContact : t.markIgnored;
+}
 
 QString markWord(MarkLabel label) {
   switch (label) {
@@ -59,9 +60,65 @@ MarksBar::MarksBar(TimeAxis* axis, QWidget* parent) : QWidget(parent), axis_(axi
   connect(axis_, &TimeAxis::visibleChanged, this, [this] { update(); });
 }
 
-void MarksBar::setSegments(std::vector<Segment> segments) {
+void MarksBar::setSegments(std::vector<Segment> segments, std::vector<bool> suggested) {
   segments_ = std::move(segments);
+  suggested_ = std::move(suggested);
+  suggested_.resize(segments_.size(), false);
+  edge_ = -1;
   update();
+}
+
+void MarksBar::setBrush(std::optional<MarkLabel> brush) {
+  brush_ = brush;
+  if (!brush_) {
+    pressed_.reset();
+    keyStroke_.reset();
+    edge_ = -1;
+    unsetCursor();
+  }
+  setFocusPolicy(brush_ ? Qt::StrongFocus : Qt::NoFocus);
+  update();
+}
+
+void MarksBar::setSelected(std::optional<std::pair<double, double>> stretch) {
+  selected_ = stretch;
+  update();
+}
+
+void MarksBar::setTime(double time) {
+  time_ = time;
+  if (keyStroke_) update();
+}
+
+int MarksBar::edgeAt(int x) const {
+  for (std::size_t i = 0; i + 1 < segments_.size(); ++i) {
+    if (std::abs(segments_[i].to - segments_[i + 1].from) > 0.02) continue;
+    if (segments_[i].label == segments_[i + 1].label) continue;
+    if (std::abs(axis_->toX(segments_[i].to, width()) - x) <= kEdgeReach) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::optional<MarksBar::Stroke> MarksBar::stroke() const {
+  if (edge_ >= 0) {
+    const Segment& left = segments_[static_cast<std::size_t>(edge_)];
+    const Segment& right = segments_[static_cast<std::size_t>(edge_) + 1];
+    const double was = left.to;
+    return pointer_ < was ? Stroke{pointer_, was, right.label} : Stroke{was, pointer_, left.label};
+  }
+  if (!brush_) return std::nullopt;
+  if (pressed_) return Stroke{std::min(*pressed_, pointer_), std::max(*pressed_, pointer_), *brush_};
+  if (keyStroke_) return Stroke{std::min(*keyStroke_, time_), std::max(*keyStroke_, time_), *brush_};
+  return std::nullopt;
+}
+
+void MarksBar::finishStroke() {
+  const auto done = stroke();
+  pressed_.reset();
+  keyStroke_.reset();
+  edge_ = -1;
+  update();
+  if (done && done->to - done->from > 1e-3) emit painted(done->from, done->to, done->label);
 }
 
 const Segment* MarksBar::segmentAt(const QPoint& point) const {
@@ -102,24 +159,80 @@ void MarksBar::paintEvent(QPaintEvent*) {
   painter.save();
   painter.setClipRect(bar);
   painter.setFont(uiFont(type::kCaption, QFont::DemiBold));
-  for (const Segment& segment : segments_) {
-    const double left = std::max(axis_->toX(segment.from, width()), bar.left() - 8);
-    const double right = std::min(axis_->toX(segment.to, width()), bar.right() + 8);
-    if (right < bar.left() || left > bar.right()) continue;
-    // A gap of one pixel between neighbours; a sliver stays visible.
-    const QRectF block(left + 0.5, bar.top(), std::max(1.0, right - left - 1.0), bar.height());
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(markColour(segment.label));
-    painter.drawRoundedRect(block, 3, 3);
-    const QRectF shown = block.intersected(bar);
-    const QString word = markWord(segment.label);
-    if (painter.fontMetrics().horizontalAdvance(word) + 10 < shown.width()) {
-      painter.setPen(markTextColour(segment.label));
-      painter.drawText(shown, Qt::AlignCenter, word);
-    }
+  for (std::size_t i = 0; i < segments_.size(); ++i) paintSegment(painter, bar, i);
+  if (const auto now = stroke()) {
+    const double left = axis_->toX(now->from, width()), right = axis_->toX(now->to, width());
+    painter.setPen(QPen(t.accent, 2));
+    painter.setBrush(markColour(now->label));
+    painter.drawRoundedRect(QRectF(left, bar.top() + 1, std::max(2.0, right - left), bar.height() - 2), 3, 3);
   }
   painter.restore();
+  if (selected_) {
+    const double left = std::max(bar.left(), axis_->toX(selected_->first, width()));
+    const double right = std::min(bar.right(), axis_->toX(selected_->second, width()));
+    if (right > left) {
+      painter.setPen(QPen(t.accent, 2));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRoundedRect(QRectF(left - 1, bar.top() - 2, right - left + 2, bar.height() + 4), 5, 5);
+      painter.setBrush(t.panel);
+      for (const double x : {left, right}) painter.drawRoundedRect(QRectF(x - 4, bar.top() + 3, 7, bar.height() - 6), 3, 3);
+    }
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(t.accent, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(bar).adjusted(-3, -3, 3, 3), 5, 5);
+  }
+  paintTicks(painter, bar);
+}
 
+void MarksBar::paintSegment(QPainter& painter, const QRectF& bar, std::size_t index) const {
+  const Segment& segment = segments_[index];
+  const Theme& t = theme();
+  const double left = std::max(axis_->toX(segment.from, width()), bar.left() - 8);
+  const double right = std::min(axis_->toX(segment.to, width()), bar.right() + 8);
+  if (right < bar.left() || left > bar.right()) return;
+  // A gap of one pixel between neighbours; a sliver stays visible.
+  const QRectF block(left + 0.5, bar.top(), std::max(1.0, right - left - 1.0), bar.height());
+  const QColor& colour = markColour(segment.label);
+  const bool suggested = suggested_[index];
+  if (suggested) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(t.panel);
+    painter.drawRoundedRect(block, 3, 3);
+    painter.setBrush(QBrush(colour, Qt::BDiagPattern));
+    painter.drawRoundedRect(block, 3, 3);
+    QColor tint = colour;
+    tint.setAlpha(90);
+    painter.setBrush(tint);
+    QPen edge(t.text, 1.2);
+    edge.setDashPattern({3.0, 2.0});
+    painter.setPen(edge);
+    painter.drawRoundedRect(block.adjusted(0.6, 0.6, -0.6, -0.6), 3, 3);
+  } else {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(block, 3, 3);
+  }
+  const QRectF shown = block.intersected(bar);
+  const QString word = suggested ? markWord(segment.label) + QLatin1Char('?') : markWord(segment.label);
+  const double wide = painter.fontMetrics().horizontalAdvance(word);
+  const QString text = wide + 10 < shown.width() ? word : suggested && shown.width() > 14 ? QStringLiteral("?") : QString();
+  if (text.isEmpty()) return;
+  if (suggested) {
+    const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0 + 4;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(t.panel);
+    painter.drawRoundedRect(QRectF(shown.center().x() - half, shown.top() + 3, 2 * half, shown.height() - 6), 3, 3);
+    painter.setPen(t.text);
+  } else {
+    painter.setPen(markTextColour(segment.label));
+  }
+  painter.drawText(shown, Qt::AlignCenter, text);
+}
+
+void MarksBar::paintTicks(QPainter& painter, const QRectF& bar) const {
+  const Theme& t = theme();
   painter.setFont(uiFont(type::kTick));
   painter.setPen(t.text3);
   const double step = tickStep(axis_->span(), bar.width() / 75.0, axis_->poses());
@@ -138,11 +251,66 @@ void MarksBar::paintEvent(QPaintEvent*) {
 }
 
 void MarksBar::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) emit timePicked(axis_->toTime(event->pos().x(), width()));
+  if (event->button() != Qt::LeftButton) return;
+  pointer_ = axis_->toTime(event->pos().x(), width());
+  if (brush_) {
+    edge_ = edgeAt(event->pos().x());
+    if (edge_ < 0) pressed_ = pointer_;
+    keyStroke_.reset();
+  }
+  emit timePicked(pointer_);
 }
 
 void MarksBar::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton) emit timePicked(axis_->toTime(event->pos().x(), width()));
+  if (brush_ && !event->buttons()) setCursor(edgeAt(event->pos().x()) >= 0 ? Qt::SplitHCursor : Qt::CrossCursor);
+  if (!(event->buttons() & Qt::LeftButton)) return;
+  pointer_ = std::clamp(axis_->toTime(event->pos().x(), width()), axis_->fullLower(), axis_->fullUpper());
+  if (pressed_ || edge_ >= 0) update();
+  emit timePicked(pointer_);
+}
+
+void MarksBar::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || (!pressed_ && edge_ < 0)) return;
+  // A click without a drag picks a time and paints nothing.
+  const double began = pressed_ ? *pressed_ : edge_ >= 0 ? segments_[static_cast<std::size_t>(edge_)].to : pointer_;
+  if (std::abs(axis_->toX(began, width()) - axis_->toX(pointer_, width())) < 3) {
+    pressed_.reset();
+    edge_ = -1;
+    return update();
+  }
+  finishStroke();
+}
+
+void MarksBar::keyPressEvent(QKeyEvent* event) {
+  if (!brush_) return QWidget::keyPressEvent(event);
+  switch (event->key()) {
+    case Qt::Key_1:
+    case Qt::Key_2:
+    case Qt::Key_3:
+      emit brushPicked(static_cast<MarkLabel>(event->key() - Qt::Key_1));
+      return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (keyStroke_) {
+        finishStroke();
+      } else {
+        keyStroke_ = time_;
+        update();
+      }
+      return;
+    case Qt::Key_Escape:
+      keyStroke_.reset();
+      update();
+      return;
+    default:
+      QWidget::keyPressEvent(event);  // The window moves the time by the arrow keys.
+  }
+}
+
+void MarksBar::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  keyStroke_.reset();
+  update();
 }
 
 bool MarksBar::event(QEvent* event) {

@@ -3,28 +3,19 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <limits>
 
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/playback.h"
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_cursor.h"
 #include "ui/widgets/basics.h"
+#include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/legend.h"
+#include "ui/wrench_plots/visible_csv.h"
 #include "ui/wrench_plots/wrench_plots.h"
 
 namespace heft {
-namespace {
-
-/// Marks that came with the recording, for the time before an estimate has looked at it.
-std::vector<Segment> givenSegments(const Recording& recording) {
-  std::vector<Segment> segments;
-  for (const Mark& mark : recording.meta.marks) {
-    segments.push_back({mark.from, mark.to, mark.label, MarksBar::tr("marked in the file").toStdString()});
-  }
-  return segments;
-}
-
-}  // namespace
 
 RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(parent), playback_(playback) {
   setObjectName("plotArea");
@@ -53,6 +44,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   marks_ = new MarksBar(&axis_, body);
   bodyColumn->addWidget(marks_);
   constexpr int kTicksHeight = 24;
+  difference_ = new DifferenceCursor(&axis_, body, kTicksHeight);
   cursor_ = new TimeCursor(&axis_, body, kTicksHeight);
 
   using Shown = WrenchPlots::Shown;
@@ -70,11 +62,26 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     if (what == Shown::z) row->addSpacing(10);
   }
   row->addStretch(1);
+  paint_ = new QPushButton(tr("Paint"), header);
+  paint_->setObjectName("paintButton");
+  paint_->setCheckable(true);
+  paint_->setToolTip(tr("Drag over the plots to mark a stretch, instead of zooming"));
+  paint_->hide();
+  row->addWidget(paint_);
+  row->addSpacing(6);
+  measure_ = new IconButton("cursors", tr("Measure between two cursors (Ctrl+click puts the second one)"), header);
+  measure_->setObjectName("measureButton");
+  measure_->setCheckable(true);
+  row->addWidget(measure_);
   auto* all = new IconButton("fit", tr("Show the whole recording (0)"), header);
   all->setObjectName("showAllButton");
   row->addWidget(all);
   auto* picture = new IconButton("camera", tr("Save a picture of the plots"), header);
   row->addWidget(picture);
+  auto* csv = new IconButton("save", tr("Save the visible stretch as CSV"), header);
+  csv->setObjectName("csvButton");
+  row->addWidget(csv);
+  connect(csv, &QToolButton::clicked, this, &RecordingPane::csvWanted);
   column->addWidget(header);
   foldedHeader_ = new QWidget(this);
   foldedHeader_->setObjectName("plotHeader");
@@ -99,6 +106,41 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   connect(plots_, &WrenchPlots::timePicked, playback_, &Playback::setTime);
   connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
   connect(playback_, &Playback::timeChanged, cursor_, &TimeCursor::setTime);
+  connect(playback_, &Playback::timeChanged, marks_, &MarksBar::setTime);
+  connect(marks_, &MarksBar::painted, this, &RecordingPane::painted);
+  connect(marks_, &MarksBar::brushPicked, this, &RecordingPane::brushPicked);
+  connect(plots_, &WrenchPlots::stroked, this, [this](double from, double to) {
+    if (brush_) emit painted(from, to, *brush_);
+  });
+  connect(measure_, &QToolButton::toggled, this, &RecordingPane::setMeasuring);
+  connect(playback_, &Playback::timeChanged, difference_, &DifferenceCursor::setFirst);
+  connect(plots_, &WrenchPlots::secondPicked, this, [this](double time) {
+    difference_->setSecond(time);
+    plots_->setSecondCursor(difference_->second());
+  });
+  connect(paint_, &QPushButton::toggled, this, [this] { setBrush(brush_); });
+}
+
+void RecordingPane::setBrush(std::optional<MarkLabel> brush) {
+  brush_ = brush;
+  paint_->setVisible(brush.has_value());
+  marks_->setBrush(brush);
+  plots_->setBrush(paint_->isChecked() ? brush : std::nullopt);
+}
+
+void RecordingPane::setMeasuring(bool on) {
+  measure_->setChecked(on);
+  if (on == difference_->isVisibleTo(this)) return;
+  difference_->setVisible(on);
+  if (on) {
+    difference_->setFirst(playback_->time());
+    difference_->setSecond(axis_.lower() + 0.75 * axis_.span());
+  }
+  plots_->setSecondCursor(on ? difference_->second() : std::numeric_limits<double>::quiet_NaN());
+}
+
+std::string RecordingPane::visibleText() const {
+  return visibleCsv(*plots_->traces(), axis_.lower(), axis_.upper());
 }
 
 void RecordingPane::setFolded(bool folded) {
@@ -119,20 +161,22 @@ void RecordingPane::setRecording(const Recording* recording) {
   playback_->setRange(first, last, poses);
   axis_.setFull(first, last, poses);
   plots_->setTraces(traces);
-  const auto segments = recording ? givenSegments(*recording) : std::vector<Segment>{};
-  plots_->setSegments(segments);
-  marks_->setSegments(segments);
+  setSegments({}, {});
   cursor_->setTime(playback_->time());
   cursor_->setShown(present);
+  setMeasuring(false);
   bar_->setRecording(present, poses);
 }
 
 void RecordingPane::setReport(const Recording* recording, const EstimateReport* report) {
   if (!recording) return;
   plots_->setTraces(std::make_shared<const WrenchTraces>(*recording, report));
-  if (!report) return;
-  plots_->setSegments(report->segments);
-  marks_->setSegments(report->segments);
+}
+
+void RecordingPane::setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested) {
+  difference_->setTraces(plots_->traces());
+  plots_->setSegments(segments);
+  marks_->setSegments(segments, suggested);
 }
 
 }  // namespace heft

@@ -2,14 +2,20 @@
 // Everything under the 3D view: legend, plots, marks, playback, with the time cursor over them.
 #include <QWidget>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/estimation/estimate.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/wrench_traces.h"
 
+class QPushButton;
+
 namespace heft {
 
+class DifferenceCursor;
+class IconButton;
 class MarksBar;
 class Playback;
 class PlaybackBar;
@@ -25,11 +31,22 @@ class RecordingPane : public QWidget {
   void setRecording(const Recording* recording);
   /// The estimate on that recording, or null while there is none.
   void setReport(const Recording* recording, const EstimateReport* report);
+  /// What plots and marks bar tint; `suggested` ones are drawn as proposals.
+  void setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested);
+
+  /// With a brush the marks bar is painted by dragging, and the plots while "Paint" is pressed. Nothing: no painting.
+  void setBrush(std::optional<MarkLabel> brush);
 
   /// Folded, only the marks bar stands there, under a line that unfolds it.
   void setFolded(bool folded);
   bool folded() const { return folded_; }
   int foldedHeight() const;
+
+  /// The second cursor with the table of values, on or off.
+  void setMeasuring(bool on);
+  DifferenceCursor* differenceCursor() { return difference_; }
+  /// The stretch that the plots show, as CSV.
+  std::string visibleText() const;
 
   TimeAxis* timeAxis() { return &axis_; }
   WrenchPlots* plots() { return plots_; }
@@ -37,6 +54,11 @@ class RecordingPane : public QWidget {
 
  signals:
   void pictureWanted();
+  void csvWanted();
+  /// A stretch was painted, by mouse or keyboard.
+  void painted(double from, double to, heft::MarkLabel label);
+  /// The user chose another brush by its key.
+  void brushPicked(heft::MarkLabel label);
   /// The user asked for the plots while they were folded.
   void unfoldWanted();
 
@@ -49,6 +71,10 @@ class RecordingPane : public QWidget {
   TimeCursor* cursor_;
   QWidget* header_;
   QWidget* foldedHeader_;
+  QPushButton* paint_;
+  IconButton* measure_;
+  DifferenceCursor* difference_;
+  std::optional<MarkLabel> brush_;
   bool folded_ = false;
 };
 

@@ -8,9 +8,11 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
+#include <limits>
 
 #include "ui/models/numbers.h"
 #include "ui/theme/theme.h"
+#include "ui/timeline/marks_bar.h"
 #include "ui/wrench_plots/trace_plottable.h"
 
 namespace heft {
@@ -50,6 +52,8 @@ class PlotCanvas : public QCustomPlot {
     setInteractions(QCP::Interactions());
     setMouseTracking(true);
   }
+  void setBrush(std::optional<MarkLabel> brush) { brush_ = brush; }
+  void setSecond(double time) { second_ = time; }
 
  protected:
   void wheelEvent(QWheelEvent* event) override {
@@ -72,9 +76,16 @@ class PlotCanvas : public QCustomPlot {
                       (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier));
     mode_ = pans ? Mode::pan : event->button() == Qt::LeftButton ? Mode::band : Mode::none;
     pressedLower_ = axis_->lower();
+    const bool grabs = std::abs(axis_->toX(second_, width()) - pressed_.x()) < 5;
+    if (event->button() == Qt::LeftButton && std::isfinite(second_) &&
+        (grabs || (event->modifiers() & Qt::ControlModifier))) {
+      mode_ = Mode::second;
+      emit owner_->secondPicked(axis_->toTime(pressed_.x(), width()));
+    }
   }
 
   void mouseMoveEvent(QMouseEvent* event) override {
+    if (mode_ == Mode::second) return emit owner_->secondPicked(axis_->toTime(event->pos().x(), width()));
     if (mode_ == Mode::none || !(event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) return;
     if ((event->pos() - pressed_).manhattanLength() > 4) moved_ = true;
     if (!moved_) return;
@@ -94,10 +105,12 @@ class PlotCanvas : public QCustomPlot {
     unsetCursor();
     band_ = {0, 0};
     update();
-    if (mode == Mode::none) return;
+    if (mode == Mode::none || mode == Mode::second) return;
     const double from = axis_->toTime(pressed_.x(), width()), to = axis_->toTime(event->pos().x(), width());
     if (!moved_) {
       emit owner_->timePicked(to);
+    } else if (mode == Mode::band && brush_) {
+      emit owner_->stroked(std::min(from, to), std::max(from, to));
     } else if (mode == Mode::band) {
       axis_->show(std::min(from, to), std::max(from, to));
     }
@@ -109,8 +122,8 @@ class PlotCanvas : public QCustomPlot {
     QCustomPlot::paintEvent(event);
     if (band_.first == band_.second) return;
     QPainter painter(this);
-    QColor fill = theme().text2;
-    fill.setAlpha(40);
+    QColor fill = brush_ ? markColour(*brush_) : theme().text2;
+    fill.setAlpha(brush_ ? 110 : 40);
     const QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
     painter.fillRect(area, fill);
     painter.setPen(theme().text2);
@@ -119,7 +132,7 @@ class PlotCanvas : public QCustomPlot {
   }
 
  private:
-  enum class Mode { none, band, pan };
+  enum class Mode { none, band, pan, second };
   TimeAxis* axis_;
   WrenchPlots* owner_;
   Mode mode_ = Mode::none;
@@ -127,6 +140,8 @@ class PlotCanvas : public QCustomPlot {
   bool moved_ = false;
   double pressedLower_ = 0.0;
   std::pair<int, int> band_{0, 0};
+  std::optional<MarkLabel> brush_;
+  double second_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace
@@ -256,6 +271,10 @@ void WrenchPlots::setSegments(std::vector<Segment> segments) {
   parts_->canvas->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void WrenchPlots::setBrush(std::optional<MarkLabel> brush) { parts_->canvas->setBrush(brush); }
+
+void WrenchPlots::setSecondCursor(double time) { parts_->canvas->setSecond(time); }
+
 void WrenchPlots::setShown(Shown what, bool shown) {
   shown_[static_cast<int>(what)] = shown;
   if (what == Shown::difference) {
@@ -351,7 +370,7 @@ void WrenchPlots::rebuildBackgrounds() {
   p.marks.clear();
   for (const Segment& segment : segments_) {
     if (segment.label == MarkLabel::free) continue;
-    QColor tint = segment.label == MarkLabel::contact ? theme().markContact : theme().markIgnored;
+    QColor tint = markColour(segment.label);
     tint.setAlpha(segment.label == MarkLabel::contact ? (theme().dark ? 45 : 46) : (theme().dark ? 60 : 70));
     for (int lane = 0; lane < kLanes; ++lane) {
       auto* mark = new QCPItemRect(p.canvas);

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/timeline/time_axis.h"
@@ -21,6 +22,13 @@ class WrenchPlots : public QWidget {
 
   void setTraces(std::shared_ptr<const WrenchTraces> traces);
   void setSegments(std::vector<Segment> segments);
+  const std::shared_ptr<const WrenchTraces>& traces() const { return traces_; }
+
+  /// With a brush dragging paints in its colour and gives stroked() instead of zooming.
+  void setBrush(std::optional<MarkLabel> brush);
+
+  /// Where a second cursor stands, which is dragged by the mouse and put down with Ctrl and a click; NaN: there is none.
+  void setSecondCursor(double time);
 
   enum class Shown { x, y, z, measured, simulated, difference };
   void setShown(Shown what, bool shown);
@@ -33,6 +41,10 @@ class WrenchPlots : public QWidget {
 
  signals:
   void timePicked(double time);
+  /// The second cursor was moved.
+  void secondPicked(double time);
+  /// A stretch was painted, earlier end first.
+  void stroked(double from, double to);
 
  protected:
   void changeEvent(QEvent* event) override;

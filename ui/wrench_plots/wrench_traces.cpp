@@ -121,6 +121,23 @@ MinMax WrenchTraces::visibleRange(int firstChannel, double from, double to) cons
   return extremes;
 }
 
+double WrenchTraces::valueAt(Kind kind, int channel, double at) const {
+  const std::vector<double>& time = timeOf(kind);
+  const MinMaxPyramid& values = curves_[static_cast<int>(kind)][channel];
+  if (time.empty() || values.size() != time.size() || !(at >= time.front()) || !(at <= time.back()))
+    return std::nan("");
+  const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), at) - time.begin());
+  const std::size_t before = after - 1;
+  if (after == time.size() || time[before] == at) return values[before];
+  const double share = (at - time[before]) / (time[after] - time[before]);
+  return values[before] + share * (values[after] - values[before]);
+}
+
+std::vector<double> WrenchTraces::timesWithin(double from, double to) const {
+  return {std::lower_bound(measuredTime_.begin(), measuredTime_.end(), from),
+          std::upper_bound(measuredTime_.begin(), measuredTime_.end(), to)};
+}
+
 double WrenchTraces::differenceLimit(int firstChannel) const { return limit_[firstChannel / 3]; }
 double WrenchTraces::noiseBand(int firstChannel) const { return noise_[firstChannel / 3]; }
 

@@ -41,6 +41,11 @@ class WrenchTraces {
   /// and simulated.
   MinMax visibleRange(int firstChannel, double from, double to) const;
 
+  /// Linear between the samples; NaN outside them, and where there is nothing of that kind.
+  double valueAt(Kind kind, int channel, double time) const;
+  /// Times of the measured samples within [from, to].
+  std::vector<double> timesWithin(double from, double to) const;
+
   /// Symmetric limit of a difference lane: 99 % of the free parts fit, and the noise band does.
   double differenceLimit(int firstChannel) const;
   /// Half height of the noise band [N] or [N m]: two standard deviations of the loudest channel; 0 if unknown.

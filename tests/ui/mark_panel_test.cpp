@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include "core/recording/csv_reader.h"
+#include "core/robot/robot_model.h"
+#include "core/simulation/simulate.h"
+#include "ui/controller/workspace.h"
+#include "ui/mark_panel/mark_panel.h"
+#include "ui/timeline/playback.h"
+
+namespace heft {
+namespace {
+
+/// A guided recording in which something pushes for a second.
+QString pushedFile(const QTemporaryDir& folder) {
+  Payload payload;
+  payload.mass = 0.8;
+  payload.com = {0.005, -0.01, 0.06};
+  payload.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+  SimulateOptions options;
+  options.motion = MotionKind::excitation;
+  options.duration = 8.0;
+  options.seed = 3;
+  auto simulated = simulate(RobotModel::panda(), payload, options);
+  EXPECT_TRUE(simulated.ok());
+  for (Eigen::Index i = 0; i < simulated->recording.rows(); ++i)
+    if (simulated->recording.time(i) > 4.0 && simulated->recording.time(i) < 5.0) simulated->recording.wrench(i, 0) += 9.0;
+  const QString path = folder.filePath("pushed.csv");
+  EXPECT_TRUE(writeRecording(simulated->recording, path.toStdString()).ok());
+  return path;
+}
+
+TEST(MarkText, SaysWhetherEnoughIsLeft) {
+  Segment a, b;
+  a.from = 0, a.to = 2, a.label = MarkLabel::free;
+  b.from = 2, b.to = 9, b.label = MarkLabel::contact;
+  const MarkSummary little = summarise({a, b}, {false, true}, 9);
+  EXPECT_FALSE(little.enough);
+  EXPECT_EQ(little.suggestions, 1);
+  EXPECT_DOUBLE_EQ(little.seconds[1], 7);
+  EXPECT_EQ(confidenceWord(0.98), "very sure");
+  EXPECT_EQ(stretchText(13, 15.3), QString::fromUtf8("13.0 – 15.3 s"));
+}
+
+TEST(MarkPanel, SuggestionsAreDecidedByAClickAndUndone) {
+  QTemporaryDir folder;
+  Workspace workspace;
+  Playback playback;
+  StudioParts parts;
+  parts.workspace = &workspace;
+  parts.playback = &playback;
+  Step gone = Step::mark;
+  parts.goTo = [&](Step step) { gone = step; };
+  MarkPanel panel(parts);
+  panel.resize(440, 900);
+  panel.show();
+  EXPECT_EQ(panel.state().progress, StepState::Progress::later);
+  workspace.open(pushedFile(folder));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, 60000));
+  ASSERT_TRUE(workspace.report());
+  EXPECT_EQ(panel.state().light, Light::look);
+  auto* yes = panel.findChild<QPushButton*>("acceptButton");
+  ASSERT_NE(yes, nullptr);
+  EXPECT_EQ(yes->text(), "Yes, contact");
+  EXPECT_TRUE(panel.findChild<QPushButton*>("mainButton")->text().contains("Accept"));
+  QTest::mouseClick(yes, Qt::LeftButton);
+  EXPECT_EQ(panel.state().light, Light::measured);
+  EXPECT_EQ(panel.findChild<QPushButton*>("acceptButton"), nullptr);
+  EXPECT_EQ(panel.findChild<QPushButton*>("mainButton")->text(), "Go on");
+  workspace.undoStack()->undo();
+  EXPECT_EQ(panel.state().light, Light::look);
+  QTest::mouseClick(panel.findChild<QPushButton*>("mainButton"), Qt::LeftButton);
+  EXPECT_EQ(gone, Step::shape);
+  EXPECT_EQ(panel.state().light, Light::measured);
+}
+
+TEST(MarkPanel, ObeysScriptLines) {
+  Workspace workspace;
+  StudioParts parts;
+  parts.workspace = &workspace;
+  MarkPanel panel(parts);
+  EXPECT_FALSE(panel.obey({"export", "x"}).has_value());
+  EXPECT_FALSE(panel.obey({"mark", "1"})->ok());
+  EXPECT_FALSE(panel.obey({"mark", "1", "2", "blue"})->ok());
+  EXPECT_NE(panel.obey({"mark", "1", "2", "free"})->error().message.find("open"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace heft

@@ -1,0 +1,335 @@
+#include "ui/mark_panel/mark_panel.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QTimer>
+#include <QUndoStack>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "core/workspace/marks.h"
+#include "ui/controller/workspace.h"
+#include "ui/mark_panel/share_bar.h"
+#include "ui/models/numbers.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/theme.h"
+#include "ui/timeline/marks_bar.h"
+#include "ui/timeline/playback.h"
+#include "ui/widgets/basics.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+namespace heft {
+namespace {
+
+constexpr std::array kLabels{MarkLabel::free, MarkLabel::contact, MarkLabel::ignore};
+
+/// A small square in the colour of a mark.
+QIcon markSwatch(MarkLabel label) {
+  QPixmap pixmap(28, 28);
+  pixmap.setDevicePixelRatio(2.0);
+  pixmap.fill(markColour(label));
+  return QIcon(pixmap);
+}
+
+QString capitalised(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+}  // namespace
+
+MarkPanel::MarkPanel(const StudioParts& parts) : StepPanel(parts) {
+  connect(&workspace(), &Workspace::openedChanged, this, &MarkPanel::refresh);
+  connect(&workspace(), &Workspace::reportChanged, this, &MarkPanel::refresh);
+  connect(&workspace(), &Workspace::marksChanged, this, &MarkPanel::refresh);
+  if (parts.plots) {
+    connect(parts.plots, &RecordingPane::painted, this,
+            [this](double from, double to, MarkLabel label) { workspace().paint(from, to, label); });
+    connect(parts.plots, &RecordingPane::brushPicked, this, &MarkPanel::chooseBrush);
+  }
+  refresh();
+}
+
+std::pair<std::vector<Segment>, std::vector<bool>> MarkPanel::shown() const {
+  std::pair<std::vector<Segment>, std::vector<bool>> out{workspace().segments(), {}};
+  for (const Segment& segment : out.first) out.second.push_back(workspace().suggested(segment));
+  return out;
+}
+
+void MarkPanel::changeEvent(QEvent* event) {
+  StepPanel::changeEvent(event);
+  // The swatches are pictures in the colours of the theme.
+  if (event->type() == QEvent::PaletteChange) QTimer::singleShot(0, this, &MarkPanel::refresh);
+}
+
+StepState MarkPanel::state() const {
+  using P = StepState::Progress;
+  const auto opened = workspace().opened();
+  if (!opened) return {P::later, Light::measured, tr("after recording")};
+  if (opened->recording.meta.kind == RecordingKind::poses) return {P::done, Light::measured, tr("all poses are used")};
+  const auto [segments, suggested] = shown();
+  if (segments.empty()) return {P::ready, Light::measured, tr("being looked at …")};
+  const MarkSummary summary = summarise(segments, suggested, opened->recording.duration());
+  if (summary.suggestions > 0)
+    return {P::ready, Light::look, tr("%n suggestion(s) to check", "", summary.suggestions)};
+  return {P::done, summary.enough ? Light::measured : Light::look,
+          tr("%1 s free").arg(numberText(summary.seconds[0], 1))};
+}
+
+QString MarkPanel::hint() const { return tr("Drag an edge to move it · Ctrl+Z undoes"); }
+
+void MarkPanel::entered() {
+  here_ = true;
+  if (parts().plots) parts().plots->setBrush(brush_);
+  refresh();
+}
+
+void MarkPanel::left() {
+  here_ = false;
+  if (!parts().plots) return;
+  parts().plots->setBrush(std::nullopt);
+  parts().plots->marks()->setSelected(std::nullopt);
+}
+
+void MarkPanel::refresh() {
+  const int position = page()->scrollPosition();
+  const auto opened = workspace().opened();
+  brushes_ = {};
+  if (!opened) {
+    page()->restart(tr("When did the tool touch nothing?"), tr("Open a recording first."))->addStretch(1);
+    page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
+    page()->setSecondButton({});
+    emit stateChanged();
+    return;
+  }
+  const auto [segments, suggested] = shown();
+  const MarkSummary summary = summarise(segments, suggested, opened->recording.duration());
+  const bool poses = opened->recording.meta.kind == RecordingKind::poses;
+  QVBoxLayout* column =
+      page()->restart(tr("When did the tool touch nothing?"),
+                      poses ? tr("Standing poses are all used.")
+                            : (segments.empty() ? tr("Heft is looking at the recording …") : markAnswer(summary)));
+  if (!poses && !segments.empty()) {
+    if (summary.suggestions > 0) {
+      column->addWidget(styledLabel(tr("Heft suggests"), "sectionTitle", page()->content()));
+      bool first = true;
+      for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (!suggested[i]) continue;
+        addSuggestion(column, segments[i], first);
+        first = false;
+      }
+      column->addSpacing(4);
+    }
+    addPainting(column);
+    addSummary(column, summary);
+    addDecided(column, segments, suggested);
+  }
+  column->addStretch(1);
+  page()->setSecondButton(tr("Back"), [this] { parts().goTo(Step::record); });
+  const QString accept = summary.suggestions == 1   ? tr("Accept it and go on")
+                         : summary.suggestions == 2 ? tr("Accept both and go on")
+                                                    : tr("Accept all %1 and go on").arg(summary.suggestions);
+  page()->setMainButton(summary.suggestions > 0 ? accept : tr("Go on"), [this] { acceptAll(); },
+                        summary.suggestions > 0 ? QStringLiteral("check") : QString());
+  page()->setScrollPosition(position);
+  emit stateChanged();
+}
+
+void MarkPanel::addSuggestion(QVBoxLayout* column, const Segment& segment, bool first) {
+  QWidget* content = page()->content();
+  const Card card = makeCard(first ? "cardChosen" : "card", content);
+  card.frame->setProperty("role", "suggestion");
+  auto* head = new QHBoxLayout;
+  head->setSpacing(10);
+  head->addWidget(new IconLabel(segment.label == MarkLabel::contact ? "contact" : "hand", 22, content));
+  head->addWidget(styledLabel(capitalised(segment.label == MarkLabel::contact ? tr("contact") : tr("ignore")),
+                              "cardTitle", content));
+  head->addStretch(1);
+  auto* when = new QPushButton(stretchText(segment.from, segment.to), content);
+  when->setObjectName("linkButton");
+  when->setToolTip(tr("Show this stretch"));
+  connect(when, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
+  head->addWidget(when);
+  card.layout->addLayout(head);
+  card.layout->addWidget(wrappedLabel(QString::fromStdString(segment.reason), "answer", content));
+  auto* sure = new QHBoxLayout;
+  sure->setSpacing(8);
+  sure->addWidget(styledLabel(tr("Heft is"), "caption", content));
+  sure->addWidget(styledLabel(confidenceWord(segment.confidence), "captionBold", content));
+  sure->addWidget(new ConfidenceBar(segment.confidence, content));
+  // Never a certainty: nobody looked.
+  sure->addWidget(
+      styledLabel(tr("%1 %").arg(numberText(std::min(99.0, 100 * segment.confidence), 0)), "caption", content));
+  sure->addStretch(1);
+  card.layout->addLayout(sure);
+  auto* answers = new QHBoxLayout;
+  answers->setSpacing(8);
+  auto* yes = new QPushButton(segment.label == MarkLabel::contact ? tr("Yes, contact") : tr("Yes, ignore"), content);
+  yes->setObjectName("acceptButton");
+  connect(yes, &QPushButton::clicked, this, [this, segment] { decide(segment, segment.label); });
+  auto* no = new QPushButton(tr("No, it was free"), content);
+  no->setObjectName("plainButton");
+  connect(no, &QPushButton::clicked, this, [this, segment] { decide(segment, MarkLabel::free); });
+  answers->addWidget(yes, 1);
+  answers->addWidget(no, 1);
+  card.layout->addLayout(answers);
+  column->addWidget(card.frame);
+}
+
+void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segments,
+                           const std::vector<bool>& suggested) {
+  QWidget* content = page()->content();
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("All stretches"), "sectionTitle", content));
+  auto* rows = new QVBoxLayout;
+  rows->setSpacing(0);
+  column->addLayout(rows);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    auto* row = new QPushButton(content);
+    row->setObjectName("linkButton");
+    row->setIcon(markSwatch(segment.label));
+    row->setText(QStringLiteral("  %1   %2").arg(stretchText(segment.from, segment.to),
+                                               suggested[i] ? tr("%1?").arg(markWord(segment.label))
+                                                            : markWord(segment.label)));
+    row->setToolTip(QString::fromStdString(segment.reason));
+    row->setAccessibleName(MarksBar::describe(segment));
+    connect(row, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
+    rows->addWidget(row);
+  }
+}
+
+void MarkPanel::addPainting(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  auto* head = new QHBoxLayout;
+  head->addWidget(styledLabel(tr("Or paint it yourself"), "sectionTitle", content));
+  head->addStretch(1);
+  head->addWidget(styledLabel(tr("drag over the marks"), "caption", content));
+  column->addLayout(head);
+  auto* frame = new QFrame(content);
+  frame->setObjectName("choices");
+  auto* row = new QHBoxLayout(frame);
+  row->setContentsMargins(1, 1, 1, 1);
+  row->setSpacing(0);
+  const QString names[] = {tr("Free"), tr("Contact"), tr("Ignore")};
+  for (std::size_t k = 0; k < kLabels.size(); ++k) {
+    auto* button = new QPushButton(QStringLiteral("  %1  %2").arg(names[k]).arg(k + 1), frame);
+    button->setObjectName(QStringLiteral("brush%1").arg(k + 1));
+    button->setIcon(markSwatch(kLabels[k]));
+    button->setCheckable(true);
+    button->setChecked(kLabels[k] == brush_);
+    button->setToolTip(tr("Paint with %1 (key %2). By keys: go to the marks bar, Enter begins, arrow keys move, Enter "
+                          "ends.")
+                           .arg(names[k])
+                           .arg(k + 1));
+    button->setAccessibleName(tr("Paint as %1").arg(names[k]));
+    connect(button, &QPushButton::clicked, this, [this, k] { chooseBrush(kLabels[k]); });
+    row->addWidget(button, 1);
+    brushes_[k] = button;
+  }
+  column->addWidget(frame);
+}
+
+void MarkPanel::addSummary(QVBoxLayout* column, const MarkSummary& summary) {
+  QWidget* content = page()->content();
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("Left to use"), "sectionTitle", content));
+  auto* bar = new ShareBar(content);
+  bar->setSeconds(summary.seconds);
+  column->addWidget(bar);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(new LightIcon(summary.enough ? Light::measured : Light::look, 20, content), 0, Qt::AlignTop);
+  row->addWidget(wrappedLabel(tr("%1 s of %2 s are free. %3")
+                                  .arg(numberText(summary.seconds[0], 1), numberText(summary.total, 1),
+                                       summary.enough ? tr("Enough for mass and centre.")
+                                                      : tr("Too little: record more, without touching anything.")),
+                              "body", content),
+                 1);
+  column->addLayout(row);
+}
+
+void MarkPanel::chooseBrush(MarkLabel label) {
+  brush_ = label;
+  for (std::size_t k = 0; k < brushes_.size(); ++k)
+    if (brushes_[k]) brushes_[k]->setChecked(kLabels[k] == label);
+  if (here_ && parts().plots) parts().plots->setBrush(label);
+}
+
+void MarkPanel::decide(const Segment& segment, MarkLabel label) { workspace().paint(segment.from, segment.to, label); }
+
+void MarkPanel::acceptAll() {
+  const auto [segments, suggested] = shown();
+  const Session& session = workspace().session();
+  if (session.active >= 0) {
+    std::vector<Mark> marks = session.recordings[static_cast<std::size_t>(session.active)].marks;
+    bool any = false;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (!suggested[i]) continue;
+      marks = painted(marks, segments[i].from, segments[i].to, segments[i].label);
+      any = true;
+    }
+    if (any) workspace().setMarks(marks, tr("accept suggestions"));
+  }
+  parts().goTo(Step::shape);
+}
+
+void MarkPanel::select(double from, double to) {
+  if (parts().playback) parts().playback->setTime(0.5 * (from + to));
+  if (parts().plots) parts().plots->marks()->setSelected(std::pair(from, to));
+}
+
+std::optional<Segment> MarkPanel::segmentNow() const {
+  if (!parts().playback) return std::nullopt;
+  const double now = parts().playback->time();
+  for (const Segment& segment : workspace().segments())
+    if (now >= segment.from && now <= segment.to) return segment;
+  return std::nullopt;
+}
+
+void MarkPanel::addActions(const StudioMenus& menus) {
+  QMenu* marks = menus.edit->addMenu(tr("&Mark the stretch shown"));
+  const QString names[] = {tr("as &free"), tr("as &contact"), tr("&ignored")};
+  for (std::size_t k = 0; k < kLabels.size(); ++k) {
+    QAction* action = marks->addAction(names[k], this, [this, k] {
+      if (const auto segment = segmentNow()) decide(*segment, kLabels[k]);
+    });
+    action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(k + 1)));
+  }
+  marks->addAction(tr("as Heft &suggests"), this, [this] {
+    if (const auto segment = segmentNow()) workspace().paint(segment->from, segment->to, std::nullopt);
+  });
+}
+
+bool MarkPanel::keyPressed(QKeyEvent* event) {
+  const int key = event->key() - Qt::Key_1;
+  if (key < 0 || key > 2 || event->modifiers() != Qt::NoModifier) return false;
+  chooseBrush(kLabels[static_cast<std::size_t>(key)]);
+  return true;
+}
+
+std::optional<Result<bool>> MarkPanel::obey(const QStringList& words) {
+  if (words[0] == "accept" && words.size() == 1) {
+    acceptAll();
+    return Result<bool>(true);
+  }
+  if (words[0] != "mark") return std::nullopt;
+  bool first = false, second = false;
+  const double from = words.value(1).toDouble(&first), to = words.value(2).toDouble(&second);
+  const QString word = words.value(3);
+  const auto label = markLabelFromString(word.toStdString());
+  if (words.size() != 4 || !first || !second || !(to > from) || (!label && word != "suggested"))
+    return Result<bool>(
+        Error{tr("mark expects FROM TO and free, contact, ignore or suggested, for instance: mark 2.5 4 contact")
+                  .toStdString()});
+  if (!workspace().opened()) return Result<bool>(Error{tr("mark needs an open recording.").toStdString()});
+  workspace().paint(from, to, label);
+  return Result<bool>(true);
+}
+
+}  // namespace heft

@@ -1,0 +1,54 @@
+#pragma once
+// The step "Mark": which stretches touched nothing. Heft proposes, the user decides or paints over it.
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/segmentation/segmentation.h"
+#include "ui/mark_panel/mark_text.h"
+#include "ui/steps/step_panel.h"
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace heft {
+
+class MarkPanel : public StepPanel {
+  Q_OBJECT
+ public:
+  explicit MarkPanel(const StudioParts& parts);
+
+  Step step() const override { return Step::mark; }
+  StepState state() const override;
+  double viewShare() const override { return 0.4; }
+  QString hint() const override;
+  void entered() override;
+  void left() override;
+  void addActions(const StudioMenus& menus) override;
+  bool keyPressed(QKeyEvent* event) override;
+  std::optional<Result<bool>> obey(const QStringList& words) override;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void refresh();
+  void addSuggestion(QVBoxLayout* column, const Segment& segment, bool first);
+  void addDecided(QVBoxLayout* column, const std::vector<Segment>& segments, const std::vector<bool>& suggested);
+  void addPainting(QVBoxLayout* column);
+  void addSummary(QVBoxLayout* column, const MarkSummary& summary);
+  void chooseBrush(MarkLabel label);
+  void decide(const Segment& segment, MarkLabel label);
+  void acceptAll();
+  void select(double from, double to);
+  /// The stretch under the time cursor.
+  std::optional<Segment> segmentNow() const;
+  std::pair<std::vector<Segment>, std::vector<bool>> shown() const;
+
+  MarkLabel brush_ = MarkLabel::contact;
+  bool here_ = false;
+  std::array<QPushButton*, 3> brushes_{};
+};
+
+}  // namespace heft

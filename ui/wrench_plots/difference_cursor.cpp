@@ -1,0 +1,119 @@
+#include "ui/wrench_plots/difference_cursor.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/models/numbers.h"
+#include "ui/theme/theme.h"
+
+namespace heft {
+
+std::vector<QStringList> cursorTable(const WrenchTraces& traces, double first, double second) {
+  std::vector<QStringList> rows;
+  const auto row = [&](const QString& name, double a, double b, int decimals) {
+    rows.push_back({name, numberText(a, decimals), numberText(b, decimals), numberText(b - a, decimals)});
+  };
+  rows.push_back({QString(), DifferenceCursor::tr("A"), DifferenceCursor::tr("B"), DifferenceCursor::tr("B − A")});
+  row(traces.poses() ? DifferenceCursor::tr("pose") : DifferenceCursor::tr("time [s]"), first, second,
+      traces.poses() ? 0 : 3);
+  static constexpr const char* kNames[6] = {"Fx [N]", "Fy [N]", "Fz [N]", "Tx [N m]", "Ty [N m]", "Tz [N m]"};
+  for (int c = 0; c < 6; ++c) {
+    row(QString::fromLatin1(kNames[c]), traces.valueAt(WrenchTraces::Kind::measured, c, first),
+        traces.valueAt(WrenchTraces::Kind::measured, c, second), c < 3 ? 2 : 3);
+  }
+  return rows;
+}
+
+DifferenceCursor::DifferenceCursor(TimeAxis* axis, QWidget* parent, int bottomInset)
+    : QWidget(parent), axis_(axis), bottomInset_(bottomInset), traces_(std::make_shared<WrenchTraces>()) {
+  setObjectName("differenceCursor");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+  parent->installEventFilter(this);
+  setGeometry(parent->rect());
+  hide();
+  connect(axis_, &TimeAxis::visibleChanged, this, [this] { update(); });
+}
+
+void DifferenceCursor::setTraces(std::shared_ptr<const WrenchTraces> traces) {
+  traces_ = traces ? std::move(traces) : std::make_shared<WrenchTraces>();
+  update();
+}
+
+void DifferenceCursor::setFirst(double time) {
+  first_ = time;
+  update();
+}
+
+void DifferenceCursor::setSecond(double time) {
+  second_ = std::clamp(time, axis_->fullLower(), axis_->fullUpper());
+  update();
+}
+
+bool DifferenceCursor::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parentWidget() && event->type() == QEvent::Resize) {
+    setGeometry(parentWidget()->rect());
+    raise();
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void DifferenceCursor::paintEvent(QPaintEvent*) {
+  if (traces_->empty()) return;
+  const Theme& t = theme();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double first = std::round(axis_->toX(first_, width())) + 0.5;
+  const double second = std::round(axis_->toX(second_, width())) + 0.5;
+  const bool visible = second_ >= axis_->lower() && second_ <= axis_->upper();
+  QColor between = t.text2;
+  between.setAlpha(22);
+  painter.save();
+  painter.setClipRect(QRect(TimeAxis::kLeft, 0, width() - TimeAxis::kLeft - TimeAxis::kRight, height() - bottomInset_));
+  painter.fillRect(QRectF(std::min(first, second), 0, std::abs(second - first), height()), between);
+  painter.restore();
+  painter.setFont(uiFont(type::kCaption, QFont::DemiBold));
+  const auto flag = [&](double x, const QString& text) {
+    const QRectF box(x - 9, height() - bottomInset_ - 22, 18, 18);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(t.text);
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setPen(t.panel);
+    painter.drawText(box, Qt::AlignCenter, text);
+  };
+  if (visible) {
+    QPen pen(t.text, 1.4);
+    pen.setDashPattern({4.0, 3.0});
+    painter.setPen(pen);
+    painter.drawLine(QPointF(second, 2), QPointF(second, height() - bottomInset_));
+    flag(second, tr("B"));
+  }
+  if (first_ >= axis_->lower() && first_ <= axis_->upper()) flag(first, tr("A"));
+
+  const std::vector<QStringList> rows = cursorTable(*traces_, first_, second_);
+  constexpr int kRow = 17, kName = 64, kCell = 62, kPad = 8;
+  const int wide = kName + 3 * kCell + 2 * kPad, high = kRow * static_cast<int>(rows.size()) + 2 * kPad;
+  // On the side where neither line stands.
+  const double middle = (TimeAxis::kLeft + width()) / 2.0;
+  const bool left = first > middle && second > middle;
+  const QRectF box(left ? TimeAxis::kLeft + 8 : width() - TimeAxis::kRight - wide - 8, 28, wide, high);
+  painter.setPen(QPen(t.line, 1));
+  QColor ground = t.panel;
+  ground.setAlpha(240);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(box, 6, 6);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const double top = box.top() + kPad + kRow * static_cast<double>(r);
+    for (int c = 0; c < 4; ++c) {
+      painter.setFont(uiFont(type::kCaption, r == 0 || c == 3 ? QFont::DemiBold : QFont::Normal));
+      painter.setPen(c == 0 ? t.text2 : t.text);
+      const QRectF cell(box.left() + kPad + (c == 0 ? 0 : kName + (c - 1) * kCell), top, c == 0 ? kName : kCell, kRow);
+      painter.drawText(cell, (c == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, rows[r][c]);
+    }
+  }
+}
+
+}  // namespace heft
