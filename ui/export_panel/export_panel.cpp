@@ -1,0 +1,299 @@
+#include "ui/export_panel/export_panel.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/base/json_file.h"
+#include "ui/controller/payload_file.h"
+#include "ui/controller/workspace.h"
+#include "ui/export_panel/export_text.h"
+#include "ui/export_panel/file_preview.h"
+#include "ui/export_panel/mounted_list.h"
+#include "ui/widgets/basics.h"
+#include "ui/widgets/choice_card.h"
+
+namespace heft {
+namespace {
+
+/// In front; the others under "More".
+constexpr std::string_view kFront[] = {"franka-desk", "libfranka", "franka-ros2", "ur", "kuka"};
+
+QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
+
+}  // namespace
+
+ExportPanel::ExportPanel(const StudioParts& parts) : StepPanel(parts), preview_(new FilePreview) {
+  connect(preview_, &FilePreview::copyWanted, this, &ExportPanel::copy);
+  connect(&workspace(), &Workspace::openedChanged, this, &ExportPanel::refresh);
+  connect(&workspace(), &Workspace::reportChanged, this, &ExportPanel::refresh);
+  connect(&workspace(), &Workspace::exportChanged, this, &ExportPanel::refresh);
+  refresh();
+}
+
+QWidget* ExportPanel::ownPane() { return preview_; }
+
+StepState ExportPanel::state() const {
+  using P = StepState::Progress;
+  if (!savedAs_.isEmpty() && savedText_ == QString::fromStdString(text_))
+    return {P::done, Light::measured, tr("saved as %1").arg(QFileInfo(savedAs_).fileName())};
+  if (!workspace().report()) return {P::later, Light::measured, tr("nothing saved yet")};
+  return {P::ready, Light::measured, text_.empty() ? tr("cannot be written yet") : tr("ready to save")};
+}
+
+ExportChoice ExportPanel::choiceNow() const {
+  ExportChoice choice = workspace().session().exporting;
+  const auto opened = workspace().opened();
+  if (!choice.mounted.empty() || !opened) return choice;
+  const RecordingMeta& meta = opened->recording.meta;
+  const std::string model = meta.sensorModel.empty() ? tr("Sensor body").toStdString()
+                                                     : tr("Sensor body, %1").arg(QString::fromStdString(meta.sensorModel)).toStdString();
+  if (const auto mass = sensorBodyMass(meta.sensorModel))
+    choice.mounted.push_back({model, compactPart(*mass, 0.5 * meta.mount.xyz), false});
+  return choice;
+}
+
+QString ExportPanel::suggestedName() const {
+  const auto opened = workspace().opened();
+  const ExportFormat* format = findExportFormat(workspace().session().exporting.format);
+  const QString base = opened ? QFileInfo(opened->path).completeBaseName() : QStringLiteral("tool");
+  return base + QStringLiteral("-payload") + (format ? fromView(format->extension) : QString());
+}
+
+void ExportPanel::refresh() {
+  const int position = page()->scrollPosition();
+  const auto opened = workspace().opened();
+  const auto report = workspace().report();
+  text_.clear();
+  if (!opened || !report) {
+    page()->restart(tr("Where do the numbers go?"), tr("First comes a result."))->addStretch(1);
+    page()->setMainButton(opened ? tr("Go to the result") : tr("Go to Record"),
+                          [this, opened] { parts().goTo(opened ? Step::result : Step::record); });
+    page()->setSecondButton({});
+    preview_->showNothing(tr("nothing to write yet"));
+    emit stateChanged();
+    return;
+  }
+  const ExportChoice choice = choiceNow();
+  QVBoxLayout* column =
+      page()->restart(tr("Where do the numbers go?"), tr("You see the whole file before anything is written."));
+  const auto file = payloadFile(*opened, *report, choice);
+  addFormats(column, choice);
+  addRole(column, choice);
+  addMounted(column, choice, file ? file->onFlange.mass : -1.0);
+  if (file) {
+    text_ = file->text;
+    const QString text = QString::fromStdString(text_);
+    preview_->showFile(suggestedName(), text, doubtfulLines(text.split('\n'), *report));
+    preview_->setSaved(!savedAs_.isEmpty() && savedText_ == text);
+  } else {
+    preview_->showNothing(tr("cannot be written"));
+  }
+  addChecks(column, choice);
+  column->addStretch(1);
+  page()->setSecondButton(tr("Copy"), [this] { copy(); }, "copy");
+  page()->secondButton()->setEnabled(!text_.empty());
+  page()->setMainButton(tr("Save the payload file …"), [this] { save(); }, "save");
+  const bool asked = choice.role != ExportChoice::Role::unasked;
+  page()->setMainEnabled(!text_.empty() && asked,
+                         asked ? tr("This file cannot be written; see above.") : tr("Answer the question above first."));
+  page()->setScrollPosition(position);
+  emit stateChanged();
+}
+
+void ExportPanel::addFormats(QVBoxLayout* column, const ExportChoice& choice) {
+  QWidget* content = page()->content();
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  int place = 0;
+  const auto add = [&](QWidget* card) {
+    grid->addWidget(card, place / 3, place % 3);
+    ++place;
+  };
+  bool front = false;
+  for (const std::string_view id : kFront) {
+    const ExportFormat* format = findExportFormat(id);
+    if (!format) continue;
+    const FormatName name = formatName(*format);
+    auto* card = new ChoiceCard(name.name, name.detail, content);
+    card->setObjectName(QStringLiteral("format_") + fromView(id));
+    card->setToolTip(fromView(format->title));
+    card->setChecked(choice.format == id);
+    front = front || choice.format == id;
+    connect(card, &QAbstractButton::clicked, this, [this, key = std::string(id)] { chooseFormat(key); });
+    add(card);
+  }
+  const ExportFormat* chosen = findExportFormat(choice.format);
+  const int others = static_cast<int>(exportFormats().size()) - place;
+  auto* more = new ChoiceCard(!front && chosen ? formatName(*chosen).name : tr("More …"),
+                              !front && chosen ? formatName(*chosen).detail : tr("%n format(s)", "", others), content);
+  more->setObjectName("format_more");
+  more->setChecked(!front && chosen);
+  connect(more, &QAbstractButton::clicked, this, [this, more, front] {
+    more->setChecked(!front);
+    auto* menu = new QMenu(more);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const ExportFormat& format : exportFormats()) {
+      if (std::find(std::begin(kFront), std::end(kFront), format.id) != std::end(kFront)) continue;
+      menu->addAction(fromView(format.title), this, [this, id = std::string(format.id)] { chooseFormat(id); });
+    }
+    menu->popup(more->mapToGlobal(QPoint(0, more->height())));
+  });
+  add(more);
+  column->addLayout(grid);
+}
+
+void ExportPanel::addRole(QVBoxLayout* column, const ExportChoice& choice) {
+  QWidget* content = page()->content();
+  column->addSpacing(4);
+  column->addWidget(
+      wrappedLabel(tr("Is this the robot’s own tool, or something it picked up?"), "sectionTitle", content));
+  auto* frame = new QFrame(content);
+  frame->setObjectName("choices");
+  auto* row = new QHBoxLayout(frame);
+  row->setContentsMargins(1, 1, 1, 1);
+  row->setSpacing(0);
+  const std::pair<ExportChoice::Role, QString> roles[] = {{ExportChoice::Role::ownTool, tr("Its own tool")},
+                                                          {ExportChoice::Role::extraLoad, tr("An extra load")}};
+  for (const auto& [role, text] : roles) {
+    auto* button = new QPushButton(text, frame);
+    button->setObjectName(role == ExportChoice::Role::ownTool ? "roleOwnTool" : "roleExtraLoad");
+    button->setCheckable(true);
+    button->setChecked(choice.role == role);
+    connect(button, &QPushButton::clicked, this, [this, r = role] { chooseRole(r); });
+    row->addWidget(button, 1);
+  }
+  column->addWidget(frame);
+  column->addWidget(
+      wrappedLabel(tr("Never state it as both: the controller would count the weight twice."), "caption", content));
+}
+
+void ExportPanel::addMounted(QVBoxLayout* column, const ExportChoice& choice, double together) {
+  QWidget* content = page()->content();
+  column->addSpacing(4);
+  auto* head = new QHBoxLayout;
+  head->addWidget(styledLabel(tr("What else is mounted?"), "sectionTitle", content));
+  head->addStretch(1);
+  head->addWidget(styledLabel(tr("between flange and tool"), "caption", content));
+  column->addLayout(head);
+  auto* list = new MountedList(content);
+  const bool any = std::any_of(choice.mounted.begin(), choice.mounted.end(),
+                               [](const MountedPart& part) { return part.present; });
+  list->showParts(choice.mounted, choice.mountedAnswered && !any, together);
+  connect(list, &MountedList::changed, this, [this](const std::vector<MountedPart>& parts, const QString& what) {
+    ExportChoice next = choiceNow();
+    next.mounted = parts;
+    next.mountedAnswered = true;
+    workspace().setExport(next, what);
+  });
+  column->addWidget(list);
+}
+
+void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
+  QWidget* content = page()->content();
+  const auto file = payloadFile(*workspace().opened(), *workspace().report(), choice);
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("Before you save"), "sectionTitle", content));
+  if (!file) {
+    const Card card = makeCard("cardBad", content);
+    card.layout->addWidget(wrappedLabel(QString::fromStdString(file.error().message), "body", content));
+    column->addWidget(card.frame);
+    return;
+  }
+  const ExportFormat* format = findExportFormat(choice.format);
+  auto checks = checksBeforeSaving(*workspace().report(), file->onFlange, file->findings, choice, *format);
+  if (!choice.mountedAnswered)
+    checks.insert(checks.begin(), {Severity::warning, false,
+                                   tr("The sensor itself weighs something, too: tick it above unless the controller "
+                                      "knows it already, or tick “Nothing else”.")});
+  for (const Check& check : checks) {
+    const bool warns = !check.good;
+    const Light light = check.good                             ? Light::measured
+                        : check.severity == Severity::error    ? Light::notPossible
+                        : check.severity == Severity::warning ? Light::look
+                                                               : Light::info;
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addWidget(new LightIcon(light, 18, content), 0, Qt::AlignTop);
+    row->addWidget(wrappedLabel(check.text, warns ? "body" : "answer", content), 1);
+    if (warns) {
+      const Card card = makeCard("cardLook", content);
+      card.layout->addLayout(row);
+      column->addWidget(card.frame);
+    } else {
+      column->addLayout(row);
+    }
+  }
+}
+
+void ExportPanel::chooseFormat(const std::string& id) {
+  ExportChoice next = workspace().session().exporting;
+  if (next.format == id) return refresh();
+  next.format = id;
+  workspace().setExport(next, tr("choose the format"));
+}
+
+void ExportPanel::chooseRole(ExportChoice::Role role) {
+  ExportChoice next = workspace().session().exporting;
+  if (next.role == role) return refresh();
+  next.role = role;
+  workspace().setExport(next, role == ExportChoice::Role::ownTool ? tr("it is the robot’s own tool")
+                                                                  : tr("it is an extra load"));
+}
+
+void ExportPanel::save() {
+  const auto opened = workspace().opened();
+  if (!opened || text_.empty()) return;
+  const QString suggested = QFileInfo(opened->path).absolutePath() + "/" + suggestedName();
+  // The dialog itself asks before an existing file is replaced.
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save the payload file"), suggested, tr("All files (*)"));
+  if (path.isEmpty()) return;
+  const auto saved = saveTo(path, true);
+  if (!saved) {
+    parts().say(Severity::error, QString::fromStdString(saved.error().message));
+  } else {
+    parts().say(Severity::info, tr("Saved %1.").arg(path));
+  }
+}
+
+Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
+  if (text_.empty()) return Error{tr("There is no payload file to save yet.").toStdString()};
+  if (!replace && QFileInfo::exists(path))
+    return Error{tr("%1 exists already and was not replaced.").arg(path).toStdString()};
+  auto written = writeTextFile(path.toStdString(), text_);
+  if (!written) return written.error();
+  savedAs_ = path;
+  savedText_ = QString::fromStdString(text_);
+  preview_->setSaved(true);
+  emit stateChanged();
+  return true;
+}
+
+void ExportPanel::copy() {
+  QApplication::clipboard()->setText(QString::fromStdString(text_));
+  parts().say(Severity::info, tr("The file was copied to the clipboard."));
+}
+
+std::optional<Result<bool>> ExportPanel::obey(const QStringList& words) {
+  if (words[0] != "export") return std::nullopt;
+  const bool replace = words.size() == 4 && words[3] == "replace";
+  if (words.size() != 3 && !replace)
+    return Result<bool>(
+        Error{tr("export expects a format and a file, and may end in replace: export franka-desk tool.json").toStdString()});
+  if (!findExportFormat(words[1].toStdString()))
+    return Result<bool>(Error{tr("There is no format %1; heft export --help lists them.").arg(words[1]).toStdString()});
+  if (!workspace().report()) return Result<bool>(Error{tr("export needs a result.").toStdString()});
+  chooseFormat(words[1].toStdString());
+  return saveTo(words[2], replace);
+}
+
+}  // namespace heft

@@ -1,0 +1,53 @@
+#pragma once
+// The step "Export": which controller, the two questions that decide what the numbers mean there, the file before it is
+// written, and saving it.
+#include <QString>
+#include <optional>
+
+#include "core/workspace/session.h"
+#include "ui/steps/step_panel.h"
+
+class QVBoxLayout;
+
+namespace heft {
+
+class FilePreview;
+
+class ExportPanel : public StepPanel {
+  Q_OBJECT
+ public:
+  explicit ExportPanel(const StudioParts& parts);
+
+  Step step() const override { return Step::exportFile; }
+  StepState state() const override;
+  void entered() override { refresh(); }
+  QString hint() const override { return tr("An existing file is never replaced without asking"); }
+  Below below() const override { return Below::own; }
+  QWidget* ownPane() override;
+  double viewShare() const override { return 0.52; }
+  std::optional<Result<bool>> obey(const QStringList& words) override;
+
+  /// Writes the file; an existing one is replaced only with `replace`.
+  Result<bool> saveTo(const QString& path, bool replace);
+
+ private:
+  void refresh();
+  void addFormats(QVBoxLayout* column, const ExportChoice& choice);
+  void addRole(QVBoxLayout* column, const ExportChoice& choice);
+  void addMounted(QVBoxLayout* column, const ExportChoice& choice, double together);
+  void addChecks(QVBoxLayout* column, const ExportChoice& choice);
+  void chooseFormat(const std::string& id);
+  void chooseRole(ExportChoice::Role role);
+  void save();
+  void copy();
+  /// The choice of the session, with the parts that this recording suggests where the user has not said anything.
+  ExportChoice choiceNow() const;
+  QString suggestedName() const;
+
+  FilePreview* preview_;
+  std::string text_;  ///< Of the file shown; empty if it cannot be made.
+  QString savedAs_;   ///< Where this very text was written last.
+  QString savedText_;
+};
+
+}  // namespace heft
