@@ -5,17 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QSettings>
-#include <QTimer>
 #include <clocale>
 #include <cstdio>
 #include <optional>
 
-#include "ui/controller/workspace.h"
+#include "core/base/json_file.h"
 #include "ui/main_window/main_window.h"
 #include "ui/offscreen/private_display.h"
 #include "ui/robot_view/graphics_setup.h"
-#include "ui/theme/theme.h"
-#include "ui/widgets/message_bar.h"
+#include "ui/studio/script_runner.h"
+#include "ui/studio/studio.h"
 
 namespace {
 
@@ -25,72 +24,41 @@ struct Options {
   std::string file;
   bool offscreen = false;
   std::string picture;
-  int width = 1440, height = 900;
-  std::string theme;
+  std::string script;
+  QSize size{1440, 900};
+  std::string theme, language;
   std::optional<double> time;
   bool details = false;
 };
-
-/// "1440x900"; empty if it is no size.
-std::optional<std::pair<int, int>> parseSize(const std::string& text) {
-  const QStringList parts = QString::fromStdString(text).split('x');
-  if (parts.size() != 2) return std::nullopt;
-  bool first = false, second = false;
-  const int width = parts[0].toInt(&first), height = parts[1].toInt(&second);
-  if (!first || !second || width < 640 || height < 400 || width > 7680 || height > 4320) return std::nullopt;
-  return std::pair(width, height);
-}
 
 int complain(int code, const std::string& sentence) {
   fmt::print(stderr, "heft-studio: {}\n", sentence);
   return code;
 }
 
-heft::ThemeKind themeFor(const Options& options) {
-  if (options.theme == "dark") return heft::ThemeKind::dark;
-  if (options.theme == "light" || options.offscreen) return heft::ThemeKind::light;
-  return QSettings().value("window/theme").toString() == "dark" ? heft::ThemeKind::dark : heft::ThemeKind::light;
-}
-
-/// Opens, estimates, renders, saves; then ends the event loop with the exit code.
-int takePicture(QApplication& application, heft::Workspace& workspace, heft::MainWindow& window,
-                const Options& options) {
-  int code = kDone;
-  std::optional<std::string> failure;
-  QObject::connect(&workspace, &heft::Workspace::failed, &window,
-                   [&](const QString& sentence) { failure = sentence.toStdString(); });
-  QTimer poll;
-  QObject::connect(&poll, &QTimer::timeout, &window, [&] {
-    if (!window.settled()) return;
-    poll.stop();
-    if (!workspace.opened()) {
-      code = complain(kFailed, failure.value_or("The recording could not be opened."));
-      return application.exit(code);
-    }
-    if (options.time) window.playback()->setTime(*options.time);
-    // One turn of the event loop lays out what the result changed; then the plots have drawn themselves smoothly, too.
-    QTimer::singleShot(300, &window, [&] {
-      const QImage picture = window.picture();
-      if (!picture.save(QString::fromStdString(options.picture))) {
-        code = complain(kFailed,
-                        fmt::format("{} could not be written: check that the folder exists, may be written to, and "
-                                    "that the name ends in .png.",
-                                    options.picture));
-      } else if (failure) {
-        // The window shows it, too; a script must learn it all the same.
-        code = complain(kFailed, *failure);
-      }
-      application.exit(code);
-    });
-  });
-  poll.start(20);
-  return QApplication::exec();
+/// The lines of --script, or those that FILE and -o stand for.
+heft::Result<std::vector<heft::ScriptLine>> scriptOf(const Options& options) {
+  if (!options.script.empty()) {
+    const auto text = heft::readTextFile(options.script);
+    if (!text) return text.error();
+    return heft::parseScript(*text, options.script);
+  }
+  std::vector<heft::ScriptLine> lines{{1, {"open", QString::fromLocal8Bit(options.file.c_str())}}};
+  if (options.details) lines.push_back({1, {"details", "on"}});
+  if (options.time) lines.push_back({1, {"time", QString::number(*options.time, 'g', 17)}});
+  lines.push_back({1, {"picture", QString::fromLocal8Bit(options.picture.c_str())}});
+  return lines;
 }
 
 int run(int argc, char** argv, const Options& options) {
   std::unique_ptr<heft::PrivateDisplay> display;
+  std::vector<heft::ScriptLine> lines;
   if (options.offscreen) {
-    auto started = heft::PrivateDisplay::start(options.width, options.height);
+    auto script = scriptOf(options);
+    if (!script) return complain(kFailed, script.error().message);
+    lines = std::move(script).value();
+    const QSize screen = heft::screenFor(lines, options.size);
+    auto started = heft::PrivateDisplay::start(screen.width(), screen.height());
     if (!started) return complain(kFailed, started.error().message);
     display = std::move(started).value();
   } else if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
@@ -116,24 +84,26 @@ int run(int argc, char** argv, const Options& options) {
   QApplication application(argc, argv);
   // Qt takes the user's locale over; numbers in files must not follow it.
   std::setlocale(LC_NUMERIC, "C");
-  // The texts are English so far; numbers follow them.
-  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
-  heft::applyTheme(application, themeFor(options));
-
-  heft::Workspace workspace;
-  heft::MainWindow window(&workspace, !options.offscreen);
-  QObject::connect(&window, &heft::MainWindow::themeWanted, &application, [&](heft::ThemeKind kind) {
-    heft::applyTheme(application, kind);
-    if (!options.offscreen) QSettings().setValue("window/theme", kind == heft::ThemeKind::dark ? "dark" : "light");
-  });
-  if (options.offscreen) {
-    window.setWindowFlag(Qt::FramelessWindowHint);
-    window.setGeometry(0, 0, options.width, options.height);
+  heft::StudioOptions studioOptions;
+  studioOptions.offscreen = options.offscreen;
+  studioOptions.size = options.size;
+  studioOptions.theme = QString::fromStdString(options.theme);
+  studioOptions.language = QString::fromStdString(options.language);
+  heft::Studio studio(application, studioOptions);
+  studio.show();
+  if (!options.offscreen) {
+    if (options.details) studio.window().showDetails(true);
+    if (!options.file.empty()) studio.workspace().open(QString::fromLocal8Bit(options.file.c_str()));
+    return QApplication::exec();
   }
-  if (options.details) window.showDetails(true);
-  window.show();
-  if (!options.file.empty()) workspace.open(QString::fromLocal8Bit(options.file.c_str()));
-  if (options.offscreen) return takePicture(application, workspace, window, options);
+  int code = kDone;
+  heft::ScriptRunner runner(&studio, std::move(lines), options.script);
+  QObject::connect(&runner, &heft::ScriptRunner::finished, &application, [&](const QString& failure) {
+    if (!failure.isEmpty()) code = complain(kFailed, failure.toStdString());
+    application.exit(code);
+  });
+  // The window shows what failed; a picture of it is worth having, and the exit code tells it all the same.
+  runner.start(options.script.empty());
   return QApplication::exec();
 }
 
@@ -148,6 +118,8 @@ int main(int argc, char** argv) {
   app.set_help_flag("-h,--help", "Print this help and end");
   app.add_option("FILE", options.file, "Recording (CSV, with NAME.meta.json beside it) to open");
   app.add_flag("--offscreen", options.offscreen, "Draw the window without a screen and save it as a picture");
+  app.add_option("--script", options.script, "Commands to carry out with --offscreen, one a line; see below");
+  app.add_option("--language", options.language, "en or de")->check(CLI::IsMember({"en", "de"}));
   auto* picture = app.add_option("-o,--output", options.picture, "Picture to write with --offscreen (.png)");
   auto* sizeOption = app.add_option("--size", size, "Size of the window with --offscreen, for instance 1440x900");
   app.add_option("--theme", options.theme, "light or dark")->check(CLI::IsMember({"light", "dark"}));
@@ -155,7 +127,11 @@ int main(int argc, char** argv) {
   app.add_flag("--details", options.details, "Show the engineer's details, too");
   app.footer(
       "Without a screen:\n"
-      "  heft-studio --offscreen rec.csv -o picture.png\n\n"
+      "  heft-studio --offscreen rec.csv -o picture.png\n"
+      "  heft-studio --offscreen --script walk.txt\n\n"
+      "Lines of a script:\n" +
+      heft::ScriptRunner::help() +
+      "\n"
       "Exit codes: 0 done, 1 could not be done, 2 wrong usage.");
   try {
     app.parse(argc, argv);
@@ -168,19 +144,23 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return complain(kWrongUsage, fmt::format("{}\nTry 'heft-studio --help'.", error.what()));
   }
-  if (options.offscreen && (options.file.empty() || options.picture.empty())) {
-    return complain(kWrongUsage, "--offscreen needs a recording and -o PICTURE.png.\nTry 'heft-studio --help'.");
+  if (options.offscreen && options.script.empty() && (options.file.empty() || options.picture.empty())) {
+    return complain(kWrongUsage,
+                    "--offscreen needs a recording and -o PICTURE.png, or --script FILE.\nTry 'heft-studio --help'.");
   }
-  if (!options.offscreen && (*picture || *sizeOption || *time)) {
-    return complain(kWrongUsage, "-o, --size and --time go with --offscreen.\nTry 'heft-studio --help'.");
+  if (!options.script.empty() && (!options.file.empty() || *picture || *time)) {
+    return complain(kWrongUsage, "--script says itself what to open and to save.\nTry 'heft-studio --help'.");
+  }
+  if (!options.offscreen && (*picture || *sizeOption || *time || !options.script.empty())) {
+    return complain(kWrongUsage, "-o, --script, --size and --time go with --offscreen.\nTry 'heft-studio --help'.");
   }
   if (*sizeOption) {
-    const auto parsed = parseSize(size);
+    const auto parsed = heft::parseSize(QString::fromStdString(size));
     if (!parsed) {
       return complain(kWrongUsage,
                       fmt::format("--size expects WIDTHxHEIGHT between 640x400 and 7680x4320, not '{}'.", size));
     }
-    std::tie(options.width, options.height) = *parsed;
+    options.size = *parsed;
   }
   try {
     return run(argc, argv, options);

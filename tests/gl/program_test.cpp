@@ -109,5 +109,45 @@ TEST(Program, OffscreenWithABadFileIsOneSentence) {
   EXPECT_EQ(run({"--offscreen", writeSimulated(folder), "-o", "/nonexistent/x.png"}).code, 1);
 }
 
+TEST(Program, AScriptGoesFromTheRecordingToThePayloadFile) {
+  QTemporaryDir folder;
+  const QString recording = writeSimulated(folder), payload = folder.filePath("tool.json"),
+                session = folder.filePath("work.heft"), picture = folder.filePath("mark.png");
+  QFile script(folder.filePath("walk.txt"));
+  ASSERT_TRUE(script.open(QIODevice::WriteOnly));
+  script.write(QStringLiteral("# from a recording to the payload file\n"
+                              "open \"%1\"\nstep mark\nmark 1 1.5 ignore\npicture \"%2\"\nundo\naccept\n"
+                              "step result\ntheme dark\nsize 1280x800\nlanguage de\nstep export\nclick roleOwnTool\n"
+                              "export franka-desk \"%3\"\nsave \"%4\"\n")
+                   .arg(recording, picture, payload, session)
+                   .toUtf8());
+  script.close();
+  const Outcome outcome = run({"--offscreen", "--script", script.fileName()});
+  EXPECT_EQ(outcome.code, 0) << outcome.err.toStdString();
+  QFile written(payload);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(written.readAll().contains("\"mass\""));
+  EXPECT_EQ(QImage(picture).size(), QSize(1440, 900));
+  EXPECT_TRUE(QFile::exists(session));
+  // The same again replaces nothing.
+  const Outcome again = run({"--offscreen", "--script", script.fileName()});
+  EXPECT_EQ(again.code, 1);
+  EXPECT_TRUE(again.err.contains("walk.txt:")) << again.err.toStdString();
+  EXPECT_TRUE(again.err.contains("exists") || again.err.contains("gibt es schon")) << again.err.toStdString();
+}
+
+TEST(Program, AScriptThatIsWrongNamesTheLine) {
+  QTemporaryDir folder;
+  QFile script(folder.filePath("walk.txt"));
+  ASSERT_TRUE(script.open(QIODevice::WriteOnly));
+  script.write("step record\ndance\n");
+  script.close();
+  const Outcome outcome = run({"--offscreen", "--script", script.fileName()});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(outcome.err.contains("walk.txt:2:")) << outcome.err.toStdString();
+  EXPECT_EQ(run({"--script", script.fileName()}).code, 2);
+  EXPECT_EQ(run({"--offscreen", "--script", folder.filePath("none.txt")}).code, 1);
+}
+
 }  // namespace
 }  // namespace heft

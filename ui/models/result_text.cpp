@@ -184,6 +184,58 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
   return rows;
 }
 
+/// Mass, centre and inertia: what the data said, what was told, and what became of it.
+std::vector<ShareText> shareTexts(const EstimateReport& report) {
+  std::vector<ShareText> rows;
+  if (!report.evidence.hasPrior) return rows;
+  const auto add = [&](const QString& name, double share, int first, int count, double scale, const QString& unit) {
+    const bool mostlyData = share >= 0.5;
+    const QString percent = numberText(100 * (mostlyData ? share : 1 - share), 0);
+    QStringList lines;
+    for (int k = first; k < first + count; ++k) {
+      const double data = scale * report.evidence.data(k), told = scale * report.evidence.prior(k);
+      const double shift = report.evidence.shift(k);
+      if (!std::isfinite(data) || !std::isfinite(told)) continue;
+      lines << Words::tr("The motion alone said %1 %3, you said %2 %3.")
+                   .arg(numberText(data, 3), numberText(told, 3), unit);
+      if (std::isfinite(shift)) lines << Words::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
+    }
+    rows.push_back({name, share,
+                    mostlyData ? Words::tr("%1 % data").arg(percent) : Words::tr("%1 % what you stated").arg(percent),
+                    lines.join('\n')});
+  };
+  add(Words::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, Words::tr("kg"));
+  add(Words::tr("Centre"), report.identifiability.comShare, 1, 3, 1e3, Words::tr("mm"));
+  add(Words::tr("Inertia"), report.identifiability.inertiaShare, 4, 6, 1e4, Words::tr("kg cm²"));
+  return rows;
+}
+
+std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPayload& known) {
+  std::vector<DetailText> rows;
+  if (known.mass && *known.mass > 0) {
+    rows.push_back({Words::tr("Mass"),
+                    Words::tr("%1 kg known, %2 % away")
+                        .arg(numberText(*known.mass, 3),
+                             numberText(100 * std::abs(report.payload.mass - *known.mass) / *known.mass, 2)),
+                    Words::tr("|estimate − known| / known")});
+  }
+  if (known.com) {
+    const double away = (report.payload.com - *known.com).norm();
+    QString value = Words::tr("%1 mm away").arg(numberText(1e3 * away, 1));
+    if (known.com->norm() > 0) value += Words::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
+    rows.push_back({Words::tr("Centre of mass"), value, Words::tr("|estimate − known|, and by the length of the known")});
+  }
+  if (report.relativeError && report.relativeError->hasInertia) {
+    rows.push_back({Words::tr("Inertia"),
+                    Words::tr("%1 % away, about the sensor %2 %")
+                        .arg(numberText(100 * report.relativeError->inertiaCom, 1),
+                             numberText(100 * report.relativeError->inertiaOrigin, 1)),
+                    Words::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
+                              "origin")});
+  }
+  return rows;
+}
+
 }  // namespace
 
 QString sourceWord(Source source) {
@@ -245,6 +297,8 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
                                                .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
   out.answer = answerText(id.mass, comSource, inertiaSource);
   out.advice = adviceText(report);
+  out.shares = shareTexts(report);
+  out.known = knownTexts(report, stated);
 
   static const std::set<std::string> kDoubts{"misfit",       "contact_left_out",  "known_disagrees",
                                              "not_physical", "solver_not_usable", "shape_contradicts_data"};

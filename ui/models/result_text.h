@@ -33,6 +33,14 @@ struct DetailText {
   QString name, value, tip;
 };
 
+/// How much of a number the motion told, against what the user stated.
+struct ShareText {
+  QString name;
+  double data = 1.0;
+  QString words;  ///< "98 % data"
+  QString tip;    ///< What the data said, what was told, how far they pulled each other.
+};
+
 struct ResultText {
   QString question;       ///< "Your tool weighs 0.81 kg."
   QString answer;         ///< "Mass and centre are measured; inertia is not known from this motion."
@@ -47,6 +55,8 @@ struct ResultText {
   QString inertiaNote;
   QString advice;                     ///< What would make it better; may be empty.
   std::vector<FindingText> findings;  ///< Gravest first.
+  std::vector<ShareText> shares;   ///< Empty where nothing was told.
+  std::vector<DetailText> known;   ///< Comparison with CAD or scale values; empty without any.
   std::vector<DetailText> details;
 };
 

@@ -3,11 +3,13 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
 #include "ui/results/mass_scale.h"
+#include "ui/results/share_rows.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -45,17 +47,20 @@ void ResultPanel::showNothing() {
   again_ = [this] { showNothing(); };
   restart(tr("What does your tool weigh?"), tr("Open a recording first, or make one under Record."))->addStretch(1);
   setMainButton({});
+  setSecondButton({});
 }
 
 void ResultPanel::showWorking(const QString& fileName) {
   again_ = [this, fileName] { showWorking(fileName); };
   restart(tr("Weighing the tool …"), tr("Heft reads the motion and the forces in %1.").arg(fileName))->addStretch(1);
   setMainButton({});
+  setSecondButton({});
 }
 
 void ResultPanel::showNoResult(const QString& reason) {
   again_ = [this, reason] { showNoResult(reason); };
   restart(tr("No estimate yet"), reason)->addStretch(1);
+  setSecondButton({});
   setMainButton(tr("Estimate"), [this] { emit estimateWanted(); });
 }
 
@@ -76,15 +81,8 @@ void ResultPanel::showResult(const ResultText& result) {
   addMass(column, result);
   addCentre(column, result);
   addInertia(column, result);
-  if (!result.advice.isEmpty()) {
-    const Card card = makeCard("cardSuggested", content);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(12);
-    row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
-    row->addWidget(wrappedLabel(result.advice, "advice", content), 1);
-    card.layout->addLayout(row);
-    column->addWidget(card.frame);
-  }
+  if (!result.shares.empty()) addShares(column, result.shares);
+  if (!result.advice.isEmpty()) addAdvice(column, result.advice);
   if (!later.empty()) addFindings(column, later);
   if (details_) {
     addDetails(column, result.details);
@@ -94,7 +92,9 @@ void ResultPanel::showResult(const ResultText& result) {
         calm.size() == 1 ? tr("One more note under Details.") : tr("%1 more notes under Details.").arg(calm.size()),
         "caption", content));
   }
+  addKnown(column, result.known);
   column->addStretch(1);
+  setSecondButton(tr("All methods"), [this] { emit methodsWanted(); }, "table");
   setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
 }
 
@@ -234,20 +234,75 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
   column->addWidget(card.frame);
 }
 
-void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
+void ResultPanel::addAdvice(QVBoxLayout* column, const QString& advice) {
+  QWidget* content = this->content();
+  const Card card = makeCard("cardSuggested", content);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(12);
+  row->addWidget(new IconLabel("bulb", 20, content), 0, Qt::AlignVCenter);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(2);
+  words->addWidget(styledLabel(tr("What would make it better"), "sectionTitle", content));
+  words->addWidget(wrappedLabel(advice, "advice", content));
+  row->addLayout(words, 1);
+  auto* record = new QPushButton(tr("Record it"), content);
+  record->setObjectName("smallButton");
+  connect(record, &QPushButton::clicked, this, &ResultPanel::recordWanted);
+  row->addWidget(record);
+  card.layout->addLayout(row);
+  column->addWidget(card.frame);
+}
+
+void ResultPanel::addShares(QVBoxLayout* column, const std::vector<ShareText>& shares) {
   QWidget* content = this->content();
   column->addSpacing(4);
-  column->addWidget(styledLabel(tr("Details"), "sectionTitle", content));
+  column->addWidget(styledLabel(tr("Where the numbers come from"), "sectionTitle", content));
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(6);
+  grid->setColumnStretch(1, 1);
+  int r = 0;
+  for (const ShareText& share : shares) {
+    QLabel* name = styledLabel(share.name, "rowName", content);
+    QLabel* words = styledLabel(share.words, "rowName", content);
+    auto* bar = new DataShareBar(share.data, content);
+    bar->setAccessibleName(share.name + QStringLiteral(": ") + share.words);
+    for (QWidget* part : std::initializer_list<QWidget*>{name, words, bar}) part->setToolTip(share.tip);
+    grid->addWidget(name, r, 0);
+    grid->addWidget(bar, r, 1);
+    grid->addWidget(words, r, 2);
+    ++r;
+  }
+  column->addLayout(grid);
+}
+
+void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& known) {
+  QWidget* content = this->content();
+  if (!known.empty()) {
+    column->addSpacing(4);
+    column->addWidget(styledLabel(tr("Compared with what you know"), "sectionTitle", content));
+    addRows(column, known);
+  }
+  auto* enter = new QPushButton(known.empty() ? tr("Compare with a scale or CAD …") : tr("Change what you know …"), content);
+  enter->setObjectName("linkButton");
+  enter->setProperty("role", "known");
+  connect(enter, &QPushButton::clicked, this, &ResultPanel::knownWanted);
+  column->addWidget(enter, 0, Qt::AlignLeft);
+}
+
+void ResultPanel::addRows(QVBoxLayout* column, const std::vector<DetailText>& rows) {
+  QWidget* content = this->content();
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(12);
   grid->setVerticalSpacing(4);
   grid->setColumnStretch(1, 1);
   int r = 0;
-  for (const DetailText& detail : details) {
+  for (const DetailText& detail : rows) {
     QLabel* name = styledLabel(detail.name, "caption", content);
     QLabel* value = styledLabel(detail.value, "detailValue", content);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setWordWrap(true);
     name->setToolTip(detail.tip);
     value->setToolTip(detail.tip);
     grid->addWidget(name, r, 0);
@@ -255,6 +310,12 @@ void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>&
     ++r;
   }
   column->addLayout(grid);
+}
+
+void ResultPanel::addDetails(QVBoxLayout* column, const std::vector<DetailText>& details) {
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("Details"), "sectionTitle", content()));
+  addRows(column, details);
 }
 
 void ResultPanel::setDetailsShown(bool shown) {

@@ -29,12 +29,19 @@ class ResultPanel : public PanelPage {
  signals:
   void estimateWanted();
   void exportWanted();
+  void recordWanted();
+  void methodsWanted();
+  void knownWanted();
 
  private:
   void addMass(QVBoxLayout* column, const ResultText& result);
   void addCentre(QVBoxLayout* column, const ResultText& result);
   void addInertia(QVBoxLayout* column, const ResultText& result);
   void addFindings(QVBoxLayout* column, const std::vector<FindingText>& findings);
+  void addAdvice(QVBoxLayout* column, const QString& advice);
+  void addShares(QVBoxLayout* column, const std::vector<ShareText>& shares);
+  void addKnown(QVBoxLayout* column, const std::vector<DetailText>& known);
+  void addRows(QVBoxLayout* column, const std::vector<DetailText>& rows);
   void addDetails(QVBoxLayout* column, const std::vector<DetailText>& details);
 
   bool details_ = false;

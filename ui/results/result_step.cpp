@@ -1,19 +1,32 @@
 #include "ui/results/result_step.h"
 
+#include <QAction>
 #include <QFileInfo>
+#include <QMenu>
 
+#include "core/estimation/comparison.h"
 #include "ui/controller/workspace.h"
+#include "ui/models/method_table.h"
 #include "ui/models/numbers.h"
 #include "ui/models/result_text.h"
+#include "ui/results/known_values.h"
+#include "ui/results/method_pane.h"
 #include "ui/results/result_panel.h"
 
 namespace heft {
 
 ResultStep::ResultStep(const StudioParts& parts)
-    : StepPanel(parts, new ResultPanel), panel_(static_cast<ResultPanel*>(page())) {
+    : StepPanel(parts, new ResultPanel), panel_(static_cast<ResultPanel*>(page())), methods_(new MethodPane) {
+  parts.followJobs(&jobs_);
+  connect(panel_, &ResultPanel::recordWanted, this, [this] { this->parts().goTo(Step::record); });
+  connect(panel_, &ResultPanel::methodsWanted, this, &ResultStep::compare);
+  connect(panel_, &ResultPanel::knownWanted, this, &ResultStep::askKnown);
+  connect(methods_, &MethodPane::closeWanted, this, &ResultStep::endComparison);
   connect(panel_, &ResultPanel::estimateWanted, &workspace(), &Workspace::estimate);
   connect(panel_, &ResultPanel::exportWanted, this, [this] { this->parts().goTo(Step::exportFile); });
   connect(&workspace(), &Workspace::openedChanged, this, &ResultStep::refresh);
+  connect(&workspace(), &Workspace::openedChanged, this, &ResultStep::endComparison);
+  connect(&workspace(), &Workspace::settingsChanged, this, &ResultStep::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &ResultStep::refresh);
   connect(&workspace(), &Workspace::busyChanged, this, &ResultStep::refresh);
   refresh();
@@ -27,7 +40,7 @@ StepState ResultStep::state() const {
     return workspace().busy() ? StepState{P::later, Light::measured, tr("being weighed …")}
                               : StepState{P::ready, Light::measured, tr("no estimate yet")};
   }
-  const ResultText text = describeResult(*report, workspace().opened()->recording.meta.knownPayload);
+  const ResultText text = describeResult(*report, known());
   const QString mass = tr("%1 kg").arg(numberText(report->payload.mass, 3));
   if (text.doubtful) return {P::done, Light::look, tr("%1, check first").arg(mass)};
   if (report->identifiability.mass == Source::none) return {P::done, Light::unknown, tr("mass not known")};
@@ -36,13 +49,73 @@ StepState ResultStep::state() const {
   return {P::done, all ? Light::measured : Light::partly, mass};
 }
 
+QWidget* ResultStep::ownPane() { return methods_; }
+
+PartialPayload ResultStep::known() const {
+  PartialPayload out;
+  if (const auto opened = workspace().opened()) out = opened->recording.meta.knownPayload;
+  const PartialPayload& said = workspace().session().settings.known;
+  if (said.mass) out.mass = said.mass;
+  if (said.com) out.com = said.com;
+  if (said.inertiaCom) out.inertiaCom = said.inertiaCom;
+  return out;
+}
+
+void ResultStep::askKnown() {
+  KnownValuesDialog dialog(known(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  EstimateSettings settings = workspace().session().settings;
+  settings.known = dialog.values();
+  workspace().setSettings(settings, tr("known values"));
+}
+
+void ResultStep::compare() {
+  const Snapshot now = workspace().snapshot();
+  if (!now.opened) return;
+  methods_->showWorking();
+  comparing_ = true;
+  emit arrangementChanged();
+  jobs_.start(
+      tr("Comparing all methods"),
+      [now](const Progress& progress) { return compareMethods(now.recording(), now.robot(), now.options, progress); },
+      [this, chosen = now.options.method](Result<std::vector<ComparedMethod>> result) {
+        if (result) return methods_->showTable(methodTable(*result, chosen));
+        if (!result.error().cancelled) parts().say(Severity::error, QString::fromStdString(result.error().message));
+        endComparison();
+      });
+}
+
+void ResultStep::endComparison() {
+  if (!comparing_) return;
+  jobs_.cancel();
+  comparing_ = false;
+  emit arrangementChanged();
+}
+
+void ResultStep::addActions(const StudioMenus& menus) {
+  QAction* action = menus.tools->addAction(tr("All &methods side by side"), this, [this] {
+    if (!workspace().opened()) return;
+    parts().goTo(Step::result);
+    compare();
+  });
+  action->setShortcut(QKeySequence("Ctrl+M"));
+  menus.tools->addAction(tr("Compare with a scale or &CAD …"), this, &ResultStep::askKnown);
+}
+
+std::optional<Result<bool>> ResultStep::obey(const QStringList& words) {
+  if (words[0] != "compare" || words.size() != 1) return std::nullopt;
+  if (!workspace().opened()) return Result<bool>(Error{tr("compare needs an open recording.").toStdString()});
+  compare();
+  return Result<bool>(true);
+}
+
 void ResultStep::setDetailsShown(bool shown) { panel_->setDetailsShown(shown); }
 
 void ResultStep::refresh() {
   const auto opened = workspace().opened();
   const auto report = workspace().report();
   if (opened && report) {
-    panel_->showResult(describeResult(*report, opened->recording.meta.knownPayload));
+    panel_->showResult(describeResult(*report, known()));
   } else if (!opened) {
     panel_->showNothing();
   } else if (workspace().busy()) {

@@ -1,9 +1,12 @@
 #pragma once
 // The step "Result": what the estimate on the open recording says.
+#include "core/payload/inertial_parameters.h"
+#include "ui/jobs/job_runner.h"
 #include "ui/steps/step_panel.h"
 
 namespace heft {
 
+class MethodPane;
 class ResultPanel;
 
 class ResultStep : public StepPanel {
@@ -14,11 +17,24 @@ class ResultStep : public StepPanel {
   Step step() const override { return Step::result; }
   StepState state() const override;
   void setDetailsShown(bool shown) override;
+  Below below() const override { return comparing_ ? Below::own : Below::plots; }
+  QWidget* ownPane() override;
+  void addActions(const StudioMenus& menus) override;
+  std::optional<Result<bool>> obey(const QStringList& words) override;
+
+  /// Every method on the open recording, in a job; the table stands under the 3D view.
+  void compare();
 
  private:
   void refresh();
+  void endComparison();
+  void askKnown();
+  PartialPayload known() const;
 
   ResultPanel* panel_;
+  MethodPane* methods_;
+  JobRunner jobs_;
+  bool comparing_ = false;
 };
 
 }  // namespace heft

@@ -1,0 +1,20 @@
+#pragma once
+// How much of a number the data told and how much the shape: one bar.
+#include <QWidget>
+
+namespace heft {
+
+class DataShareBar : public QWidget {
+ public:
+  /// 1: all from the data.
+  explicit DataShareBar(double share, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {200, 8}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double share_;
+};
+
+}  // namespace heft

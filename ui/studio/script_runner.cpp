@@ -1,0 +1,199 @@
+#include "ui/studio/script_runner.h"
+
+#include <QAbstractButton>
+#include <QFileInfo>
+#include <QPixmap>
+#include <QUndoStack>
+
+#include "core/base/json_file.h"
+#include "ui/main_window/main_window.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/studio/studio.h"
+#include "ui/timeline/time_axis.h"
+#include "ui/wrench_plots/recording_pane.h"
+#include "ui/wrench_plots/wrench_plots.h"
+
+namespace heft {
+namespace {
+
+constexpr int kRest = 60;      ///< [ms] between lines: one turn of the event loop lays out what changed.
+constexpr int kDrawing = 350;  ///< [ms] before a picture: then plots and 3D have drawn themselves smoothly.
+
+Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
+
+}  // namespace
+
+std::string ScriptRunner::help() {
+  return "  open FILE ...                     recordings, or a session (.heft)\n"
+         "  step NAME                         record, mark, shape, result, reality-check, export\n"
+         "  estimate                          estimate again\n"
+         "  compare                           all methods side by side\n"
+         "  mark FROM TO LABEL                free, contact, ignore or suggested\n"
+         "  accept                            accept all suggested marks\n"
+         "  export FORMAT FILE [replace]      write the payload file\n"
+         "  save FILE [replace]               save the session\n"
+         "  undo | redo\n"
+         "  time SECONDS | zoom FROM TO       instant shown, stretch in the plots\n"
+         "  measure A B | table FILE          two cursors; the visible stretch as CSV\n"
+         "  camera NAME                       whole, tool, front, side, top\n"
+         "  details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT\n"
+         "  click NAME                        a button by its object name\n"
+         "  picture FILE [window|view|plots|panel]\n"
+         "  wait SECONDS\n";
+}
+
+ScriptRunner::ScriptRunner(Studio* studio, std::vector<ScriptLine> lines, const std::string& name)
+    : QObject(studio), studio_(studio), lines_(std::move(lines)), name_(name) {
+  poll_.setInterval(20);
+  connect(&poll_, &QTimer::timeout, this, &ScriptRunner::turn);
+  connect(&studio_->workspace(), &Workspace::failed, this, [this](const QString& sentence) {
+    if (failure_.isEmpty()) failure_ = placed(sentence);
+  });
+}
+
+void ScriptRunner::start(bool goOn) {
+  goOn_ = goOn;
+  quiet_.start();
+  poll_.start();
+}
+
+QString ScriptRunner::placed(const QString& sentence) const {
+  if (name_.empty() || next_ == 0) return sentence;
+  return QStringLiteral("%1:%2: %3").arg(QString::fromStdString(name_)).arg(lines_[next_ - 1].number).arg(sentence);
+}
+
+void ScriptRunner::turn() {
+  if (!studio_->window().settled()) {
+    quiet_.start();
+    return;
+  }
+  if (!failure_.isEmpty() && !(goOn_ && studio_->workspace().opened())) return finish(failure_);
+  const bool picture = next_ < lines_.size() && lines_[next_].words[0] == "picture";
+  if (quiet_.elapsed() < std::max(wait_, picture ? kDrawing : kRest)) return;
+  if (next_ == lines_.size()) return finish(failure_);
+  wait_ = 0;
+  const QStringList words = lines_[next_++].words;
+  const auto obeyed = obey(words);
+  if (!obeyed) return finish(placed(QString::fromStdString(obeyed.error().message)));
+  quiet_.start();
+}
+
+void ScriptRunner::finish(const QString& failure) {
+  poll_.stop();
+  emit finished(failure);
+}
+
+Result<bool> ScriptRunner::takePicture(const QStringList& words) {
+  const QString part = words.value(2, QStringLiteral("window"));
+  MainWindow& window = studio_->window();
+  QImage image;
+  if (part == "window") {
+    image = window.picture();
+  } else if (part == "view") {
+    window.robotView()->renderNow();
+    image = window.robotView()->grab().toImage();
+  } else if (part == "plots") {
+    image = window.recordingPane()->grab().toImage();
+  } else if (part == "panel") {
+    image = window.panel(window.step())->grab().toImage();
+  }
+  if (words.size() < 2 || words.size() > 3 || image.isNull())
+    return wrong(tr("picture expects a file and perhaps window, view, plots or panel."));
+  if (!image.save(words[1]))
+    return wrong(tr("%1 could not be written: check that the folder exists, may be written to, and that the name ends in "
+                    ".png.")
+                     .arg(words[1]));
+  return true;
+}
+
+Result<bool> ScriptRunner::obey(const QStringList& words) {
+  const QString& verb = words[0];
+  MainWindow& window = studio_->window();
+  Workspace& workspace = studio_->workspace();
+  const auto number = [&](int index) -> std::optional<double> {
+    bool ok = false;
+    const double value = words.value(index).toDouble(&ok);
+    return ok ? std::optional(value) : std::nullopt;
+  };
+  if (verb == "open" && words.size() > 1) {
+    workspace.open(words.mid(1));
+    return true;
+  }
+  if (verb == "step") {
+    const auto step = stepFromId(words.value(1).toStdString());
+    if (!step || !window.panel(*step)) return wrong(tr("There is no step %1.").arg(words.value(1)));
+    window.showStep(*step);
+    return true;
+  }
+  if (verb == "estimate" && words.size() == 1) {
+    if (!workspace.opened()) return wrong(tr("estimate needs an open recording."));
+    workspace.estimate();
+    return true;
+  }
+  if (verb == "save" && words.size() >= 2) {
+    if (QFileInfo::exists(words[1]) && words.value(2) != "replace")
+      return wrong(tr("%1 exists already and was not replaced.").arg(words[1]));
+    workspace.save(words[1]);
+    return true;
+  }
+  if (verb == "undo") return workspace.undoStack()->undo(), Result<bool>(true);
+  if (verb == "redo") return workspace.undoStack()->redo(), Result<bool>(true);
+  if (verb == "time" && number(1)) return window.playback()->setTime(*number(1)), Result<bool>(true);
+  if (verb == "zoom" && number(1) && number(2))
+    return window.recordingPane()->timeAxis()->show(*number(1), *number(2)), Result<bool>(true);
+  if (verb == "measure" && number(1) && number(2)) {
+    window.recordingPane()->setMeasuring(true);
+    window.playback()->setTime(*number(1));
+    emit window.recordingPane()->plots()->secondPicked(*number(2));
+    return true;
+  }
+  if (verb == "table" && words.size() == 2) {
+    auto written = writeTextFile(words[1].toStdString(), window.recordingPane()->visibleText());
+    return written ? Result<bool>(true) : Result<bool>(written.error());
+  }
+  if (verb == "camera") {
+    using Preset = RobotView::Preset;
+    const std::pair<const char*, Preset> presets[] = {{"whole", Preset::overview},
+                                                      {"tool", Preset::tool},
+                                                      {"front", Preset::front},
+                                                      {"side", Preset::side},
+                                                      {"top", Preset::top}};
+    for (const auto& [name, preset] : presets) {
+      if (words.value(1) == QLatin1String(name)) return window.robotView()->usePreset(preset), Result<bool>(true);
+    }
+    return wrong(tr("camera expects whole, tool, front, side or top."));
+  }
+  if (verb == "details" && (words.value(1) == "on" || words.value(1) == "off"))
+    return window.showDetails(words[1] == "on"), Result<bool>(true);
+  if (verb == "theme" && (words.value(1) == "light" || words.value(1) == "dark"))
+    return studio_->setTheme(words[1] == "dark" ? ThemeKind::dark : ThemeKind::light), Result<bool>(true);
+  if (verb == "language") {
+    if (!studio_->setLanguage(words.value(1)))
+      return wrong(tr("language expects one of %1.").arg(Studio::languages().join(", ")));
+    return true;
+  }
+  if (verb == "size") {
+    const auto size = parseSize(words.value(1));
+    if (!size) return wrong(tr("size expects WIDTHxHEIGHT between 640x400 and 7680x4320."));
+    return studio_->setSize(*size), Result<bool>(true);
+  }
+  if (verb == "click") {
+    auto* button = window.findChild<QAbstractButton*>(words.value(1));
+    if (!button || !button->isVisible() || !button->isEnabled())
+      return wrong(tr("There is no button %1 that could be clicked now.").arg(words.value(1)));
+    return button->click(), Result<bool>(true);
+  }
+  if (verb == "wait" && number(1) && *number(1) >= 0 && *number(1) <= 3600) {
+    wait_ = static_cast<int>(1000 * *number(1));
+    return true;
+  }
+  if (verb == "picture") return takePicture(words);
+  for (const Step step : kAllSteps) {
+    StepPanel* panel = window.panel(step);
+    if (!panel) continue;
+    if (auto obeyed = panel->obey(words)) return *obeyed;
+  }
+  return wrong(tr("\"%1\" is no command of a script, or its words are wrong; see heft-studio --help.").arg(words.join(' ')));
+}
+
+}  // namespace heft

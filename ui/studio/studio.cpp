@@ -1,0 +1,110 @@
+#include "ui/studio/studio.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QVariant>
+
+#include "ui/controller/autosave.h"
+#include "ui/main_window/main_window.h"
+#include "ui/timeline/playback.h"
+#include "ui/timeline/time_axis.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+static void initialiseTexts() { Q_INIT_RESOURCE(translations); }
+
+namespace heft {
+namespace {
+
+QString themeName(ThemeKind kind) { return kind == ThemeKind::dark ? QStringLiteral("dark") : QStringLiteral("light"); }
+
+}  // namespace
+
+QStringList Studio::languages() { return {QStringLiteral("en"), QStringLiteral("de")}; }
+
+Studio::Studio(QApplication& application, const StudioOptions& options)
+    : application_(application), options_(options) {
+  initialiseTexts();
+  QString theme = options_.theme, language = options_.language;
+  if (!options_.offscreen) {
+    const QSettings settings;
+    if (theme.isEmpty()) theme = settings.value("window/theme").toString();
+    if (language.isEmpty()) language = settings.value("window/language").toString();
+    if (language.isEmpty()) language = QLocale::system().name().left(2);
+  }
+  applyTheme(application_, theme == "dark" ? ThemeKind::dark : ThemeKind::light);
+  useTexts(languages().contains(language) ? language : QStringLiteral("en"));
+  if (!options_.offscreen) autosave_ = std::make_unique<Autosave>(&workspace_, stateFolder());
+  buildWindow();
+}
+
+Studio::~Studio() = default;
+
+void Studio::useTexts(const QString& language) {
+  for (const auto& translator : translators_) QApplication::removeTranslator(translator.get());
+  translators_.clear();
+  language_ = language;
+  // English has its own file, too: it holds the plurals.
+  for (const QString& file :
+       {QStringLiteral(":/translations/heft_%1.qm").arg(language),
+        QLibraryInfo::location(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_%1.qm").arg(language)}) {
+    auto translator = std::make_unique<QTranslator>();
+    if (!translator->load(file)) continue;
+    QApplication::installTranslator(translator.get());
+    translators_.push_back(std::move(translator));
+  }
+  QLocale::setDefault(language == "de" ? QLocale(QLocale::German, QLocale::Germany)
+                                       : QLocale(QLocale::English, QLocale::UnitedStates));
+}
+
+void Studio::buildWindow() {
+  window_ = std::make_unique<MainWindow>(&workspace_, !options_.offscreen);
+  MainWindow* window = window_.get();
+  window->setLanguages(languages(), language_);
+  connect(window, &MainWindow::themeWanted, this, &Studio::setTheme);
+  // The window that asks is replaced: after it has returned from its menu.
+  connect(window, &MainWindow::languageWanted, this, [this](const QString& language) { setLanguage(language); },
+          Qt::QueuedConnection);
+  if (options_.offscreen) {
+    window->setWindowFlag(Qt::FramelessWindowHint);
+    window->setGeometry(QRect(QPoint(0, 0), options_.size));
+  }
+  if (autosave_) window->useAutosave(autosave_.get());
+}
+
+void Studio::setTheme(ThemeKind kind) {
+  applyTheme(application_, kind);
+  if (!options_.offscreen) QSettings().setValue("window/theme", themeName(kind));
+}
+
+bool Studio::setLanguage(const QString& language) {
+  if (!languages().contains(language)) return false;
+  if (language == language_) return true;
+  if (!options_.offscreen) QSettings().setValue("window/language", language);
+  // What was only a matter of looking goes along to the new window.
+  const QByteArray geometry = window_->saveGeometry();
+  const bool shown = window_->isVisible(), details = window_->detailsShown();
+  const Step step = window_->step();
+  const double time = window_->playback()->time();
+  const double from = window_->recordingPane()->timeAxis()->lower(), to = window_->recordingPane()->timeAxis()->upper();
+  useTexts(language);
+  buildWindow();
+  if (!options_.offscreen) window_->restoreGeometry(geometry);
+  if (shown) window_->show();
+  window_->showStep(step);
+  window_->showDetails(details);
+  window_->playback()->setTime(time);
+  window_->recordingPane()->timeAxis()->show(from, to);
+  return true;
+}
+
+void Studio::setSize(QSize size) {
+  options_.size = size;
+  window_->setGeometry(QRect(QPoint(0, 0), size));
+}
+
+void Studio::show() { window_->show(); }
+
+}  // namespace heft

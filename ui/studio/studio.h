@@ -1,0 +1,59 @@
+#pragma once
+// The program around the window: workspace, autosave, theme and language. Changing the language builds the window anew
+// around the same workspace, so that no widget needs to know how to translate itself.
+#include <QObject>
+#include <QSize>
+#include <QStringList>
+#include <QTranslator>
+#include <memory>
+#include <vector>
+
+#include "ui/controller/workspace.h"
+#include "ui/theme/theme.h"
+
+class QApplication;
+
+namespace heft {
+
+class Autosave;
+class MainWindow;
+
+struct StudioOptions {
+  bool offscreen = false;  ///< Frameless, remembers nothing, saves nothing by itself.
+  QSize size{1440, 900};   ///< With offscreen.
+  QString theme;           ///< "light", "dark", or empty: as last time.
+  QString language;        ///< "en", "de", or empty: as last time, else the system's.
+};
+
+class Studio : public QObject {
+  Q_OBJECT
+ public:
+  Studio(QApplication& application, const StudioOptions& options);
+  ~Studio() override;
+
+  Workspace& workspace() { return workspace_; }
+  MainWindow& window() { return *window_; }
+  void setTheme(ThemeKind kind);
+  /// False if there are no texts in that language.
+  bool setLanguage(const QString& language);
+  QString language() const { return language_; }
+  void setSize(QSize size);
+  void show();
+
+  /// Codes of the languages that there are texts for.
+  static QStringList languages();
+
+ private:
+  void useTexts(const QString& language);
+  void buildWindow();
+
+  QApplication& application_;
+  StudioOptions options_;
+  QString language_;
+  std::vector<std::unique_ptr<QTranslator>> translators_;
+  Workspace workspace_;
+  std::unique_ptr<Autosave> autosave_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace heft
