@@ -66,13 +66,24 @@ std::vector<Segment> withMarks(const std::vector<Segment>& segments, const std::
     current = std::move(next);
   }
   std::vector<Segment> joined;
+  double longest = 0.0;
   for (const Segment& segment : current) {
-    if (!joined.empty() && joined.back().label == segment.label && joined.back().reason == segment.reason &&
-        segment.from <= joined.back().to + least) {
-      joined.back().to = std::max(joined.back().to, segment.to);
-    } else {
+    // Free is free, moving or at rest, decided or not: one stretch, explained by its longest part.
+    const bool same = !joined.empty() && segment.from <= joined.back().to + least &&
+                      joined.back().label == segment.label &&
+                      (segment.label == MarkLabel::free || joined.back().reason == segment.reason);
+    if (!same) {
       joined.push_back(segment);
+      longest = segment.to - segment.from;
+      continue;
     }
+    if (segment.to - segment.from > longest) {
+      longest = segment.to - segment.from;
+      joined.back().reason = segment.reason;
+      joined.back().kind = segment.kind;
+      joined.back().confidence = segment.confidence;
+    }
+    joined.back().to = std::max(joined.back().to, segment.to);
   }
   return joined;
 }

@@ -677,7 +677,7 @@
         <translation>mm</translation>
     </message>
     <message>
-        <source>Centre of mass from the sensor's origin along its axis %1</source>
+        <source>Centre of mass from the sensor&apos;s origin along its axis %1</source>
         <translation>Schwerpunkt vom Ursprung des Sensors entlang seiner Achse %1</translation>
     </message>
     <message>
@@ -1018,6 +1018,10 @@
     <message>
         <source>An existing file is never replaced without asking</source>
         <translation>Eine vorhandene Datei wird nie ohne Rückfrage ersetzt</translation>
+    </message>
+    <message>
+        <source>The sensor itself weighs something, too: add it under “Something else …” unless the controller knows it already, or tick “Nothing else”.</source>
+        <translation>Der Sensor selbst wiegt auch etwas: Fügen Sie ihn unter „Etwas anderes …“ hinzu, wenn die Steuerung ihn noch nicht kennt, oder wählen Sie „Nichts weiter“.</translation>
     </message>
 </context>
 <context>
@@ -2076,7 +2080,7 @@
         <translation>Es gibt keinen Knopf %1, der jetzt gedrückt werden könnte.</translation>
     </message>
     <message>
-        <source>"%1" is no command of a script, or its words are wrong; see heft-studio --help.</source>
+        <source>&quot;%1&quot; is no command of a script, or its words are wrong; see heft-studio --help.</source>
         <translation>„%1“ ist kein Befehl eines Skripts, oder seine Wörter stimmen nicht; siehe heft-studio --help.</translation>
     </message>
 </context>

@@ -66,6 +66,19 @@ TEST_F(ExportPanelTest, TheFileIsSeenBeforeItIsWrittenAndTheQuestionIsAsked) {
   EXPECT_FALSE(button("mainButton")->isEnabled());
 }
 
+TEST_F(ExportPanelTest, ALongPageScrollsInsteadOfBeingSqueezed) {
+  panel->resize(440, 400);
+  openSimulated();
+  QTest::qWait(50);
+  for (const QWidget* widget : panel->findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->objectName() == "divider") continue;
+    EXPECT_GE(widget->height(), std::min(widget->minimumSizeHint().height(), 30)) << widget->objectName().toStdString();
+  }
+  const auto* card = panel->findChild<QAbstractButton*>("format_ur");
+  ASSERT_NE(card, nullptr);
+  EXPECT_EQ(card->height(), card->sizeHint().height());
+}
+
 TEST_F(ExportPanelTest, WhatIsMountedIsAddedExactly) {
   openSimulated();
   const double alone = nlohmann::json::parse(preview().toStdString())["mass"].get<double>();

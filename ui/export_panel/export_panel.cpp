@@ -211,10 +211,15 @@ void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
   }
   const ExportFormat* format = findExportFormat(choice.format);
   auto checks = checksBeforeSaving(*workspace().report(), file->onFlange, file->findings, choice, *format);
-  if (!choice.mountedAnswered)
-    checks.insert(checks.begin(), {Severity::warning, false,
-                                   tr("The sensor itself weighs something, too: tick it above unless the controller "
-                                      "knows it already, or tick “Nothing else”.")});
+  if (!choice.mountedAnswered) {
+    const QString asks =
+        choice.mounted.empty()
+            ? tr("The sensor itself weighs something, too: add it under “Something else …” unless the controller knows it "
+                 "already, or tick “Nothing else”.")
+            : tr("The sensor itself weighs something, too: tick it above unless the controller knows it already, or tick "
+                 "“Nothing else”.");
+    checks.insert(checks.begin(), {Severity::warning, false, asks});
+  }
   for (const Check& check : checks) {
     const bool warns = !check.good;
     const Light light = check.good                             ? Light::measured

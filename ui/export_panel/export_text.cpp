@@ -26,6 +26,12 @@ bool anyUnknown(const EstimateReport& report) {
   return any;
 }
 
+bool centreMeasured(const EstimateReport& report) {
+  const auto& com = report.identifiability.com;
+  return report.identifiability.mass == Source::data &&
+         std::all_of(com.begin(), com.end(), [](Source source) { return source == Source::data; });
+}
+
 }  // namespace
 
 FormatName formatName(const ExportFormat& format) {
@@ -78,8 +84,9 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
                    "work."));
   }
   for (const Finding& finding : findings) {
-    // Said above in the worker's words.
-    if (finding.severity == Severity::info || finding.code.find("not_measured") != std::string::npos) continue;
+    if (finding.severity == Severity::info) continue;
+    // Said above in the worker's words, as long as it concerns the inertia alone.
+    if (centreMeasured(report) && (finding.code == "not_known" || finding.code == "rests_on_prior")) continue;
     checks.push_back({finding.severity, false,
                       QString::fromStdString(finding.text + (finding.remedy.empty() ? "" : " " + finding.remedy))});
   }

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/theme/icons.h"
@@ -18,7 +19,12 @@ namespace {
 /// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for.
 class PanelContent : public QWidget {
  public:
-  PanelContent() { setObjectName("panelContent"); }
+  PanelContent() {
+    setObjectName("panelContent");
+    later_.setSingleShot(true);
+    later_.setInterval(0);
+    connect(&later_, &QTimer::timeout, this, [this] { fitHeight(); });
+  }
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
@@ -27,7 +33,11 @@ class PanelContent : public QWidget {
   }
   bool event(QEvent* event) override {
     const bool handled = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest) fitHeight();
+    if (event->type() == QEvent::LayoutRequest) {
+      fitHeight();
+      // Parts just added are still hidden and unstyled, and count for nothing in this first measure.
+      later_.start();
+    }
     return handled;
   }
 
@@ -37,6 +47,7 @@ class PanelContent : public QWidget {
     const int needed = layout()->totalHeightForWidth(width());
     setMinimumHeight(needed > 0 ? needed : layout()->totalMinimumSize().height());
   }
+  QTimer later_;
 };
 
 }  // namespace

@@ -70,5 +70,20 @@ TEST(WithMarks, LaysMarksOverSuggestionsWithoutGaps) {
   EXPECT_EQ(laid.back().to, 10);
 }
 
+TEST(WithMarks, NeighbouringFreePartsAreOne) {
+  Segment rest, motion, push;
+  rest.from = 0, rest.to = 1, rest.reason = "at rest", rest.kind = SegmentKind::standing;
+  motion.from = 1, motion.to = 6, motion.reason = "fits";
+  push.from = 6, push.to = 8, push.label = contact, push.reason = "a push", push.kind = SegmentKind::contact;
+  const auto plain = withMarks({rest, motion, push}, {}, "by you");
+  ASSERT_EQ(plain.size(), 2u);
+  EXPECT_EQ(plain[0].from, 0);
+  EXPECT_EQ(plain[0].to, 6);
+  EXPECT_EQ(plain[0].reason, "fits");
+  const auto all = withMarks({rest, motion, push}, {{6, 8, free}}, "by you");
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].to, 8);
+}
+
 }  // namespace
 }  // namespace heft
