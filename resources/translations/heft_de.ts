@@ -1681,10 +1681,6 @@
         <translation>Was eine Aufnahme enthält</translation>
     </message>
     <message>
-        <source>A CSV with time, joint angles or sensor poses, and force and torque. A file NAME.meta.json beside it may name the robot and how the sensor is mounted.</source>
-        <translation>Eine CSV mit Zeit, Gelenkwinkeln oder Sensorposen, Kraft und Moment. Eine Datei NAME.meta.json daneben kann den Roboter nennen und wie der Sensor angebaut ist.</translation>
-    </message>
-    <message>
         <source>You can also drop a file anywhere in this window.</source>
         <translation>Sie können eine Datei auch irgendwo in dieses Fenster ziehen.</translation>
     </message>
@@ -1727,6 +1723,10 @@
     <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the sensor is mounted.</source>
+        <translation>Zeit, Gelenkwinkel oder Sensorposen, Kraft und Moment: als CSV, ROS-Bag, MCAP oder HDF5. Eine Datei NAME.meta.json daneben kann den Roboter nennen und wie der Sensor angebaut ist.</translation>
     </message>
 </context>
 <context>

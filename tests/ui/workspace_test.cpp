@@ -122,6 +122,31 @@ TEST_F(WorkspaceTest, ASessionComesBackWithRecordingsAndMarks) {
   EXPECT_FALSE(other.modified());
 }
 
+TEST_F(WorkspaceTest, ANewSessionStaysEmptyThoughAFileWasBeingRead) {
+  workspace.open(writeSine(folder, "a.csv"));
+  workspace.startAfresh();
+  QTest::qWait(500);
+  EXPECT_FALSE(workspace.opened());
+  EXPECT_TRUE(workspace.session().recordings.empty());
+  EXPECT_FALSE(workspace.busy());
+  open({folder.filePath("a.csv")});
+  EXPECT_TRUE(workspace.report());
+}
+
+TEST_F(WorkspaceTest, ASessionOfANewerHeftLeavesEverythingInPlace) {
+  open({writeSine(folder, "a.csv")});
+  const QString newer = folder.filePath("newer.heft");
+  QFile file(newer);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"schema\": \"heft.session/99\"}");
+  file.close();
+  QSignalSpy failed(&workspace, &Workspace::failed);
+  workspace.open(newer);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed.at(0).at(0).toString().contains("newer Heft"));
+  EXPECT_TRUE(workspace.opened());
+}
+
 TEST_F(WorkspaceTest, RecordingsMadeHereGetAFreeName) {
   const QString made = folder.filePath("made");
   workspace.addRecording(reachable(1000, 100), made, "virtual");

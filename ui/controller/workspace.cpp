@@ -93,6 +93,7 @@ void Workspace::startAfresh() { takeSession({}); }
 
 void Workspace::takeSession(Session session) {
   jobs_.cancel();
+  ++sessions_;
   loading_ = false;
   due_.stop();
   undo_.clear();
@@ -119,7 +120,8 @@ void Workspace::loadNext() {
   jobs_.start(
       tr("Opening %1").arg(QFileInfo(path).fileName()),
       [path](const Progress& progress) { return loadRecording(path, progress); },
-      [this, path](Result<std::shared_ptr<const OpenRecording>> result) {
+      [this, path, sessions = sessions_](Result<std::shared_ptr<const OpenRecording>> result) {
+        if (sessions != sessions_) return;  // Of a session that was closed meanwhile.
         if (result) {
           loaded(path, *result);
         } else {

@@ -148,6 +148,7 @@ class Workspace : public QObject {
   QUndoStack undo_;
   QString lastFailure_;
   int mergeKey_ = 0;
+  int sessions_ = 0;  ///< How many were taken so far.
   bool modified_ = false;
 };
 

@@ -40,8 +40,9 @@ void RecordPanel::refresh() {
   QWidget* content = page()->content();
   const Card card = makeCard("card", content);
   card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
-  card.layout->addWidget(wrappedLabel(tr("A CSV with time, joint angles or sensor poses, and force and torque. A file "
-                                         "NAME.meta.json beside it may name the robot and how the sensor is mounted."),
+  card.layout->addWidget(wrappedLabel(tr("Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, "
+                                         "MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the "
+                                         "sensor is mounted."),
                                       "caption", content));
   card.layout->addWidget(wrappedLabel(tr("You can also drop a file anywhere in this window."), "caption", content));
   column->addWidget(card.frame);
