@@ -1,0 +1,28 @@
+# find_package(heft): every library of core as heft::NAME (heft::estimation, ...), headers as "core/NAME/....h".
+include(CMakePackageConfigHelpers)
+set(libraries "")
+get_property(folders DIRECTORY ${PROJECT_SOURCE_DIR}/core PROPERTY SUBDIRECTORIES)
+foreach(folder IN LISTS folders)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "STATIC_LIBRARY" AND target MATCHES "^heft_(.+)$")
+      set_target_properties(${target} PROPERTIES EXPORT_NAME ${CMAKE_MATCH_1})
+      target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/heft>)
+      target_compile_features(${target} INTERFACE cxx_std_20)
+      list(APPEND libraries ${target})
+    endif()
+  endforeach()
+endforeach()
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/heft)
+install(TARGETS ${libraries} EXPORT heftTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT heftTargets NAMESPACE heft:: DESTINATION ${package_folder} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/heft COMPONENT development
+        FILES_MATCHING PATTERN "*.h")
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/heftConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/heftConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
+# Before 1.0 every minor version may break programs.
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/heftConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/heftConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/heftConfigVersion.cmake
+        DESTINATION ${package_folder} COMPONENT development)
