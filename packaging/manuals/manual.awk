@@ -26,7 +26,7 @@ function begin(   sentence) {
   sub(/\.( .*)?$/, "", sentence)
   sub(/^Heft (Studio )?/, "", sentence)
   print ".TH \"" escaped(toupper(page)) "\" 1 \"\" \"" escaped(version) "\" \"Heft\""
-  print ".SH NAME"
+  print ".nh\n.ad l\n.SH NAME"
   print page " \\- " escaped(sentence)
   begun = 1
 }
@@ -60,6 +60,8 @@ function begin(   sentence) {
   next
 }
 /^        +[^ ]/ && !inExample {
+  # A line with columns of its own stays a line.
+  if (trimmed($0) ~ /  /) print ".br"
   print escaped(trimmed($0))
   next
 }

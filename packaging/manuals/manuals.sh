@@ -68,8 +68,9 @@ branches() {
 # The functions are the same in both files: bash-completion loads a file only when its program is completed.
 common() {
   cat <<'END'
-_heft_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current"); }
-_heft_files() { compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$current"); }
+_heft_reply() { mapfile -t COMPREPLY <<<"$1"; [[ $1 ]] || COMPREPLY=(); }
+_heft_words() { _heft_reply "$(compgen -W "$1" -- "$current")"; }
+_heft_files() { compopt -o filenames 2>/dev/null; _heft_reply "$(compgen -f -- "$current")"; }
 _heft_options() { if [[ $current == -* ]]; then _heft_words "$1"; else _heft_files; fi; }
 END
 }
