@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "core/estimation/estimate_prepared.h"
+#include "core/estimation/inside_shape.h"
 #include "core/estimation/judgement.h"
 #include "core/estimation/linear_estimate.h"
 #include "core/estimation/map.h"
@@ -71,6 +73,8 @@ Result<Prepared> prepareFor(const Recording& recording, const RobotModel* robot,
   if (!(options.trim >= 0.0 && options.trim < 0.5))
     return Error{
         fmt::format("The trim is a fraction of the duration at each end, from 0 to below 0.5, not {}.", options.trim)};
+  if (options.insideShape && !(isMapFull(options) && options.shape))
+    return Error{"Holding the mass inside the shape needs a shape, the method map and the parameters full."};
   const bool paperMethod = options.method != Method::map;
   if (paperMethod && recording.meta.kind != RecordingKind::poses)
     options.motion.outputRateHz = 0.0;  // they see every sample
@@ -117,13 +121,33 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   auto priorResult = priorFor(options, whitened, report.findings);
   if (!priorResult) return priorResult.error();
-  const auto& [prior, start, told, priorAlone] = *priorResult;
+  const auto& [prior, start, told, priorAlone, boundPoints] = *priorResult;
   report.timing.prepare = prepareSeconds + secondsSince(begin);
 
   progress(0.8, "Estimating");
   const auto solveBegin = Clock::now();
   // The map solution is always computed: it says what this motion can tell, whichever method gives the numbers.
-  const MapSolution map = solveMap(whitened, prior, options.bias, start);
+  const MapSolution unbounded = solveMap(whitened, prior, options.bias, start);
+  MapSolution map = unbounded;
+  std::optional<ShapeCone> cone;
+  std::function<Vector10d(const Vector10d&)> bound;
+  if (options.insideShape) {
+    cone.emplace(boundPoints);
+    const InsideSolution inside = solveInside(whitened, prior, options.bias, unbounded, *cone);
+    map = inside.map;
+    bound = [&cone, root = inside.root](const Vector10d& phi) { return cone->nearest(root, phi); };
+    report.findings.push_back(
+        {inside.moved > 3.0 ? Severity::warning : Severity::info,
+         "held_inside_shape",
+         inside.moved > 0.05
+             ? fmt::format(
+                   "Without the bound some mass would lie outside the shape; holding it inside moved the result "
+                   "by {:.1f} standard deviations.",
+                   inside.moved)
+             : "The mass lies inside the shape even without the bound.",
+         inside.moved > 3.0 ? "The shape seems too small or misplaced: check it, or leave the bound out." : "",
+         {}});
+  }
   const Payload mapPayload = fromParameters(map.phi);
   // What is not estimated is known; where it is not, the map solution (that is, the shape) stands in.
   Payload fixed{known.mass.value_or(mapPayload.mass), known.com.value_or(mapPayload.com),
@@ -180,7 +204,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   report.torqueBias = solution.bias.tail<3>();
   report.physicallyConsistent = checkPhysical(report.payload).physical;
   report.termination = {solution.usable, solution.why, solution.iterations};
-  const PayloadInterval mapIntervals = intervalsFromV(whitened, prior, options.bias, map);
+  const PayloadInterval mapIntervals = intervalsFromV(whitened, prior, options.bias, unbounded, bound);
   if (isMapFull(options)) {
     report.interval95 = mapIntervals;
   } else {
@@ -222,7 +246,8 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
       if (options.method == Method::map && !isMapFull(options)) parts.push_back(believed);
       const Triangle rest = withOthers(std::move(parts));
       if (isMapFull(options)) {
-        const MapSolution part = solveMap(rest, prior, options.bias, map.v);
+        MapSolution part = solveMap(rest, prior, options.bias, unbounded.v);
+        if (cone) part = solveInside(rest, prior, options.bias, part, *cone).map;
         heldoutSolutions.push_back({part.phi, part.bias, part.converged, part.iterations, ""});
       } else {
         heldoutSolutions.push_back(solveWithKnown(options.method, &rest, nullptr, options, fixed, noise));

@@ -197,6 +197,19 @@ double MapCost::operator()(const Vector10d& v) const {
   return (A_ * parametersFromV(prior_, v) - y_).squaredNorm() + prior_.cost(v);
 }
 
+MapSolution solutionAt(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& v) {
+  MapSolution solution;
+  solution.v = v;
+  const MatrixXd AJ = MapCost(R, prior, bias).A() * parametersJacobian(prior, v);
+  solution.dataInformation = AJ.transpose() * AJ;
+  solution.covariance = (solution.dataInformation + prior.curvature(v)).inverse();
+  solution.phi = parametersFromV(prior, v);
+  if (bias)
+    solution.bias = R.topLeftCorner<6, 6>().triangularView<Eigen::Upper>().solve(
+        R.block<6, 1>(0, kColumns) - R.block<6, 10>(0, kBiasColumns) * solution.phi);
+  return solution;
+}
+
 MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& start) {
   const MapCost cost(R, prior, bias);
   const MatrixXd& A = cost.A();
@@ -242,15 +255,10 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
       break;
     }
   }
-  J = parametersJacobian(prior, solution.v);
-  const MatrixXd AJ = A * J;
-  solution.dataInformation = AJ.transpose() * AJ;
-  solution.covariance = (solution.dataInformation + prior.curvature(solution.v)).inverse();
-  solution.phi = parametersFromV(prior, solution.v);
-  if (bias)
-    solution.bias = R.topLeftCorner<6, 6>().triangularView<Eigen::Upper>().solve(
-        R.block<6, 1>(0, kColumns) - R.block<6, 10>(0, kBiasColumns) * solution.phi);
-  return solution;
+  MapSolution found = solutionAt(R, prior, bias, solution.v);
+  found.iterations = solution.iterations;
+  found.converged = solution.converged;
+  return found;
 }
 
 Triangle priorRows(const MapPrior& prior, const Vector10d& v) {

@@ -105,6 +105,9 @@ class MapCost {
 /// `R` must be whitened. Without `bias` the six biases are held at zero.
 MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& start);
 
+/// Everything of a solution at given coordinates, as if a solver had stopped there (`converged` is left false).
+MapSolution solutionAt(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& v);
+
 /// The prior about v as linear rows in phi, for solvers of linear least squares: their sum of squares is the prior's
 /// quadratic approximation there.
 Triangle priorRows(const MapPrior& prior, const Vector10d& v);

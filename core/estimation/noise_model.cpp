@@ -39,6 +39,9 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   // Akaike's final prediction error, with the number of independent samples.
   independent = std::max(independent, 3.0 * estimated);
   const double freedom = used > 0.0 ? (independent + estimated) / (independent - estimated) : 1.0;
+  // How strong the slow noise is, is known from a channel's own independent samples only: intervals by the normal
+  // distribution would be short by the ratio of Student's quantile to the normal one, 1 + (z^2 + 1) / (4 nu) + ...
+  const double student = 1.0 + (1.96 * 1.96 + 1.0) / (4.0 * (independent / 6.0));
   Matrix6d covariance = Matrix6d::Zero();
   double count = 0.0;
   for (const auto& run : runs) {
@@ -52,7 +55,7 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
       count += 1.0;
     }
   }
-  covariance *= freedom / std::max(1.0, count);
+  covariance *= freedom * student * student / std::max(1.0, count);
   // Correlations need many samples; with few the channels are taken as independent.
   const Vector6d variance = covariance.diagonal().cwiseMax(Vector6d(Vector6d::Constant(1e-16)));
   covariance *= count / (count + 60.0);

@@ -31,6 +31,7 @@ struct EstimateOptions {
   PartialPayload known;               ///< Values for parameters that are not estimated; overrides the recording's own.
   std::optional<Shape> shape;         ///< Prior.
   std::vector<StatedPayload> stated;  ///< Soft information about what is estimated: a scale's mass, CAD numbers.
+  bool insideShape = false;           ///< map, full: all mass is held inside the shape.
   bool uncompressed = false;          ///< Solve on all rows instead of the triangle, for comparison with the paper.
   MotionOptions motion;
 };

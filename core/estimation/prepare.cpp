@@ -41,6 +41,8 @@ NoiseModel firstGuess() {
   return noise;
 }
 
+}  // namespace
+
 std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,
                         Eigen::Index shortest) {
   std::vector<Run> runs;
@@ -74,8 +76,6 @@ void learnNoise(Prepared& out, bool poses) {
   out.unwhitened = innovations(plain, residual, {{0, out.blocks.size()}});
 }
 
-/// How much better (positive) the second preparation predicts the blocks that both use: sum over the channels of the
-/// logarithm of the innovations' size, taken where four fifths of them lie below.
 double advantage(const Prepared& first, const Prepared& second) {
   std::array<std::vector<double>, 12> sizes;
   const Eigen::Index common = std::min(first.blocks.size(), second.blocks.size());
@@ -96,6 +96,8 @@ double advantage(const Prepared& first, const Prepared& second) {
   for (std::size_t c = 0; c < 6; ++c) sum += std::log(upper(sizes[c])) - std::log(upper(sizes[6 + c]));
   return sum;
 }
+
+namespace {
 
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options) {
   auto motion = motionOf(recording, robot, options.motion);
@@ -271,8 +273,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     for (auto& other : others) {
       auto next = other.get();
       if (progress.cancelled()) return Error{"Stopped.", true};
-      // Less smoothing where it makes no difference: a fiftieth of the innovations' size in each channel.
-      if (!next || advantage(*best, *next) < 0.12) continue;
+      if (!next || advantage(*best, *next) < kWorthSmoothing) continue;
       best = std::move(next);
     }
     if (options.motion.outputRateHz <= 0.0) {

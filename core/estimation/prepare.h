@@ -39,6 +39,19 @@ struct Prepared {
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress);
 
+/// Contiguous blocks of [from, to) that are labelled free, at least `shortest` long.
+std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,
+                        Eigen::Index shortest);
+
+/// From `blocks` and `runs` to `noise`, `weights` and `unwhitened`. `poses`: no block is left out of the noise model.
+void learnNoise(Prepared& out, bool poses);
+
+/// How much better (positive) the second preparation predicts the blocks that both use: sum over the channels of the
+/// logarithm of the innovations' size, taken where four fifths of them lie below.
+double advantage(const Prepared& first, const Prepared& second);
+/// Less smoothing is kept unless more of it has this advantage: a fiftieth of the innovations' size in each channel.
+constexpr double kWorthSmoothing = 0.12;
+
 /// The wrench without isolated spikes: samples further than eight times the local scatter from the median of their
 /// seven neighbours take that median. Counts what was replaced.
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/payload/shape_bound.h"
 #include "core/payload/shape_prior.h"
 
 namespace heft {
@@ -59,10 +60,15 @@ ShapeFit fitWithStated(const ShapePrior& shape, const MatrixXd& A, const VectorX
 }
 
 Result<ChosenPrior> fromShape(const EstimateOptions& options, const Triangle& whitened, ChosenPrior chosen,
-                              Findings& findings) {
-  auto samples = sampleShape(*options.shape, findings);
-  if (!samples) return samples.error();
-  const ShapePrior shape(*options.shape, *samples);
+                              Findings& findings, const ShapePrior* made) {
+  std::optional<ShapePrior> own;
+  if (!made || options.insideShape) {
+    auto samples = sampleShape(*options.shape, findings);
+    if (!samples) return samples.error();
+    if (!made) made = &own.emplace(*options.shape, *samples);
+    if (options.insideShape) chosen.bound = boundPoints(*options.shape, *samples);
+  }
+  const ShapePrior& shape = *made;
   const int first = options.bias ? kBiasColumns : 0;
   const ShapeFit fit = fitWithStated(shape, whitened.block(first, kBiasColumns, kColumns + 1 - first, 10),
                                      whitened.col(kColumns).tail(kColumns + 1 - first), chosen.prior.stated);
@@ -94,7 +100,8 @@ Result<ChosenPrior> fromShape(const EstimateOptions& options, const Triangle& wh
 
 }  // namespace
 
-Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings) {
+Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings,
+                             const ShapePrior* made) {
   ChosenPrior chosen;
   for (const auto& stated : options.stated) {
     chosen.prior.stated.push_back(termFrom(stated));
@@ -102,7 +109,7 @@ Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whi
     chosen.told.com = chosen.told.com || stated.com;
     chosen.told.inertia = chosen.told.inertia || stated.spread;
   }
-  if (options.shape) return fromShape(options, whitened, std::move(chosen), findings);
+  if (options.shape) return fromShape(options, whitened, std::move(chosen), findings, made);
 
   // What nobody told is vague about a rough fit; what somebody told, vague about that, so that it pulls at nothing.
   RoughFit fit = roughFit(whitened);

@@ -23,9 +23,14 @@ struct ChosenPrior {
   Vector10d start = Vector10d::Zero();  ///< Where the solver begins.
   ToldParts told;
   std::optional<PriorAlone> alone;  ///< If anything was told.
+  Eigen::Matrix3Xd bound;           ///< Points that bound the shape, if the mass is to be held inside it.
 };
 
-/// Fails where the shape itself cannot be used (a broken mesh file).
-Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings);
+class ShapePrior;
+
+/// Fails where the shape itself cannot be used (a broken mesh file). `made` is the prior of the options' shape if it
+/// has been made before, which saves sampling it again.
+Result<ChosenPrior> priorFor(const EstimateOptions& options, const Triangle& whitened, Findings& findings,
+                             const ShapePrior* made = nullptr);
 
 }  // namespace heft

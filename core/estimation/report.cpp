@@ -211,8 +211,11 @@ json toJson(const EstimateReport& report) {
 
 std::string toText(const EstimateReport& report) {
   const Payload& p = report.payload;
+  static constexpr std::string_view kDoubts[] = {"misfit",      "known_disagrees",        "prior_contradicts_data",
+                                                 "wrench_sign", "shape_contradicts_data", "held_inside_shape"};
   const bool doubtful = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-    return finding.code == "misfit" || finding.code == "known_disagrees" || finding.code == "wrench_sign";
+    return finding.severity == Severity::warning &&
+           std::find(std::begin(kDoubts), std::end(kDoubts), finding.code) != std::end(kDoubts);
   });
   const auto& i95 = report.interval95;
   const auto half = [](const Interval& i) { return 0.5 * (i.upper - i.lower); };

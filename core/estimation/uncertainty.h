@@ -1,6 +1,7 @@
 #pragma once
 // Intervals for every reported number.
 #include <array>
+#include <functional>
 
 #include "core/estimation/map.h"
 
@@ -25,8 +26,10 @@ Matrix10d componentsJacobian(const Vector10d& phi);
 /// 95 % intervals by draws of v near the posterior's mode, weighted by the posterior itself (importance sampling) and
 /// carried through to the payload: intervals of positive quantities stay positive, and skewed ones are skewed.
 /// Deterministic: the draws are fixed and come in opposite pairs. `R` and `bias` are those that the solution was found
-/// with.
-PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution);
+/// with. `bound`, if given, moves the draws' phi to the nearest allowed one: the posterior projected on a bound (Dunson
+/// and Neelon 2003, doi 10.1111/1541-0420.00035), so that the intervals keep to it, too.
+PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution,
+                               const std::function<Vector10d(const Vector10d&)>& bound = {});
 
 /// value +- 1.96 standard deviations, for linear estimates with the covariance of the ten components.
 PayloadInterval intervalsFromCovariance(const Vector10d& components, const Matrix10d& covariance);
