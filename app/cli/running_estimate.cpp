@@ -10,20 +10,15 @@ namespace heft::cli {
 struct RunningEstimate::Impl {
   bool flip = false;  ///< The samples' wrench is the payload's on the sensor.
   std::optional<double> start;
-  double newest = 0.0;
-  std::uint64_t samples = 0;
-#ifdef HEFT_HAS_ONLINE
   OnlineEstimator estimator;
-#endif
 };
 
-#ifdef HEFT_HAS_ONLINE
 
 RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* robot,
                                  const std::optional<Shape>& shape) {
   OnlineOptions options;
   options.shape = shape;
-  impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor, std::nullopt, 0.0, 0,
+  impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor, std::nullopt,
                        orFail(OnlineEstimator::create(meta, robot, options))});
 }
 
@@ -48,23 +43,6 @@ std::string RunningEstimate::line() const {
                      toString(state.touch), state.inertia.words);
 }
 
-#else
-
-RunningEstimate::RunningEstimate(const RecordingMeta&, const RobotModel*, const std::optional<Shape>&)
-    : impl_(new Impl) {}
-
-void RunningEstimate::add(const LiveSample& sample) {
-  if (!impl_->start) impl_->start = sample.time;
-  impl_->newest = sample.time - *impl_->start;
-  ++impl_->samples;
-}
-
-std::string RunningEstimate::line() const {
-  const double rate = impl_->newest > 0.0 ? static_cast<double>(impl_->samples - 1) / impl_->newest : 0.0;
-  return fmt::format("{:6.1f} s  {} samples, {:.0f} Hz", impl_->newest, impl_->samples, rate);
-}
-
-#endif
 
 RunningEstimate::~RunningEstimate() = default;
 

@@ -1,0 +1,278 @@
+// heft coach: what a recording lacks, and the motion (or the standing pose) that would help most. heft excite: the
+// demonstration with small sines on top, for its replay by the robot.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "app/cli/reading.h"
+#include "app/cli/recording_options.h"
+#include "core/base/json_file.h"
+#include "core/base/text.h"
+#include "core/coach/coach.h"
+#include "core/coach/excitation.h"
+#include "core/coach/pose_guide.h"
+
+namespace heft::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kNormal95 = 1.959963984540054;
+
+struct Options {
+  std::string recording, robot, want, output, json;
+  double rateHz = 1000.0;
+  CoachOptions coach;
+  ExcitationOptions excitation;
+  ImportOptions import;
+  bool force = false;
+};
+
+json list(const VectorXd& values) { return std::vector<double>(values.data(), values.data() + values.size()); }
+
+/// Half widths of the 95 % intervals.
+json widths(const Uncertainty& u) {
+  return {{"mass_kg", kNormal95 * u.mass}, {"com_m", kNormal95 * u.com}, {"inertia_relative", kNormal95 * u.inertia}};
+}
+
+std::string knownText(const Uncertainty& u) {
+  return fmt::format("mass ± {:.1f} g, centre of mass ± {:.1f} mm, inertia ± {:.0f} %", 1e3 * kNormal95 * u.mass,
+                     1e3 * kNormal95 * u.com, 1e2 * kNormal95 * u.inertia);
+}
+
+std::string speedText(const LimitUse& use, double cap) {
+  return fmt::format("at most {:.0f} mm/s at the tool (cap {:.0f} mm/s, for people within reach: ISO/TS 15066)",
+                     1e3 * use.largestTcpSpeed, 1e3 * cap);
+}
+
+constexpr std::string_view kObstacles = "  Obstacles are not known to Heft: see that the way is free.\n";
+
+Overwrite ownFiles(const Options& options, std::string_view schema) {
+  return {options.force, [schema](const std::string& old) { return hasSchema(old, schema); }};
+}
+
+void requirePaths(const Options& options, std::string_view schema) {
+  if (options.output == "-" && options.json == "-")
+    throw WrongUsage("The trajectory and --json cannot both go to stdout; give -o FILE.");
+  if (!options.output.empty()) requireWritable(options.output, {options.force, {}});
+  if (!options.json.empty()) requireWritable(options.json, ownFiles(options, schema));
+}
+
+void writeResults(const Options& options, std::string_view schema, const json& result, const std::string& text,
+                  const JointMotion* motion) {
+  if (!options.output.empty() && motion)
+    writeOutput(options.output, trajectoryCsv(*motion, options.rateHz), {options.force, {}});
+  if (!options.json.empty()) writeOutput(options.json, fileText(result), ownFiles(options, schema));
+  if (options.json != "-" && options.output != "-") print(text);
+}
+
+GuidedTool toolOf(const Input& input) {
+  if (!input.model() || !input.recording.hasJoints())
+    throw Failed(
+        fmt::format("{} has no joint angles of a known arm: without them no motion can be proposed that the arm can "
+                    "make.",
+                    input.recording.file));
+  return orFail(guidedTool(*input.model(), input.recording.meta.mount));
+}
+
+void coachPoses(const Options& options, const Input& input) {
+  const Recording& recording = input.recording;
+  std::optional<GuidedTool> tool;
+  if (input.model() && recording.hasJoints()) tool = toolOf(input);
+  PoseGuide guide(tool, recording.meta.gravity);
+  for (const auto& pose : orFail(posesOf(recording, input.model()))) guide.add(pose);
+  const PoseResult& result = guide.result();
+  std::string text;
+  json poses = json::array();
+  int number = 0;
+  for (const auto& pose : guide.poses()) {
+    text += fmt::format("  pose {:>2}  {:<9}  {}\n", ++number, toString(pose.light), pose.words);
+    poses.push_back({{"light", toString(pose.light)}, {"text", pose.words}, {"misfit_n", pose.misfit}});
+  }
+  json out{{"schema", "heft.coach/1"},
+           {"kind", "poses"},
+           {"poses", poses},
+           {"used", guide.usedCount()},
+           {"wanted", guide.options().wanted},
+           {"spread", {{"light", toString(result.spread)}, {"text", result.spreadWords}}},
+           {"known", result.known},
+           {"next", nullptr},
+           {"findings", toJson(input.findings)}};
+  text += fmt::format("{} of {} poses are used. {}\n", guide.usedCount(), guide.options().wanted, result.spreadWords);
+  if (result.known) {
+    text += fmt::format("mass {:.3f} ± {:.3f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) ± {:.1f} mm\n", result.mass,
+                        kNormal95 * result.massStd, 1e3 * result.com.x(), 1e3 * result.com.y(), 1e3 * result.com.z(),
+                        1e3 * kNormal95 * result.comStd.maxCoeff());
+    out["payload"] = {{"mass_kg", result.mass}, {"com_m", list(result.com)}};
+    out["std"] = {{"mass_kg", result.massStd}, {"com_m", list(result.comStd)}};
+  } else {
+    text += "Mass and centre of mass are not known yet.\n";
+  }
+  if (tool && recording.rows() > 0) {
+    if (const auto next = guide.next(recording.q.row(recording.rows() - 1).transpose())) {
+      std::string joints;
+      for (const double q : next->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
+      text += fmt::format("Next pose: {}\n  joints [{}] rad\n  mass ± {:.1f} g, centre of mass ± {:.1f} mm after it\n",
+                          next->words, joints, 1e3 * kNormal95 * next->massStd, 1e3 * kNormal95 * next->comStd);
+      text += kObstacles;
+      out["next"] = {{"q_rad", list(next->q)},
+                     {"text", next->words},
+                     {"after", {{"mass_kg", kNormal95 * next->massStd}, {"com_m", kNormal95 * next->comStd}}}};
+    }
+  }
+  writeResults(options, "heft.coach/1", out, text, nullptr);
+}
+
+void runCoach(Options options) {
+  if (!options.want.empty()) {
+    constexpr CoachGoal kQuantities[] = {CoachGoal::mass, CoachGoal::com, CoachGoal::inertia};
+    options.coach.want = kQuantities[chooseWord("--want", options.want, {"mass", "com", "inertia"})];
+  }
+  requireRange("--tcp-speed", options.coach.limits.tcpSpeed, 0.001, 2.0, "m/s");
+  requireRange("--seconds", options.coach.duration, 1.0, 60.0, "s");
+  requireRange("--rate", options.rateHz, 1.0, 8000.0, "Hz");
+  requirePaths(options, "heft.coach/1");
+  const Input input = readInput(options.recording, options.import, options.robot, {});
+  printFindings(input.findings, false);
+  if (input.recording.meta.kind == RecordingKind::poses) return coachPoses(options, input);
+
+  const GuidedTool tool = toolOf(input);
+  const OnlineInformation information = orFail(informationOf(input.recording, input.model(), {}));
+  const VectorXd q = input.model()->clampToLimits(input.recording.q.row(input.recording.rows() - 1).transpose());
+  const Advice advice = orFail(advise(information, tool, input.recording.meta.gravity, q, options.coach));
+  json out{{"schema", "heft.coach/1"},
+           {"kind", "motion"},
+           {"needed", advice.needed},
+           {"sentence", advice.sentence},
+           {"about", toString(advice.about)},
+           {"interval95_before", widths(advice.before)},
+           {"interval95_after", widths(advice.after)},
+           {"findings", toJson(input.findings)}};
+  std::string text = fmt::format("Known now: {}.\n{}\n", knownText(advice.before), advice.sentence);
+  if (advice.needed) {
+    text += fmt::format("  {}\n  {:.1f} s, {}\n", advice.gain, advice.motion.duration(),
+                        speedText(advice.use, options.coach.limits.tcpSpeed));
+    text += kObstacles;
+    json samples = json::array();
+    for (Eigen::Index k = 0; k < advice.motion.size(); k += 5)
+      samples.push_back(list(advice.motion.q.row(k).transpose()));
+    out["advice"] = {{"id", advice.id},
+                     {"gain", advice.gain},
+                     {"duration_s", advice.motion.duration()},
+                     {"tcp_speed_m_s", advice.use.largestTcpSpeed},
+                     {"target_q_rad", list(advice.target)},
+                     {"path_q_rad", samples}};
+  }
+  writeResults(options, "heft.coach/1", out, text, advice.needed ? &advice.motion : nullptr);
+}
+
+void runExcite(const Options& options) {
+  requireRange("--tcp-speed", options.excitation.limits.tcpSpeed, 0.001, 2.0, "m/s");
+  requireRange("--amplitude", options.excitation.amplitude, 0.001, 0.5, "rad");
+  requireRange("--deviation", options.excitation.deviation, 0.0005, 0.5, "m");
+  requireRange("--rate", options.rateHz, 1.0, 8000.0, "Hz");
+  requirePaths(options, "heft.excite/1");
+  const Input input = readInput(options.recording, options.import, options.robot, {});
+  printFindings(input.findings, false);
+  if (input.recording.meta.kind == RecordingKind::poses)
+    throw Failed(fmt::format("{} holds standing poses: there is no motion to replay.", options.recording));
+  const GuidedTool tool = toolOf(input);
+  std::vector<Segment> segments;
+  const OnlineInformation information = orFail(informationOf(input.recording, input.model(), {}, &segments));
+  const ExcitedMotion e = orFail(excite(input.recording, tool, segments, information, options.excitation));
+  json free = json::array();
+  for (const auto& part : e.free) free.push_back({part.from, part.to});
+  const json out{{"schema", "heft.excite/1"},
+                 {"file", options.output},
+                 {"rate_hz", options.rateHz},
+                 {"duration_s", e.excited.duration()},
+                 {"slowed", e.slowed},
+                 {"amplitude_rad", e.amplitude},
+                 {"deviation_m", e.deviation},
+                 {"tcp_speed_m_s", e.use.largestTcpSpeed},
+                 {"limit_use",
+                  {{"position", e.use.position},
+                   {"velocity", e.use.velocity},
+                   {"acceleration", e.use.acceleration},
+                   {"tcp_speed", e.use.tcpSpeed},
+                   {"cartesian", e.use.cartesian}}},
+                 {"excited_s", free},
+                 {"interval95_now", widths(e.now)},
+                 {"interval95_replayed", widths(e.replayed)},
+                 {"interval95_excited", widths(e.after)},
+                 {"findings", toJson(input.findings)}};
+  std::string text = fmt::format("{}: {:.1f} s at {:g} Hz", options.output, e.excited.duration(), options.rateHz);
+  if (e.slowed > 1.001) text += fmt::format(", {:.2f} times slower than taught to keep the limits", e.slowed);
+  text += fmt::format("\n  sines in {} free part{}: up to {:.3f} rad a joint, {:.1f} mm from the taught path\n",
+                      e.free.size(), e.free.size() == 1 ? "" : "s", e.amplitude, 1e3 * e.deviation);
+  text += fmt::format("  {}\n", speedText(e.use, options.excitation.limits.tcpSpeed));
+  text += fmt::format("  now:                    {}\n  after a plain replay:   {}\n  after this replay:      {}\n",
+                      knownText(e.now), knownText(e.replayed), knownText(e.after));
+  text += kObstacles;
+  writeResults(options, "heft.excite/1", out, text, &e.excited);
+}
+
+CLI::App* addCommon(CLI::App& root, const char* name, const char* what, Options& options, MotionLimits& limits) {
+  CLI::App* app = root.add_subcommand(name, what);
+  app->add_option("RECORDING", options.recording, "CSV with time, joints and wrench, SI units")
+      ->type_name("")
+      ->required();
+  app->add_option("--json", options.json, "Write the result as JSON; - is stdout, instead of the text")
+      ->type_name("FILE");
+  addRecordingOptions(*app, options.import);
+  app->add_option("--robot", options.robot, "panda or a URDF, instead of what the meta file names")->type_name("NAME");
+  app->add_option("--tcp-speed", limits.tcpSpeed, "No point of the tool faster than this [m/s]")
+      ->type_name("M/S")
+      ->capture_default_str();
+  app->add_option("--rate", options.rateHz, "Rows a second of the trajectory [Hz]")
+      ->type_name("HZ")
+      ->capture_default_str();
+  app->add_flag("--force", options.force, "Replace files that exist");
+  return app;
+}
+
+}  // namespace
+
+Command makeCoachCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = addCommon(root, "coach", "Say which motion, or which standing pose, would help most", *options,
+                            options->coach.limits);
+  app->add_option("--want", options->want, "mass, com or inertia; otherwise what is worst known")->type_name("NAME");
+  app->add_option("--seconds", options->coach.duration, "Longest motion to propose [s]")
+      ->type_name("S")
+      ->capture_default_str();
+  app->add_option("-o,--output", options->output,
+                  "Write the proposed motion as CSV: time, joint angles and speeds, from the recording's last posture")
+      ->type_name("FILE");
+  app->footer(
+      "Examples:\n"
+      "  heft coach rec.csv\n"
+      "  heft coach rec.csv --want inertia -o motion.csv");
+  return {app, [options] { runCoach(*options); }};
+}
+
+Command makeExciteCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  auto& excitation = options->excitation;
+  CLI::App* app = addCommon(root, "excite", "Add small sines to a taught motion for its replay by the robot", *options,
+                            excitation.limits);
+  app->add_option("-o,--output", options->output, "CSV to write: time, joint angles and speeds")
+      ->type_name("FILE")
+      ->required();
+  app->add_option("--amplitude", excitation.amplitude, "Largest deviation of a joint [rad]")
+      ->type_name("RAD")
+      ->capture_default_str();
+  app->add_option("--deviation", excitation.deviation, "Largest deviation of the tool from its taught path [m]")
+      ->type_name("M")
+      ->capture_default_str();
+  app->footer(
+      "Examples:\n"
+      "  heft excite rec.csv -o replay.csv\n"
+      "  heft excite rec.csv -o replay.csv --deviation 0.005 --tcp-speed 0.15");
+  return {app, [options] { runExcite(*options); }};
+}
+
+}  // namespace heft::cli

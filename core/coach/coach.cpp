@@ -1,0 +1,233 @@
+#include "core/coach/coach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/simulation/trajectory.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kStep = 0.02;          // [s] between samples of a proposed motion
+constexpr double kMinimumScale = 0.05;  // of a candidate's size; less is not worth proposing
+constexpr double kFill = 0.97;          // of the limits
+// Standard deviations with which nothing more need be done.
+constexpr Uncertainty kEnough{0.002, 0.0005, 0.02};
+
+/// A turn about axes of the tool: 0 sideways, 1 forwards, 2 long axis. A circle turns about 0 and 1 in quadrature.
+struct Kind {
+  const char* id;
+  const char* sentence;
+  int axis;
+  bool circle;
+  double amplitude;  // [rad]
+  double hz;
+};
+constexpr std::array kKinds{
+    Kind{"tilt-sideways", "Tilt the tool sideways and back, slowly.", 0, false, 0.9, 0.2},
+    Kind{"tilt-forwards", "Tilt the tool forwards and back, slowly.", 1, false, 0.9, 0.2},
+    Kind{"tilt-round", "Tilt the tool round in a slow circle, as if stirring.", 0, true, 0.7, 0.2},
+    Kind{"turn-slowly", "Turn the tool about its long axis, slowly and far.", 2, false, 1.5, 0.2},
+    Kind{"turn-fast", "Turn the tool to and fro about its long axis, faster.", 2, false, 0.6, 1.2},
+    Kind{"swing-sideways", "Swing the tool sideways to and fro, once a second.", 0, false, 0.4, 1.0},
+    Kind{"swing-forwards", "Swing the tool forwards and back, once a second.", 1, false, 0.4, 1.0},
+    Kind{"swing-round", "Swing the tool round in a circle, once a second.", 0, true, 0.3, 1.0},
+    Kind{"shake-sideways", "Shake the tool sideways, about three times a second.", 0, false, 0.12, 3.0},
+    Kind{"shake-forwards", "Shake the tool forwards and back, about three times a second.", 1, false, 0.12, 3.0},
+    Kind{"shake-about", "Shake the tool about its long axis, two to three times a second.", 2, false, 0.2, 2.5},
+};
+
+/// The tool's axes in S: sideways, forwards, long. The long axis is that of the least moment of inertia where the body
+/// clearly is long, else the way from the sensor to the centre of mass.
+Matrix3d toolAxes(const std::optional<OnlineInformation>& information) {
+  Vector3d along = Vector3d::UnitZ();
+  if (information) {
+    const Payload payload = fromParameters(information->solution.phi);
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(payload.inertiaCom);
+    const Vector3d moments = eigen.eigenvalues();
+    if (uncertaintyOf(*information).inertia < 0.2 && moments(0) < 0.7 * moments(1))
+      along = eigen.eigenvectors().col(0);
+    else if (payload.com.norm() > 0.02)
+      along = payload.com.normalized();
+  }
+  const Vector3d other = std::abs(along.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
+  const Vector3d sideways = (other - other.dot(along) * along).normalized();
+  Matrix3d axes;
+  axes << sideways, along.cross(sideways), along;
+  return axes;
+}
+
+/// Angle and rate of one wave that begins and ends at rest at zero.
+Jet envelopedWave(double t, double duration, double omega, double phase, double amplitude) {
+  const double ramp = std::min(0.4 * duration, 1.0);
+  Jet grip{1.0, 0.0, 0.0};
+  if (t < ramp) {
+    grip = minimumJerk(t / ramp);
+  } else if (t > duration - ramp) {
+    grip = minimumJerk((duration - t) / ramp);
+    grip.rate = -grip.rate;
+  }
+  grip.rate /= ramp;
+  Jet wave;
+  addWave({omega, phase, amplitude}, t, wave);
+  return {grip.value * wave.value, grip.rate * wave.value + grip.value * wave.rate, 0.0};
+}
+
+/// Joint motion that turns S with the kind's angular velocity about the point `pivot` of the tool, which stays where it
+/// is as far as the arm can do both.
+JointMotion motionFor(const Kind& kind, double scale, const GuidedTool& tool, const Matrix3d& axes,
+                      const Vector3d& pivot, const VectorXd& start, double longest) {
+  // Whole periods, so that it ends where it began.
+  const double periods = std::max(1.0, std::floor(longest * kind.hz));
+  const double duration = std::min(longest, periods / kind.hz);
+  const auto n = static_cast<Eigen::Index>(std::lround(duration / kStep)) + 1;
+  const Eigen::Index dof = start.size();
+  JointMotion motion;
+  motion.time = VectorXd::LinSpaced(n, 0.0, kStep * static_cast<double>(n - 1));
+  motion.q.resize(n, dof);
+  motion.dq.resize(n, dof);
+  const Isometry3d X_LP = tool.X_LS * Eigen::Translation3d(pivot);
+  const auto velocity = [&](double t, const VectorXd& q) -> VectorXd {
+    const double omega = kTwoPi * kind.hz, size = scale * kind.amplitude;
+    Vector3d w_S = axes.col(kind.axis) * envelopedWave(t, duration, omega, 0.0, size).rate;
+    if (kind.circle) w_S += axes.col(1) * envelopedWave(t, duration, omega, 0.5 * std::numbers::pi, size).rate;
+    const MatrixXd J = tool.robot->jacobian(tool.link, X_LP, q);
+    const Matrix3d R = (tool.robot->linkPose(q, tool.link) * X_LP).linear();
+    Vector6d twist;
+    twist << Vector3d::Zero(), R * w_S;
+    // Damped: near a singular posture the arm turns less instead of jumping.
+    const Matrix6d JJ = J * J.transpose() + 1e-4 * Matrix6d::Identity();
+    return J.transpose() * JJ.ldlt().solve(twist);
+  };
+  // Simpson's rule along midpoint steps: positions, speeds and accelerations have to agree well enough for quintics.
+  VectorXd q = start, dq = velocity(0.0, q);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    motion.q.row(k) = q.transpose();
+    motion.dq.row(k) = dq.transpose();
+    const double t = motion.time(k);
+    const VectorXd middle = velocity(t + 0.5 * kStep, q + 0.5 * kStep * dq);
+    const VectorXd end = velocity(t + kStep, q + kStep * middle);
+    q += kStep / 6.0 * (dq + 4.0 * middle + end);
+    dq = end;
+  }
+  // It begins and ends at rest; next to the ends the second-order difference does.
+  motion.ddq = MatrixXd::Zero(n, dof);
+  for (Eigen::Index k = 1; k + 1 < n; ++k) {
+    motion.ddq.row(k) = (motion.dq.row(k + 1) - motion.dq.row(k - 1)) / (2.0 * kStep);
+    if (k > 1 && k + 2 < n)
+      motion.ddq.row(k) =
+          (8.0 * (motion.dq.row(k + 1) - motion.dq.row(k - 1)) - (motion.dq.row(k + 2) - motion.dq.row(k - 2))) /
+          (12.0 * kStep);
+  }
+  return motion;
+}
+
+/// The kind as large as the limits allow, or nothing.
+std::optional<Advice> fitted(const Kind& kind, const GuidedTool& tool, const Matrix3d& axes, const Vector3d& pivot,
+                             const VectorXd& q, const CoachOptions& options) {
+  double scale = 1.0;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    Advice advice;
+    advice.motion = motionFor(kind, scale, tool, axes, pivot, q, options.duration);
+    advice.use = limitUse(tool, advice.motion, options.limits);
+    if (advice.use.kept()) {
+      advice.id = kind.id;
+      advice.sentence = kind.sentence;
+      return advice;
+    }
+    const LimitUse& u = advice.use;
+    // Rates go with the size; a range's use does not start at zero.
+    const double rates = std::max({u.velocity, u.acceleration, u.tcpSpeed, u.cartesian});
+    scale *= std::min(rates > 1.0 ? kFill / rates : 1.0, u.position > 1.0 ? 0.6 : 1.0);
+    if (scale < kMinimumScale) break;
+  }
+  return std::nullopt;
+}
+
+VectorXd furthest(const GuidedTool& tool, const JointMotion& motion) {
+  const Matrix3d start = tool.robot->linkPose(motion.q.row(0).transpose(), tool.link).linear();
+  Eigen::Index best = 0;
+  double most = -1.0;
+  for (Eigen::Index k = 0; k < motion.size(); k += 5) {
+    const Matrix3d R = tool.robot->linkPose(motion.q.row(k).transpose(), tool.link).linear();
+    const double angle = vectorFromRotation(start.transpose() * R).norm();
+    if (angle > most) {
+      most = angle;
+      best = k;
+    }
+  }
+  return motion.q.row(best).transpose();
+}
+
+}  // namespace
+
+Result<Advice> advise(const std::optional<OnlineInformation>& information, const GuidedTool& given,
+                      const Vector3d& gravity, const VectorXd& q, const CoachOptions& options) {
+  if (!(options.limits.tcpSpeed > 0.0) || !(options.duration >= 1.0))
+    return Error{"A proposed motion needs a speed above zero and at least one second."};
+  const RobotModel& robot = *given.robot;
+  if (robot.clampToLimits(q) != q)
+    return Error{"The posture lies outside the joints' ranges: no motion can start there."};
+  GuidedTool tool = given;
+  Vector3d pivot = Vector3d::Zero();
+  Uncertainty before;
+  if (information) {
+    before = uncertaintyOf(*information);
+    const Vector3d com = fromParameters(information->solution.phi).com;
+    if (before.com < 0.05 && com.norm() < 0.5) {
+      pivot = com;
+      tool.points.push_back(com);
+    }
+  }
+  const std::array kAll{CoachGoal::mass, CoachGoal::com, CoachGoal::inertia};
+  const auto lack = [&](CoachGoal quantity) { return before.of(quantity) / kEnough.of(quantity); };
+  CoachGoal want = options.want.value_or(CoachGoal::com);
+  if (information && !options.want)
+    want = *std::max_element(kAll.begin(), kAll.end(), [&](CoachGoal a, CoachGoal b) { return lack(a) < lack(b); });
+  if (information && lack(want) <= 1.0) {
+    Advice done;
+    done.needed = false;
+    done.about = want;
+    done.sentence = "Nothing more is needed: this is known well.";
+    done.before = done.after = before;
+    return done;
+  }
+
+  const Matrix3d axes = toolAxes(information);
+  std::optional<Advice> best;
+  double bestScore = 0.0;
+  for (const Kind& kind : kKinds) {
+    auto advice = fitted(kind, tool, axes, pivot, q, options);
+    if (!advice) continue;
+    if (!information) {
+      // Nothing to compare by: the first slow tilt that the arm can make.
+      best = std::move(advice);
+      break;
+    }
+    advice->after = uncertaintyOf(predicted(*information, tool, gravity, advice->motion));
+    // What it does for the others decides between equals.
+    double score = 0.0;
+    for (const CoachGoal quantity : kAll)
+      score += (quantity == want ? 1.0 : 0.1) * std::log(before.of(quantity) / advice->after.of(quantity));
+    if (!best || score > bestScore) {
+      bestScore = score;
+      best = std::move(advice);
+    }
+  }
+  if (!best)
+    return Error{
+        "No motion from this posture keeps all limits. Bring the arm into the middle of its joints' ranges first."};
+  best->about = want;
+  best->before = before;
+  if (information) best->gain = gainWords(want, before, best->after);
+  best->target = furthest(tool, best->motion);
+  return std::move(*best);
+}
+
+}  // namespace heft

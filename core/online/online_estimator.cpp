@@ -1,0 +1,399 @@
+#include "core/online/online_estimator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/estimation/prepare.h"
+#include "core/motion/motion.h"
+#include "core/online/block_learner.h"
+#include "core/online/online_words.h"
+#include "core/online/tool_change.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kStepTime = 0.04;      // [s] between two looks at the data
+constexpr Eigen::Index kMost = 1500;    // blocks that are kept (30 s);
+constexpr Eigen::Index kDropped = 300;  // so many go at a time
+constexpr Eigen::Index kFirst = 40;     // blocks before the first estimate
+constexpr Eigen::Index kFewest = 25;    // new blocks before learning again
+constexpr double kGrowth = 0.2;         // or this share of those learned from
+constexpr double kChoiceGrowth = 1.5;   // how much more data before the smoothing is chosen again
+constexpr Eigen::Index kFirstChoice = 100;
+constexpr Eigen::Index kSuspicious = 50;  // blocks of contact after which nothing is learned until it is over
+
+}  // namespace
+
+struct OnlineEstimator::Impl {
+  struct Tool {
+    BlockLearner learner;
+    std::vector<Blocks> blocks;  ///< One a lane, while this tool is not the present one.
+  };
+
+  RecordingMeta meta;
+  std::optional<RobotModel> robot;
+  OnlineOptions options;
+  EstimateOptions batch;  ///< What of the options the batch knows too
+  std::optional<ShapePrior> shape;
+  SampleStream stream;
+  std::vector<Lane> lanes;
+  std::size_t chosen = 0;
+  BlockLearner learner;
+  std::optional<Tool> other;  ///< The tool before.
+  Eigen::Index nextChoice = kFirstChoice;
+  Eigen::Index sinceStep = 0;
+  std::uint64_t samples = 0, dropped = 0;
+  int gaps = 0, tools = 1;
+  std::optional<double> toolChanged;
+  Findings events;
+  double newestTime = 0.0;
+  mutable OnlineState state;
+  mutable bool stale = true;
+
+  Impl(const RecordingMeta& m, const RobotModel* r, const OnlineOptions& o)
+      : meta(m),
+        robot(r ? std::optional<RobotModel>(*r) : std::nullopt),
+        options(o),
+        stream(m, r ? r->dof() : 0),
+        learner(&batch, nullptr) {
+    batch.bias = o.bias;
+    batch.shape = o.shape;
+    batch.stated = o.stated;
+  }
+
+  BlockLearner freshLearner() const { return {&batch, shape ? &*shape : nullptr}; }
+
+  void begin() {
+    lanes.clear();
+    if (options.cutoffHz > 0.0)
+      lanes.emplace_back(options.cutoffHz);
+    else
+      for (const double cutoff : {25.0, 12.0, 6.0, 3.0}) lanes.emplace_back(cutoff);
+    chosen = 0;
+    learner = freshLearner();
+    other.reset();
+    nextChoice = kFirstChoice;
+    tools = 1;
+    toolChanged.reset();
+    events.clear();
+    stream.clear();
+    stale = true;
+  }
+
+  Blocks& blocks() { return lanes[chosen].blocks; }
+
+  bool advance(bool last) {
+    sinceStep = 0;
+    stream.removeSpikes();
+    const RobotModel* model = robot ? &*robot : nullptr;
+    bool news = false;
+    for (std::size_t i = 0; i < lanes.size(); ++i)
+      news = (lanes[i].advance(stream, model, i == chosen, last) && i == chosen) || news;
+    if (!last) {
+      Eigen::Index needed = stream.size();
+      for (const auto& lane : lanes) needed = std::min(needed, lane.needed());
+      stream.forget(needed);
+    }
+    stale = true;
+    return news;
+  }
+
+  /// Contact for a while and still: it may be another tool, which must not become part of what is learned.
+  bool suspicious() const {
+    const auto& judged = learner.judged();
+    if (judged.size() < static_cast<std::size_t>(kSuspicious)) return false;
+    return std::count(judged.end() - kSuspicious, judged.end(), Judged::contact) > 0.6 * kSuspicious;
+  }
+
+  /// Which lane's blocks are predicted best; the labels are those of the lane chosen so far.
+  void choose(const std::vector<MarkLabel>& labels) {
+    std::vector<Prepared> prepared;
+    for (const auto& lane : lanes) {
+      const auto n = std::min(static_cast<std::size_t>(lane.blocks.size()), labels.size());
+      Blocks common;
+      common.append(lane.blocks, 0, static_cast<Eigen::Index>(n));
+      prepared.push_back(learnedWith(common, {labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(n)}));
+    }
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < lanes.size(); ++i)
+      if (!prepared[i].runs.empty() && !prepared[best].runs.empty() &&
+          advantage(prepared[best], prepared[i]) >= kWorthSmoothing)
+        best = i;
+    if (best == chosen) return;
+    learner = freshLearner();
+    chosen = best;
+  }
+
+  void learn(bool last) {
+    Prepared prepared = learnedFrom(blocks());
+    const Eigen::Index n = blocks().size();
+    if (lanes.size() > 1 && !prepared.runs.empty() && (last || n >= nextChoice)) {
+      nextChoice = std::max(nextChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(n)));
+      const std::size_t before = chosen;
+      choose(prepared.labels);
+      if (chosen != before) prepared = learnedFrom(blocks());
+    }
+    if (blocks().size() > kMost) {
+      // The choice of the smoothing is made by now; the other lanes would only keep the machine warm.
+      if (lanes.size() > 1) {
+        Lane kept = std::move(lanes[chosen]);
+        lanes.clear();
+        lanes.push_back(std::move(kept));
+        chosen = 0;
+        other.reset();
+      }
+      learner.freeze(prepared, kDropped);
+      blocks().keep(kDropped, blocks().size());
+      prepared = withoutFirst(prepared, kDropped);
+    }
+    learner.learn(prepared);
+  }
+
+  void take() {
+    learner.follow(blocks());
+    if (options.startAnew && learner.estimated()) lookForOtherTool();
+    const Eigen::Index n = blocks().size();
+    const Eigen::Index due =
+        learner.learnedBlocks() +
+        std::max(kFewest, static_cast<Eigen::Index>(kGrowth * static_cast<double>(learner.learnedBlocks())));
+    if (n >= kFirst && n >= due && (!suspicious() || n > kMost)) learn(false);
+  }
+
+  void lookForOtherTool() {
+    if (other) {
+      if (const auto from = explainedSince(blocks(), learner, other->learner)) {
+        swapTools(*from);
+        return;
+      }
+    }
+    const auto change = findToolChange(blocks(), learner);
+    if (!change) return;
+    const double time = blocks().time[static_cast<std::size_t>(change->from)];
+    events.push_back({Severity::warning,
+                      "tool_changed",
+                      fmt::format("The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew "
+                                  "with what came after.",
+                                  time, learner.solution().phi(0), change->mass),
+                      "Estimate before and after apart.",
+                      {}});
+    Tool before{learner, {}};
+    for (auto& lane : lanes) {
+      const Eigen::Index at = indexAt(lane.blocks, time);
+      before.blocks.emplace_back();
+      before.blocks.back().append(lane.blocks, 0, at);
+      lane.blocks.keep(at, lane.blocks.size());
+    }
+    other = std::move(before);
+    learner = freshLearner();
+    ++tools;
+    changed(time);
+  }
+
+  void swapTools(Eigen::Index from) {
+    const double time = blocks().time[static_cast<std::size_t>(from)];
+    events.push_back({Severity::warning,
+                      "tool_back",
+                      fmt::format("From {:.1f} s on the tool is the one from before, of {:.2f} kg.", time,
+                                  other->learner.solution().phi(0)),
+                      "",
+                      {}});
+    Tool now{learner, {}};
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      Blocks& all = lanes[i].blocks;
+      const Eigen::Index at = indexAt(all, time);
+      now.blocks.emplace_back();
+      now.blocks.back().append(all, 0, at);
+      Blocks joined = std::move(other->blocks[i]);
+      // The seam is no neighbourhood in time.
+      if (joined.size() > 0) joined.usable.back() = 0;
+      joined.append(all, at, all.size());
+      all = std::move(joined);
+    }
+    learner = other->learner;
+    other = std::move(now);
+    changed(time);
+  }
+
+  void changed(double time) {
+    toolChanged = time;
+    if (events.size() > 20) events.erase(events.begin());
+    nextChoice =
+        std::max(kFirstChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(blocks().size())));
+    if (blocks().size() >= kFirst) learner.learn(learnedFrom(blocks()));
+  }
+
+  static Eigen::Index indexAt(const Blocks& blocks, double time) {
+    return std::lower_bound(blocks.time.begin(), blocks.time.end(), time - 1e-9) - blocks.time.begin();
+  }
+
+  void endStretch() {
+    const bool news = advance(true);
+    if (news) take();
+    if (blocks().size() >= kFirst / 2) learn(true);
+    stream.clear();
+    for (auto& lane : lanes) lane.beginStretch();
+  }
+
+  void fillState() const;
+};
+
+void OnlineEstimator::Impl::fillState() const {
+  state = OnlineState();
+  state.time = newestTime;
+  state.samples = samples;
+  state.dropped = dropped;
+  state.tools = tools;
+  state.toolChanged = toolChanged;
+  state.cutoffHz = lanes[chosen].cutoffHz();
+  state.findings = events;
+  const Blocks& all = lanes[chosen].blocks;
+  if (gaps > 0) state.findings.push_back({Severity::info, "gaps", fmt::format("The data had {} gaps.", gaps), "", {}});
+  if (dropped > 0)
+    state.findings.push_back(
+        {Severity::warning,
+         "samples_dropped",
+         fmt::format("{} samples were not usable: not finite, without motion, or with a time that does not rise.",
+                     dropped),
+         "Check the source.",
+         {}});
+  for (const auto& finding : lanes[chosen].findings) state.findings.push_back(finding);
+  state.estimated = learner.estimated();
+  if (state.estimated) {
+    const double rate = all.rateHz > 0.0 ? all.rateHz : kBlockRate;
+    state.usedDuration = static_cast<double>(learner.usedBlocks()) / rate;
+    state.contactDuration =
+        static_cast<double>(std::count(learner.judged().begin(), learner.judged().end(), Judged::contact)) / rate;
+    const MapSolution& solution = learner.solution();
+    state.payload = fromParameters(solution.phi);
+    state.payload.inertiaCom = 0.5 * (state.payload.inertiaCom + state.payload.inertiaCom.transpose()).eval();
+    state.bias = solution.bias;
+    state.interval95 = learner.interval();
+    state.std = standardDeviations(state.interval95);
+    state.identifiability = assess(learner.total(), learner.prior(), solution, state.std, learner.told());
+    for (const auto& finding : learner.findings()) state.findings.push_back(finding);
+    if (state.contactDuration > state.usedDuration)
+      state.findings.push_back({Severity::warning,
+                                "mostly_contact",
+                                fmt::format("{:.1f} s looked like contact and were left out, {:.1f} s were free: trust "
+                                            "is low.",
+                                            state.contactDuration, state.usedDuration),
+                                "Move the tool without touching anything.",
+                                {}});
+    const Blocks& newest = lanes.front().newest;
+    if (newest.size() > 0) {
+      double least = INFINITY;
+      for (std::size_t k = 0; k < newest.time.size(); ++k)
+        least = std::min(least, learner.score(newest.Y[k], newest.wrench[k]));
+      state.touch = least > 1.0 ? Touch::contact : Touch::free;
+    }
+  }
+  judgeExcitation(state);
+  stale = false;
+}
+
+OnlineEstimator::OnlineEstimator(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+OnlineEstimator::OnlineEstimator(OnlineEstimator&&) noexcept = default;
+OnlineEstimator& OnlineEstimator::operator=(OnlineEstimator&&) noexcept = default;
+OnlineEstimator::~OnlineEstimator() = default;
+
+Result<OnlineEstimator> OnlineEstimator::create(const RecordingMeta& meta, const RobotModel* robot,
+                                                const OnlineOptions& options) {
+  if (robot && robot->dof() > 7)
+    return Error{
+        fmt::format("The robot \"{}\" has {} joints; at most 7 can be followed.", robot->name(), robot->dof())};
+  if (robot && !robot->findLink(meta.mount.parent))
+    return Error{
+        fmt::format("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
+                    "sensor.mount.parent in the meta file.",
+                    meta.mount.parent, robot->name())};
+  if (!(options.cutoffHz >= 0.0))
+    return Error{fmt::format("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
+  auto impl = std::make_unique<Impl>(meta, robot, options);
+  if (options.shape) {
+    auto samples = sampleShape(*options.shape, impl->events);
+    if (!samples) return samples.error();
+    impl->shape.emplace(*options.shape, *samples);
+  }
+  impl->begin();
+  return OnlineEstimator(std::move(impl));
+}
+
+bool OnlineEstimator::add(const OnlineSample& sample) {
+  Impl& self = *impl_;
+  Took took = self.stream.add(sample);
+  if (took == Took::gap) {
+    ++self.gaps;
+    self.endStretch();
+    took = self.stream.add(sample);
+  }
+  if (took == Took::dropped) {
+    ++self.dropped;
+    self.stale = true;
+    return false;
+  }
+  ++self.samples;
+  self.newestTime = sample.time;
+  ++self.sinceStep;
+  if (!self.stream.ready() || static_cast<double>(self.sinceStep) < kStepTime * self.stream.rateHz()) return false;
+  if (self.advance(false)) self.take();
+  return true;
+}
+
+void OnlineEstimator::finish() { impl_->endStretch(); }
+
+void OnlineEstimator::restart() {
+  impl_->begin();
+  impl_->samples = impl_->dropped = 0;
+  impl_->gaps = 0;
+}
+
+const OnlineState& OnlineEstimator::state() const {
+  if (impl_->stale) impl_->fillState();
+  return impl_->state;
+}
+
+std::optional<OnlineInformation> OnlineEstimator::information() const {
+  const BlockLearner& learner = impl_->learner;
+  if (!learner.estimated()) return std::nullopt;
+  return OnlineInformation{learner.total(),     learner.prior(), learner.solution(),  learner.told(),
+                           impl_->options.bias, learner.noise(), learner.weighting(), impl_->blocks().rateHz};
+}
+
+Triangle OnlineEstimator::rows() const {
+  const Blocks& blocks = impl_->blocks();
+  const auto& judged = impl_->learner.judged();
+  const WrenchRows rows = blocks.rows(0, static_cast<Eigen::Index>(judged.size()));
+  TriangleBuilder builder;
+  builder.add(impl_->learner.frozenRows());
+  for (std::size_t k = 0; k < judged.size(); ++k)
+    if (judged[k] == Judged::free) builder.add(blockRows(rows, static_cast<Eigen::Index>(k)));
+  return builder.finish();
+}
+
+OnlineSample sampleOf(const Recording& recording, Eigen::Index row) {
+  OnlineSample sample;
+  sample.time = recording.time(row);
+  sample.wrench = recording.wrench.row(row).transpose();
+  const auto joints = [row](const MatrixXd& values) {
+    std::array<double, 7> out{};
+    for (Eigen::Index j = 0; j < std::min<Eigen::Index>(7, values.cols()); ++j)
+      out[static_cast<std::size_t>(j)] = values(row, j);
+    return out;
+  };
+  if (recording.hasJoints()) sample.q = joints(recording.q);
+  if (recording.dq.rows() > 0) sample.dq = joints(recording.dq);
+  if (recording.hasOrientation()) {
+    OnlineSample::Pose pose;
+    if (recording.hasPosition()) pose.position = recording.position.row(row).transpose();
+    const auto q = recording.quaternion.row(row);
+    pose.orientation = Quaterniond(q(3), q(0), q(1), q(2));
+    sample.pose = pose;
+  }
+  return sample;
+}
+
+}  // namespace heft

@@ -1,0 +1,50 @@
+// What the on-line estimator costs: a recording of 60 s fed sample by sample, the state read at 25 Hz as a display
+// would, in microseconds a sample and as share of one core at the recording's own rate. The longest single add() is
+// the time for which a loop that also reads the sensor would have to buffer.
+//   bench_online [--benchmark_filter=REGEX ...]
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "tests/core/online/feed.h"
+
+namespace heft {
+namespace {
+
+const Recording& recording() {
+  static const Recording instance = test::simulated(MotionKind::free, test::onlineTool(), 3, 60.0);
+  return instance;
+}
+
+void online(benchmark::State& state, const OnlineOptions& options) {
+  const Recording& data = recording();
+  double longest = 0.0, processor = 0.0, samples = 0.0;
+  for (auto _ : state) {
+    OnlineEstimator estimator = test::estimatorFor(data, options);
+    const std::clock_t start = std::clock();
+    for (Eigen::Index k = 0; k < data.rows(); ++k) {
+      const auto before = std::chrono::steady_clock::now();
+      if (estimator.add(sampleOf(data, k))) benchmark::DoNotOptimize(estimator.state());
+      longest = std::max(longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+    }
+    processor += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    samples += static_cast<double>(data.rows());
+  }
+  state.counters["us_a_sample"] = 1e6 * processor / samples;
+  state.counters["core_percent"] = 100.0 * processor / samples * 1000.0;
+  state.counters["longest_ms"] = 1e3 * longest;
+}
+
+void fixedSmoothing(benchmark::State& state) {
+  OnlineOptions options;
+  options.cutoffHz = 25.0;
+  online(state, options);
+}
+void automaticSmoothing(benchmark::State& state) { online(state, {}); }
+
+BENCHMARK(fixedSmoothing)->Unit(benchmark::kMillisecond);
+BENCHMARK(automaticSmoothing)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace heft

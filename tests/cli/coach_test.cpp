@@ -1,0 +1,69 @@
+// heft coach and heft excite.
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "tests/cli/process.h"
+
+namespace heft::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+using CoachTest = CliTest;
+
+TEST_F(CoachTest, ProposesAMotionWithItsGain) {
+  simulate("rec", {"--duration", "5", "--rate", "250", "--speed", "0.2"});
+  const Outcome run = heft({"coach", "rec.csv", "--want", "inertia", "--json", "advice.json", "-o", "motion.csv"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("inertia ± "));
+  EXPECT_THAT(run.out, HasSubstr(" -> "));
+  EXPECT_THAT(run.out, HasSubstr("ISO/TS 15066"));
+  const json advice = readJson("advice.json");
+  EXPECT_EQ(advice["schema"], "heft.coach/1");
+  EXPECT_EQ(advice["about"], "inertia");
+  EXPECT_LT(advice["interval95_after"]["inertia_relative"], advice["interval95_before"]["inertia_relative"]);
+  EXPECT_EQ(advice["advice"]["target_q_rad"].size(), 7u);
+  EXPECT_LE(advice["advice"]["tcp_speed_m_s"], 0.25);
+  EXPECT_THAT(read("motion.csv"), HasSubstr("time,q1,q2"));
+  EXPECT_EQ(heft({"coach", "rec.csv", "--want", "colour"}).exitCode, 2);
+}
+
+TEST_F(CoachTest, PosesHaveLightsAndANextPose) {
+  simulate("rec", {"--duration", "20", "--rate", "50", "--motion", "excitation"});
+  // Every hundredth row as a standing pose.
+  std::istringstream lines(read("rec.csv"));
+  std::string text, line;
+  std::getline(lines, line);
+  text = line + "\n";
+  for (int row = 0; std::getline(lines, line); ++row)
+    if (row % 100 == 50) text += line + "\n";
+  write("poses.csv", text);
+  json meta = readJson("rec.meta.json");
+  meta["kind"] = "poses";
+  write("poses.meta.json", meta.dump());
+  const Outcome run = heft({"coach", "poses.csv", "--json", "poses.json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("Next pose"));
+  const json result = readJson("poses.json");
+  EXPECT_EQ(result["poses"].size(), 10u);
+  EXPECT_EQ(result["next"]["q_rad"].size(), 7u);
+}
+
+TEST_F(CoachTest, ExcitesAReplay) {
+  simulate("rec", {"--duration", "8", "--rate", "250", "--speed", "0.3"});
+  const Outcome run = heft({"excite", "rec.csv", "-o", "replay.csv", "--rate", "500", "--json", "replay.json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("after this replay"));
+  const json result = readJson("replay.json");
+  EXPECT_EQ(result["schema"], "heft.excite/1");
+  for (const auto& [name, use] : result["limit_use"].items()) EXPECT_LE(use, 1.0) << name;
+  EXPECT_LT(result["interval95_excited"]["inertia_relative"], result["interval95_replayed"]["inertia_relative"]);
+  EXPECT_LE(result["deviation_m"], 0.02);
+  // A second run would lose the file.
+  EXPECT_EQ(heft({"excite", "rec.csv", "-o", "replay.csv", "--rate", "250"}).exitCode, 1);
+}
+
+}  // namespace
+}  // namespace heft::test
