@@ -44,6 +44,7 @@ struct Command {
 };
 
 Command makeEstimateCommand(CLI::App& root);
+Command makeDiagnoseCommand(CLI::App& root);
 Command makeSimulateCommand(CLI::App& root);
 Command makeExportCommand(CLI::App& root);
 Command makeConvertCommand(CLI::App& root);
@@ -51,6 +52,8 @@ Command makeReproduceCommand(CLI::App& root);
 Command makeLiveCommand(CLI::App& root);
 Command makeSegmentCommand(CLI::App& root);
 Command makeCompensateCommand(CLI::App& root);
+Command makeCoachCommand(CLI::App& root);
+Command makeExciteCommand(CLI::App& root);
 
 /// "heft 0.1.0"
 std::string programVersion();

@@ -9,13 +9,13 @@
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
-#include "core/compensation/compensation.h"
+#include "core/compensation/diagnosed_effect.h"
 
 namespace heft::cli {
 namespace {
 
 struct Options {
-  std::string recording, result, output, robot, json;
+  std::string recording, result, diagnosis, output, robot, json;
   bool force = false;
   ImportOptions import;
 };
@@ -28,11 +28,14 @@ void run(const Options& options) {
   const Overwrite overwriteCsv{options.force, {}};
   if (!options.json.empty()) requireWritable(options.json, overwriteJson);
   if (!options.output.empty()) requireWritable(options.output, overwriteCsv);
-  const CompensateOptions settings =
+  CompensateOptions settings =
       orFail(compensateOptionsFromJson(orFail(readJsonFile(options.result)), options.result));
 
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());
+  if (!options.diagnosis.empty())
+    settings.effects.push_back(
+        orFail(diagnosedEffect(orFail(readJsonFile(options.diagnosis)), input.recording, input.model(), options.diagnosis)));
   Compensated compensated = orFail(compensate(input.recording, input.model(), settings, line.progress()));
   line.clear();
   compensated.findings.insert(compensated.findings.begin(), input.findings.begin(), input.findings.end());
@@ -58,6 +61,8 @@ Command makeCompensateCommand(CLI::App& root) {
   app->add_option("RESULT", options->result, "JSON from 'heft estimate --json', or a payload JSON in sensor axes")
       ->type_name("")
       ->required();
+  app->add_option("--diagnosis", options->diagnosis, "JSON from 'heft diagnose --json': its causes are taken out, too")
+      ->type_name("FILE");
   app->add_option("-o,--output", options->output, "CSV with motion, compensated wrench and phase; - is stdout")
       ->type_name("FILE");
   app->add_option("--json", options->json, "Write the phases as JSON; - is stdout, instead of the text")

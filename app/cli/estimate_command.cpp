@@ -88,6 +88,10 @@ EstimateOptions estimateOptions(const Options& options) {
     if (certainty && cad.is_object()) cad["certainty"] = toString(*certainty);
     out.stated.push_back(orFail(statedPayloadFromJson(cad, options.cad)));
   }
+  if (out.insideShape &&
+      (!out.shape || out.method != Method::map || out.parameters != ParameterSet::full || options.compare))
+    throw WrongUsage(
+        "--inside-shape needs --shape or --shape-file, the method map and the parameters full, one at a time.");
   if (!options.known.empty()) {
     out.known = orFail(partialPayloadFromJson(orFail(readJsonFile(options.known)), options.known));
     if (out.known.empty())
@@ -241,6 +245,7 @@ Command makeEstimateCommand(CLI::App& root) {
   app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")
       ->type_name("FILE")
       ->group(kShapeGroup);
+  app->add_flag("--inside-shape", estimate.insideShape, "Hold all mass inside the shape (map)")->group(kShapeGroup);
   const char* const kBeliefGroup = "What else is known of the tool, weighed against the motion (method map)";
   app->add_option("--mass", options->mass, "What a scale shows [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; else +-0.5%")
       ->type_name("KG")

@@ -12,7 +12,7 @@
 namespace heft {
 
 struct ByteFile::Descriptor {
-  explicit Descriptor(int number) : number(number) {}
+  explicit Descriptor(int opened) : number(opened) {}
   ~Descriptor() { ::close(number); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;

@@ -196,6 +196,9 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, con
   const Channels dq =
       recording.dq.rows() > 0 ? onGrid(grid, recording.time, recording.dq, false) : Channels(0, recording.q.cols());
   const Derivatives d = withReportedVelocity(smoother, q, dq, "joint", motion.findings);
+  motion.q = d.value.transpose();
+  motion.dq = d.first.transpose();
+  motion.ddq = d.second.transpose();
   VectorXd qk(q.cols()), dqk(q.cols()), ddqk(q.cols());
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
     qk = d.value.row(k).transpose();

@@ -34,6 +34,7 @@ struct Motion {
   Eigen::Matrix3Xd velocity;       ///< v_BSo_B [m/s], B axes
   Eigen::Matrix3Xd position;       ///< p_BSo_B [m], B axes
   std::vector<Matrix3d> R_BS;
+  MatrixXd q, dq, ddq;  ///< dof x K, smoothed joint motion [rad], [rad/s], [rad/s2]; empty without joints
   bool originAccelerationKnown = true;  ///< False with orientation only: a was taken as zero.
   MatrixXd wrench;                      ///< 6 x K: the recording's wrench, averaged and smoothed in the same way.
   Findings findings;

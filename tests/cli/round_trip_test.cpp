@@ -181,5 +181,34 @@ TEST_F(RoundTripTest, SimulateSummaryAsJson) {
   EXPECT_NEAR(summary["recording"]["samples"].get<double>(), 300, 2);
 }
 
+TEST_F(RoundTripTest, HiddenEffectsAreNamedInTheTruthFileOnly) {
+  const std::vector<std::string> usual{"--motion", "free", "--duration", "4", "--rate", "200", "--seed", "3"};
+  std::vector<std::string> odd = usual;
+  odd.insert(odd.end(), {"--effect", "cable_pull/slack=8", "--effect=time_offset=-12"});
+  simulate("plain", usual);
+  simulate("odd", odd);
+  odd.insert(odd.end(), {"-o", "again.csv", "--json", "-"});
+  odd.insert(odd.begin(), "simulate");
+  const Outcome run = heft(odd);
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(read("again.csv"), read("odd.csv"));
+  EXPECT_NE(read("plain.csv"), read("odd.csv"));
+  EXPECT_EQ(read("plain.meta.json"), read("odd.meta.json"));
+  for (const std::string& text : {run.out, run.err, read("odd.csv"), read("odd.meta.json")}) {
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("cable")));
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("effect")));
+  }
+  const json effects = readJson("odd.truth.json")["effects"];
+  ASSERT_EQ(effects.size(), 2u);
+  EXPECT_EQ(effects[0]["effect"], "cable_pull");
+  EXPECT_EQ(effects[0]["form"], "slack");
+  EXPECT_EQ(effects[1]["effect"], "time_offset");
+  EXPECT_EQ(effects[1]["size"], -12.0);
+  EXPECT_EQ(readJson("plain.truth.json")["effects"], json::array());
+  const Outcome list = heft({"simulate", "--list-effects"});
+  EXPECT_EQ(list.exitCode, 0);
+  EXPECT_THAT(list.out, testing::HasSubstr("  loose_mass        g, for instance"));
+}
+
 }  // namespace
 }  // namespace heft::test

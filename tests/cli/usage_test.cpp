@@ -16,6 +16,8 @@ using UsageTest = CliTest;
 
 const std::vector<std::string> kCommands{"estimate",  "simulate", "export",  "convert",
                                          "reproduce", "live",     "segment", "compensate"};
+const std::vector<std::string> kCommands{"estimate", "simulate", "export", "convert", "reproduce",
+                                         "segment",  "compensate", "coach", "excite"};
 
 TEST_F(UsageTest, HelpGoesToStdoutAndEndsWell) {
   for (const auto& flag : {"--help", "-h"}) {
@@ -104,6 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"simulate", "--motion", "free", "-o", "-"}, "two files"},
         Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--seed", "-1"}, "--seed"},
         Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--rate", "inf"}, "--rate"},
+        Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--effect", "cable_pul=3"}, "no effect 'cable_pul'"},
+        Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--effect", "cable_pull"}, "ID=SIZE"},
+        Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--effect", "cable_pull=-1"}, "0 to"},
         Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--duration", "1e9"}, "--duration"},
         Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--xyz", "0,0"}, "three numbers"},
         Mistake{{"simulate", "--motion", "free", "-o", "r.csv", "--xyz", "0,0,0,04"}, "three numbers"},

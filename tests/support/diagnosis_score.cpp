@@ -93,8 +93,13 @@ std::string_view toString(Judgement judgement) {
 }
 
 Judgement judge(const HiddenTruth& truth, const json& answer) {
-  const std::string verdict = answer.value("verdict", std::string());
-  const std::vector<Cause> causes = causesOf(answer);
+  std::string verdict = answer.value("verdict", std::string());
+  std::vector<Cause> causes = causesOf(answer);
+  // Picking and placing touches things: saying so is neither an alarm nor an answer.
+  if (!contains(truth.ids, "contact")) {
+    std::erase_if(causes, [](const Cause& cause) { return cause.id == "contact"; });
+    if (causes.empty() && verdict == "explained") verdict = "clean";
+  }
   if (truth.ids.empty()) return verdict == "clean" ? Judgement::right : Judgement::wrong;
   if (verdict == "clean") return Judgement::missed;
   if (truth.kind == HiddenCase::unlisted) {

@@ -70,7 +70,9 @@ TEST(Compensation, ContactForcesComeBack) {
   int contacts = 0;
   for (std::size_t i = 0; i < out->segments.size(); ++i) {
     const auto& segment = out->segments[i];
-    if (i > 0) EXPECT_NEAR(segment.from, out->segments[i - 1].to, 1e-9);
+    if (i > 0) {
+      EXPECT_NEAR(segment.from, out->segments[i - 1].to, 1e-9);
+    }
     if (segment.phase != Phase::contact) continue;
     ++contacts;
     Vector3d mean = Vector3d::Zero();
@@ -164,7 +166,9 @@ TEST(Compensation, CsvHasARowASampleAndJsonThePhases) {
   EXPECT_EQ(json["schema"], "heft.compensate/1");
   for (const auto& phase : json["phases"]) {
     EXPECT_TRUE(phase["from_s"].is_number() && phase["to_s"].is_number());
-    if (phase["phase"] == "contact") EXPECT_TRUE(phase["on_tool"]["mean_force_n"].is_array());
+    if (phase["phase"] == "contact") {
+      EXPECT_TRUE(phase["on_tool"]["mean_force_n"].is_array());
+    }
   }
   EXPECT_EQ(json["bias"]["from"], "recording");
   EXPECT_THAT(toText(*out, simulation.recording), testing::HasSubstr("remain in free motion"));

@@ -40,8 +40,8 @@ INSTANTIATE_TEST_SUITE_P(Fixtures, Containers,
                                            Container{"plain.mcap", FileKind::mcap},
                                            Container{"zstd.mcap", FileKind::mcap},
                                            Container{"lz4.mcap", FileKind::mcap}, Container{"log.h5", FileKind::hdf5}),
-                         [](const auto& info) {
-                           std::string name = info.param.file;
+                         [](const auto& each) {
+                           std::string name = each.param.file;
                            for (char& c : name)
                              if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
                            return name;

@@ -26,8 +26,8 @@ TEST_P(Damage, CutOffFilesGiveWhatTheyHold) {
 INSTANTIATE_TEST_SUITE_P(Fixtures, Damage,
                          ::testing::Values("ros1_none.bag", "ros1_lz4.bag", "ros1_bz2.bag", "plain.mcap", "zstd.mcap",
                                            "lz4.mcap", "ros2_bag/ros2_bag_0.db3"),
-                         [](const auto& info) {
-                           std::string out = info.param;
+                         [](const auto& each) {
+                           std::string out = each.param;
                            for (char& c : out)
                              if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
                            return out;

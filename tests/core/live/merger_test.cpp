@@ -49,8 +49,12 @@ TEST(Merger, TheSlowerStreamGivesTheTimes) {
     for (std::size_t k = 0; k < out.size(); ++k) {
       ASSERT_TRUE(out[k].q && out[k].wrench);
       ASSERT_NEAR((*out[k].q)[1], 2.0 * out[k].time, 1e-9);
-      if (k > 20) ASSERT_NEAR((*out[k].wrench)(0), out[k].time, 0.0006);
-      if (k > 0) ASSERT_GT(out[k].time, out[k - 1].time);
+      if (k > 20) {
+        ASSERT_NEAR((*out[k].wrench)(0), out[k].time, 0.0006);
+      }
+      if (k > 0) {
+        ASSERT_GT(out[k].time, out[k - 1].time);
+      }
     }
     EXPECT_LT(merger.unmatched(), 5u);
   }

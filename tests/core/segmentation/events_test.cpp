@@ -68,7 +68,9 @@ TEST(SegmentEvents, ContactOfThreeTenthsOfASecondAndOneNewtonIsFound) {
       double distance = 1e9;
       for (const double start : starts) distance = std::min(distance, std::abs(rows.time(k) - start - 0.15));
       const bool contact = labels[static_cast<std::size_t>(k)] == MarkLabel::contact;
-      if (distance < 0.05) EXPECT_TRUE(contact) << "seed " << seed << " at " << rows.time(k);
+      if (distance < 0.05) {
+        EXPECT_TRUE(contact) << "seed " << seed << " at " << rows.time(k);
+      }
       if (distance > 0.3 && contact) outside += 1.0 / rows.rateHz;
     }
     EXPECT_EQ(outside, 0.0);

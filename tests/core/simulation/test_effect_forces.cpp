@@ -113,7 +113,9 @@ TEST(EffectForces, DragTakesEnergyAndFollowsItsLaw) {
       } else if (name == "viscous_drag/quadratic=2") {
         EXPECT_NEAR(force, hidden(simulated, "drag_n_s2_m2")[0] * v.squaredNorm(), 1e-12);
       } else if (name == "coulomb_friction=0.4") {
-        if (v.norm() > 0.02) EXPECT_LT((pull.force_B + 0.4 * v.normalized()).norm(), 0.003);
+        if (v.norm() > 0.02) {
+          EXPECT_LT((pull.force_B + 0.4 * v.normalized()).norm(), 0.003);
+        }
       } else {
         EXPECT_LT(force, 0.4 * 1.6 + 1e-9);
       }
@@ -214,7 +216,9 @@ TEST(EffectForces, TouchIsLocalAndReachesItsPeak) {
     double peak = 0.0;
     for (Eigen::Index k = 0; k < extra.rows(); ++k) {
       const double t = simulated.recording.time(k), force = extra.row(k).head<3>().norm();
-      if (t < from || t > to) EXPECT_EQ(force, 0.0) << form << " at " << t;
+      if (t < from || t > to) {
+        EXPECT_EQ(force, 0.0) << form << " at " << t;
+      }
       peak = std::max(peak, force);
       if (simulated.truth.effects[0].form != "hands") {
         EXPECT_NEAR(extra.row(k).head<3>().dot(extra.row(k).tail<3>()), 0.0, 1e-9) << form;

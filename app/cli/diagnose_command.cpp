@@ -1,0 +1,119 @@
+// heft diagnose: what the simulation gets wrong, by name.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "app/cli/reading.h"
+#include "app/cli/recording_options.h"
+#include "core/base/json_file.h"
+#include "core/diagnosis/diagnose.h"
+
+namespace heft::cli {
+namespace {
+
+struct Options {
+  std::string recording, robot, check, json, report, result, correctedMeta, segments;
+  ImportOptions import;
+  std::vector<std::string> hidden;
+  int surrogates = DiagnoseOptions{}.surrogates;
+  unsigned seed = DiagnoseOptions{}.seed;
+  bool force = false, causes = false;
+};
+
+void list() {
+  for (const auto& cause : diagnosis::catalogue())
+    print(fmt::format("  {:<18} {}\n", cause->id(), cause->words().title));
+  print("  contact, saturation, spikes, dropouts, frame_error are seen directly.\n");
+}
+
+void run(const Options& options) {
+  if (options.causes) {
+    list();
+    return;
+  }
+  if (options.recording.empty()) throw WrongUsage("RECORDING is required.");
+  DiagnoseOptions settings;
+  settings.surrogates = options.surrogates;
+  settings.seed = options.seed;
+  requireRange("--surrogates", options.surrogates, 0, 5000, "");
+  for (const auto& id : options.hidden) {
+    std::vector<std::string> known{"contact", "saturation", "spikes", "dropouts"};
+    for (const auto& cause : diagnosis::catalogue()) known.emplace_back(cause->id());
+    settings.hidden.push_back(known[chooseWord("--without", id, known)]);
+  }
+  if (!options.segments.empty()) {
+    constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
+    settings.segments = kModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
+  }
+  const Overwrite overwriteResult{options.force,
+                                  [](const std::string& old) { return hasSchema(old, "heft.diagnose/1"); }};
+  if (!options.json.empty()) requireWritable(options.json, overwriteResult);
+  const Overwrite overwriteEstimate{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  if (!options.result.empty()) requireWritable(options.result, overwriteEstimate);
+  for (const auto& file : {options.report, options.correctedMeta})
+    if (!file.empty()) requireWritable(file, {options.force, {}});
+
+  ProgressLine line;
+  const Progress progress = line.progress();
+  const Input input = readInput(options.recording, options.import, options.robot, progress);
+  DiagnosisReport report = orFail(diagnose(input.recording, input.model(), settings, progress));
+  report.findings.insert(report.findings.begin(), input.findings.begin(), input.findings.end());
+  if (!options.check.empty()) {
+    const Input other = readInput(options.check, {}, options.robot, progress);
+    report.check = orFail(checkOn(report, other.recording, other.model()));
+  }
+  line.clear();
+  if (!options.json.empty()) writeOutput(options.json, fileText(toJson(report)), overwriteResult);
+  if (!options.report.empty()) writeOutput(options.report, toHtml(report), {options.force, {}});
+  if (!options.result.empty()) writeOutput(options.result, fileText(toJson(report.after)), overwriteEstimate);
+  if (!options.correctedMeta.empty()) {
+    const nlohmann::json changes = report.metaChanges();
+    if (changes.empty()) throw Failed("The diagnosis proposes no change of the meta file; none was written.");
+    const std::string old = options.import.metaFile.empty() ? metaFileOf(options.recording).string() : options.import.metaFile.string();
+    nlohmann::json meta = orFail(readJsonFile(old));
+    meta.merge_patch(changes);
+    writeOutput(options.correctedMeta, fileText(meta), {options.force, {}});
+  }
+  if (options.json != "-") {
+    print(toText(report));
+    printFindings(report.findings, false);
+  }
+}
+
+}  // namespace
+
+Command makeDiagnoseCommand(CLI::App& root) {
+  auto options = std::make_shared<Options>();
+  CLI::App* app = root.add_subcommand("diagnose", "Show what the simulation gets wrong, name the cause, measure the gain");
+  app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")->type_name("");
+  app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")->type_name("FILE");
+  app->add_option("--report", options->report, "Write a page with plots (HTML)")->type_name("FILE");
+  app->add_option("--result", options->result, "Write the payload estimated with the causes taken out, for 'heft export'")
+      ->type_name("FILE");
+  app->add_option("--check", options->check, "Another recording of the same rig, to check the causes on")->type_name("FILE");
+  app->add_option("--corrected-meta", options->correctedMeta,
+                  "Where a cause means that the meta file is wrong, write the corrected one")
+      ->type_name("FILE");
+  addRecordingOptions(*app, options->import);
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
+  app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
+  app->add_option("--without", options->hidden, "Leave a cause out of the catalogue; may be given several times")
+      ->type_name("CAUSE");
+  app->add_option("--surrogates", options->surrogates, "Simulated clean recordings that set the threshold; 0: a fixed one")
+      ->type_name("N")
+      ->capture_default_str();
+  app->add_option("--seed", options->seed, "Of the simulated recordings")->type_name("N")->capture_default_str();
+  app->add_flag("--list-causes", options->causes, "Show the catalogue");
+  app->add_flag("--force", options->force, "Replace files that exist");
+  app->footer(
+      "Examples:\n"
+      "  heft diagnose rec.csv\n"
+      "  heft diagnose rec.csv --json found.json --report found.html\n"
+      "  heft diagnose monday.csv --check tuesday.csv\n");
+  return {app, [options] { run(*options); }};
+}
+
+}  // namespace heft::cli

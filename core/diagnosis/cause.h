@@ -1,0 +1,84 @@
+#pragma once
+// A cause of misfit: its model, parameters with units and bounds, and what a person should know about it.
+//
+// Adding a cause is adding one file under causes/ with a class and a factory, and naming the factory in catalogue.cpp.
+//
+// The measured wrench is modelled in its physical order (domain: what happens to the signal on its way):
+//   motion -> geometry() -> rigid payload + force() -> sensor() -> readings() + bias.
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnosis/signals.h"
+
+namespace heft::diagnosis {
+
+struct Parameter {
+  std::string name;    ///< As reported, for instance "delay"
+  std::string unit;    ///< As reported, for instance "ms"; empty for pure numbers
+  double scale = 1.0;  ///< Reported value = scale * internal SI value
+  double size = 1.0;   ///< A realistic size (SI): sets steps of differentiation and of the search
+  double lower = 0.0, upper = 0.0;  ///< What is physically believable (SI); at a bound the cause is not accepted.
+};
+
+class Cause;
+
+/// One parametrisation of a cause: which parameters are free, where the search starts.
+struct Form {
+  const Cause* cause = nullptr;
+  std::string name;  ///< Empty for the only form; otherwise what is special about it, for instance "second axis"
+  std::vector<Parameter> parameters;
+  VectorXd start;           ///< Parameters at which the wrench is unchanged (amplitudes zero).
+  std::vector<int> scan;    ///< Those that the first look varies, linearly, from `start`.
+  std::vector<int> choice;  ///< Fixed integers that tell forms apart, for instance an axis; meaning private to the cause
+  bool subset = false;      ///< Only those of the scanned parameters that the data ask for are freed.
+  bool local = false;       ///< Has a place in time, parameter 0 [s].
+};
+
+/// What a person is told.
+struct Words {
+  std::string title;       ///< "Late force readings"
+  std::string check;       ///< What to look at on the rig.
+  std::string tellApart;   ///< The motion that would separate it from its look-alikes.
+  std::vector<std::string> lookAlikes;  ///< Cause IDs
+};
+
+class Cause {
+ public:
+  virtual ~Cause() = default;
+  virtual std::string_view id() const = 0;
+  virtual Words words() const = 0;
+  /// One sentence with the numbers. `std` in the same units as `v`: SI.
+  virtual std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const = 0;
+  /// Every form worth looking at with these signals; none if the recording cannot show the cause.
+  virtual std::vector<Form> forms(const Signals& signals) const = 0;
+
+  /// Place in the signal's way; lower comes first within a stage.
+  virtual int order() const { return 0; }
+  virtual void geometry(const Form&, const VectorXd&, const Signals&, Kinematics&) const {}
+  /// Adds forces that act on the tool.
+  virtual void force(const Form&, const VectorXd&, const Signals&, const Kinematics&, Wrenches&) const {}
+  /// Changes the wrench on its way through the sensor: a linear map unless linear() is false.
+  virtual void sensor(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
+  virtual bool linear() const { return true; }
+  /// Adds to the sensor's readings.
+  virtual void readings(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
+  virtual bool bendsGeometry() const { return false; }
+  virtual bool changesSensor() const { return false; }
+  /// Stretches of time [s] in which it acts; empty: always.
+  virtual std::vector<std::pair<double, double>> when(const Form&, const VectorXd&, const Signals&) const { return {}; }
+};
+
+/// A zero that wanders at random: part of the catalogue so that it competes with the others, but never a verdict.
+inline constexpr std::string_view kWandering = "wandering";
+
+/// All causes that are fitted to the residual, in the order of the contract.
+const std::vector<std::unique_ptr<Cause>>& catalogue();
+/// Null for an unknown name.
+const Cause* findCause(std::string_view id);
+
+/// "8.1 +- 0.9" with as many digits as the deviation bears.
+std::string plusMinus(double value, double std);
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,161 @@
+// The sensor's zero moves: slowly, or at once.
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+double sizeOf(int channel) { return channel < 3 ? 0.1 : 0.005; }
+const char* unitOf(int channel) { return channel < 3 ? "N" : "N m"; }
+
+class BiasDrift final : public Cause {
+ public:
+  std::string_view id() const override { return "bias_drift"; }
+  Words words() const override {
+    return {"Sensor drifts",
+            "Let the sensor warm up for half an hour before recording; keep drafts and motor heat away; zero it often.",
+            "Come back to the same pose a few times: a drift reads differently each time.",
+            {"payload_change", "sensor_bias"}};
+  }
+  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    Eigen::Index c = 0;
+    double best = -1.0;
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const double z = std(i) > 0.0 ? std::abs(v(i)) / std(i) : 0.0;
+      if (z > best) {
+        best = z;
+        c = i;
+      }
+    }
+    if (form.choice[0] == 1)
+      return fmt::format("The sensor's zero creeps: {} by {} {} before it settles.", channelName(c), plusMinus(v(c), std(c)),
+                         unitOf(static_cast<int>(c)));
+    return fmt::format("The sensor's zero drifts: {} by {} {} per second{}.", channelName(c), plusMinus(v(c), std(c)),
+                       unitOf(static_cast<int>(c)), form.choice[0] == 2 ? " on average, not evenly" : "");
+  }
+  std::vector<Form> forms(const Signals& signals) const override {
+    std::vector<Form> out;
+    const double T = std::max(1.0, signals.duration());
+    const auto drift = [&](const char* suffix, double factor) {
+      std::vector<Parameter> parameters;
+      for (int c = 0; c < 6; ++c)
+        parameters.push_back({fmt::format("{}{}", channelName(c), suffix), fmt::format("{}/s", unitOf(c)), 1.0,
+                              sizeOf(c) * factor / T, -200.0 * sizeOf(c) / T, 200.0 * sizeOf(c) / T});
+      return parameters;
+    };
+    out.push_back(formOf(this, "", drift("", 1.0)));
+    out.back().subset = true;
+    out.back().choice = {0};
+    for (const double part : {0.12, 0.35}) {
+      std::vector<Parameter> parameters;
+      for (int c = 0; c < 6; ++c)
+        parameters.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
+      parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 3.0 * T});
+      Form form = formOf(this, "settling", parameters);
+      form.start(6) = part * T;
+      form.scan = {0, 1, 2, 3, 4, 5};
+      form.subset = true;
+      form.choice = {1};
+      out.push_back(form);
+    }
+    auto curved = drift("", 1.0);
+    for (const auto& p : drift("_bend", 1.0)) curved.push_back(p);
+    out.push_back(formOf(this, "curved", curved));
+    out.back().subset = true;
+    out.back().choice = {2};
+    return out;
+  }
+  int order() const override { return 80; }
+  void readings(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    const double T = signals.duration();
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      const double t = static_cast<double>(k) / signals.rateHz;
+      if (form.choice[0] == 1) {
+        w.col(k) -= std::expm1(-t / v(6)) * v.head<6>();
+        continue;
+      }
+      w.col(k) += t * v.head<6>();
+      // The bend has neither mean nor slope over the recording.
+      if (form.choice[0] == 2) w.col(k) += (t * t / T - t + T / 6.0) * v.tail<6>();
+    }
+  }
+};
+
+class SensorBias final : public Cause {
+ public:
+  std::string_view id() const override { return "sensor_bias"; }
+  Words words() const override {
+    return {"Sensor's zero jumped",
+            "Look for a knock, a loose connector, or a program that zeroed the sensor during the recording.",
+            "Turn the tool to another pose after the jump: a jump of the sensor stays, a load turns with gravity.",
+            {"payload_change", "bias_drift"}};
+  }
+  std::string sentence(const Form&, const VectorXd& v, const VectorXd&) const override {
+    return fmt::format("At {:.1f} s the sensor's zero jumped by {:.2f} N and {:.3f} N m.", v(0), v.segment<3>(1).norm(),
+                       v.segment<3>(4).norm());
+  }
+  std::vector<Form> forms(const Signals& signals) const override {
+    std::vector<Form> out;
+    const double end = signals.startTime + signals.duration();
+    for (double t = signals.startTime + 0.8; t < end - 0.8; t += std::max(0.4, signals.duration() / 60.0)) {
+      std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, signals.startTime, end}};
+      for (int c = 0; c < 6; ++c)
+        parameters.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -400.0 * sizeOf(c), 400.0 * sizeOf(c)});
+      Form form = formOf(this, "", parameters);
+      form.start(0) = t;
+      form.scan = {1, 2, 3, 4, 5, 6};
+      form.subset = true;
+      form.local = true;
+      out.push_back(form);
+    }
+    return out;
+  }
+  int order() const override { return 82; }
+  void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    for (Eigen::Index k = 0; k < w.cols(); ++k) w.col(k) += stepAt(signals.time(k), v(0), 0.02) * v.tail<6>();
+  }
+  std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals& signals) const override {
+    return {wholeAfter(v(0), signals)};
+  }
+};
+
+class Wandering final : public Cause {
+ public:
+  std::string_view id() const override { return kWandering; }
+  Words words() const override {
+    return {"Sensor's zero wanders", "Let the sensor warm up, and keep recordings short.",
+            "Come back to the same pose a few times.", {"bias_drift"}};
+  }
+  std::string sentence(const Form&, const VectorXd&, const VectorXd&) const override {
+    return "The sensor's zero wanders slowly.";
+  }
+  std::vector<Form> forms(const Signals&) const override {
+    std::vector<Parameter> parameters;
+    for (int k = 1; k <= kHalfWaves; ++k)
+      for (int c = 0; c < 6; ++c)
+        parameters.push_back({fmt::format("{}_wave_{}", channelName(c), k), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
+    Form form = formOf(this, "", std::move(parameters));
+    form.subset = true;
+    return {form};
+  }
+  int order() const override { return 84; }
+  void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    for (int k = 1; k <= kHalfWaves; ++k) {
+      const Vector6d amplitude = v.segment<6>(6 * (k - 1));
+      if (amplitude.isZero(0.0)) continue;
+      const double step = std::numbers::pi * k / static_cast<double>(signals.size());
+      for (Eigen::Index i = 0; i < w.cols(); ++i) w.col(i) += std::cos(step * (static_cast<double>(i) + 0.5)) * amplitude;
+    }
+  }
+
+ private:
+  static constexpr int kHalfWaves = 10;
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeWandering() { return std::make_unique<Wandering>(); }
+std::unique_ptr<Cause> makeBiasDrift() { return std::make_unique<BiasDrift>(); }
+std::unique_ptr<Cause> makeSensorBias() { return std::make_unique<SensorBias>(); }
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,57 @@
+#pragma once
+// Small things that the causes share.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/diagnosis/cause.h"
+
+namespace heft::diagnosis {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kMilli = 1e3;
+
+/// The name of wrench channel c: "fx" .. "tz".
+inline const char* channelName(Eigen::Index c) {
+  constexpr const char* kNames[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
+  return kNames[c];
+}
+
+/// A form whose parameters all start at zero and are all looked at.
+inline Form formOf(const Cause* cause, std::string name, std::vector<Parameter> parameters) {
+  Form form;
+  form.cause = cause;
+  form.name = std::move(name);
+  form.start = VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t i = 0; i < parameters.size(); ++i) form.scan.push_back(static_cast<int>(i));
+  form.parameters = std::move(parameters);
+  return form;
+}
+
+/// Adds world-fixed forces (B axes, a column an instant) that act at r from S's origin (S axes).
+inline void addWorldForce(const Signals& signals, const Eigen::Matrix3Xd& force_B, const Vector3d& r, Wrenches& w) {
+  for (Eigen::Index k = 0; k < w.cols(); ++k) {
+    const Vector3d f = signals.R_BS[static_cast<std::size_t>(k)].transpose() * force_B.col(k);
+    w.col(k).head<3>() += f;
+    w.col(k).tail<3>() += r.cross(f);
+  }
+}
+
+/// Two unit vectors across gravity, B axes.
+inline std::pair<Vector3d, Vector3d> acrossGravity(const Vector3d& gravity) {
+  const Vector3d g = gravity.norm() > 1e-6 ? Vector3d(gravity.normalized()) : Vector3d(-Vector3d::UnitZ());
+  const Vector3d x = std::abs(g.x()) < 0.9 ? Vector3d(Vector3d::UnitX() - g.x() * g).normalized() : Vector3d(Vector3d::UnitY() - g.y() * g).normalized();
+  return {x, g.cross(x)};
+}
+
+/// How far [0, 1] an event at t0 that takes `duration` has gone at time t.
+inline double stepAt(double t, double t0, double duration) {
+  return std::min(1.0, std::max(0.0, 0.5 + (t - t0) / std::max(duration, 1e-3)));
+}
+
+inline std::pair<double, double> wholeAfter(double t0, const Signals& signals) {
+  return {t0, signals.startTime + signals.duration()};
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,42 @@
+// A force that keeps its direction in the world, whatever the tool weighs: a spring balancer, a hose over a pulley.
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+class ConstantPull final : public Cause {
+ public:
+  std::string_view id() const override { return "constant_pull"; }
+  Words words() const override {
+    return {"Steady pull from outside",
+            "Look for a balancer, a hose or a weight that always pulls in the same direction.",
+            "Record once with a heavier tool: a tilt grows with the weight, a pull does not.",
+            {"gravity_tilt", "cable_pull"}};
+  }
+  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
+    return fmt::format("Something pulls at the tool with {} N, always in the same direction.",
+                       plusMinus(v.head<3>().norm(), std.head<3>().maxCoeff()));
+  }
+  std::vector<Form> forms(const Signals&) const override {
+    std::vector<Parameter> pull{{"force_x", "N", 1.0, 0.3, -60.0, 60.0},
+                                {"force_y", "N", 1.0, 0.3, -60.0, 60.0},
+                                {"force_z", "N", 1.0, 0.3, -60.0, 60.0}};
+    std::vector<Form> out{formOf(this, "", pull)};
+    for (const char* axis : {"at_x", "at_y", "at_z"}) pull.push_back({axis, "mm", kMilli, 0.03, -1.0, 1.0});
+    out.push_back(formOf(this, "away from the sensor", pull));
+    out.back().scan = {0, 1, 2};
+    return out;
+  }
+  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+    // The tool is pulled by F, so the sensor holds it with -F.
+    addWorldForce(signals, -v.head<3>().replicate(1, signals.size()),
+                  v.size() > 3 ? Vector3d(v.segment<3>(3)) : Vector3d(Vector3d::Zero()), w);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeConstantPull() { return std::make_unique<ConstantPull>(); }
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,130 @@
+// Resistance that grows with speed, and friction that does not.
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+constexpr double kStick = 0.003;        ///< [m/s] below which friction fades
+constexpr double kStickAngular = 0.02;  ///< [rad/s]
+
+/// Velocity of the point r (S axes), B axes.
+Vector3d velocityAt(const Signals& signals, Eigen::Index k, const Vector3d& r) {
+  return signals.velocity.col(k) +
+         signals.R_BS[static_cast<std::size_t>(k)] * Vector3d(signals.kinematics.omega.col(k)).cross(r);
+}
+
+class ViscousDrag final : public Cause {
+ public:
+  std::string_view id() const override { return "viscous_drag"; }
+  Words words() const override {
+    return {"Resistance that grows with speed",
+            "Look for hoses full of liquid, dampers, bellows or covers that the tool drags along.",
+            "Repeat the same movement at several speeds.",
+            {"coulomb_friction", "low_pass_lag"}};
+  }
+  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    if (form.choice[0] == 1)
+      return fmt::format("Something resists turning by {} N m per radian per second.", plusMinus(v(0), std(0)));
+    return fmt::format("Something resists the tool's movement by {} N per metre per second.", plusMinus(v(0), std(0)));
+  }
+  std::vector<Form> forms(const Signals& signals) const override {
+    std::vector<Form> out;
+    const Parameter linear{"drag", "N s/m", 1.0, 0.3, 0.0, 200.0}, angular{"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0};
+    const auto add = [&](int kind, const char* name, std::vector<Parameter> parameters) {
+      out.push_back(formOf(this, name, std::move(parameters)));
+      out.back().choice = {kind};
+    };
+    add(1, "turning", {angular});
+    if (!signals.positionKnown) return out;
+    add(0, "", {linear});
+    add(2, "moving and turning", {linear, angular});
+    add(3, "away from the sensor", {linear, {"at_x", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_y", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_z", "mm", kMilli, 0.03, -1.0, 1.0}});
+    out.back().scan = {0};
+    add(4, "different along each axis", {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
+    return out;
+  }
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+    const int kind = form.choice[0];
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+      if (kind == 1 || kind == 2) w.col(k).tail<3>() += v(kind - 1) * signals.kinematics.omega.col(k);
+      if (kind == 1) continue;
+      const Vector3d r = kind == 3 ? Vector3d(v.segment<3>(1)) : Vector3d(Vector3d::Zero());
+      Vector3d velocity = velocityAt(signals, k, r);
+      if (kind == 4) velocity = velocity.cwiseProduct(Vector3d(v.head<3>()));
+      const Vector3d f = R.transpose() * (kind == 4 ? velocity : Vector3d(v(0) * velocity));
+      w.col(k).head<3>() += f;
+      w.col(k).tail<3>() += r.cross(f);
+    }
+  }
+};
+
+class CoulombFriction final : public Cause {
+ public:
+  std::string_view id() const override { return "coulomb_friction"; }
+  Words words() const override {
+    return {"Friction",
+            "Look for something that rubs: a cable in a clamp, a cover, a stiff sheath.",
+            "Repeat the same movement at several speeds, and turn back after short and long ways.",
+            {"viscous_drag", "hysteresis"}};
+  }
+  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    if (form.choice[0] == 1) return fmt::format("Friction resists turning with {} N m.", plusMinus(v(0), std(0)));
+    return fmt::format("Friction holds the tool back with {} N{}.", plusMinus(v(0), std(0)),
+                       form.choice[0] == 4 ? ", and gives way slowly after each turn" : "");
+  }
+  std::vector<Form> forms(const Signals& signals) const override {
+    std::vector<Form> out;
+    const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0}, angular{"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0};
+    const auto add = [&](int kind, const char* name, std::vector<Parameter> parameters) {
+      out.push_back(formOf(this, name, std::move(parameters)));
+      out.back().choice = {kind};
+    };
+    add(1, "turning", {angular});
+    if (!signals.positionKnown) return out;
+    add(0, "", {linear});
+    add(2, "moving and turning", {linear, angular});
+    add(3, "away from the sensor", {linear, {"at_x", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_y", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_z", "mm", kMilli, 0.03, -1.0, 1.0}});
+    out.back().scan = {0};
+    for (const double way : {0.003, 0.015, 0.06}) {
+      add(4, "giving way", {linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}});
+      out.back().start(1) = way;
+      out.back().scan = {0};
+    }
+    return out;
+  }
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+    const int kind = form.choice[0];
+    const double dt = 1.0 / signals.rateHz;
+    Vector3d z = Vector3d::Zero();
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+      if (kind == 1 || kind == 2) {
+        const Vector3d omega = signals.kinematics.omega.col(k);
+        w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
+      }
+      if (kind == 1) continue;
+      const Vector3d r = kind == 3 ? Vector3d(v.segment<3>(1)) : Vector3d(Vector3d::Zero());
+      const Vector3d velocity = velocityAt(signals, k, r);
+      Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + kStick * kStick);
+      if (kind == 4) {
+        // Dahl: z' = v - |v| z / way, the exact step for a velocity that is constant over it.
+        const double speed = velocity.norm(), way = v(1);
+        const double keep = std::exp(-speed * dt / way);
+        z = keep * z + (speed > 1e-12 ? Vector3d(velocity * (way / speed) * (1.0 - keep)) : Vector3d(Vector3d::Zero()));
+        direction = z / way;
+      }
+      const Vector3d f = R.transpose() * (v(0) * direction);
+      w.col(k).head<3>() += f;
+      w.col(k).tail<3>() += r.cross(f);
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeViscousDrag() { return std::make_unique<ViscousDrag>(); }
+std::unique_ptr<Cause> makeCoulombFriction() { return std::make_unique<CoulombFriction>(); }
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,39 @@
+// Gravity points elsewhere than the meta file says: the robot's base is tilted.
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+class GravityTilt final : public Cause {
+ public:
+  std::string_view id() const override { return "gravity_tilt"; }
+  Words words() const override {
+    return {"Robot base tilted",
+            "Put a spirit level on the robot's base, or state the true gravity in the meta file (gravity_m_s2).",
+            "Record once with a heavier tool: a tilt grows with the weight, a pull does not.",
+            {"constant_pull", "joint_offset"}};
+  }
+  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
+    return fmt::format("Gravity is tilted by {} degrees against the robot's base.",
+                       plusMinus(v.norm() * kDegrees, std.maxCoeff() * kDegrees));
+  }
+  std::vector<Form> forms(const Signals&) const override {
+    const double size = 1.0 / kDegrees;
+    return {formOf(this, "", {{"tilt_x", "deg", kDegrees, size, -3.0, 3.0}, {"tilt_y", "deg", kDegrees, size, -3.0, 3.0}})};
+  }
+  int order() const override { return 10; }
+  bool bendsGeometry() const override { return true; }
+  void geometry(const Form&, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
+    const auto [x, y] = acrossGravity(signals.gravity);
+    const Vector3d change = rotationFromVector(v(0) * x + v(1) * y) * signals.gravity - signals.gravity;
+    for (Eigen::Index k = 0; k < signals.size(); ++k)
+      kinematics.specificForce.col(k) -= signals.R_BS[static_cast<std::size_t>(k)].transpose() * change;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeGravityTilt() { return std::make_unique<GravityTilt>(); }
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,43 @@
+// The sensor's origin is elsewhere than the meta file says: s += alpha x d + omega x (omega x d).
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+class LeverArm final : public Cause {
+ public:
+  std::string_view id() const override { return "lever_arm"; }
+  Words words() const override {
+    return {"Sensor's place on the arm is wrong",
+            "Measure from the flange to the sensor's origin and compare with the meta file (sensor.mount.xyz_m).",
+            "Turn the tool fast to and fro about all three axes.",
+            {"gain_error", "derivative_noise"}};
+  }
+  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
+    return fmt::format("The sensor's origin is {} mm away from where the meta file puts it (x, y, z: {:.1f}, {:.1f}, {:.1f} mm).",
+                       plusMinus(v.norm() * kMilli, std.maxCoeff() * kMilli), v(0) * kMilli, v(1) * kMilli, v(2) * kMilli);
+  }
+  std::vector<Form> forms(const Signals&) const override {
+    Form form = formOf(this, "", {{"dx", "mm", kMilli, 0.01, -0.5, 0.5},
+                                  {"dy", "mm", kMilli, 0.01, -0.5, 0.5},
+                                  {"dz", "mm", kMilli, 0.01, -0.5, 0.5}});
+    form.subset = true;
+    return {form};
+  }
+  int order() const override { return 16; }
+  bool bendsGeometry() const override { return true; }
+  void geometry(const Form&, const VectorXd& v, const Signals&, Kinematics& kin) const override {
+    const Vector3d d = v;
+    for (Eigen::Index k = 0; k < kin.omega.cols(); ++k) {
+      const Vector3d o = kin.omega.col(k), a = kin.alpha.col(k);
+      kin.specificForce.col(k) += a.cross(d) + o.cross(o.cross(d));
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeLeverArm() { return std::make_unique<LeverArm>(); }
+
+}  // namespace heft::diagnosis

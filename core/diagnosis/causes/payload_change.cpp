@@ -1,0 +1,62 @@
+// From some moment on the tool is heavier or lighter.
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/model.h"
+
+namespace heft::diagnosis {
+namespace {
+
+class PayloadChange final : public Cause {
+ public:
+  std::string_view id() const override { return "payload_change"; }
+  Words words() const override {
+    return {"The load changed on the way",
+            "Was a part picked up or put down? Mark only the stretch with the tool that you mean.",
+            "Turn the tool to another pose after the change: a load turns with gravity, a jump of the sensor does not.",
+            {"sensor_bias", "contact"}};
+  }
+  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
+    return fmt::format("At {:.1f} s the load became {} g {}.", v(0), plusMinus(std::abs(v(1)) * kMilli, std(1) * kMilli),
+                       v(1) > 0.0 ? "heavier" : "lighter");
+  }
+  std::vector<Form> forms(const Signals& signals) const override {
+    std::vector<Form> out;
+    const double end = signals.startTime + signals.duration();
+    for (double t = signals.startTime + 0.8; t < end - 0.8; t += std::max(0.4, signals.duration() / 60.0)) {
+      Form form = formOf(this, "", {{"time", "s", 1.0, 0.1, signals.startTime, end},
+                                    {"mass", "g", kMilli, 0.03, -20.0, 20.0},
+                                    {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
+                                    {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},
+                                    {"moment_z", "kg m", 1.0, 0.003, -5.0, 5.0},
+                                    {"duration", "s", 1.0, 0.1, 0.0, 2.0}});
+      form.start(0) = t;
+      form.start(5) = 0.05;
+      form.scan = {1, 2, 3, 4};
+      form.local = true;
+      out.push_back(form);
+    }
+    return out;
+  }
+  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+    const double m = v(1);
+    const Vector3d h = v.segment<3>(2);
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      const double share = stepAt(signals.time(k), v(0), v(5));
+      if (share <= 0.0) continue;
+      const Vector3d s = kin.specificForce.col(k), o = kin.omega.col(k), a = kin.alpha.col(k);
+      w.col(k).head<3>() += share * (m * s + a.cross(h) + o.cross(o.cross(h)));
+      w.col(k).tail<3>() += share * h.cross(s);
+      // What was picked up is small: its inertia is that of a point where its weight acts.
+      if (std::abs(m) > 1e-4) w.col(k).tail<3>() += share * (h / m).cross(a.cross(h) + o.cross(o.cross(h)));
+    }
+  }
+  std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals& signals) const override {
+    return {wholeAfter(v(0), signals)};
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makePayloadChange() { return std::make_unique<PayloadChange>(); }
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,549 @@
+#include "core/diagnosis/diagnose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/diagnosis/events.h"
+#include "core/diagnosis/frames.h"
+#include "core/diagnosis/search.h"
+#include "core/diagnosis/surrogates.h"
+#include "core/diagnosis/wandering.h"
+#include "core/estimation/prepare.h"
+
+namespace heft {
+
+using namespace diagnosis;
+
+namespace {
+
+constexpr double kTie = 10.0;
+constexpr double kUnexplained = 20.0;
+
+WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  WrenchRms out;
+  double count = 0.0;
+  for (const auto& s : stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      out.force += residual.col(n).head<3>().squaredNorm();
+      out.torque += residual.col(n).tail<3>().squaredNorm();
+      count += 3.0;
+    }
+  out.force = std::sqrt(out.force / std::max(1.0, count));
+  out.torque = std::sqrt(out.torque / std::max(1.0, count));
+  return out;
+}
+
+/// Everything that a search needs, and what it found.
+struct Work {
+  Signals signals;
+  std::vector<Stretch> stretches;
+  std::vector<Contact> contacts;
+  std::optional<FrameMistake> mistake;
+  Search search;
+};
+
+/// Contiguous blocks that automatic segmentation takes for contact.
+std::vector<Stretch> contactCandidates(const Recording& recording, const Motion& motion, const Signals& signals) {
+  const auto rows = rowsOf(motion, 50.0);
+  const Segmentation segmentation = segmentRows(recording, rows, SegmentMode::automatic);
+  std::vector<Stretch> out;
+  for (const auto& segment : segmentation.segments) {
+    if (segment.kind != SegmentKind::contact) continue;
+    Stretch stretch{signals.blocks(), 0};
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      if (signals.blockTime(n) >= segment.from - 0.01 && signals.blockTime(n) <= segment.to + 0.01 &&
+          signals.usable[static_cast<std::size_t>(n)]) {
+        stretch.from = std::min(stretch.from, n);
+        stretch.to = std::max(stretch.to, n + 1);
+      }
+    if (stretch.to > stretch.from) out.push_back(stretch);
+  }
+  return out;
+}
+
+void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
+  for (const auto& hole : holes)
+    for (Eigen::Index n = std::max<Eigen::Index>(0, hole.from - 2); n < std::min(signals.blocks(), hole.to + 2); ++n)
+      signals.usable[static_cast<std::size_t>(n)] = false;
+}
+
+Result<Work> worked(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
+                    const DiagnoseOptions& options, const std::vector<bool>& badRows, double threshold,
+                    const Progress& progress) {
+  MotionOptions smoothing;
+  smoothing.cutoffHz = cutoff;
+  auto motion = motionOf(cleaned, robot, smoothing);
+  if (!motion) return motion.error();
+  Work work;
+  work.signals = signalsOf(cleaned, *motion, robot);
+  Signals& signals = work.signals;
+  const double edge = std::max(0.3, 3.0 / cutoff);
+  const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
+  const auto rows = rowsOf(*motion, 50.0);
+  std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
+  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rows, mode).labels;
+  Eigen::Index row = 0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+    const double t = signals.blockTime(n), half = 0.5 / signals.blockRate();
+    bool usable = t > signals.startTime + edge && t < signals.startTime + signals.duration() - edge &&
+                  labels[std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1)] == MarkLabel::free;
+    if (!badRows.empty()) {
+      while (row < recording.rows() && recording.time(row) < t - half) ++row;
+      for (Eigen::Index i = row; i < recording.rows() && recording.time(i) <= t + half; ++i)
+        usable = usable && !badRows[static_cast<std::size_t>(i)];
+    }
+    signals.usable[static_cast<std::size_t>(n)] = usable;
+  }
+  work.stretches = stretchesOf(signals.usable);
+  Eigen::Index judged = 0;
+  for (const auto& s : work.stretches) judged += s.to - s.from;
+  if (judged < 100)
+    return Error{fmt::format("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
+                             static_cast<double>(judged) / signals.blockRate())};
+  const Fit null = fitModel(signals, work.stretches, Model{});
+  work.mistake = frameMistake(signals, work.stretches, null);
+  if (work.mistake) signals = corrected(signals, *work.mistake);
+
+  SearchOptions searching;
+  searching.hidden = options.hidden;
+  searching.threshold = threshold;
+  const bool mayTouch =
+      mode == SegmentMode::automatic && std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
+  std::vector<Stretch> holes;
+  if (mayTouch) holes = contactCandidates(cleaned, *motion, signals);
+  Eigen::Index hidden = 0;
+  for (const auto& hole : holes) hidden += hole.to - hole.from;
+  if (holes.empty() || hidden > 7 * judged / 10) {
+    work.search = search(signals, work.stretches, searching, progress);
+    return work;
+  }
+  // Contact first; what the causes found elsewhere account for is no contact.
+  const Signals whole = signals;
+  for (int round = 0; round < 3; ++round) {
+    signals = whole;
+    leaveOut(signals, holes);
+    work.stretches = stretchesOf(signals.usable);
+    work.search = search(signals, work.stretches, searching, progress);
+    work.contacts = contactsIn(whole, work.search.final, holes);
+    if (work.contacts.size() == holes.size() || progress.cancelled()) break;
+    std::vector<Stretch> needed;
+    for (const auto& hole : holes)
+      if (evidenceForLeavingOut(whole, work.search.final, hole.from, hole.to) >= kThreshold) needed.push_back(hole);
+    holes = std::move(needed);
+  }
+  return work;
+}
+
+/// Evidence of the work's final model when the motion is smoothed with another cutoff, less that with its own.
+double evidenceAt(const Recording& cleaned, const RobotModel* robot, const Work& work, double cutoff) {
+  MotionOptions smoothing;
+  smoothing.cutoffHz = cutoff;
+  const auto motion = motionOf(cleaned, robot, smoothing);
+  if (!motion) return -1e300;
+  Signals signals = signalsOf(cleaned, *motion, robot);
+  if (signals.blocks() != work.signals.blocks()) return -1e300;
+  if (work.mistake) signals = corrected(signals, *work.mistake);
+  signals.usable = work.signals.usable;
+  return fitModel(signals, work.stretches, work.search.final.model, 4).evidence - work.search.final.evidence;
+}
+
+std::vector<CauseParameter> parametersOf(const Fit& fit, std::string_view cause,
+                                         std::vector<std::pair<double, double>>& when, std::string& sentence,
+                                         const Signals& signals) {
+  std::vector<CauseParameter> out;
+  const VectorXd std = fit.std();
+  Eigen::Index at = kLinear;
+  for (const auto& term : fit.model.terms) {
+    const Eigen::Index n = term.v.size();
+    if (term.form->cause->id() == cause) {
+      VectorXd deviation = std.segment(at, n);
+      for (Eigen::Index p = 0; p < n; ++p) {
+        if (!term.moves(p)) {
+          deviation(p) = 0.0;
+          continue;
+        }
+        const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+        std::string name = parameter.name;
+        for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
+          name = fmt::format("{}_{}", parameter.name, i);
+        out.push_back({name, parameter.unit, term.v(p) * parameter.scale, deviation(p) * std::abs(parameter.scale)});
+      }
+      for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) when.push_back(stretch);
+      sentence += (sentence.empty() ? "" : " ") + term.form->cause->sentence(*term.form, term.v, deviation);
+    }
+    at += n;
+  }
+  return out;
+}
+
+DiagnosedCause fromDirect(const Direct& direct) {
+  DiagnosedCause out;
+  out.id = direct.cause;
+  out.title = direct.words.title;
+  out.sentence = direct.sentence;
+  out.check = direct.words.check;
+  out.tellApart = direct.words.tellApart;
+  for (const auto& p : direct.parameters) out.parameters.push_back({p.name, p.unit, p.value, p.std});
+  out.when = direct.when;
+  out.direct = true;
+  out.pValue = direct.pValue;
+  out.alternatives = direct.alternatives;
+  return out;
+}
+
+DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after) {
+  DiagnosedCause out;
+  const double degrees = mistake.angle * 180.0 / 3.14159265358979323846;
+  // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
+  const bool mount = mistake.kind == FrameMistake::Kind::turned && std::abs(degrees - 180.0) > 4.0;
+  out.id = mount ? "sensor_rotation" : "frame_error";
+  out.title = mount ? "Sensor mounted turned" : "Mistake with frames or signs";
+  out.sentence = mistake.sentence;
+  out.check = mistake.remedy;
+  out.tellApart = "None is needed: the mistake is too large to be overlooked.";
+  out.direct = true;
+  if (mistake.kind == FrameMistake::Kind::turned) {
+    const Vector3d v = vectorFromRotation(mistake.turn) * (180.0 / 3.14159265358979323846);
+    out.parameters = {{"rx", "deg", v.x(), 0.5}, {"ry", "deg", v.y(), 0.5}, {"rz", "deg", v.z(), 0.5}};
+    out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
+  }
+  out.gain.forceBefore = before.force;
+  out.gain.forceAfter = after.force;
+  out.gain.torqueBefore = before.torque;
+  out.gain.torqueAfter = after.torque;
+  out.gain.explainedFraction = 1.0 - std::pow(after.force / std::max(1e-12, before.force), 2);
+  return out;
+}
+
+/// Deviations of mass and centre may not be smaller than the joint fit of payload and causes finds them.
+void widen(EstimateReport& report, const Fit& fit) {
+  const VectorXd std = fit.std();
+  const double m = std::max(0.02, std::abs(fit.model.x(6)));
+  const auto grow = [](double& deviation, Interval& interval, double least) {
+    if (!(deviation < least) || !(deviation > 0.0)) return;
+    const double factor = least / deviation, middle = 0.5 * (interval.lower + interval.upper);
+    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
+    deviation = least;
+  };
+  grow(report.std.mass, report.interval95.mass, std(6));
+  for (int i = 0; i < 3; ++i) {
+    const double c = fit.model.x(7 + i) / m;
+    const double variance = fit.covariance(7 + i, 7 + i) - 2.0 * c * fit.covariance(6, 7 + i) + c * c * fit.covariance(6, 6);
+    grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], std::sqrt(std::max(0.0, variance)) / m);
+  }
+}
+
+/// The recording as the sensor and the robot would have told it without the causes.
+Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Work& work) {
+  Recording out = cleaned;
+  if (work.mistake) {
+    switch (work.mistake->kind) {
+      case FrameMistake::Kind::wrenchSign:
+        out.wrench = -out.wrench;
+        break;
+      case FrameMistake::Kind::gravitySign:
+        out.meta.gravity = -out.meta.gravity;
+        break;
+      case FrameMistake::Kind::transposed:
+        out.quaternion.leftCols<3>() *= -1.0;
+        break;
+      case FrameMistake::Kind::turned:
+      case FrameMistake::Kind::mirrored: {
+        const Matrix3d& turn = work.mistake->turn;
+        out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * turn.transpose()).eval();
+        out.wrench.rightCols<3>() = (out.wrench.rightCols<3>() * turn.transpose()).eval();
+        break;
+      }
+      case FrameMistake::Kind::none:
+        break;
+    }
+  }
+  if (!work.search.final.model.terms.empty()) {
+    auto effect = effectOf(work.search.final.model, out, robot);
+    if (!effect) return effect.error();
+    out.wrench -= *effect;
+  }
+  return out;
+}
+
+std::string titleOf(const std::string& id) {
+  const Cause* cause = findCause(id);
+  return cause != nullptr ? cause->words().title : id;
+}
+
+std::string verdictSentence(const DiagnosisReport& report) {
+  switch (report.verdict) {
+    case Verdict::clean:
+      return "The model fits: nothing is left but the sensor's noise.";
+    case Verdict::ambiguous: {
+      const auto tied = std::find_if(report.causes.begin(), report.causes.end(),
+                                     [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
+      std::string others;
+      for (const auto& other : tied->alternatives) others += (others.empty() ? "\"" : ", \"") + titleOf(other) + "\"";
+      return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title, others);
+    }
+    case Verdict::unexplained:
+      return fmt::format("Something unknown is left that goes with {}.", report.remaining.goesWith);
+    case Verdict::explained:
+      break;
+  }
+  return report.causes.size() == 1 ? "Cause found: " + report.causes.front().sentence
+                                   : fmt::format("{} causes found; the strongest: {}", report.causes.size(),
+                                                 report.causes.front().sentence);
+}
+
+}  // namespace
+
+std::string_view toString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::clean:
+      return "clean";
+    case Verdict::explained:
+      return "explained";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unexplained:
+      return "unexplained";
+  }
+  return "";
+}
+
+Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
+                                 const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  if (recording.meta.kind == RecordingKind::poses)
+    return Error{"Standing poses show too little to look for causes; record a motion."};
+  DiagnosisReport out;
+  out.file = recording.file;
+  out.meta = recording.meta;
+  progress(0.02, "Looking at single readings");
+  Eigen::Index spikes = 0;
+  Recording cleaned = recording;
+  cleaned.wrench = withoutSpikes(recording.wrench, spikes);
+  MotionOptions smoothing;
+  smoothing.cutoffHz = kDefaultCutoffHz;
+  const auto motion = motionOf(cleaned, robot, smoothing);
+  if (!motion) return motion.error();
+  auto directs = sampleTests(recording, *motion);
+  std::erase_if(directs, [&](const Direct& d) {
+    return std::find(options.hidden.begin(), options.hidden.end(), d.cause) != options.hidden.end();
+  });
+  // Velocities that disagree with the angles are not used, here or for the payload.
+  if (std::any_of(directs.begin(), directs.end(),
+                  [](const Direct& d) { return d.cause == "motion_lag" || d.cause == "derivative_noise"; }))
+    cleaned.dq.resize(0, cleaned.dq.cols());
+  std::vector<bool> bad;
+  for (const auto& direct : directs)
+    for (std::size_t i = 0; i < direct.rows.size(); ++i) {
+      bad.resize(direct.rows.size(), false);
+      bad[i] = bad[i] || direct.rows[i];
+    }
+
+  double cutoff = kDefaultCutoffHz;
+  auto found = worked(recording, cleaned, robot, cutoff, options, bad, kThreshold, progress);
+  if (!found) return found.error();
+  // Accelerations from coarse or late angles are noise above some frequency; the final model tells where.
+  if (!progress.cancelled()) {
+    double best = 30.0;
+    for (const double other : {12.0, 6.0}) {
+      const double gained = evidenceAt(cleaned, robot, *found, other);
+      if (gained < best) continue;
+      best = gained + 10.0;
+      cutoff = other;
+    }
+    if (cutoff < kDefaultCutoffHz) {
+      auto again = worked(recording, cleaned, robot, cutoff, options, bad, kThreshold, progress);
+      if (again) found = std::move(again);
+    }
+  }
+  if (progress.cancelled()) return Error{"Stopped.", true};
+
+  out.threshold = kThreshold;
+  Surrogates chance;
+  if (options.surrogates > 0 && !found->search.found.empty()) {
+    const auto bank = signaturesOf(found->signals, found->search.null.model, options.hidden);
+    // Noise as the final model leaves it, around the motion and payload of the baseline.
+    Fit base = found->search.null;
+    base.noise = found->search.final.noise;
+    chance = surrogates(found->stretches, base, bank, options.surrogates, options.seed, progress);
+    out.threshold = chance.threshold;
+    out.surrogates = static_cast<int>(chance.best.size());
+    const bool weak = std::any_of(found->search.found.begin(), found->search.found.end(),
+                                  [&](const Found& f) { return f.gain < out.threshold; });
+    if (weak) {
+      auto again = worked(recording, cleaned, robot, cutoff, options, bad, out.threshold, progress);
+      if (again) found = std::move(again);
+    }
+  }
+  if (progress.cancelled()) return Error{"Stopped.", true};
+  Work& work = *found;
+
+  progress(0.85, "Measuring the gain on unseen stretches");
+  // Nested models, in the order of acceptance.
+  Wrenches before = heldOutResidual(work.signals, work.stretches, work.search.null);
+  out.series.before = work.signals.measured - before;
+  out.baseline = rmsOf(work.stretches, work.search.null.residual);
+  std::vector<DiagnosedCause> fitted;
+  Model nested;
+  nested.x = work.search.null.model.x;
+  Fit last = work.search.null;
+  for (const auto& accepted : work.search.found) {
+    const bool nuisance = accepted.cause == kWandering || (work.mistake && work.mistake->kind == FrameMistake::Kind::turned &&
+                                                           accepted.cause == "sensor_rotation");
+    for (const auto& term : work.search.final.model.terms)
+      if (term.form->cause->id() == accepted.cause) nested.terms.push_back(term);
+    Fit fit = nested.terms.size() == work.search.final.model.terms.size() ? work.search.final
+                                                                          : fitModel(work.signals, work.stretches, nested);
+    const Wrenches after = heldOutResidual(work.signals, work.stretches, fit);
+    if (nuisance) {
+      // Part of the model, but no cause that somebody could mend.
+      before = after;
+      last = std::move(fit);
+      continue;
+    }
+    const Gain gain = gainOf(work.stretches, fit.noise, before, after);
+    const bool local = std::any_of(nested.terms.begin(), nested.terms.end(), [&](const Term& t) {
+      return t.form->cause->id() == accepted.cause && t.form->local;
+    });
+    if (!local && !(gain.explainedFraction > 0.0 && 2 * gain.blocksBetter >= gain.blocks)) {
+      // Nothing is gained where it was not fitted: it is no cause.
+      nested = without(nested, accepted.cause);
+      work.search.final.model = without(work.search.final.model, accepted.cause);
+      work.search.final = fitModel(work.signals, work.stretches, work.search.final.model);
+      continue;
+    }
+    DiagnosedCause cause;
+    const Words words = findCause(accepted.cause)->words();
+    cause.id = accepted.cause;
+    cause.title = words.title;
+    cause.check = words.check;
+    cause.tellApart = words.tellApart;
+    cause.deltaBic = accepted.gain;
+    cause.pValue = chance.best.empty() ? std::exp(-0.5 * accepted.gain) : chance.pValue(accepted.gain);
+    cause.gain = gain;
+    for (const auto& rival : accepted.rivals)
+      if (rival.behind < kTie) cause.alternatives.push_back(rival.cause);
+    // A jump is a drift that took no time.
+    if (cause.id == "sensor_bias" && std::ranges::find(cause.alternatives, "bias_drift") == cause.alternatives.end())
+      cause.alternatives.push_back("bias_drift");
+    fitted.push_back(std::move(cause));
+    before = after;
+    last = std::move(fit);
+  }
+  const Fit& final = work.search.final;
+  bool slowWave = false;
+  if (Model steady = without(final.model, kWandering); steady.terms.size() < final.model.terms.size()) {
+    slowWave = moreThanAWalk(work.signals, work.stretches, fitModel(work.signals, work.stretches, std::move(steady)), final);
+    out.findings.push_back({Severity::info, "zero_wanders",
+                              "The sensor's zero wanders slowly during the recording; this is allowed for.",
+                              "Let the sensor warm up, and keep recordings short.", {}});
+  }
+  for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, cause.sentence, work.signals);
+
+  out.remaining = structureIn(work.signals, work.stretches, final);
+  if (slowWave && out.remaining.gain < 2.0 * kUnexplained) {
+    out.remaining.goesWith = "a slow wave in time";
+    out.remaining.gain = 2.0 * kUnexplained;
+  }
+  out.noise = rmsOf(work.stretches, final.residual);
+  const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
+  out.noise.force *= quiet;
+  out.noise.torque *= quiet;
+
+  if (work.mistake) {
+    const Fit stated = fitModel(work.signals, work.stretches, Model{});
+    WrenchRms was = out.baseline;
+    was.force = work.mistake->rmsBefore;
+    DiagnosedCause cause = fromMistake(*work.mistake, was, rmsOf(work.stretches, stated.residual));
+    out.baseline.force = std::max(out.baseline.force, was.force);
+    out.causes.push_back(std::move(cause));
+  }
+  for (const auto& direct : directs) out.causes.push_back(fromDirect(direct));
+  if (!work.contacts.empty()) {
+    DiagnosedCause cause;
+    cause.id = "contact";
+    cause.title = "The tool touched something";
+    double peak = 0.0, evidence = 0.0;
+    for (const auto& contact : work.contacts) {
+      cause.when.push_back({contact.from, contact.to});
+      peak = std::max(peak, contact.peakForce);
+      evidence += contact.evidence;
+    }
+    cause.sentence = fmt::format("The tool touched something {}, with up to {:.1f} N.",
+                                 cause.when.size() == 1 ? fmt::format("from {:.1f} to {:.1f} s", cause.when[0].first, cause.when[0].second)
+                                                        : fmt::format("{} times", cause.when.size()),
+                                 peak);
+    cause.check = "Was the tool set down, bumped, or held by its front? Those stretches are left out.";
+    cause.tellApart = "Repeat the motion without touching anything.";
+    cause.parameters = {{"peak_force", "N", peak, out.noise.force}};
+    cause.deltaBic = evidence;
+    cause.pValue = std::exp(-0.5 * std::min(1000.0, evidence));
+    cause.direct = true;
+    out.causes.push_back(std::move(cause));
+  }
+  for (auto& cause : fitted) out.causes.push_back(std::move(cause));
+  // Strongest first: what was tested on samples has no evidence to compare and stays in front.
+  std::stable_sort(out.causes.begin(), out.causes.end(), [](const DiagnosedCause& a, const DiagnosedCause& b) {
+    // Contact belongs to the task more often than to the rig: it comes last.
+    const auto rank = [](const DiagnosedCause& c) { return c.id == "contact" ? -1e300 : c.direct ? 1e300 : c.deltaBic; };
+    return rank(a) > rank(b);
+  });
+
+  double total = 0.0;
+  for (const auto& cause : out.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
+  const bool left = out.remaining.gain > std::max(kUnexplained, 0.03 * total);
+  const bool tied = std::any_of(out.causes.begin(), out.causes.end(),
+                                [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
+  out.verdict = left ? Verdict::unexplained
+                : out.causes.empty() ? Verdict::clean
+                : tied ? Verdict::ambiguous
+                       : Verdict::explained;
+
+  progress(0.93, "Estimating the payload again");
+  auto was = estimate(recording, robot, options.estimate, Progress{progress.stop, {}});
+  if (!was) return was.error();
+  out.before = std::move(*was);
+  out.after = out.before;
+  if (!out.causes.empty()) {
+    auto clean = freed(cleaned, robot, work);
+    if (!clean) return clean.error();
+    auto is = estimate(*clean, robot, options.estimate, Progress{progress.stop, {}});
+    if (is) {
+      out.after = std::move(*is);
+      widen(out.after, final);
+    }
+  }
+  out.model = final.model;
+  const auto bank = signaturesOf(work.signals, final.model, options.hidden);
+  for (const auto& signature : bank) {
+    const std::string id(signature.form.cause->id());
+    if (id == kWandering) continue;
+    const bool named = std::any_of(out.causes.begin(), out.causes.end(), [&](const auto& c) { return c.id == id; });
+    if (named) continue;
+    const VectorXd size = leastVisible(work.stretches, final, signature, out.threshold);
+    for (Eigen::Index i = 0; i < size.size(); ++i) {
+      const Parameter& p = signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
+      const double value = size(i) * std::abs(p.scale);
+      auto known = std::find_if(out.smallest.begin(), out.smallest.end(), [&](const Smallest& s) { return s.cause == id; });
+      if (known == out.smallest.end())
+        out.smallest.push_back({id, p.name, p.unit, value});
+      else if (value < known->value && p.unit == known->unit)
+        *known = {id, p.name, p.unit, value};
+    }
+  }
+  out.series.time.resize(work.signals.blocks());
+  for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) out.series.time(n) = work.signals.blockTime(n);
+  out.series.measured = work.signals.measured;
+  out.series.after = work.signals.measured - before;
+  out.series.judged = work.signals.usable;
+  out.findings.insert(out.findings.begin(), motion->findings.begin(), motion->findings.end());
+  out.sentence = verdictSentence(out);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  progress(1.0, "Done");
+  return out;
+}
+
+}  // namespace heft

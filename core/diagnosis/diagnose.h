@@ -1,0 +1,116 @@
+#pragma once
+// What does the simulation get wrong? Shows it, names the cause, extends the model and measures the gain.
+//
+// A rigid payload with a constant bias is fitted to the whole recording (baseline). What it leaves over is searched for
+// the causes of the catalogue, one after the other, by the evidence that each adds under autoregressive noise (difference
+// of BIC), against a threshold learned on simulated clean recordings with the same motion and noise. What fits equally
+// well is said to be equal; what nothing in the catalogue accounts for is said to be unexplained.
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "core/diagnosis/heldout.h"
+#include "core/diagnosis/sample_tests.h"
+#include "core/diagnosis/structure.h"
+#include "core/estimation/estimate.h"
+
+namespace heft {
+
+enum class Verdict { clean, explained, ambiguous, unexplained };
+std::string_view toString(Verdict verdict);
+
+struct DiagnoseOptions {
+  std::optional<SegmentMode> segments;  ///< Marks where there are any, otherwise contact is found like other causes.
+  int surrogates = 200;                 ///< Simulated clean recordings that set the threshold; 0: a fixed one.
+  unsigned seed = 1;
+  std::vector<std::string> hidden;  ///< Causes not to be looked for, by ID: shows what a missing cause looks like.
+  EstimateOptions estimate;         ///< How the payload is estimated, before and after.
+};
+
+struct CauseParameter {
+  std::string name, unit;
+  double value = 0.0, std = 0.0;  ///< In `unit`
+};
+
+struct DiagnosedCause {
+  std::string id;
+  std::string title;     ///< "Force readings out of step"
+  std::string sentence;  ///< With the numbers
+  std::string check;     ///< What to look at on the rig
+  std::vector<CauseParameter> parameters;
+  std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
+  bool direct = false;                          ///< Seen in the samples themselves; evidence and gain are then empty.
+  double deltaBic = 0.0, pValue = 0.0;
+  diagnosis::Gain gain;  ///< On blocks that were held out
+  std::vector<std::string> alternatives;
+  std::string tellApart;
+};
+
+/// Root mean squares per component.
+struct WrenchRms {
+  double force = 0.0, torque = 0.0;  ///< [N], [N m]
+};
+
+/// What a cause would have to reach to be seen in this recording.
+struct Smallest {
+  std::string cause, parameter, unit;
+  double value = 0.0;
+};
+
+/// Wrench as measured, as simulated by the baseline and by the extended model; for plots, on blocks of about 20 ms.
+struct DiagnosisSeries {
+  VectorXd time;                       ///< [s]
+  diagnosis::Wrenches measured;        ///< 6 x N
+  diagnosis::Wrenches before, after;   ///< Simulated; each block by parameters fitted without it
+  std::vector<bool> judged;            ///< False: trimmed, contact, marked
+};
+
+struct DiagnosisReport {
+  std::string file;
+  Verdict verdict = Verdict::clean;
+  std::string sentence;  ///< The verdict in plain words
+  WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor
+  std::vector<DiagnosedCause> causes;
+  diagnosis::Structure remaining;  ///< What nothing accounts for; gain <= 0: nothing
+  double threshold = 10.0;
+  int surrogates = 0;
+  EstimateReport before, after;   ///< Payload as estimated from the recording, and with the causes taken out
+  std::vector<Smallest> smallest;
+  nlohmann::json metaChanges() const;  ///< What the meta file should say instead; empty object: nothing
+  RecordingMeta meta;
+  diagnosis::Model model;         ///< Extended model
+  DiagnosisSeries series;
+  Findings findings;
+  /// On another recording, where one was given: misfit of the baseline, and with the causes kept as found here.
+  struct Check {
+    std::string file;
+    WrenchRms before, after;
+  };
+  std::optional<Check> check;
+  double seconds = 0.0;
+};
+
+/// `robot` may be null where the recording carries poses. Fails like estimate().
+Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
+                                 const Progress& progress = {});
+
+/// Applies the causes of `report` to another recording and fits bias and payload only.
+Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot);
+
+/// What the causes add to the wrench [N, N m] at each row of the recording: measured minus this is what the rigid payload
+/// and the bias alone would read. `causes`: IDs to apply; empty: all.
+Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const diagnosis::Model& model, const Recording& recording,
+                                                          const RobotModel* robot, const std::vector<std::string>& causes = {});
+
+/// The contract's heft.diagnose/1.
+nlohmann::json toJson(const DiagnosisReport& report);
+std::string toText(const DiagnosisReport& report);
+/// A page on its own, with plots, for a browser.
+std::string toHtml(const DiagnosisReport& report);
+
+/// The extended model as it stands in toJson(report)["model"].
+nlohmann::json modelToJson(const diagnosis::Model& model);
+Result<diagnosis::Model> modelFromJson(const nlohmann::json& model, const Recording& recording, const RobotModel* robot);
+
+}  // namespace heft

@@ -1,0 +1,20 @@
+#pragma once
+// Contact as a cause: stretches in which no model of the whole recording holds.
+#include "core/diagnosis/search.h"
+
+namespace heft::diagnosis {
+
+struct Contact {
+  double from = 0, to = 0;  ///< [s]
+  double peakForce = 0;     ///< [N] that the rest of the model leaves
+  double evidence = 0;      ///< Gained by leaving the stretch out
+};
+
+/// Evidence for leaving blocks [from, to) out of `fit`: what they would cost under its noise, less the price of a force
+/// that may change freely every tenth of a second.
+double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Index from, Eigen::Index to);
+
+/// The candidates' stretches (blocks) that the fit really needs to leave out.
+std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates);
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,139 @@
+// The extended model outside the search: its effect on any recording, and its JSON.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/search.h"
+
+namespace heft {
+
+using namespace diagnosis;
+using nlohmann::json;
+
+namespace {
+
+Model withoutTerms(const Model& model) {
+  Model out;
+  out.x = model.x;
+  return out;
+}
+
+}  // namespace
+
+Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const Model& model, const Recording& recording,
+                                                          const RobotModel* robot, const std::vector<std::string>& causes) {
+  MotionOptions options;
+  options.cutoffHz = kDefaultCutoffHz;
+  const auto motion = motionOf(recording, robot, options);
+  if (!motion) return motion.error();
+  const Signals signals = signalsOf(recording, *motion, robot);
+  Model applied = model;
+  if (!causes.empty())
+    std::erase_if(applied.terms, [&](const Term& t) {
+      return std::find(causes.begin(), causes.end(), t.form->cause->id()) == causes.end();
+    });
+  const Wrenches effect = predicted(signals, applied) - predicted(signals, withoutTerms(applied));
+  Eigen::Matrix<double, Eigen::Dynamic, 6> out(recording.rows(), 6);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double at = std::clamp((recording.time(i) - signals.startTime) * signals.rateHz, 0.0,
+                                 static_cast<double>(signals.size() - 1));
+    const auto k = std::min<Eigen::Index>(static_cast<Eigen::Index>(at), signals.size() - 2);
+    const double u = at - static_cast<double>(k);
+    out.row(i) = ((1.0 - u) * effect.col(k) + u * effect.col(k + 1)).transpose();
+  }
+  return out;
+}
+
+Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot) {
+  MotionOptions options;
+  options.cutoffHz = kDefaultCutoffHz;
+  const auto motion = motionOf(other, robot, options);
+  if (!motion) return motion.error();
+  Signals signals = signalsOf(other, *motion, robot);
+  const auto rows = rowsOf(*motion, 50.0);
+  const auto labels = segmentRows(other, rows, defaultSegmentMode(other)).labels;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+    const double t = signals.blockTime(n) - signals.startTime;
+    const auto label = std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1);
+    signals.usable[static_cast<std::size_t>(n)] =
+        t > 0.3 && t < signals.duration() - 0.3 && labels[label] == MarkLabel::free;
+  }
+  const auto stretches = stretchesOf(signals.usable);
+  if (stretches.empty())
+    return Error{fmt::format("Nothing in {} touches nothing for long enough to check a cause on it.", other.file)};
+  // The causes stay as they were found; a place in time belongs to the recording that they were found in.
+  Model kept = report.model;
+  std::erase_if(kept.terms, [](const Term& t) { return t.form->local; });
+  Model plain = withoutTerms(kept);
+  for (auto& term : kept.terms) term.active.assign(term.form->parameters.size(), false);
+  const Fit before = fitModel(signals, stretches, plain), after = fitModel(signals, stretches, kept);
+  DiagnosisReport::Check out;
+  out.file = other.file;
+  double count = 0.0;
+  for (const auto& s : stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      out.before.force += before.residual.col(n).head<3>().squaredNorm();
+      out.before.torque += before.residual.col(n).tail<3>().squaredNorm();
+      out.after.force += after.residual.col(n).head<3>().squaredNorm();
+      out.after.torque += after.residual.col(n).tail<3>().squaredNorm();
+      count += 3.0;
+    }
+  for (double* value : {&out.before.force, &out.before.torque, &out.after.force, &out.after.torque})
+    *value = std::sqrt(*value / count);
+  return out;
+}
+
+json modelToJson(const Model& model) {
+  json terms = json::array();
+  for (const auto& term : model.terms) {
+    json values = json::array();
+    for (Eigen::Index i = 0; i < term.v.size(); ++i) values.push_back(term.v(i));
+    terms.push_back({{"cause", term.form->cause->id()}, {"form", term.form->name}, {"choice", term.form->choice}, {"values_si", values}});
+  }
+  json x = json::array();
+  for (Eigen::Index i = 0; i < model.x.size(); ++i) x.push_back(model.x(i));
+  return {{"bias_and_parameters", x}, {"terms", terms}};
+}
+
+Result<Model> modelFromJson(const json& object, const Recording& recording, const RobotModel* robot) {
+  const Error broken{"The diagnosis holds no extended model that this version of Heft understands; run heft diagnose again."};
+  if (!object.is_object() || !object.contains("terms") || !object["terms"].is_array() ||
+      !object.contains("bias_and_parameters") || object["bias_and_parameters"].size() != kLinear)
+    return broken;
+  MotionOptions options;
+  options.cutoffHz = kDefaultCutoffHz;
+  const auto motion = motionOf(recording, robot, options);
+  if (!motion) return motion.error();
+  const Signals signals = signalsOf(recording, *motion, robot);
+  Model model;
+  for (int i = 0; i < kLinear; ++i) {
+    const json& value = object["bias_and_parameters"][static_cast<std::size_t>(i)];
+    if (!value.is_number()) return broken;
+    model.x(i) = value.get<double>();
+  }
+  for (const auto& term : object["terms"]) {
+    if (!term.is_object() || !term.contains("cause") || !term["cause"].is_string() || !term.contains("values_si")) return broken;
+    const Cause* cause = findCause(term["cause"].get<std::string>());
+    if (cause == nullptr) return broken;
+    const auto choice = term.value("choice", json::array());
+    bool found = false;
+    for (auto& form : cause->forms(signals)) {
+      if (json(form.choice) != choice || form.parameters.size() != term["values_si"].size()) continue;
+      VectorXd v(static_cast<Eigen::Index>(form.parameters.size()));
+      for (Eigen::Index i = 0; i < v.size(); ++i) {
+        const json& value = term["values_si"][static_cast<std::size_t>(i)];
+        if (!value.is_number()) return broken;
+        v(i) = value.get<double>();
+      }
+      model.terms.push_back({std::make_shared<const Form>(form), v, {}});
+      found = true;
+      break;
+    }
+    if (!found) return broken;
+  }
+  return model;
+}
+
+}  // namespace heft

@@ -1,0 +1,140 @@
+#include "core/diagnosis/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace heft::diagnosis {
+
+namespace {
+
+Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
+
+/// Moves by `step`, kept inside bounds and, for the causes' parameters, within a few realistic sizes at once.
+Model moved(const Model& from, const VectorXd& step, double factor) {
+  VectorXd all = from.packed() + factor * step;
+  const VectorXd old = from.packed();
+  Eigen::Index at = kLinear;
+  for (const auto& term : from.terms)
+    for (std::size_t p = 0; p < term.form->parameters.size(); ++p, ++at) {
+      const Parameter& parameter = term.form->parameters[p];
+      if (!term.moves(static_cast<Eigen::Index>(p))) {
+        all(at) = old(at);
+        continue;
+      }
+      const double reach = 6.0 * parameter.size;
+      all(at) = std::clamp(all(at), old(at) - reach, old(at) + reach);
+      all(at) = std::clamp(all(at), parameter.lower, parameter.upper);
+    }
+  Model out = from;
+  out.unpack(all);
+  return out;
+}
+
+double misfit(const Signals& signals, const std::vector<Stretch>& stretches, const Noise& noise, const Model& model,
+              const VectorXd& sd) {
+  const Wrenches r = signals.measured - averaged(signals, predicted(signals, model));
+  return whitened(flat(r), noise, stretches).squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
+}
+
+/// Directions of the causes' parameters that the motion tells apart from bias and payload.
+int toldDirections(const MatrixXd& information, Eigen::Index linear) {
+  const Eigen::Index n = information.rows() - linear;
+  if (n == 0) return 0;
+  const VectorXd scale = information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
+  MatrixXd A = unit.topLeftCorner(linear, linear);
+  A.diagonal().array() += 1e-9;
+  const MatrixXd B = unit.topRightCorner(linear, n);
+  const MatrixXd schur = unit.bottomRightCorner(n, n) - B.transpose() * A.ldlt().solve(B);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(schur, Eigen::EigenvaluesOnly);
+  return static_cast<int>((eigen.eigenvalues().array() > 1e-6).count());
+}
+
+}  // namespace
+
+VectorXd whisper(const Model& model) {
+  VectorXd sd(model.size());
+  sd.head(6).setConstant(1e4);
+  sd(6) = 30.0;
+  sd.segment<3>(7).setConstant(3.0);
+  sd.segment<6>(10).setConstant(1.0);
+  Eigen::Index at = kLinear;
+  for (const auto& term : model.terms)
+    for (const auto& parameter : term.form->parameters) sd(at++) = 100.0 * parameter.size;
+  return sd;
+}
+
+Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds) {
+  Fit fit;
+  fit.model = std::move(start);
+  const VectorXd sd = whisper(fit.model);
+  Linearised at = linearised(signals, fit.model);
+  fit.residual = signals.measured - at.value;
+  fit.noise = fitNoise(fit.residual, stretches);
+  double last = -1e300;
+  for (int round = 0; round < rounds; ++round) {
+    const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
+    const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
+    MatrixXd H = J.transpose() * J;
+    H.diagonal() += sd.cwiseAbs2().cwiseInverse();
+    const VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const VectorXd g = J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
+    const VectorXd step =
+        scale.asDiagonal() * (scale.asDiagonal() * H * scale.asDiagonal()).ldlt().solve(scale.asDiagonal() * g);
+    const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
+    Model next = fit.model;
+    double factor = 1.0;
+    for (int half = 0; half < 4; ++half, factor *= 0.4) {
+      next = moved(fit.model, step, factor);
+      if (fit.model.terms.empty() || misfit(signals, stretches, fit.noise, next, sd) <= before) break;
+      if (half == 3) next = fit.model;
+    }
+    fit.model = next;
+    at = linearised(signals, fit.model);
+    fit.residual = signals.measured - at.value;
+    fit.noise = fitNoise(fit.residual, stretches);
+    if (std::abs(fit.noise.evidence - last) < 0.05) break;
+    last = fit.noise.evidence;
+  }
+  const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
+  fit.information = J.transpose() * J;
+  MatrixXd H = fit.information;
+  H.diagonal() += sd.cwiseAbs2().cwiseInverse();
+  const VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+  fit.covariance = scale.asDiagonal() *
+                   (scale.asDiagonal() * H * scale.asDiagonal()).ldlt().solve(MatrixXd::Identity(H.rows(), H.cols())) *
+                   scale.asDiagonal();
+  fit.dimensions = toldDirections(fit.information, kLinear);
+  fit.evidence = fit.noise.evidence - fit.dimensions * std::log(std::max(2.0, fit.noise.samples));
+  fit.jacobian = std::move(at.jacobian);
+  for (const auto& term : fit.model.terms)
+    for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
+      const Parameter& parameter = term.form->parameters[p];
+      const double value = term.v(static_cast<Eigen::Index>(p)), margin = 1e-6 * parameter.size;
+      fit.atBound = fit.atBound || (term.moves(static_cast<Eigen::Index>(p)) &&
+                                    (value <= parameter.lower + margin || value >= parameter.upper - margin));
+    }
+  return fit;
+}
+
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
+  const VectorXd sd = whisper(fit.model);
+  Model model = fit.model;
+  for (int round = 0; round < 2; ++round) {
+    const Linearised at = round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
+    const Wrenches residual = signals.measured - at.value;
+    const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
+    const VectorXd r = whitened(flat(residual), fit.noise, stretches);
+    MatrixXd H = J.transpose() * J;
+    H.diagonal() += sd.cwiseAbs2().cwiseInverse();
+    const VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+    const VectorXd g = J.transpose() * r - model.packed().cwiseQuotient(sd.cwiseAbs2());
+    model = moved(model,
+                  scale.asDiagonal() * (scale.asDiagonal() * H * scale.asDiagonal()).ldlt().solve(scale.asDiagonal() * g),
+                  1.0);
+    if (fit.model.terms.empty()) break;
+  }
+  return model;
+}
+
+}  // namespace heft::diagnosis

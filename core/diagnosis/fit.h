@@ -1,0 +1,32 @@
+#pragma once
+// Fitting bias, payload and the causes of a model together, with the noise learned alongside.
+#include "core/diagnosis/model.h"
+#include "core/diagnosis/noise.h"
+
+namespace heft::diagnosis {
+
+struct Fit {
+  Model model;
+  Noise noise;
+  Wrenches residual;     ///< 6 x N, all blocks, judged or not
+  MatrixXd jacobian;     ///< 6N x model.size()
+  MatrixXd information;  ///< Of the whitened problem, model.size() squared, without priors
+  MatrixXd covariance;   ///< Its inverse with a whisper of prior
+  int dimensions = 0;    ///< Parameters of the causes that the motion can tell at all
+  double evidence = 0.0;
+  bool atBound = false;
+
+  VectorXd std() const { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
+};
+
+/// Gauss-Newton from `start`, the noise refitted in between, until the evidence rests. A parameter whose step is
+/// switched off (Term::active) keeps its value.
+Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds = 8);
+
+/// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+
+/// How far parameters are trusted to lie from zero before any data: tells nothing where the motion tells something.
+VectorXd whisper(const Model& model);
+
+}  // namespace heft::diagnosis

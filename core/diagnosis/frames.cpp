@@ -1,0 +1,159 @@
+#include "core/diagnosis/frames.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace heft::diagnosis {
+
+namespace {
+
+double forceRms(const Signals& signals, const Fit& fit) {
+  double sum = 0.0, count = 0.0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) {
+      sum += fit.residual.col(n).head<3>().squaredNorm();
+      count += 3.0;
+    }
+  return std::sqrt(sum / std::max(1.0, count));
+}
+
+Eigen::Matrix3Xd blockForce(const Signals& signals) {
+  Wrenches w = Wrenches::Zero(6, signals.size());
+  w.topRows<3>() = signals.kinematics.specificForce;
+  return averaged(signals, w).topRows<3>();
+}
+
+/// The turn (proper or not) that carries m s best onto the forces: the orthogonal factor of the least-squares matrix.
+std::optional<Matrix3d> bestTurn(const Signals& signals, bool proper) {
+  const Eigen::Matrix3Xd s = blockForce(signals);
+  Eigen::Matrix3Xd x(3, 0), y(3, 0);
+  std::vector<Eigen::Index> used;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) used.push_back(n);
+  x.resize(3, static_cast<Eigen::Index>(used.size()));
+  y.resize(3, x.cols());
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    x.col(i) = s.col(used[static_cast<std::size_t>(i)]);
+    y.col(i) = signals.measured.col(used[static_cast<std::size_t>(i)]).head<3>();
+  }
+  x.colwise() -= Vector3d(x.rowwise().mean());
+  y.colwise() -= Vector3d(y.rowwise().mean());
+  const Matrix3d spread = x * x.transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(spread);
+  // Gravity must have pointed three ways for a turn to be seen.
+  if (eigen.eigenvalues()(1) < 1e-3 * eigen.eigenvalues()(2)) return std::nullopt;
+  const Eigen::JacobiSVD<Matrix3d> svd(Matrix3d(y * x.transpose()), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
+  if (proper && turn.determinant() < 0.0) {
+    const Matrix3d flip = Vector3d(1, 1, -1).asDiagonal();
+    turn = svd.matrixU() * flip * svd.matrixV().transpose();
+  }
+  return Matrix3d(turn.transpose());
+}
+
+}  // namespace
+
+Signals corrected(const Signals& signals, const FrameMistake& mistake) {
+  Signals out = signals;
+  switch (mistake.kind) {
+    case FrameMistake::Kind::none:
+      break;
+    case FrameMistake::Kind::wrenchSign:
+      out.measured = -signals.measured;
+      break;
+    case FrameMistake::Kind::gravitySign:
+      out.gravity = -signals.gravity;
+      for (Eigen::Index k = 0; k < signals.size(); ++k)
+        out.kinematics.specificForce.col(k) += 2.0 * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity);
+      break;
+    case FrameMistake::Kind::transposed:
+      for (Eigen::Index k = 0; k < signals.size(); ++k) {
+        const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+        const Vector3d a = R * signals.kinematics.specificForce.col(k) + signals.gravity;
+        out.R_BS[static_cast<std::size_t>(k)] = R.transpose();
+        out.kinematics.specificForce.col(k) = R * (a - signals.gravity);
+        // Of the transpose: its rate of turning, in its own axes, is minus the original's in base axes.
+        out.kinematics.omega.col(k) = -(R * signals.kinematics.omega.col(k));
+        out.kinematics.alpha.col(k) = -(R * signals.kinematics.alpha.col(k));
+      }
+      out.robot = nullptr;
+      break;
+    case FrameMistake::Kind::turned:
+    case FrameMistake::Kind::mirrored:
+      out.measured.topRows<3>() = mistake.turn * signals.measured.topRows<3>();
+      // Swapped or inverted columns treat force and torque alike.
+      out.measured.bottomRows<3>() = mistake.turn * signals.measured.bottomRows<3>();
+      break;
+  }
+  return out;
+}
+
+std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& null) {
+  const double before = forceRms(signals, null);
+  const double mass = null.model.x(6), massStd = std::sqrt(null.covariance(6, 6));
+  // The size of what there is to explain: without it every turn fits.
+  double spread = 0.0, count = 0.0;
+  Vector3d mean = Vector3d::Zero();
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) {
+      mean += signals.measured.col(n).head<3>();
+      count += 1.0;
+    }
+  if (count < 20.0) return std::nullopt;
+  mean /= count;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) spread += (signals.measured.col(n).head<3>() - mean).squaredNorm();
+  spread = std::sqrt(spread / (3.0 * count));
+  const bool negative = mass < -5.0 * massStd && mass < -0.02;
+  if (before < 0.12 * spread && !negative) return std::nullopt;
+
+  std::vector<FrameMistake> all;
+  all.push_back({"wrench sign", "The wrench has the opposite sign: it is what the payload exerts on the sensor.",
+                 "Set sensor.wrench_sign to \"payload_on_sensor\" (or back) in the meta file.",
+                 Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::wrenchSign});
+  all.push_back({"gravity sign", "Gravity has the opposite sign: the stated vector points up where it should point down.",
+                 "Turn gravity_m_s2 round in the meta file.", Matrix3d::Identity(), before, 0.0, 0.0,
+                 FrameMistake::Kind::gravitySign});
+  all.push_back({"rotation transposed", "The orientation is stored the other way round: base in sensor instead of sensor in base.",
+                 "Invert the quaternions (qx, qy, qz with the opposite sign).", Matrix3d::Identity(), before, 0.0, 0.0,
+                 FrameMistake::Kind::transposed});
+  for (const bool proper : {true, false})
+    if (const auto turn = bestTurn(signals, proper)) {
+      FrameMistake m;
+      m.rmsBefore = before;
+      m.turn = *turn;
+      if (turn->determinant() > 0.0) {
+        m.kind = FrameMistake::Kind::turned;
+        m.angle = vectorFromRotation(*turn).norm();
+        if (m.angle < 20.0 * std::numbers::pi / 180.0) continue;
+        m.name = "sensor mounted turned";
+        const Vector3d axis = vectorFromRotation(*turn) / m.angle;
+        m.sentence = fmt::format("The sensor is mounted turned by {:.0f} degrees (axis {:.2f}, {:.2f}, {:.2f}) against the meta file.",
+                                 m.angle * 180.0 / std::numbers::pi, axis.x(), axis.y(), axis.z());
+        m.remedy = "Correct sensor.mount.rpy_rad in the meta file.";
+      } else {
+        m.kind = FrameMistake::Kind::mirrored;
+        m.name = "axes mirrored";
+        m.sentence = "The wrench's axes are mirrored: two are swapped, or one has the wrong sign.";
+        m.remedy = "Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor's manual.";
+      }
+      all.push_back(m);
+    }
+  std::optional<FrameMistake> best;
+  for (auto& mistake : all) {
+    const Signals other = corrected(signals, mistake);
+    const Fit fit = fitModel(other, stretches, Model{});
+    mistake.rmsAfter = forceRms(other, fit);
+    const double m = fit.model.x(6);
+    if (m < 3.0 * std::sqrt(fit.covariance(6, 6))) continue;  // A payload has a mass above zero.
+    const bool better = negative ? mistake.rmsAfter < 1.05 * before : mistake.rmsAfter < 0.4 * before;
+    if (!better) continue;
+    // The first of equals is the simplest.
+    if (!best || mistake.rmsAfter < 0.9 * best->rmsAfter) best = mistake;
+  }
+  return best;
+}
+
+}  // namespace heft::diagnosis

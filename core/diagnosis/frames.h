@@ -1,0 +1,25 @@
+#pragma once
+// Mistakes with frames and signs: they are too large to be small corrections, so they are tried out one by one.
+#include <optional>
+
+#include "core/diagnosis/fit.h"
+
+namespace heft::diagnosis {
+
+struct FrameMistake {
+  std::string name;      ///< "gravity points up", "rotation transposed", ...
+  std::string sentence;
+  std::string remedy;    ///< What to write into the meta file
+  Matrix3d turn = Matrix3d::Identity();  ///< Readings in true sensor axes = turn * readings as stated
+  double rmsBefore = 0, rmsAfter = 0;    ///< Force [N]
+  double angle = 0;                      ///< Of a turned mount [rad]; 0 for other mistakes
+  enum class Kind { none, gravitySign, wrenchSign, transposed, turned, mirrored } kind = Kind::none;
+};
+
+/// The mistake that, undone, leaves at most two fifths of the misfit; nothing if the recording is understood as stated.
+std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& null);
+
+/// The signals as they would be without it.
+Signals corrected(const Signals& signals, const FrameMistake& mistake);
+
+}  // namespace heft::diagnosis

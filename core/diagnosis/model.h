@@ -1,0 +1,46 @@
+#pragma once
+// Bias, payload and accepted causes together: what the sensor should have read, and how that changes with each parameter.
+#include <memory>
+#include <vector>
+
+#include "core/diagnosis/cause.h"
+
+namespace heft::diagnosis {
+
+constexpr int kLinear = 16;  ///< x = [bias force, bias torque, phi]
+
+struct Term {
+  std::shared_ptr<const Form> form;
+  VectorXd v;                ///< SI
+  std::vector<bool> active;  ///< One a parameter: false keeps it where it is. Empty: all move.
+
+  bool moves(Eigen::Index p) const { return active.empty() || active[static_cast<std::size_t>(p)]; }
+};
+
+struct Model {
+  VectorXd x = VectorXd::Zero(kLinear);
+  std::vector<Term> terms;
+
+  /// Everything in one vector: x, then the terms' parameters.
+  Eigen::Index size() const;
+  VectorXd packed() const;
+  void unpack(const VectorXd& all);
+};
+
+/// Wrench of the ten parameters under `kinematics`, 6 x K.
+Wrenches payloadWrench(const Kinematics& kinematics, const Vector10d& phi);
+
+/// What the sensor should have read at the full rate, 6 x K.
+Wrenches predicted(const Signals& signals, const Model& model);
+
+/// predicted(), averaged into blocks, and its derivatives: 6N x size(), row 6 n + channel.
+struct Linearised {
+  Wrenches value;
+  MatrixXd jacobian;
+};
+Linearised linearised(const Signals& signals, const Model& model);
+
+/// How the reading changes with each parameter in form.scan at form.start, with `model` around it: 6N x scan.size().
+MatrixXd signatures(const Signals& signals, const Model& model, const Form& form);
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/diagnosis/diagnose.h"
+
+namespace heft {
+
+using nlohmann::json;
+
+namespace {
+
+/// JSON knows no infinity.
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json payloadJson(const EstimateReport& report) {
+  json out = toJson(report.payload);
+  out["std"] = toJson(report.std);
+  out["interval95"] = toJson(report)["interval95"];
+  out["physically_consistent"] = report.physicallyConsistent;
+  return out;
+}
+
+json jsonOf(const DiagnosedCause& cause) {
+  json parameters = json::object(), when = json::array();
+  for (const auto& p : cause.parameters)
+    parameters[p.name] = {{"value", number(p.value)}, {"std", number(p.std)}, {"unit", p.unit}};
+  for (const auto& [from, to] : cause.when) when.push_back({from, to});
+  const auto& g = cause.gain;
+  return {{"cause", cause.id},
+          {"title", cause.title},
+          {"text", cause.sentence},
+          {"check", cause.check},
+          {"direct", cause.direct},
+          {"parameters", parameters},
+          {"when", when},
+          {"evidence", {{"delta_bic", number(cause.deltaBic)}, {"p_value", number(cause.pValue)}}},
+          {"gain",
+           {{"force_rms_before_n", g.forceBefore},
+            {"force_rms_after_n", g.forceAfter},
+            {"torque_rms_before_nm", g.torqueBefore},
+            {"torque_rms_after_nm", g.torqueAfter},
+            {"explained_fraction", g.explainedFraction},
+            {"explained_interval95", {g.lower, g.upper}},
+            {"blocks_better", g.blocksBetter},
+            {"blocks", g.blocks}}},
+          {"alternatives", cause.alternatives},
+          {"tell_apart", cause.tellApart}};
+}
+
+std::string payloadLine(const EstimateReport& report) {
+  const auto& p = report.payload;
+  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm", p.mass, report.std.mass, p.com.x() * 1e3,
+                     p.com.y() * 1e3, p.com.z() * 1e3);
+}
+
+}  // namespace
+
+nlohmann::json DiagnosisReport::metaChanges() const {
+  json out = json::object();
+  for (const auto& cause : causes) {
+    const auto value = [&](std::string_view name) {
+      for (const auto& p : cause.parameters)
+        if (p.name == name) return p.value;
+      return 0.0;
+    };
+    constexpr double kRad = 3.14159265358979323846 / 180.0;
+    if (cause.id == "sensor_rotation" || (cause.id == "frame_error" && !cause.parameters.empty())) {
+      const Matrix3d R = rotationFromRpy(meta.mount.rpy) *
+                         rotationFromVector(Vector3d(value("rx"), value("ry"), value("rz")) * kRad);
+      const Vector3d rpy = rpyFromRotation(R);
+      out["sensor"]["mount"]["rpy_rad"] = {rpy.x(), rpy.y(), rpy.z()};
+    } else if (cause.id == "lever_arm") {
+      const Vector3d xyz =
+          meta.mount.xyz + rotationFromRpy(meta.mount.rpy) * Vector3d(value("dx"), value("dy"), value("dz")) * 1e-3;
+      out["sensor"]["mount"]["xyz_m"] = {xyz.x(), xyz.y(), xyz.z()};
+    }
+  }
+  for (const auto& term : model.terms) {
+    if (term.form->cause->id() != "gravity_tilt") continue;
+    diagnosis::Signals one;
+    one.gravity = meta.gravity;
+    one.R_BS = {Matrix3d::Identity()};
+    one.kinematics.specificForce = -meta.gravity;
+    diagnosis::Kinematics bent = one.kinematics;
+    bent.omega = bent.alpha = Eigen::Matrix3Xd::Zero(3, 1);
+    one.kinematics.omega = one.kinematics.alpha = bent.omega;
+    term.form->cause->geometry(*term.form, term.v, one, bent);
+    const Vector3d g = -bent.specificForce.col(0);
+    out["gravity_m_s2"] = {g.x(), g.y(), g.z()};
+  }
+  for (const auto& cause : causes) {
+    if (cause.id != "frame_error" || !cause.parameters.empty()) continue;
+    if (cause.sentence.find("wrench has the opposite sign") != std::string::npos)
+      out["sensor"]["wrench_sign"] =
+          meta.wrenchSign == WrenchSign::sensorOnPayload ? "payload_on_sensor" : "sensor_on_payload";
+    if (cause.sentence.find("Gravity has the opposite sign") != std::string::npos)
+      out["gravity_m_s2"] = {-meta.gravity.x(), -meta.gravity.y(), -meta.gravity.z()};
+  }
+  return out;
+}
+
+nlohmann::json toJson(const DiagnosisReport& report) {
+  json causes = json::array(), smallest = json::array(), findings = json::array();
+  for (const auto& cause : report.causes) causes.push_back(jsonOf(cause));
+  for (const auto& s : report.smallest)
+    if (std::isfinite(s.value))
+      smallest.push_back({{"cause", s.cause}, {"parameter", s.parameter}, {"value", s.value}, {"unit", s.unit}});
+    else
+      smallest.push_back({{"cause", s.cause}, {"parameter", s.parameter}, {"value", nullptr}, {"unit", s.unit}});
+  for (const auto& finding : report.findings) {
+    json f = {{"severity", toString(finding.severity)}, {"code", finding.code}, {"text", finding.text}};
+    if (!finding.remedy.empty()) f["remedy"] = finding.remedy;
+    findings.push_back(f);
+  }
+  json out = {{"schema", "heft.diagnose/1"},
+              {"file", report.file},
+              {"verdict", toString(report.verdict)},
+              {"text", report.sentence},
+              {"baseline",
+               {{"force_rms_n", report.baseline.force},
+                {"torque_rms_nm", report.baseline.torque},
+                {"noise_force_rms_n", report.noise.force},
+                {"noise_torque_rms_nm", report.noise.torque}}},
+              {"causes", causes},
+              {"remaining",
+               {{"goes_with", report.remaining.goesWith},
+                {"delta_bic", number(report.remaining.gain)},
+                {"share", report.remaining.share}}},
+              {"threshold", report.threshold},
+              {"surrogates", report.surrogates},
+              {"payload_before", payloadJson(report.before)},
+              {"payload_after", payloadJson(report.after)},
+              {"smallest_visible", smallest},
+              {"meta_changes", report.metaChanges()},
+              {"model", modelToJson(report.model)},
+              {"timing_s", {{"total", report.seconds}}},
+              {"findings", findings}};
+  if (report.check)
+    out["check"] = {{"file", report.check->file},
+                    {"force_rms_before_n", report.check->before.force},
+                    {"force_rms_after_n", report.check->after.force},
+                    {"torque_rms_before_nm", report.check->before.torque},
+                    {"torque_rms_after_nm", report.check->after.torque}};
+  return out;
+}
+
+std::string toText(const DiagnosisReport& report) {
+  std::string out = report.sentence + "\n\n";
+  out += fmt::format("Misfit of the plain model  {:.3f} N  {:.4f} N m\nNoise floor                {:.3f} N  {:.4f} N m\n",
+                     report.baseline.force, report.baseline.torque, report.noise.force, report.noise.torque);
+  int number = 0;
+  for (const auto& cause : report.causes) {
+    out += fmt::format("\n{}. {} ({})\n   {}\n", ++number, cause.title, cause.id, cause.sentence);
+    for (const auto& p : cause.parameters)
+      out += p.std > 0.0 ? fmt::format("   {:<18} {} {}\n", p.name, diagnosis::plusMinus(p.value, p.std), p.unit)
+                         : fmt::format("   {:<18} {:.4g} {}\n", p.name, p.value, p.unit);
+    for (const auto& [from, to] : cause.when) out += fmt::format("   from {:.2f} to {:.2f} s\n", from, to);
+    if (cause.gain.blocks > 0)
+      out += fmt::format("   Unseen stretches: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m; better in {} of {}\n", cause.gain.forceBefore,
+                         cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter, cause.gain.blocksBetter,
+                         cause.gain.blocks);
+    if (!cause.direct && report.surrogates > 0)
+      out += fmt::format("   Evidence {:.0f}; on {} simulated clean recordings never above {:.1f} in 95 %\n", cause.deltaBic,
+                         report.surrogates, report.threshold);
+    if (!cause.alternatives.empty())
+      out += fmt::format("   This motion cannot tell it from: {}\n   To tell them apart: {}\n",
+                         fmt::join(cause.alternatives, ", "), cause.tellApart);
+    out += fmt::format("   Check: {}\n", cause.check);
+  }
+  if (report.verdict == Verdict::unexplained)
+    out += fmt::format("\nUnknown: {:.1f} % of what is left goes with {}; no cause in the catalogue accounts for it.\n",
+                       100.0 * report.remaining.share, report.remaining.goesWith);
+  if (!report.causes.empty())
+    out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before), payloadLine(report.after));
+  if (report.check)
+    out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n", report.check->file, report.check->before.force,
+                       report.check->after.force, report.check->before.torque, report.check->after.torque);
+  std::string unseen;
+  for (const auto& s : report.smallest)
+    if (std::isfinite(s.value)) unseen += fmt::format("  {:<18} below {:.2g} {} ({})\n", s.cause, s.value, s.unit, s.parameter);
+  if (!unseen.empty()) out += "\nCould not have been seen with this motion:\n" + unseen;
+  return out;
+}
+
+}  // namespace heft

@@ -1,0 +1,177 @@
+#include "core/diagnosis/sample_tests.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/estimation/prepare.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr const char* kChannels[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
+
+bool sameRow(const Recording& recording, Eigen::Index i) {
+  return (recording.wrench.row(i).array() == recording.wrench.row(i - 1).array()).all();
+}
+
+/// Rows at a channel's extreme value, in runs that noise would not leave flat.
+std::optional<Direct> saturation(const Recording& recording) {
+  Direct out;
+  const Eigen::Index n = recording.rows();
+  out.rows.assign(static_cast<std::size_t>(n), false);
+  std::string channels;
+  Eigen::Index clipped = 0;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const auto y = recording.wrench.col(c);
+    for (const bool top : {true, false}) {
+      const double level = top ? y.maxCoeff() : y.minCoeff();
+      // Runs of equal values that are not rows repeated as a whole.
+      std::vector<std::pair<Eigen::Index, Eigen::Index>> runs;
+      Eigen::Index at = 0, otherRuns = 0, longest = 0;
+      for (Eigen::Index i = 0; i < n;) {
+        Eigen::Index j = i + 1, distinct = 1;
+        while (j < n && y(j) == y(i)) distinct += sameRow(recording, j++) ? 0 : 1;
+        if (y(i) == level) {
+          at += distinct;
+          runs.push_back({i, j});
+          longest = std::max(longest, distinct);
+        } else {
+          otherRuns = std::max(otherRuns, distinct);
+        }
+        i = j;
+      }
+      // A channel that never moves is dead, not clipped; coarse steps make runs everywhere.
+      if (at < 6 || longest < 4 || longest < 2 * otherRuns || y.maxCoeff() == y.minCoeff()) continue;
+      for (const auto& [from, to] : runs)
+        for (Eigen::Index i = from; i < to; ++i) {
+          if (!out.rows[static_cast<std::size_t>(i)]) ++clipped;
+          out.rows[static_cast<std::size_t>(i)] = true;
+        }
+      out.parameters.push_back({fmt::format("level_{}", kChannels[c]), c < 3 ? "N" : "N m", level, 0.0});
+      channels += (channels.empty() ? "" : ", ") + std::string(kChannels[c]);
+    }
+  }
+  if (clipped == 0) return std::nullopt;
+  const double share = 100.0 * static_cast<double>(clipped) / static_cast<double>(n);
+  out.cause = "saturation";
+  out.parameters.push_back({"share", "%", share, 0.0});
+  out.sentence = fmt::format("The sensor reaches the end of its range ({}) in {:.2g} % of the readings.", channels, share);
+  out.words = {"Sensor at its limit", "Use a sensor or a range setting that fits the load; check its zero.",
+               "Repeat the motion more slowly, or with a lighter tool.", {}};
+  return out;
+}
+
+std::optional<Direct> spikes(const Recording& recording) {
+  Eigen::Index replaced = 0;
+  withoutSpikes(recording.wrench, replaced);
+  if (replaced < 3) return std::nullopt;
+  Direct out;
+  const double share = 100.0 * static_cast<double>(replaced) / static_cast<double>(recording.rows());
+  out.cause = "spikes";
+  out.parameters = {{"count", "", static_cast<double>(replaced), 0.0}, {"share", "%", share, 0.0}};
+  out.sentence = fmt::format("{} readings are isolated spikes; they were replaced by their neighbours' median.", replaced);
+  out.words = {"Spikes", "Check the sensor's cable and connector, and what switches on nearby.",
+               "Hold still for a few seconds: spikes come without motion.", {}};
+  return out;
+}
+
+/// Readings that were held, zeroed or left out.
+std::optional<Direct> dropouts(const Recording& recording) {
+  const Eigen::Index n = recording.rows();
+  Eigen::Index held = 0, zeros = 0, missing = 0;
+  for (Eigen::Index i = 1; i < n;) {
+    if (!sameRow(recording, i)) {
+      ++i;
+      continue;
+    }
+    const Eigen::Index from = i;
+    while (i < n && sameRow(recording, i)) ++i;
+    // A smooth signal in coarse steps repeats, too, but then goes on by a step in one channel or two; where readings were
+    // held back, nearly all channels have moved on.
+    if (i >= n || (recording.wrench.row(i).array() != recording.wrench.row(i - 1).array()).count() >= 4) held += i - from;
+  }
+  for (Eigen::Index i = 0; i < n; ++i)
+    if ((recording.wrench.row(i).array() == 0.0).all()) ++zeros;
+  const double step = recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
+  for (Eigen::Index i = 1; i < n && step > 0.0; ++i) {
+    const double gap = (recording.time(i) - recording.time(i - 1)) / step;
+    if (gap > 1.7) missing += static_cast<Eigen::Index>(std::lround(gap)) - 1;
+  }
+  const double total = static_cast<double>(n);
+  const double lost = static_cast<double>(held + missing) / total;
+  if (lost < 0.002 && zeros < 3) return std::nullopt;
+  Direct out;
+  out.cause = "dropouts";
+  out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
+                    {"zero", "%", 100.0 * static_cast<double>(zeros) / total, 0.0},
+                    {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
+  out.sentence = zeros >= 3 ? fmt::format("{} readings of the sensor are zero throughout: lost packets.", zeros)
+                 : missing > held
+                     ? fmt::format("{} readings are missing.", missing)
+                     : fmt::format("{:.2g} % of the force readings repeat the one before: the sensor was asked faster than it "
+                                   "answers, or packets were lost.",
+                                   100.0 * static_cast<double>(held) / total);
+  out.words = {"Lost or repeated readings", "Check the connection to the sensor, and record at the sensor's own rate.",
+               "None is needed: the readings show it.", {"time_offset"}};
+  if (zeros >= 3) {
+    out.rows.assign(static_cast<std::size_t>(n), false);
+    for (Eigen::Index i = 0; i < n; ++i)
+      out.rows[static_cast<std::size_t>(i)] = (recording.wrench.row(i).array() == 0.0).all();
+  }
+  return out;
+}
+
+/// Reported joint velocities against the derivative of the reported angles.
+std::vector<Direct> velocities(const Recording& recording, const Motion& motion) {
+  std::vector<Direct> out;
+  if (recording.dq.rows() == 0 || motion.q.cols() != motion.size() || motion.size() < 50) return out;
+  const MatrixXd slope = rateOf(motion.q, motion.rateHz), bend = rateOf(slope, motion.rateHz);
+  Eigen::Index row = 0;
+  double energy = 0, cross = 0, speed = 0, along = 0;
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    while (row + 1 < recording.rows() && recording.time(row) < motion.time(k)) ++row;
+    const VectorXd reported = recording.dq.row(row).transpose(), dq = slope.col(k), ddq = bend.col(k);
+    energy += ddq.squaredNorm();
+    cross += (reported - dq).dot(ddq);
+    speed += dq.squaredNorm();
+    along += reported.dot(dq);
+  }
+  if (!(energy > 0.0) || !(speed > 0.0)) return out;
+  const double lag = -cross / energy, scale = along / speed;
+  if (lag > 0.003) {
+    Direct late;
+    late.cause = "motion_lag";
+    late.parameters = {{"lag", "ms", lag * 1e3, 1.0}};
+    late.sentence = fmt::format("The reported joint velocities lag behind the joint angles by {:.0f} ms; Heft uses the angles.",
+                                lag * 1e3);
+    late.words = findCause("motion_lag")->words();
+    out.push_back(late);
+  }
+  if (std::abs(scale - 1.0) > 0.03) {
+    Direct wrong;
+    wrong.cause = "derivative_noise";
+    wrong.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
+    wrong.sentence = fmt::format("The reported joint velocities are {:.0f} % off the slope of the joint angles; Heft uses the "
+                                 "angles.", 100.0 * (scale - 1.0));
+    wrong.words = findCause("derivative_noise")->words();
+    out.push_back(wrong);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion) {
+  std::vector<Direct> out;
+  if (auto found = saturation(recording)) out.push_back(std::move(*found));
+  if (auto found = dropouts(recording)) out.push_back(std::move(*found));
+  if (auto found = spikes(recording)) out.push_back(std::move(*found));
+  for (auto& found : velocities(recording, motion)) out.push_back(std::move(found));
+  return out;
+}
+
+}  // namespace heft::diagnosis

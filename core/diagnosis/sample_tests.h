@@ -1,0 +1,30 @@
+#pragma once
+// What single samples show, before any model: clipping, spikes, lost and repeated readings, velocities that lag.
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/cause.h"
+#include "core/motion/motion.h"
+
+namespace heft::diagnosis {
+
+/// A cause that was seen directly rather than fitted.
+struct Direct {
+  std::string cause;
+  struct Value {
+    std::string name, unit;
+    double value = 0.0, std = 0.0;  ///< In `unit`
+  };
+  std::vector<Value> parameters;
+  std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
+  std::string sentence;
+  Words words;
+  double pValue = 0.0;
+  std::vector<std::string> alternatives;
+  std::vector<bool> rows;  ///< Of the recording: not to be trusted; empty: all are fine.
+};
+
+/// Tests on a recording as it was read; `motion` as worked out from it.
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion);
+
+}  // namespace heft::diagnosis

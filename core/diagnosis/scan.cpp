@@ -1,0 +1,182 @@
+#include "core/diagnosis/scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <map>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kFinerChoice = 6.0;
+
+Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
+
+/// One way of weighting the rows.
+class Weighting {
+ public:
+  Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit)
+      : noise_(noise), stretches_(stretches), fit_(fit) {
+    J_ = whitened(fit.jacobian, noise, stretches);
+    r_ = whitened(flat(fit.residual), noise, stretches);
+    MatrixXd H = J_.transpose() * J_;
+    H.diagonal() += whisper(fit.model).cwiseAbs2().cwiseInverse();
+    const VectorXd s = H.diagonal().cwiseSqrt().cwiseInverse();
+    inverse_ = s.asDiagonal() * (s.asDiagonal() * H * s.asDiagonal()).ldlt().solve(MatrixXd::Identity(H.rows(), H.cols())) *
+               s.asDiagonal();
+    Jr_ = J_.transpose() * r_;
+  }
+
+  struct Answer {
+    VectorXd gamma;
+    std::vector<bool> kept;
+    double score = -1e300;
+  };
+
+  /// Standard deviation of each scanned parameter if it were the only one.
+  VectorXd deviations(const MatrixXd& columns) const {
+    const MatrixXd C = whitened(columns, noise_, stretches_);
+    const MatrixXd JC = J_.transpose() * C;
+    VectorXd out(C.cols());
+    for (Eigen::Index i = 0; i < C.cols(); ++i) {
+      const double own = C.col(i).squaredNorm(), left = own - JC.col(i).dot(inverse_ * JC.col(i));
+      out(i) = left > 1e-6 * own && own > 0.0 ? 1.0 / std::sqrt(left) : std::numeric_limits<double>::infinity();
+    }
+    return out;
+  }
+
+  Answer judge(const Signature& signature, double lnN) const {
+    const MatrixXd C = whitened(signature.columns, noise_, stretches_);
+    const MatrixXd JC = J_.transpose() * C;
+    const MatrixXd own = C.transpose() * C;
+    const MatrixXd G = own - JC.transpose() * inverse_ * JC;
+    const VectorXd g = C.transpose() * r_ - JC.transpose() * (inverse_ * Jr_);
+    const Eigen::Index d = C.cols();
+    Answer out;
+    out.kept.assign(static_cast<std::size_t>(d), true);
+    // What bias and payload can do as well is no direction of the cause.
+    for (Eigen::Index i = 0; i < d; ++i)
+      if (!(G(i, i) > 1e-6 * own(i, i)) || own(i, i) <= 0.0) out.kept[static_cast<std::size_t>(i)] = false;
+    for (;;) {
+      std::vector<Eigen::Index> free;
+      for (Eigen::Index i = 0; i < d; ++i)
+        if (out.kept[static_cast<std::size_t>(i)]) free.push_back(i);
+      out.gamma = VectorXd::Zero(d);
+      if (free.empty()) return out;
+      const auto size = static_cast<Eigen::Index>(free.size());
+      MatrixXd Gf(size, size);
+      VectorXd gf(size);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        gf(i) = g(free[static_cast<std::size_t>(i)]);
+        for (Eigen::Index j = 0; j < size; ++j)
+          Gf(i, j) = G(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(j)]);
+      }
+      const VectorXd s = Gf.diagonal().cwiseSqrt().cwiseInverse();
+      MatrixXd unit = s.asDiagonal() * Gf * s.asDiagonal();
+      unit.diagonal().array() += 1e-9;
+      const MatrixXd inverse = unit.ldlt().solve(MatrixXd::Identity(size, size));
+      const VectorXd gamma = s.asDiagonal() * (inverse * (s.asDiagonal() * gf));
+      // The least telling one goes, as long as its evidence does not pay for it.
+      Eigen::Index weakest = -1;
+      double least = lnN;
+      for (Eigen::Index i = 0; signature.form.subset && i < size; ++i) {
+        const double z2 = gamma(i) * gamma(i) / (s(i) * s(i) * std::max(1e-300, inverse(i, i)));
+        if (z2 < least) {
+          least = z2;
+          weakest = i;
+        }
+      }
+      if (weakest >= 0) {
+        out.kept[static_cast<std::size_t>(free[static_cast<std::size_t>(weakest)])] = false;
+        continue;
+      }
+      for (Eigen::Index i = 0; i < size; ++i) out.gamma(free[static_cast<std::size_t>(i)]) = gamma(i);
+      break;
+    }
+    const auto dimensions = std::count(out.kept.begin(), out.kept.end(), true);
+    // The other parameters give way; then the noise is learned anew.
+    const VectorXd delta = inverse_ * (Jr_ - JC * out.gamma);
+    Wrenches residual = fit_.residual;
+    Eigen::Map<VectorXd>(residual.data(), residual.size()) -= signature.columns * out.gamma + fit_.jacobian * delta;
+    out.score = fitNoise(residual, stretches_).evidence - fit_.noise.evidence - static_cast<double>(dimensions) * lnN;
+    return out;
+  }
+
+ private:
+  const Noise& noise_;
+  const std::vector<Stretch>& stretches_;
+  const Fit& fit_;
+  MatrixXd J_, inverse_;
+  VectorXd r_, Jr_;
+};
+
+}  // namespace
+
+std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
+                                    const std::vector<std::string>& hidden) {
+  std::vector<Signature> bank;
+  for (const auto& cause : catalogue()) {
+    if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
+    for (auto& form : cause->forms(signals)) bank.push_back({std::move(form), {}});
+  }
+  const auto fill = [&](std::size_t first) {
+    for (std::size_t i = first; i < bank.size(); i += 2) bank[i].columns = signatures(signals, model, bank[i].form);
+  };
+  auto other = std::async(std::launch::async, fill, std::size_t{1});
+  fill(0);
+  other.get();
+  return bank;
+}
+
+VectorXd leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const Signature& signature, double threshold) {
+  const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  return std::sqrt(threshold + lnN) * Weighting(fit.noise, stretches, fit).deviations(signature.columns);
+}
+
+std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
+                            const std::vector<Signature>& bank) {
+  const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  std::map<const Cause*, int> forms;
+  for (const auto& signature : bank) ++forms[signature.form.cause];
+  const Noise flatNoise = white(fit.residual, stretches);
+  const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
+  std::vector<Candidate> out(bank.size());
+  const auto judge = [&](std::size_t first) {
+    for (std::size_t i = first; i < bank.size(); i += 2) {
+      Weighting::Answer best = coloured.judge(bank[i], lnN);
+      Weighting::Answer other = plain.judge(bank[i], lnN);
+      if (other.score > best.score) best = std::move(other);
+      const Form& form = bank[i].form;
+      Candidate& candidate = out[i];
+      candidate.form = form;
+      candidate.v = form.start;
+      candidate.choicePenalty = 2.0 * std::log(static_cast<double>(forms.at(form.cause)));
+      // What moves between the forms, such as a frequency, has been chosen from more than their number.
+      if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
+      candidate.score = best.score - candidate.choicePenalty;
+      if (best.score <= -1e299) continue;
+      candidate.active.assign(form.parameters.size(), true);
+      for (std::size_t j = 0; j < form.scan.size(); ++j) {
+        const auto p = static_cast<std::size_t>(form.scan[j]);
+        const Parameter& parameter = form.parameters[p];
+        candidate.active[p] = best.kept[j];
+        const double value = form.start(form.scan[j]) + best.gamma(static_cast<Eigen::Index>(j));
+        candidate.v(form.scan[j]) = std::clamp(value, parameter.lower, parameter.upper);
+      }
+      // The wrong sign of the one thing that a form is about: it does not explain anything.
+      const auto only = static_cast<std::size_t>(form.scan[0]);
+      const double lower = form.parameters[only].lower;
+      if (form.scan.size() == 1 && lower == form.start(form.scan[0]) && candidate.v(form.scan[0]) == lower)
+        candidate.score = -1e300;
+    }
+  };
+  auto second = std::async(std::launch::async, judge, std::size_t{1});
+  judge(0);
+  second.get();
+  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return out;
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,227 @@
+#include "core/diagnosis/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <map>
+
+#include "core/diagnosis/wandering.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
+constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
+constexpr double kTie = 10.0;      ///< Evidence within which two causes are equal
+
+std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
+
+bool contains(const Model& model, std::string_view cause) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) { return causeOf(t) == cause; });
+}
+
+struct Trial {
+  std::string cause;
+  Fit fit;
+  double penalty = 0.0;
+  double gain = -1e300;
+};
+
+/// Better first; forms of one cause keep their order among themselves.
+void sortByGain(std::vector<Trial>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) { return a.gain > b.gain; });
+}
+
+/// The model with its last term's time moved to where the evidence is best: the time of an event has many local optima,
+/// so it is looked for on ever finer grids before everything moves together.
+Model timed(const Signals& signals, const std::vector<Stretch>& stretches, Model model) {
+  Term& term = model.terms.back();
+  const std::vector<bool> free = term.active;
+  term.active.assign(term.form->parameters.size(), true);
+  for (std::size_t p = 0; p < free.size(); ++p) term.active[p] = free[p];
+  term.active[0] = false;
+  double best = -1e300;
+  for (const double step : {0.2, 0.05}) {
+    const Model centre = model;
+    for (int i = -2; i <= 2; ++i) {
+      if (i == 0 && best > -1e299) continue;
+      Model trial = centre;
+      trial.terms.back().v(0) += i * step;
+      const Fit fit = fitModel(signals, stretches, std::move(trial), 3);
+      if (fit.evidence > best) {
+        best = fit.evidence;
+        model = fit.model;
+      }
+    }
+  }
+  model.terms.back().active = free;
+  return model;
+}
+
+Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Candidate& candidate) {
+  Trial out;
+  out.cause = candidate.form.cause->id();
+  Model model = base.model;
+  model.terms.push_back({std::make_shared<const Form>(candidate.form), candidate.v, candidate.active});
+  if (candidate.form.local && candidate.score > 0.0) model = timed(signals, stretches, std::move(model));
+  out.penalty = candidate.choicePenalty;
+  out.fit = fitModel(signals, stretches, std::move(model), 3);
+  if (out.fit.model.terms.size() > base.model.terms.size() && (out.cause == "bias_drift" || out.cause == "sensor_bias") &&
+      !beyondWandering(signals, stretches, base, out.fit))
+    return out;
+  if (believable(out.fit)) out.gain = out.fit.evidence - base.evidence - candidate.choicePenalty;
+  return out;
+}
+
+/// Full fits of the most promising causes, best first: several forms of the first few, since what sets them apart may
+/// show only when everything moves.
+std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                          const std::vector<Candidate>& ranked, std::size_t causes) {
+  std::vector<const Candidate*> chosen;
+  std::map<std::string_view, int> forms;
+  for (const auto& candidate : ranked) {
+    if (candidate.score < -30.0) break;
+    const auto id = candidate.form.cause->id();
+    auto known = forms.find(id);
+    if (known == forms.end()) {
+      if (forms.size() >= causes) continue;
+      known = forms.emplace(id, 0).first;
+    }
+    // Neighbours in time, or in frequency, are the same event: the best start is enough.
+    const int most = candidate.form.local ? 1 : forms.size() <= 3 ? 4 : 2;
+    if (known->second >= most) continue;
+    ++known->second;
+    chosen.push_back(&candidate);
+  }
+  std::vector<Trial> all(chosen.size());
+  const auto run = [&](std::size_t first) {
+    for (std::size_t i = first; i < chosen.size(); i += 2) all[i] = tried(signals, stretches, base, *chosen[i]);
+  };
+  auto other = std::async(std::launch::async, run, std::size_t{1});
+  run(0);
+  other.get();
+  sortByGain(all);
+  // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest.
+  const std::size_t finished = std::min(kFinished, all.size());
+  const auto finish = [&](std::size_t first) {
+    for (std::size_t i = first; i < finished; i += 2) {
+      if (all[i].gain < -1e299) continue;
+      all[i].fit = fitModel(signals, stretches, all[i].fit.model);
+      all[i].gain = believable(all[i].fit) ? all[i].fit.evidence - base.evidence - all[i].penalty : -1e300;
+    }
+  };
+  auto rest = std::async(std::launch::async, finish, std::size_t{1});
+  finish(0);
+  rest.get();
+  sortByGain(all);
+  return all;
+}
+
+std::vector<Signature> kept(std::vector<Signature> bank, const Model& model) {
+  // A form with a place of its own may come again; any other that is already in cannot add anything.
+  std::erase_if(bank, [&](const Signature& s) {
+    if (s.form.local) return false;
+    return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
+      return t.form->cause == s.form.cause && t.form->name == s.form.name;
+    });
+  });
+  return bank;
+}
+
+/// Takes out again what the others have made needless.
+Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold) {
+  for (std::size_t i = 0; fit.model.terms.size() > 1 && i < fit.model.terms.size();) {
+    Model less = fit.model;
+    less.terms.erase(less.terms.begin() + static_cast<std::ptrdiff_t>(i));
+    Fit refit = fitModel(signals, stretches, std::move(less));
+    if (believable(refit) && fit.evidence - refit.evidence < threshold) {
+      fit = std::move(refit);
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  return fit;
+}
+
+}  // namespace
+
+bool believable(const Fit& fit) {
+  if (fit.atBound) return false;
+  const double mass = fit.model.x(6), sd = std::sqrt(std::max(0.0, fit.covariance(6, 6)));
+  if (mass < -3.0 * sd || mass > 60.0) return false;
+  if (!fit.model.packed().allFinite()) return false;
+  const Vector3d com = Vector3d(fit.model.x.segment<3>(7)) / std::max(mass, 0.02);
+  return com.norm() < 1.5;
+}
+
+Model without(const Model& model, std::string_view cause) {
+  Model out = model;
+  std::erase_if(out.terms, [&](const Term& t) { return causeOf(t) == cause; });
+  return out;
+}
+
+Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
+              const Progress& progress) {
+  Search out;
+  out.null = fitModel(signals, stretches, Model{});
+  out.final = out.null;
+  std::vector<std::string> order;
+  std::map<std::string, double> missed;
+  for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
+    progress(0.1 + 0.1 * step, "Trying causes");
+    const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
+    auto all = trials(signals, stretches, out.final, scan(stretches, out.final, bank), kTried);
+    for (const auto& trial : all) {
+      if (trial.gain > -1e299 && !contains(out.final.model, trial.cause)) {
+        double& best = missed.try_emplace(trial.cause, -1e300).first->second;
+        best = std::max(best, trial.gain);
+      }
+    }
+    if (all.empty() || all.front().gain < options.threshold) break;
+    // A richer form of what is already named comes before a second name, unless that one explains clearly more.
+    Trial* chosen = &all.front();
+    for (auto& trial : all)
+      if (contains(out.final.model, trial.cause) && trial.gain > options.threshold && trial.gain > 0.7 * all.front().gain) {
+        chosen = &trial;
+        break;
+      }
+    if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
+    out.final = prunedOf(signals, stretches, std::move(chosen->fit), options.threshold);
+    missed.clear();
+  }
+  // Each cause once more, against everything that could stand in its place now.
+  for (std::size_t pass = 0, changed = 1; pass < 3 && changed != 0 && !progress.cancelled(); ++pass) {
+    changed = 0;
+    out.found.clear();
+    for (const auto& cause : std::vector<std::string>(order)) {
+      if (!contains(out.final.model, cause) || progress.cancelled()) continue;
+      progress(0.8, "Comparing what could stand in its place");
+      Found found;
+      found.cause = cause;
+      const Fit rest = fitModel(signals, stretches, without(out.final.model, cause));
+      found.gain = out.final.evidence - rest.evidence;
+      const auto bank = kept(signaturesOf(signals, rest.model, options.hidden), rest.model);
+      const auto all = trials(signals, stretches, rest, scan(stretches, rest, bank), kTried);
+      std::map<std::string, const Trial*> best;
+      for (const auto& trial : all)
+        if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)
+          found.rivals.push_back({trial.cause, found.gain - trial.gain});
+      std::stable_sort(found.rivals.begin(), found.rivals.end(),
+                       [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
+      if (!found.rivals.empty() && found.rivals.front().behind < -2.0) {
+        out.final = prunedOf(signals, stretches, best.at(found.rivals.front().cause)->fit, options.threshold);
+        *std::find(order.begin(), order.end(), cause) = found.rivals.front().cause;
+        changed = 1;
+        break;
+      }
+      std::erase_if(found.rivals, [](const Rival& r) { return r.behind > 3.0 * kTie; });
+      out.found.push_back(std::move(found));
+    }
+  }
+  out.missed.assign(missed.begin(), missed.end());
+  return out;
+}
+
+}  // namespace heft::diagnosis

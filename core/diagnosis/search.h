@@ -1,0 +1,45 @@
+#pragma once
+// Naming causes one after the other, each by the evidence it adds, with a look back after every step.
+#include "core/base/progress.h"
+#include "core/diagnosis/scan.h"
+
+namespace heft::diagnosis {
+
+/// Gain of evidence (difference of BIC) that a cause needs at least.
+constexpr double kThreshold = 10.0;
+
+struct SearchOptions {
+  double threshold = kThreshold;
+  int maxTerms = 7;
+  std::vector<std::string> hidden;  ///< Causes that are not looked for, by ID.
+};
+
+/// A cause that explains a step (almost) as well.
+struct Rival {
+  std::string cause;
+  double behind = 0.0;  ///< Evidence that it lacks against the accepted one
+};
+
+struct Found {
+  std::string cause;
+  double gain = 0.0;  ///< Evidence lost if it is taken out of the final model again
+  std::vector<Rival> rivals;  ///< Tried in its place, best first
+};
+
+struct Search {
+  Fit null;   ///< Bias and payload alone
+  Fit final;  ///< With everything accepted
+  std::vector<Found> found;  ///< By cause, in the order of acceptance
+  std::vector<std::pair<std::string, double>> missed;  ///< Best gains of evidence of causes that were not accepted
+};
+
+/// Terms of `cause` are one cause: `without` takes them all out.
+Model without(const Model& model, std::string_view cause);
+
+Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
+              const Progress& progress);
+
+/// False for a payload or parameters that cannot be: then a fit explains nothing.
+bool believable(const Fit& fit);
+
+}  // namespace heft::diagnosis

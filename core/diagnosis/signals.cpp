@@ -1,0 +1,132 @@
+#include "core/diagnosis/signals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace heft::diagnosis {
+
+Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
+  Signals out;
+  out.startTime = motion.startTime;
+  out.rateHz = motion.rateHz;
+  out.kinematics = {motion.specificForce, motion.omega, motion.alpha};
+  out.R_BS = motion.R_BS;
+  out.velocity = motion.velocity;
+  out.position = motion.position;
+  out.gravity = recording.meta.gravity;
+  out.positionKnown = motion.originAccelerationKnown;
+  if (robot != nullptr && motion.q.cols() == motion.size()) {
+    if (const auto link = robot->findLink(recording.meta.mount.parent)) {
+      out.robot = robot;
+      out.link = *link;
+      out.X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+      out.q = motion.q;
+      out.dq = motion.dq;
+      out.ddq = motion.ddq;
+    }
+  }
+  out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / 50.0)));
+  out.measured = averaged(out, motion.wrench);
+  out.usable.assign(static_cast<std::size_t>(out.blocks()), true);
+  return out;
+}
+
+Kinematics withJointOffset(const Signals& signals, int joint, double offset) {
+  Kinematics out;
+  const Eigen::Index n = signals.size();
+  out.specificForce.resize(3, n);
+  out.omega.resize(3, n);
+  out.alpha.resize(3, n);
+  VectorXd q(signals.q.rows()), dq(signals.q.rows()), ddq(signals.q.rows());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    q = signals.q.col(k);
+    dq = signals.dq.col(k);
+    ddq = signals.ddq.col(k);
+    q(joint) += offset;
+    const FrameMotion frame = signals.robot->frameMotion(signals.link, signals.X_LS, q, dq, ddq);
+    const Matrix3d R = frame.X_BS.linear();
+    out.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - signals.gravity);
+    out.omega.col(k) = R.transpose() * frame.w_BS_B;
+    out.alpha.col(k) = R.transpose() * frame.alpha_BS_B;
+  }
+  return out;
+}
+
+Wrenches averaged(const Signals& signals, const Wrenches& wrench) {
+  const int m = signals.samplesPerBlock;
+  Wrenches out(6, wrench.cols() / m);
+  for (Eigen::Index n = 0; n < out.cols(); ++n) {
+    out.col(n) = wrench.col(n * m);
+    for (int i = 1; i < m; ++i) out.col(n) += wrench.col(n * m + i);
+    out.col(n) /= m;
+  }
+  return out;
+}
+
+Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz) {
+  const Eigen::Index n = value.cols();
+  Eigen::MatrixXd out(value.rows(), n);
+  const double shift = delay * rateHz;
+  const double whole = std::floor(-shift);
+  const double u = -shift - whole;  // Between the samples at 0 and 1 of four at -1, 0, 1, 2.
+  const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
+                                     -(u + 1.0) * u * (u - 2.0) / 2.0, (u + 1.0) * u * (u - 1.0) / 6.0};
+  const auto base = static_cast<Eigen::Index>(std::clamp(whole, -1e6, 1e6));
+  for (Eigen::Index k = 0; k < n; ++k) {
+    out.col(k).setZero();
+    for (Eigen::Index i = 0; i < 4; ++i)
+      out.col(k) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + base + i - 1, 0, n - 1));
+  }
+  return out;
+}
+
+Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) {
+  const Eigen::Index n = value.cols();
+  const double kappa = 1.0 / (T * rateHz);
+  // Moments I_i = int_0^1 u^i kappa e^(-kappa (1-u)) du of the response's weight over a step.
+  std::array<double, 4> moment{};
+  if (kappa > 1.0) {
+    moment[0] = -std::expm1(-kappa);
+    for (std::size_t i = 1; i < 4; ++i) moment[i] = 1.0 - static_cast<double>(i) / kappa * moment[i - 1];
+  } else {
+    constexpr std::array<double, 5> kNode{0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
+                                          0.953089922969332};
+    constexpr std::array<double, 5> kWeight{0.118463442528095, 0.239314335249683, 0.284444444444444, 0.239314335249683,
+                                            0.118463442528095};
+    for (std::size_t j = 0; j < 5; ++j) {
+      double power = kWeight[j] * kappa * std::exp(-kappa * (1.0 - kNode[j]));
+      for (std::size_t i = 0; i < 4; ++i) {
+        moment[i] += power;
+        power *= kNode[j];
+      }
+    }
+  }
+  // Cubic through u = -1, 0, 1, 2 in powers of u, integrated term by term.
+  const std::array<double, 4> weight{(2.0 * -moment[1] + 3.0 * moment[2] - moment[3]) / 6.0,
+                                     moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3],
+                                     moment[1] + 0.5 * moment[2] - 0.5 * moment[3], (moment[3] - moment[1]) / 6.0};
+  const double keep = std::exp(-kappa);
+  Eigen::MatrixXd out(value.rows(), n);
+  out.col(0) = value.col(0);
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    out.col(k + 1) = keep * out.col(k);
+    for (Eigen::Index i = 0; i < 4; ++i)
+      out.col(k + 1) +=
+          weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + i - 1, 0, n - 1));
+  }
+  return out;
+}
+
+Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz) {
+  const Eigen::Index n = value.cols();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(value.rows(), n);
+  for (Eigen::Index k = 1; k + 1 < n; ++k) out.col(k) = (value.col(k + 1) - value.col(k - 1)) * (0.5 * rateHz);
+  if (n > 2) {
+    out.col(0) = out.col(1);
+    out.col(n - 1) = out.col(n - 2);
+  }
+  return out;
+}
+
+}  // namespace heft::diagnosis

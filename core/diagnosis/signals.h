@@ -1,0 +1,68 @@
+#pragma once
+// What the causes work on: the recorded motion and wrench on one uniform clock, and which instants may be judged.
+#include <vector>
+
+#include "core/motion/motion.h"
+#include "core/recording/recording.h"
+#include "core/robot/robot_model.h"
+
+namespace heft::diagnosis {
+
+using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< A column an instant: force [N], torque [N m], S axes
+
+/// Motion that the payload feels, S axes; a cause may bend it. K columns.
+struct Kinematics {
+  Eigen::Matrix3Xd specificForce;  ///< s = R_BS^T (a - g) [m/s2]
+  Eigen::Matrix3Xd omega;          ///< [rad/s]
+  Eigen::Matrix3Xd alpha;          ///< [rad/s2]
+};
+
+/// The recording at about 200 Hz, K instants, and blocks of it at about 50 Hz, N of them, on which everything is judged.
+struct Signals {
+  double startTime = 0.0;  ///< [s] on the recording's clock
+  double rateHz = 0.0;
+  Kinematics kinematics;
+  std::vector<Matrix3d> R_BS;
+  Eigen::Matrix3Xd velocity;          ///< v_BSo_B [m/s]
+  Eigen::Matrix3Xd position;          ///< p_BSo_B [m]
+  Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
+  bool positionKnown = true;
+
+  const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
+  int link = 0;
+  Isometry3d X_LS = Isometry3d::Identity();
+  MatrixXd q, dq, ddq;  ///< dof x K
+
+  int samplesPerBlock = 4;
+  Wrenches measured;         ///< 6 x N
+  std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
+
+  Eigen::Index size() const { return kinematics.omega.cols(); }
+  Eigen::Index blocks() const { return measured.cols(); }
+  double time(Eigen::Index k) const { return startTime + static_cast<double>(k) / rateHz; }
+  double blockTime(Eigen::Index n) const {
+    return time(n * samplesPerBlock) + 0.5 * (samplesPerBlock - 1) / rateHz;
+  }
+  double blockRate() const { return rateHz / samplesPerBlock; }
+  double duration() const { return static_cast<double>(size()) / rateHz; }
+};
+
+/// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
+Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);
+
+/// Kinematics with the joints at q + offset; only with a robot.
+Kinematics withJointOffset(const Signals& signals, int joint, double offset);
+
+/// Averages of samplesPerBlock neighbours.
+Wrenches averaged(const Signals& signals, const Wrenches& wrench);
+
+/// The rows of `value` read `delay` seconds earlier (positive: late), cubic between samples, held at the ends.
+Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz);
+
+/// Exact response of T y' + y = u between samples of u interpolated by cubics, started in balance; T [s] > 0.
+Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz);
+
+/// Central differences in time of each row [1/s].
+Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz);
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,97 @@
+#include "core/diagnosis/wandering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr int kWaves = 14;
+
+/// Amplitudes of cosines with k half waves over the recording, k = 1 .. count, of one channel.
+VectorXd waves(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual, Eigen::Index c, int count) {
+  MatrixXd A = MatrixXd::Zero(count + 1, count + 1);
+  VectorXd b = VectorXd::Zero(count + 1), row(count + 1);
+  const double n = static_cast<double>(signals.blocks());
+  for (const auto& s : stretches)
+    for (Eigen::Index i = s.from; i < s.to; ++i) {
+      for (int k = 0; k <= count; ++k) row(k) = std::cos(std::numbers::pi * k * (static_cast<double>(i) + 0.5) / n);
+      A += row * row.transpose();
+      b += residual(c, i) * row;
+    }
+  A.diagonal().array() += 1e-6 * A(0, 0);
+  return A.ldlt().solve(b).tail(count);
+}
+
+/// Twice the log-likelihood of the slow waves as a walk of the best size on top of noise of variance `floor`.
+double likelihood(const VectorXd& slow, double floor) {
+  double best = -1e300;
+  for (double a = 0.0; a < 1e9; a = a == 0.0 ? 0.3 : 1.6 * a) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < slow.size(); ++i) {
+      const double k = static_cast<double>(i + 1), variance = floor * (1.0 + a / (k * k));
+      sum -= std::log(variance) + slow(i) * slow(i) / variance;
+    }
+    best = std::max(best, sum);
+  }
+  return best;
+}
+
+bool driftStandsOut(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
+  double gain = 0.0;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const VectorXd before = waves(signals, stretches, without.residual, c, 3 * kWaves);
+    const VectorXd after = waves(signals, stretches, with.residual, c, 3 * kWaves);
+    const double floor = std::max(1e-18, after.tail(kWaves).squaredNorm() / kWaves);
+    gain += likelihood(after.head(kWaves), floor) - likelihood(before.head(kWaves), floor);
+  }
+  const Term& term = with.model.terms.back();
+  double parameters = 0.0;
+  for (Eigen::Index p = 0; p < term.v.size(); ++p) parameters += term.moves(p) ? 1.0 : 0.0;
+  return gain - parameters * std::log(static_cast<double>(kWaves)) > 10.0;
+}
+
+bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
+  const Term& term = with.model.terms.back();
+  const auto window = static_cast<Eigen::Index>(0.4 * signals.blockRate());
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    std::vector<double> steps;
+    double atJump = 0.0;
+    for (const auto& s : stretches)
+      for (Eigen::Index i = s.from; i + 2 * window <= s.to; i += window / 2) {
+        const double step = without.residual.row(c).segment(i + window, window).mean() -
+                            without.residual.row(c).segment(i, window).mean();
+        if (std::abs(signals.blockTime(i + window) - term.v(0)) < 0.45)
+          atJump = std::max(atJump, std::abs(step));
+        else
+          steps.push_back(step);
+      }
+    if (steps.size() > 8 && atJump > 5.0 * robustStd(steps)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool beyondWandering(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
+  return with.model.terms.back().form->local ? jumpStandsOut(signals, stretches, without, with)
+                                             : driftStandsOut(signals, stretches, without, with);
+}
+
+bool moreThanAWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const VectorXd slow = waves(signals, stretches, without.residual, c, 3 * kWaves);
+    const VectorXd rest = waves(signals, stretches, with.residual, c, 3 * kWaves);
+    const double floor = std::max(1e-18, rest.tail(kWaves).squaredNorm() / kWaves);
+    std::vector<double> scaled;
+    for (Eigen::Index k = 1; k < kWaves; ++k)
+      scaled.push_back(std::sqrt(slow(k) * slow(k) / (1.0 + floor / std::max(1e-18, slow(k) * slow(k)))) * static_cast<double>(k + 1));
+    const double middle = std::max(median(scaled), std::sqrt(floor) * 2.0);
+    if (*std::max_element(scaled.begin(), scaled.end()) > 8.0 * middle) return true;
+  }
+  return false;
+}
+
+}  // namespace heft::diagnosis

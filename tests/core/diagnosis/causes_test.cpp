@@ -1,0 +1,105 @@
+// Every cause of the catalogue: complete, silent at its start, and found again when it is in the data.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/diagnosis/scan.h"
+#include "tests/core/diagnosis/fixture.h"
+
+namespace heft::test {
+namespace {
+
+using namespace diagnosis;
+
+struct Prepared {
+  Recording recording = aRecording(MotionKind::free, 3);
+  Motion motion;
+  Signals signals;
+  Model model;
+  Prepared() {
+    MotionOptions options;
+    options.cutoffHz = 25.0;
+    motion = motionOf(recording, &RobotModel::panda(), options).value();
+    signals = signalsOf(recording, motion, &RobotModel::panda());
+    model.x.tail<10>() = toParameters(aTool());
+  }
+};
+
+const Prepared& prepared() {
+  static const Prepared kPrepared;
+  return kPrepared;
+}
+
+TEST(Catalogue, HasWordsAndUniqueNames) {
+  std::set<std::string> names;
+  for (const auto& cause : catalogue()) {
+    EXPECT_TRUE(names.insert(std::string(cause->id())).second) << cause->id();
+    const Words words = cause->words();
+    EXPECT_FALSE(words.title.empty() || words.check.empty() || words.tellApart.empty()) << cause->id();
+    for (const auto& other : words.lookAlikes)
+      EXPECT_TRUE(findCause(other) != nullptr || other == "contact") << cause->id() << " looks like " << other;
+    EXPECT_FALSE(cause->forms(prepared().signals).empty()) << cause->id();
+  }
+  EXPECT_EQ(findCause("no_such_cause"), nullptr);
+}
+
+TEST(Catalogue, EveryFormIsSilentAtItsStart) {
+  const Wrenches plain = predicted(prepared().signals, prepared().model);
+  for (const auto& cause : catalogue())
+    for (const auto& form : cause->forms(prepared().signals)) {
+      Model with = prepared().model;
+      with.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
+      const double difference = (predicted(prepared().signals, with) - plain).cwiseAbs().maxCoeff();
+      ASSERT_LT(difference, 1e-9) << cause->id() << " " << form.name;
+      if (form.local) break;
+    }
+}
+
+/// A form with sizes put into it by hand is estimated within its deviations: fit and model agree with each other.
+TEST(Catalogue, WhatTheModelPutsInTheFitFindsAgain) {
+  const auto& p = prepared();
+  Signals signals = p.signals;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    signals.usable[static_cast<std::size_t>(n)] = n > 20 && n + 20 < signals.blocks();
+  const auto stretches = stretchesOf(signals.usable);
+  const Wrenches noise = p.signals.measured - averaged(signals, predicted(signals, p.model));
+  for (const char* id : {"time_offset", "low_pass_lag", "gravity_tilt", "sensor_rotation", "cable_pull", "viscous_drag",
+                         "lever_arm", "joint_offset", "constant_pull", "gain_error"}) {
+    const auto forms = findCause(id)->forms(signals);
+    const Form& form = forms.back();
+    Model truth = p.model;
+    VectorXd v = form.start;
+    for (const int i : form.scan) v(i) += 4.0 * form.parameters[static_cast<std::size_t>(i)].size;
+    truth.terms.push_back({std::make_shared<const Form>(form), v, {}});
+    signals.measured = averaged(signals, predicted(signals, truth)) + noise;
+    Model start = p.model;
+    start.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
+    for (const int i : form.scan) start.terms[0].v(i) += 0.5 * form.parameters[static_cast<std::size_t>(i)].size;
+    const Fit fit = fitModel(signals, stretches, start, 20);
+    const VectorXd std = fit.std();
+    for (const int i : form.scan)
+      EXPECT_NEAR(fit.model.terms[0].v(i), v(i), 4.5 * std(kLinear + i) + 1e-9) << id << " " << form.parameters[static_cast<std::size_t>(i)].name;
+  }
+}
+
+TEST(Scan, JacobianIsTheDerivative) {
+  const auto& p = prepared();
+  Model model = p.model;
+  for (const char* id : {"cable_pull", "time_offset", "gravity_tilt"}) {
+    const Form form = findCause(id)->forms(p.signals).front();
+    VectorXd v = form.start;
+    for (Eigen::Index i = 0; i < v.size(); ++i) v(i) += form.parameters[static_cast<std::size_t>(i)].size;
+    model.terms.push_back({std::make_shared<const Form>(form), v, {}});
+  }
+  const Linearised at = linearised(p.signals, model);
+  VectorXd step = VectorXd::Zero(model.size());
+  for (Eigen::Index i = 0; i < step.size(); ++i) step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
+  Model moved = model;
+  moved.unpack(model.packed() + step);
+  const Wrenches change = averaged(p.signals, predicted(p.signals, moved)) - at.value;
+  const VectorXd expected = at.jacobian * step;
+  EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm());
+}
+
+}  // namespace
+}  // namespace heft::test

@@ -1,0 +1,33 @@
+#pragma once
+// Recordings for tests of the diagnosis.
+#include "core/diagnosis/diagnose.h"
+#include "core/simulation/simulate.h"
+
+namespace heft::test {
+
+inline Payload aTool() {
+  Payload out;
+  out.mass = 0.75;
+  out.com = {0.01, -0.005, 0.06};
+  out.inertiaCom = Vector3d(1.2e-3, 1.1e-3, 5e-4).asDiagonal();
+  return out;
+}
+
+/// 12 s of a simulated Panda with the usual sensor.
+inline Recording aRecording(MotionKind motion, std::uint64_t seed, std::vector<EffectRequest> effects = {}) {
+  SimulateOptions options;
+  options.motion = motion;
+  options.seed = seed;
+  options.duration = 12.0;
+  options.effects = std::move(effects);
+  return simulate(RobotModel::panda(), aTool(), options).value().recording;
+}
+
+inline DiagnosisReport diagnosed(const Recording& recording, std::vector<std::string> hidden = {}) {
+  DiagnoseOptions options;
+  options.surrogates = 0;
+  options.hidden = std::move(hidden);
+  return diagnose(recording, &RobotModel::panda(), options).value();
+}
+
+}  // namespace heft::test

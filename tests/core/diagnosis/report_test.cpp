@@ -1,0 +1,77 @@
+// The contract's JSON, the text, the page, and the extended model outside the search.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/core/diagnosis/fixture.h"
+
+namespace heft::test {
+namespace {
+
+struct Made {
+  Recording recording = aRecording(MotionKind::free, 71, {{"time_offset", "", 15.0}});
+  DiagnosisReport report = diagnosed(recording);
+};
+
+const Made& made() {
+  static const Made kMade;
+  return kMade;
+}
+
+TEST(DiagnosisReport, HasTheContractsKeys) {
+  const nlohmann::json j = toJson(made().report);
+  EXPECT_EQ(j["schema"], "heft.diagnose/1");
+  for (const char* key : {"force_rms_n", "torque_rms_nm", "noise_force_rms_n", "noise_torque_rms_nm"})
+    EXPECT_TRUE(j["baseline"][key].is_number()) << key;
+  ASSERT_FALSE(j["causes"].empty());
+  const auto& cause = j["causes"][0];
+  EXPECT_EQ(cause["cause"], "time_offset");
+  EXPECT_NEAR(cause["parameters"]["delay"]["value"].get<double>(), 15.0, 1.0);
+  EXPECT_EQ(cause["parameters"]["delay"]["unit"], "ms");
+  for (const char* key : {"delta_bic", "p_value"}) EXPECT_TRUE(cause["evidence"][key].is_number()) << key;
+  for (const char* key : {"force_rms_before_n", "force_rms_after_n", "torque_rms_before_nm", "torque_rms_after_nm",
+                          "explained_fraction", "blocks_better", "blocks"})
+    EXPECT_TRUE(cause["gain"][key].is_number()) << key;
+  EXPECT_TRUE(cause["when"].is_array() && cause["alternatives"].is_array() && cause["tell_apart"].is_string());
+  for (const char* payload : {"payload_before", "payload_after"})
+    for (const char* key : {"mass_kg", "com_m", "inertia_com_kgm2", "std"}) EXPECT_TRUE(j[payload].contains(key)) << key;
+  EXPECT_TRUE(j["findings"].is_array());
+}
+
+TEST(DiagnosisReport, TextAndPageNameTheCause) {
+  EXPECT_NE(toText(made().report).find("time_offset"), std::string::npos);
+  const std::string page = toHtml(made().report);
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+  EXPECT_NE(page.find("Force readings out of step"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos) << "A page on its own fetches nothing.";
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
+TEST(DiagnosisReport, ModelSurvivesItsFile) {
+  const auto& m = made();
+  const auto again = modelFromJson(toJson(m.report)["model"], m.recording, &RobotModel::panda());
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  const auto a = effectOf(m.report.model, m.recording, &RobotModel::panda());
+  const auto b = effectOf(*again, m.recording, &RobotModel::panda());
+  ASSERT_TRUE(a.ok() && b.ok());
+  EXPECT_LT((*a - *b).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_GT(a->cwiseAbs().maxCoeff(), 0.05);
+  const auto none = effectOf(m.report.model, m.recording, &RobotModel::panda(), {"cable_pull"});
+  EXPECT_LT(none->cwiseAbs().maxCoeff(), 1e-12);
+  for (const char* broken : {"[]", "{}", R"({"bias_and_parameters": [1], "terms": []})", R"({"terms": 3})"})
+    EXPECT_FALSE(modelFromJson(nlohmann::json::parse(broken), m.recording, &RobotModel::panda()).ok());
+}
+
+TEST(DiagnosisReport, ChecksOnAnotherRecordingOfTheSameRig) {
+  const Recording other = aRecording(MotionKind::excitation, 72, {{"time_offset", "", 15.0}});
+  const auto check = checkOn(made().report, other, &RobotModel::panda());
+  ASSERT_TRUE(check.ok()) << check.error().message;
+  EXPECT_LT(check->after.torque, 0.8 * check->before.torque);
+  // On a rig without the fault it makes things worse, and says so.
+  const auto wrong = checkOn(made().report, aRecording(MotionKind::excitation, 73), &RobotModel::panda());
+  ASSERT_TRUE(wrong.ok());
+  EXPECT_GT(wrong->after.torque, wrong->before.torque);
+}
+
+}  // namespace
+}  // namespace heft::test
