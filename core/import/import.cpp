@@ -251,6 +251,9 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   auto opened = openAll(path, *kind, options, progress);
   if (!opened) return opened.error();
   const auto listed = std::move(opened->streams);
+  if (listed.empty())
+    return errorAt({displayName(path), 0, 0}, "nothing that Heft can read is in it.",
+                   "Record the sensor's wrench and the joints or the pose; 'heft convert IN --list' shows what there is.");
   const auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
   if (!columns) return columns.error();
 

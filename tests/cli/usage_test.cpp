@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"estimate", "rec.csv", "--methd", "ls"}, "Did you mean '--method'?"},
         Mistake{{"estimate", "rec.csv", "--trimm=0.1"}, "Did you mean '--trim'?"},
         Mistake{{"estimate", "rec.csv", "--zzzzzz"}, "no option --zzzzzz"},
-        Mistake{{"estimate", "rec.csv", "second.csv"}, "one argument too many"},
+        Mistake{{"segment", "rec.csv", "second.csv"}, "one argument too many"},
         Mistake{{"estimate", "rec.csv", "--method", "mpa"}, "Did you mean 'map'?"},
         Mistake{{"estimate", "rec.csv", "--method"}, "--method needs a value."},
         Mistake{{"estimate", "rec.csv", "--parameters", "fulll"}, "Did you mean 'full'?"},
