@@ -103,10 +103,6 @@ Result<Work> worked(const Recording& recording, const Recording& cleaned, const 
   if (judged < 100)
     return Error{fmt::format("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
                              static_cast<double>(judged) / signals.blockRate())};
-  const Fit null = fitModel(signals, work.stretches, Model{});
-  work.mistake = frameMistake(signals, work.stretches, null);
-  if (work.mistake) signals = corrected(signals, *work.mistake);
-
   SearchOptions searching;
   searching.hidden = options.hidden;
   searching.threshold = threshold;
@@ -116,6 +112,14 @@ Result<Work> worked(const Recording& recording, const Recording& cleaned, const 
   if (mayTouch) holes = contactCandidates(cleaned, *motion, signals);
   Eigen::Index hidden = 0;
   for (const auto& hole : holes) hidden += hole.to - hole.from;
+  // Whether frames and signs are right is judged where nothing touches; a push turns any sign round.
+  Signals untouched = signals;
+  if (hidden <= 7 * judged / 10) leaveOut(untouched, holes);
+  const auto quiet = stretchesOf(untouched.usable);
+  if (!quiet.empty()) {
+    work.mistake = frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
+    if (work.mistake) signals = corrected(signals, *work.mistake);
+  }
   if (holes.empty() || hidden > 7 * judged / 10) {
     work.search = search(signals, work.stretches, searching, progress);
     return work;
@@ -514,6 +518,17 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     if (is) {
       out.after = std::move(*is);
       widen(out.after, final);
+      // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
+      const auto sane = [](const EstimateReport& r) {
+        return r.payload.mass > 3.0 * r.std.mass && r.payload.com.norm() < 0.4;
+      };
+      if (sane(out.before) && !sane(out.after)) {
+        out.after = out.before;
+        out.verdict = Verdict::unexplained;
+        out.findings.push_back({Severity::warning, "causes_not_believable",
+                                "With these causes taken out the payload would be impossible, so it is left as it was.",
+                                "Repeat the recording without touching anything.", {}});
+      }
     }
   }
   out.model = final.model;
