@@ -133,10 +133,8 @@ Result<Work> worked(const Recording& recording, const Recording& cleaned, const 
     work.search = search(signals, work.stretches, searching, progress);
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (work.contacts.size() == holes.size() || progress.cancelled()) break;
-    std::vector<Stretch> needed;
-    for (const auto& hole : holes)
-      if (evidenceForLeavingOut(whole, work.search.final, hole.from, hole.to) >= kThreshold) needed.push_back(hole);
-    holes = std::move(needed);
+    holes.clear();
+    for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
   }
   return work;
 }
@@ -393,7 +391,6 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   std::vector<DiagnosedCause> fitted;
   Model nested;
   nested.x = work.search.null.model.x;
-  Fit last = work.search.null;
   for (const auto& accepted : work.search.found) {
     const bool nuisance = accepted.cause == kWandering || (work.mistake && work.mistake->kind == FrameMistake::Kind::turned &&
                                                            accepted.cause == "sensor_rotation");
@@ -405,7 +402,6 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     if (nuisance) {
       // Part of the model, but no cause that somebody could mend.
       before = after;
-      last = std::move(fit);
       continue;
     }
     const Gain gain = gainOf(work.stretches, fit.noise, before, after);
@@ -435,7 +431,6 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
       cause.alternatives.push_back("bias_drift");
     fitted.push_back(std::move(cause));
     before = after;
-    last = std::move(fit);
   }
   const Fit& final = work.search.final;
   bool slowWave = false;

@@ -21,7 +21,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
   std::vector<Contact> out;
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from), signals.blockTime(stretch.to - 1), 0.0,
-                    evidenceForLeavingOut(signals, fit, stretch.from, stretch.to)};
+                    evidenceForLeavingOut(signals, fit, stretch.from, stretch.to), stretch};
     if (contact.evidence < kThreshold) continue;
     for (Eigen::Index n = stretch.from; n < stretch.to; ++n)
       contact.peakForce = std::max(contact.peakForce, fit.residual.col(n).head<3>().norm());

@@ -8,6 +8,7 @@ struct Contact {
   double from = 0, to = 0;  ///< [s]
   double peakForce = 0;     ///< [N] that the rest of the model leaves
   double evidence = 0;      ///< Gained by leaving the stretch out
+  Stretch blocks;           ///< The same in blocks
 };
 
 /// Evidence for leaving blocks [from, to) out of `fit`: what they would cost under its noise, less the price of a force

@@ -137,4 +137,11 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   return model;
 }
 
+MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches) {
+  const MatrixXd J = whitened(fit.jacobian, fit.noise, stretches);
+  const VectorXd size = J.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(J * size.asDiagonal());
+  return qr.householderQ() * MatrixXd::Identity(J.rows(), qr.rank());
+}
+
 }  // namespace heft::diagnosis

@@ -26,6 +26,9 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
 /// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
 
+/// Orthonormal columns (6N rows) that span what a change of the fit's parameters can do to the whitened readings.
+MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches);
+
 /// How far parameters are trusted to lie from zero before any data: tells nothing where the motion tells something.
 VectorXd whisper(const Model& model);
 

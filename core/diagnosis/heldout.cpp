@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
+
+#include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
 
@@ -53,18 +54,13 @@ std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::v
 Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   Wrenches out = fit.residual;
   const auto all = parts(stretches);
-  const auto run = [&](std::size_t first) {
-    for (std::size_t i = first; i < all.size(); i += 2) {
-      const auto training = outside(stretches, all[i]);
-      if (training.empty()) continue;
-      const Model model = refitted(signals, training, fit);
-      const Wrenches residual = signals.measured - averaged(signals, predicted(signals, model));
-      for (const auto& s : all[i]) out.middleCols(s.from, s.to - s.from) = residual.middleCols(s.from, s.to - s.from);
-    }
-  };
-  auto other = std::async(std::launch::async, run, std::size_t{1});
-  run(0);
-  other.get();
+  onTwoThreads(all.size(), [&](std::size_t i) {
+    const auto training = outside(stretches, all[i]);
+    if (training.empty()) return;
+    const Model model = refitted(signals, training, fit);
+    const Wrenches residual = signals.measured - averaged(signals, predicted(signals, model));
+    for (const auto& s : all[i]) out.middleCols(s.from, s.to - s.from) = residual.middleCols(s.from, s.to - s.from);
+  });
   return out;
 }
 

@@ -5,29 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/markup.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/signals.h"
 
 namespace heft {
 
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 struct Curve {
   const char* colour;
@@ -62,9 +46,9 @@ std::string plot(const std::string& title, const std::string& unit, const Vector
   high += pad;
   const auto px = [&](double at) { return kLeft + (at - x0) / std::max(1e-12, x1 - x0) * (kWidth - kLeft - kRight); };
   const auto py = [&](double at) { return kHeight - kBottom - (at - low) / (high - low) * (kHeight - kBottom - kTop); };
-  std::string out = fmt::format("<figure><figcaption>{} [{}]", escaped(title), escaped(unit));
-  for (const auto& curve : curves) out += fmt::format(" <span style=\"color:{}\">&#9644; {}</span>", curve.colour, escaped(curve.name));
-  out += fmt::format("</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight, escaped(title));
+  std::string out = fmt::format("<figure><figcaption>{} [{}]", escapedMarkup(title), escapedMarkup(unit));
+  for (const auto& curve : curves) out += fmt::format(" <span style=\"color:{}\">&#9644; {}</span>", curve.colour, escapedMarkup(curve.name));
+  out += fmt::format("</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight, escapedMarkup(title));
   const double yStep = logarithmic ? 1.0 : stepFor(high - low), xStep = stepFor(x1 - x0);
   for (double y = std::ceil(low / yStep) * yStep; y <= high; y += yStep)
     out += fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" class=\"g\"/><text x=\"{3}\" y=\"{4:.1f}\" "
@@ -72,7 +56,7 @@ std::string plot(const std::string& title, const std::string& unit, const Vector
                        kLeft, kWidth - kRight, py(y), kLeft - 6, py(y) + 4, logarithmic ? std::pow(10.0, y) : (std::abs(y) < 1e-9 ? 0.0 : y));
   for (double at = std::ceil(x0 / xStep) * xStep; at <= x1; at += xStep)
     out += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>", px(at), kHeight - 12, at);
-  out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 1, escaped(xTitle));
+  out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 1, escapedMarkup(xTitle));
   for (const auto& curve : curves) {
     // Two points a pixel are enough: the smallest and the largest of what falls into it.
     const auto columns = static_cast<Eigen::Index>(kWidth);
@@ -160,13 +144,13 @@ std::string toHtml(const DiagnosisReport& report) {
       "th{{color:#5a6675}}figure{{margin:1em 0}}figcaption{{color:#5a6675}}svg{{width:100%;font-size:11px;fill:#5a6675}}"
       ".g{{stroke:#e3e8ee}}.verdict{{font-size:1.2em}}</style></head><body>\n<h1>Reality check: {0}</h1>\n"
       "<p class=\"verdict\"><strong>{1}</strong><br>{2}</p>\n",
-      escaped(report.file), headingOf(report.verdict), escaped(report.sentence));
+      escapedMarkup(report.file), headingOf(report.verdict), escapedMarkup(report.sentence));
   out += fmt::format("<p>Misfit of the plain model: {:.3f} N and {:.4f} N m. Noise floor: {:.3f} N and {:.4f} N m.</p>\n",
                      report.baseline.force, report.baseline.torque, report.noise.force, report.noise.torque);
   for (const auto& cause : report.causes) {
-    out += fmt::format("<section><h2>{}</h2><p>{}</p>\n<table>", escaped(cause.title), escaped(cause.sentence));
+    out += fmt::format("<section><h2>{}</h2><p>{}</p>\n<table>", escapedMarkup(cause.title), escapedMarkup(cause.sentence));
     for (const auto& p : cause.parameters)
-      out += fmt::format("<tr><th>{}</th><td>{} {}</td></tr>", escaped(p.name), diagnosis::plusMinus(p.value, p.std), escaped(p.unit));
+      out += fmt::format("<tr><th>{}</th><td>{} {}</td></tr>", escapedMarkup(p.name), diagnosis::plusMinus(p.value, p.std), escapedMarkup(p.unit));
     for (const auto& [from, to] : cause.when) out += fmt::format("<tr><th>when</th><td>{:.2f} to {:.2f} s</td></tr>", from, to);
     out += "</table>\n";
     if (cause.gain.blocks > 0)
@@ -175,9 +159,9 @@ std::string toHtml(const DiagnosisReport& report) {
                          cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
                          cause.gain.blocksBetter, cause.gain.blocks);
     if (!cause.alternatives.empty())
-      out += fmt::format("<p><strong>Equally possible:</strong> {}. {}</p>\n", escaped(fmt::format("{}", fmt::join(cause.alternatives, ", "))),
-                         escaped(cause.tellApart));
-    out += fmt::format("<p><strong>What to check:</strong> {}</p></section>\n", escaped(cause.check));
+      out += fmt::format("<p><strong>Equally possible:</strong> {}. {}</p>\n", escapedMarkup(fmt::format("{}", fmt::join(cause.alternatives, ", "))),
+                         escapedMarkup(cause.tellApart));
+    out += fmt::format("<p><strong>What to check:</strong> {}</p></section>\n", escapedMarkup(cause.check));
   }
   const auto& s = report.series;
   if (s.time.size() > 10) {
@@ -214,9 +198,9 @@ std::string toHtml(const DiagnosisReport& report) {
     out += "<section><h2>Could not have been seen with this motion</h2><table>";
     for (const auto& small : report.smallest)
       out += std::isfinite(small.value)
-                 ? fmt::format("<tr><th>{}</th><td>below {:.2g} {} ({})</td></tr>", escaped(small.cause), small.value,
-                               escaped(small.unit), escaped(small.parameter))
-                 : fmt::format("<tr><th>{}</th><td>at any size</td></tr>", escaped(small.cause));
+                 ? fmt::format("<tr><th>{}</th><td>below {:.2g} {} ({})</td></tr>", escapedMarkup(small.cause), small.value,
+                               escapedMarkup(small.unit), escapedMarkup(small.parameter))
+                 : fmt::format("<tr><th>{}</th><td>at any size</td></tr>", escapedMarkup(small.cause));
     out += "</table></section>\n";
   }
   return out + "</body></html>\n";

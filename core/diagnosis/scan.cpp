@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <map>
+
+#include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
 
@@ -121,12 +122,7 @@ std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
     if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
     for (auto& form : cause->forms(signals)) bank.push_back({std::move(form), {}});
   }
-  const auto fill = [&](std::size_t first) {
-    for (std::size_t i = first; i < bank.size(); i += 2) bank[i].columns = signatures(signals, model, bank[i].form);
-  };
-  auto other = std::async(std::launch::async, fill, std::size_t{1});
-  fill(0);
-  other.get();
+  onTwoThreads(bank.size(), [&](std::size_t i) { bank[i].columns = signatures(signals, model, bank[i].form); });
   return bank;
 }
 
@@ -143,38 +139,33 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
   const Noise flatNoise = white(fit.residual, stretches);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
   std::vector<Candidate> out(bank.size());
-  const auto judge = [&](std::size_t first) {
-    for (std::size_t i = first; i < bank.size(); i += 2) {
-      Weighting::Answer best = coloured.judge(bank[i], lnN);
-      Weighting::Answer other = plain.judge(bank[i], lnN);
-      if (other.score > best.score) best = std::move(other);
-      const Form& form = bank[i].form;
-      Candidate& candidate = out[i];
-      candidate.form = form;
-      candidate.v = form.start;
-      candidate.choicePenalty = 2.0 * std::log(static_cast<double>(forms.at(form.cause)));
-      // What moves between the forms, such as a frequency, has been chosen from more than their number.
-      if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
-      candidate.score = best.score - candidate.choicePenalty;
-      if (best.score <= -1e299) continue;
-      candidate.active.assign(form.parameters.size(), true);
-      for (std::size_t j = 0; j < form.scan.size(); ++j) {
-        const auto p = static_cast<std::size_t>(form.scan[j]);
-        const Parameter& parameter = form.parameters[p];
-        candidate.active[p] = best.kept[j];
-        const double value = form.start(form.scan[j]) + best.gamma(static_cast<Eigen::Index>(j));
-        candidate.v(form.scan[j]) = std::clamp(value, parameter.lower, parameter.upper);
-      }
-      // The wrong sign of the one thing that a form is about: it does not explain anything.
-      const auto only = static_cast<std::size_t>(form.scan[0]);
-      const double lower = form.parameters[only].lower;
-      if (form.scan.size() == 1 && lower == form.start(form.scan[0]) && candidate.v(form.scan[0]) == lower)
-        candidate.score = -1e300;
+  onTwoThreads(bank.size(), [&](std::size_t i) {
+    Weighting::Answer best = coloured.judge(bank[i], lnN);
+    Weighting::Answer other = plain.judge(bank[i], lnN);
+    if (other.score > best.score) best = std::move(other);
+    const Form& form = bank[i].form;
+    Candidate& candidate = out[i];
+    candidate.form = form;
+    candidate.v = form.start;
+    candidate.choicePenalty = 2.0 * std::log(static_cast<double>(forms.at(form.cause)));
+    // What moves between the forms, such as a frequency, has been chosen from more than their number.
+    if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
+    candidate.score = best.score - candidate.choicePenalty;
+    if (best.score <= -1e299) return;
+    candidate.active.assign(form.parameters.size(), true);
+    for (std::size_t j = 0; j < form.scan.size(); ++j) {
+      const auto p = static_cast<std::size_t>(form.scan[j]);
+      const Parameter& parameter = form.parameters[p];
+      candidate.active[p] = best.kept[j];
+      const double value = form.start(form.scan[j]) + best.gamma(static_cast<Eigen::Index>(j));
+      candidate.v(form.scan[j]) = std::clamp(value, parameter.lower, parameter.upper);
     }
-  };
-  auto second = std::async(std::launch::async, judge, std::size_t{1});
-  judge(0);
-  second.get();
+    // The wrong sign of the one thing that a form is about: it does not explain anything.
+    const auto only = static_cast<std::size_t>(form.scan[0]);
+    const double lower = form.parameters[only].lower;
+    if (form.scan.size() == 1 && lower == form.start(form.scan[0]) && candidate.v(form.scan[0]) == lower)
+      candidate.score = -1e300;
+  });
   std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   return out;
 }

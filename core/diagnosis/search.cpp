@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <map>
 
+#include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
 
 namespace heft::diagnosis {
@@ -95,25 +95,14 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
     chosen.push_back(&candidate);
   }
   std::vector<Trial> all(chosen.size());
-  const auto run = [&](std::size_t first) {
-    for (std::size_t i = first; i < chosen.size(); i += 2) all[i] = tried(signals, stretches, base, *chosen[i]);
-  };
-  auto other = std::async(std::launch::async, run, std::size_t{1});
-  run(0);
-  other.get();
+  onTwoThreads(chosen.size(), [&](std::size_t i) { all[i] = tried(signals, stretches, base, *chosen[i]); });
   sortByGain(all);
   // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest.
-  const std::size_t finished = std::min(kFinished, all.size());
-  const auto finish = [&](std::size_t first) {
-    for (std::size_t i = first; i < finished; i += 2) {
-      if (all[i].gain < -1e299) continue;
-      all[i].fit = fitModel(signals, stretches, all[i].fit.model);
-      all[i].gain = believable(all[i].fit) ? all[i].fit.evidence - base.evidence - all[i].penalty : -1e300;
-    }
-  };
-  auto rest = std::async(std::launch::async, finish, std::size_t{1});
-  finish(0);
-  rest.get();
+  onTwoThreads(std::min(kFinished, all.size()), [&](std::size_t i) {
+    if (all[i].gain < -1e299) return;
+    all[i].fit = fitModel(signals, stretches, all[i].fit.model);
+    all[i].gain = believable(all[i].fit) ? all[i].fit.evidence - base.evidence - all[i].penalty : -1e300;
+  });
   sortByGain(all);
   return all;
 }
@@ -168,17 +157,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
   out.null = fitModel(signals, stretches, Model{});
   out.final = out.null;
   std::vector<std::string> order;
-  std::map<std::string, double> missed;
   for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, "Trying causes");
     const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
     auto all = trials(signals, stretches, out.final, scan(stretches, out.final, bank), kTried);
-    for (const auto& trial : all) {
-      if (trial.gain > -1e299 && !contains(out.final.model, trial.cause)) {
-        double& best = missed.try_emplace(trial.cause, -1e300).first->second;
-        best = std::max(best, trial.gain);
-      }
-    }
     if (all.empty() || all.front().gain < options.threshold) break;
     // A richer form of what is already named comes before a second name, unless that one explains clearly more.
     Trial* chosen = &all.front();
@@ -189,7 +171,6 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       }
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     out.final = prunedOf(signals, stretches, std::move(chosen->fit), options.threshold);
-    missed.clear();
   }
   // Each cause once more, against everything that could stand in its place now.
   for (std::size_t pass = 0, changed = 1; pass < 3 && changed != 0 && !progress.cancelled(); ++pass) {
@@ -220,7 +201,6 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       out.found.push_back(std::move(found));
     }
   }
-  out.missed.assign(missed.begin(), missed.end());
   return out;
 }
 

@@ -30,7 +30,6 @@ struct Search {
   Fit null;   ///< Bias and payload alone
   Fit final;  ///< With everything accepted
   std::vector<Found> found;  ///< By cause, in the order of acceptance
-  std::vector<std::pair<std::string, double>> missed;  ///< Best gains of evidence of causes that were not accepted
 };
 
 /// Terms of `cause` are one cause: `without` takes them all out.

@@ -173,10 +173,7 @@ Judged rhythm(const Signals& signals, const std::vector<Stretch>& stretches, con
 
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd J = whitened(fit.jacobian, fit.noise, stretches);
-  const VectorXd size = J.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(J * size.asDiagonal());
-  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(J.rows(), qr.rank());
+  const MatrixXd basis = explainedSpace(fit, stretches);
   const Eigen::Map<const VectorXd> flat(fit.residual.data(), fit.residual.size());
   VectorXd r = whitened(flat, fit.noise, stretches);
   const double energy = std::max(1.0, r.squaredNorm());

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
 #include <map>
 #include <random>
+
+#include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
 
@@ -30,38 +31,30 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];
-  const MatrixXd J = whitened(fit.jacobian, fit.noise, stretches);
-  const Eigen::Index rows = J.rows();
-  const VectorXd size = J.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(J * size.asDiagonal());
-  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(rows, qr.rank());
+  const MatrixXd basis = explainedSpace(fit, stretches);
+  const Eigen::Index rows = basis.rows();
   std::vector<Direction> directions(bank.size());
-  const auto prepare = [&](std::size_t first) {
-    for (std::size_t i = first; i < bank.size(); i += 2) {
-      MatrixXd C = whitened(bank[i].columns, fit.noise, stretches);
-      const VectorXd own = C.colwise().norm().transpose();
-      C -= basis * (basis.transpose() * C);
-      std::vector<Eigen::Index> keep;
-      for (Eigen::Index j = 0; j < C.cols(); ++j)
-        if (own(j) > 0.0 && C.col(j).norm() > 1e-3 * own(j)) keep.push_back(j);
-      MatrixXd kept(rows, static_cast<Eigen::Index>(keep.size()));
-      for (std::size_t j = 0; j < keep.size(); ++j) kept.col(static_cast<Eigen::Index>(j)) = C.col(keep[j]).normalized();
-      Direction& out = directions[i];
-      out.penalty = 2.0 * std::log(static_cast<double>(forms.at(bank[i].form.cause)));
-      out.subset = bank[i].form.subset;
-      if (keep.empty()) continue;
-      // A free choice of columns needs them one by one; otherwise the space they span.
-      if (out.subset) {
-        out.Q = kept;
-      } else {
-        const Eigen::HouseholderQR<MatrixXd> own_qr(kept);
-        out.Q = own_qr.householderQ() * MatrixXd::Identity(rows, kept.cols());
-      }
+  onTwoThreads(bank.size(), [&](std::size_t i) {
+    MatrixXd C = whitened(bank[i].columns, fit.noise, stretches);
+    const VectorXd own = C.colwise().norm().transpose();
+    C -= basis * (basis.transpose() * C);
+    std::vector<Eigen::Index> keep;
+    for (Eigen::Index j = 0; j < C.cols(); ++j)
+      if (own(j) > 0.0 && C.col(j).norm() > 1e-3 * own(j)) keep.push_back(j);
+    MatrixXd kept(rows, static_cast<Eigen::Index>(keep.size()));
+    for (std::size_t j = 0; j < keep.size(); ++j) kept.col(static_cast<Eigen::Index>(j)) = C.col(keep[j]).normalized();
+    Direction& out = directions[i];
+    out.penalty = 2.0 * std::log(static_cast<double>(forms.at(bank[i].form.cause)));
+    out.subset = bank[i].form.subset;
+    if (keep.empty()) return;
+    // A free choice of columns needs them one by one; otherwise the space they span.
+    if (out.subset) {
+      out.Q = kept;
+    } else {
+      const Eigen::HouseholderQR<MatrixXd> own_qr(kept);
+      out.Q = own_qr.householderQ() * MatrixXd::Identity(rows, kept.cols());
     }
-  };
-  auto other = std::async(std::launch::async, prepare, std::size_t{1});
-  prepare(0);
-  other.get();
+  });
 
   Surrogates out;
   constexpr int kBatch = 20;
@@ -82,25 +75,20 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
         }
     VectorXd best = VectorXd::Constant(batch, -1e300);
     std::array<VectorXd, 2> half{best, best};
-    const auto look = [&](std::size_t first) {
-      for (std::size_t i = first; i < directions.size(); i += 2) {
-        const Direction& direction = directions[i];
-        if (direction.Q.cols() == 0) continue;
-        const MatrixXd z = direction.Q.transpose() * noise;
-        for (Eigen::Index j = 0; j < batch; ++j) {
-          double gain = -direction.penalty;
-          for (Eigen::Index k = 0; k < z.rows(); ++k) {
-            const double each = z(k, j) * z(k, j) - lnN;
-            gain += direction.subset ? std::max(0.0, each) : each;
-          }
-          if (direction.subset && gain == -direction.penalty) continue;
-          half[first](j) = std::max(half[first](j), gain);
+    onTwoThreads(directions.size(), [&](std::size_t i) {
+      const Direction& direction = directions[i];
+      if (direction.Q.cols() == 0) return;
+      const MatrixXd z = direction.Q.transpose() * noise;
+      for (Eigen::Index j = 0; j < batch; ++j) {
+        double gain = -direction.penalty;
+        for (Eigen::Index k = 0; k < z.rows(); ++k) {
+          const double each = z(k, j) * z(k, j) - lnN;
+          gain += direction.subset ? std::max(0.0, each) : each;
         }
+        if (direction.subset && gain == -direction.penalty) continue;
+        half[i % 2](j) = std::max(half[i % 2](j), gain);
       }
-    };
-    auto second = std::async(std::launch::async, look, std::size_t{1});
-    look(0);
-    second.get();
+    });
     for (Eigen::Index j = 0; j < batch; ++j) out.best.push_back(std::max(half[0](j), half[1](j)));
   }
   std::sort(out.best.begin(), out.best.end());

@@ -8,29 +8,14 @@
 #include <limits>
 #include <string_view>
 
+#include "core/base/markup.h"
+
 namespace heft {
 
 namespace {
 
 // Told apart in grey and by colour-blind readers too.
 constexpr std::array<std::string_view, 6> kColours{"#b0b0b0", "#6e6e6e", "#e69f00", "#d55e00", "#0072b2", "#009e73"};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string decadeLabel(int exponent) {
   if (exponent >= -3 && exponent <= 4) return fmt::format("{:g}", std::pow(10.0, exponent));
@@ -67,13 +52,13 @@ std::string toSvg(const BarChart& chart) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
       "<text x=\"{2:.1f}\" y=\"22\" font-size=\"15\" font-weight=\"bold\">{3}</text>\n",
-      width, height, kLeft, escaped(chart.title));
+      width, height, kLeft, escapedMarkup(chart.title));
 
   double legend = kLeft;
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     svg += fmt::format("<rect x=\"{:.1f}\" y=\"38\" width=\"11\" height=\"11\" fill=\"{}\"/>\n", legend,
                        kColours[s % kColours.size()]);
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"48\">{}</text>\n", legend + 15, escaped(chart.series[s].name));
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"48\">{}</text>\n", legend + 15, escapedMarkup(chart.series[s].name));
     legend += 30 + 6.4 * static_cast<double>(chart.series[s].name.size());
   }
   for (int exponent = bottom; exponent <= top; ++exponent) {
@@ -93,21 +78,21 @@ std::string toSvg(const BarChart& chart) {
       svg += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"><title>{}, {}: "
           "{:.3g}</title></rect>\n",
-          x, y, kBar - 1.0, kTop + kHeight - y, kColours[s % kColours.size()], escaped(chart.groups[g]),
-          escaped(chart.series[s].name), value);
+          x, y, kBar - 1.0, kTop + kHeight - y, kColours[s % kColours.size()], escapedMarkup(chart.groups[g]),
+          escapedMarkup(chart.series[s].name), value);
     }
     svg += fmt::format(
         "<text x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"end\" font-size=\"11\" transform=\"rotate(-28 {0:.1f} "
         "{1:.1f})\">{2}</text>\n",
-        centre + 8, kTop + kHeight + 16, escaped(chart.groups[g]));
+        centre + 8, kTop + kHeight + 16, escapedMarkup(chart.groups[g]));
   }
   svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\" fill=\"none\" stroke=\"#333333\"/>\n", kLeft, kTop,
                      kTop + kHeight, kLeft + plotWidth);
   svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n", kLeft + 0.5 * plotWidth,
-                     height - 10, escaped(chart.xTitle));
+                     height - 10, escapedMarkup(chart.xTitle));
   svg += fmt::format(
       "<text x=\"18\" y=\"{0:.1f}\" text-anchor=\"middle\" transform=\"rotate(-90 18 {0:.1f})\">{1}</text>\n</svg>\n",
-      kTop + 0.5 * kHeight, escaped(chart.yTitle));
+      kTop + 0.5 * kHeight, escapedMarkup(chart.yTitle));
   return svg;
 }
 

@@ -36,9 +36,7 @@ class CablePull final : public Cause {
       form.choice = {kind};
       out.push_back(form);
     };
-    const std::vector<Parameter> place{{"at_x", "mm", kMilli, 0.03, -1.0, 1.0},
-                                       {"at_y", "mm", kMilli, 0.03, -1.0, 1.0},
-                                       {"at_z", "mm", kMilli, 0.03, -1.0, 1.0}};
+    const std::vector<Parameter> place = withPlace({});
     if (signals.positionKnown) {
       std::vector<Parameter> head{stiffness};
       head.insert(head.end(), pull.begin(), pull.end());

@@ -29,6 +29,12 @@ inline Form formOf(const Cause* cause, std::string name, std::vector<Parameter> 
   return form;
 }
 
+/// `parameters` and the place at_x, at_y, at_z where a force acts, from S's origin, S axes.
+inline std::vector<Parameter> withPlace(std::vector<Parameter> parameters) {
+  for (const char* axis : {"at_x", "at_y", "at_z"}) parameters.push_back({axis, "mm", kMilli, 0.03, -1.0, 1.0});
+  return parameters;
+}
+
 /// Adds world-fixed forces (B axes, a column an instant) that act at r from S's origin (S axes).
 inline void addWorldForce(const Signals& signals, const Eigen::Matrix3Xd& force_B, const Vector3d& r, Wrenches& w) {
   for (Eigen::Index k = 0; k < w.cols(); ++k) {

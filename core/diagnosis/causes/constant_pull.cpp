@@ -19,12 +19,11 @@ class ConstantPull final : public Cause {
                        plusMinus(v.head<3>().norm(), std.head<3>().maxCoeff()));
   }
   std::vector<Form> forms(const Signals&) const override {
-    std::vector<Parameter> pull{{"force_x", "N", 1.0, 0.3, -60.0, 60.0},
+    const std::vector<Parameter> pull{{"force_x", "N", 1.0, 0.3, -60.0, 60.0},
                                 {"force_y", "N", 1.0, 0.3, -60.0, 60.0},
                                 {"force_z", "N", 1.0, 0.3, -60.0, 60.0}};
     std::vector<Form> out{formOf(this, "", pull)};
-    for (const char* axis : {"at_x", "at_y", "at_z"}) pull.push_back({axis, "mm", kMilli, 0.03, -1.0, 1.0});
-    out.push_back(formOf(this, "away from the sensor", pull));
+    out.push_back(formOf(this, "away from the sensor", withPlace(pull)));
     out.back().scan = {0, 1, 2};
     return out;
   }

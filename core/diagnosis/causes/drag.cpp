@@ -39,7 +39,7 @@ class ViscousDrag final : public Cause {
     if (!signals.positionKnown) return out;
     add(0, "", {linear});
     add(2, "moving and turning", {linear, angular});
-    add(3, "away from the sensor", {linear, {"at_x", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_y", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_z", "mm", kMilli, 0.03, -1.0, 1.0}});
+    add(3, "away from the sensor", withPlace({linear}));
     out.back().scan = {0};
     add(4, "different along each axis", {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
     return out;
@@ -85,7 +85,7 @@ class CoulombFriction final : public Cause {
     if (!signals.positionKnown) return out;
     add(0, "", {linear});
     add(2, "moving and turning", {linear, angular});
-    add(3, "away from the sensor", {linear, {"at_x", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_y", "mm", kMilli, 0.03, -1.0, 1.0}, {"at_z", "mm", kMilli, 0.03, -1.0, 1.0}});
+    add(3, "away from the sensor", withPlace({linear}));
     out.back().scan = {0};
     for (const double way : {0.003, 0.015, 0.06}) {
       add(4, "giving way", {linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}});
