@@ -62,6 +62,7 @@ void LabelOverlay::paintEvent(QPaintEvent*) {
   const Theme& t = theme();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  if (underlay_) underlay_(painter);
   const std::vector<QRectF> places = placed();
   for (std::size_t i = 0; i < places.size(); ++i) {
     painter.setPen(QPen(t.text2, 1));

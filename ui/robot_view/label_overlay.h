@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace heft {
@@ -22,6 +23,9 @@ class LabelOverlay : public QWidget {
   /// Little circled letters at the ends of the sensor's axes; a point outside the widget hides its letter.
   void setAxisLetters(const std::array<QPointF, 3>& ends, bool shown);
 
+  /// What else is painted, under the labels.
+  void setUnderlay(std::function<void(QPainter&)> paint) { underlay_ = std::move(paint); }
+
   /// Where the labels stand, in the order of the anchors' height; for tests.
   std::vector<QRectF> placed() const;
 
@@ -32,6 +36,7 @@ class LabelOverlay : public QWidget {
   std::vector<ViewLabel> labels_;
   std::array<QPointF, 3> axisEnds_;
   bool axesShown_ = false;
+  std::function<void(QPainter&)> underlay_;
 };
 
 }  // namespace heft

@@ -21,6 +21,26 @@ Vector3d OrbitCamera::right() const { return Vector3d(-std::sin(azimuth), std::c
 
 Vector3d OrbitCamera::pictureUp() const { return (position() - target).normalized().cross(right()); }
 
+Eigen::Vector2d OrbitCamera::pixelOf(const Vector3d& point, double width, double height) const {
+  const Vector3d d = point - position(), forward = (target - position()).normalized();
+  const double depth = d.dot(forward);
+  if (depth <= 1e-6) return {-1e6, -1e6};
+  const double scale = height / (2.0 * std::tan(viewAngle / 2.0) * depth);
+  return {width / 2 + scale * d.dot(right()), height / 2 - scale * d.dot(pictureUp())};
+}
+
+Ray OrbitCamera::rayThrough(const Eigen::Vector2d& pixel, double width, double height) const {
+  const double perPixel = 2.0 * std::tan(viewAngle / 2.0) / std::max(1.0, height);
+  const Vector3d forward = (target - position()).normalized();
+  const Vector3d d = forward + perPixel * ((pixel.x() - width / 2) * right() - (pixel.y() - height / 2) * pictureUp());
+  return {position(), d.normalized()};
+}
+
+double OrbitCamera::metresPerPixel(const Vector3d& point, double height) const {
+  const double depth = (point - position()).dot((target - position()).normalized());
+  return std::max(1e-9, depth) * 2.0 * std::tan(viewAngle / 2.0) / std::max(1.0, height);
+}
+
 void OrbitCamera::orbit(double dx, double dy) {
   azimuth = std::remainder(azimuth - dx * 0.008, 2.0 * kPi);
   elevation = std::clamp(elevation + dy * 0.006, -0.35, kSteepest);

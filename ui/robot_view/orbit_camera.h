@@ -6,6 +6,12 @@
 
 namespace heft {
 
+/// A half line in B.
+struct Ray {
+  Vector3d origin = Vector3d::Zero();     ///< [m]
+  Vector3d direction = Vector3d::UnitX();  ///< Unit vector
+};
+
 struct OrbitCamera {
   Vector3d target{0.0, 0.0, 0.45};  ///< [m], B axes
   double azimuth = 0.6;             ///< [rad] about z; 0 looks along -x, from the front
@@ -18,6 +24,13 @@ struct OrbitCamera {
   /// Unit vectors of the picture: right and up.
   Vector3d right() const;
   Vector3d pictureUp() const;
+
+  /// Where a point [m, B axes] is in a picture of this size [pixels, from the top left]; far outside if it lies behind.
+  Eigen::Vector2d pixelOf(const Vector3d& point, double width, double height) const;
+  /// What lies under a pixel.
+  Ray rayThrough(const Eigen::Vector2d& pixel, double width, double height) const;
+  /// Length that one pixel covers at this point's depth [m].
+  double metresPerPixel(const Vector3d& point, double height) const;
 
   /// By pixels of a mouse drag.
   void orbit(double dx, double dy);

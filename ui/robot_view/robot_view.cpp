@@ -58,6 +58,12 @@ double sensorBodyLength(const SensorMount& mount) { return std::clamp(mount.xyz.
 
 }  // namespace
 
+struct RobotView::LookBefore {
+  OrbitCamera camera;
+  Preset preset;
+  bool touched;
+};
+
 PayloadLook payloadLook(const EstimateReport& report) {
   PayloadLook look;
   look.com = report.payload.com;
@@ -105,8 +111,8 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   layout->addWidget(viewport_);
   scene_ = std::make_unique<Scene3d>(viewport_->renderer());
   overlay_ = new LabelOverlay(viewport_);
+  overlay_->setUnderlay([this](QPainter& painter) { paintOver(painter); });
   note_ = styledLabel({}, "viewNote", viewport_);
-  note_->move(16, 14);
   note_->hide();
   buildTools();
   connect(viewport_, &Viewport::aboutToRender, this, [this] { scene_->applyCamera(viewport_->camera()); });
@@ -150,10 +156,10 @@ void RobotView::buildTools() {
     action->setChecked(*flag);
     connect(action, &QAction::toggled, this, [this, flag](bool on) {
       *flag = on;
-      scene_->setParts(*parts_);
-      viewport_->requestFrame();
+      applyParts();
     });
   };
+  addToggle(tr("Tool"), &parts_->tool);
   addToggle(tr("Path"), &parts_->path);
   addToggle(tr("Force, torque and gravity"), &parts_->arrows);
   addToggle(tr("Sensor axes"), &parts_->axes);
@@ -175,6 +181,8 @@ void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_p
   if (robot_) {
     std::vector<Isometry3d> X_BL;
     robot_->linkPoses(robot_->homePosture(), X_BL);
+    // Before a recording says where the sensor is, the tool sits on the flange.
+    if (const auto flange = robot_->findLink("panda_link8")) placeSensor(X_BL[static_cast<std::size_t>(*flange)]);
     scene_->setLinkPoses(X_BL);
   }
   usePreset(Preset::overview);
@@ -261,11 +269,6 @@ void RobotView::rebuildSweep() {
 
 void RobotView::updateInstant() {
   if (!track_) return;
-  if (track_->hasJoints()) {
-    std::vector<Isometry3d> X_BL;
-    robot_->linkPoses(track_->jointsAt(time_), X_BL);
-    scene_->setLinkPoses(X_BL);
-  }
   const Isometry3d X_BS = track_->sensorAt(time_);
   if (report_) {
     // Without bias the arrows show what the tool really needs: its weight and the forces that move it.
@@ -277,7 +280,114 @@ void RobotView::updateInstant() {
     const double weight = std::max(0.5, report_->payload.mass * kGravity);
     scene_->setWrench(inBase, weight, std::max(0.05, weight * report_->payload.com.norm() * 1.5));
   }
+  placeSensor(X_BS);
+  if (track_->hasJoints()) {
+    std::vector<Isometry3d> X_BL;
+    robot_->linkPoses(track_->jointsAt(time_), X_BL);
+    scene_->setLinkPoses(X_BL);
+  }
+  viewport_->requestFrame();
+}
+
+void RobotView::placeSensor(const Isometry3d& X_BS) {
+  X_BS_ = X_BS;
   scene_->setSensorPose(X_BS);
+  if (handles_) handles_->setPose(X_BS);
+}
+
+void RobotView::showTool(std::vector<ShapeBody> bodies, int selected) {
+  tool_ = std::move(bodies);
+  scene_->setTool(tool_, selected);
+  viewport_->requestFrame();
+}
+
+void RobotView::setToolEditing(bool editing) {
+  if (editing == editing_) return;
+  editing_ = editing;
+  if (editing) {
+    before_ = std::make_unique<LookBefore>(LookBefore{viewport_->camera(), preset_, cameraTouched_});
+    applyParts();
+    usePreset(Preset::tool);
+  } else {
+    applyParts();
+    if (before_ && before_->touched) {
+      viewport_->camera() = before_->camera;
+      preset_ = before_->preset;
+      cameraTouched_ = true;
+    } else if (before_) {
+      usePreset(before_->preset);
+    }
+    before_.reset();
+  }
+  viewport_->requestFrame();
+}
+
+void RobotView::applyParts() {
+  SceneParts shown = *parts_;
+  if (editing_) {
+    shown.path = shown.arrows = shown.axes = shown.payload = false;
+    shown.tool = true;
+  }
+  scene_->setParts(shown);
+  viewport_->requestFrame();
+}
+
+void RobotView::setHandles(HandleSet* handles) {
+  if (handles_) disconnect(handles_, nullptr, overlay_, nullptr);
+  handles_ = handles;
+  viewport_->setHandles(handles);
+  if (handles_) {
+    handles_->setPose(X_BS_);
+    connect(handles_, &HandleSet::changed, overlay_, QOverload<>::of(&QWidget::update));
+  }
+  overlay_->update();
+}
+
+void RobotView::setDimensions(std::vector<DimensionLine> lines) {
+  dimensions_ = std::move(lines);
+  overlay_->update();
+}
+
+void RobotView::paintOver(QPainter& painter) const {
+  const HandleSet::View view = viewport_->handleView();
+  if (!dimensions_.empty()) {
+    Vector3d centre = Vector3d::Zero();
+    int ends = 0;
+    for (const DimensionLine& line : dimensions_) {
+      for (const auto& [a, b] : line.edges) centre += a + b, ends += 2;
+    }
+    paintDimensions(painter, dimensions_, X_BS_, centre / std::max(1, ends), view);
+  }
+  if (handles_) handles_->paint(painter, view);
+}
+
+void RobotView::setStepNote(const QString& text) {
+  stepNote_ = text;
+  updateNote();
+}
+
+void RobotView::setStepTools(QWidget* tools) {
+  if (stepTools_) stepTools_->hide();
+  stepTools_ = tools;
+  if (tools) {
+    tools->setParent(viewport_);
+    tools->adjustSize();
+    tools->move(16, 12);
+    tools->show();
+    tools->raise();
+  }
+  updateNote();
+}
+
+void RobotView::showGhost(const std::optional<VectorXd>& joints) {
+  std::vector<Isometry3d> X_BL;
+  if (joints && robot_ && joints->size() == robot_->dof()) robot_->linkPoses(*joints, X_BL);
+  scene_->setGhost(X_BL);
+  viewport_->requestFrame();
+}
+
+void RobotView::showGhostWay(const std::vector<Vector3d>& way) {
+  scene_->setGhostWay(way);
   viewport_->requestFrame();
 }
 
@@ -310,7 +420,7 @@ void RobotView::usePreset(Preset preset) {
   // The whole recording shall stay in the picture, not only this instant.
   if (preset != Preset::tool && track_) points.insert(points.end(), sweep_.begin(), sweep_.end());
   // Labels stand at the right, so the picture keeps that side free where something is labelled.
-  camera.fit(points, viewport_->aspect(), 0.05, report_ ? 0.2 : 0.08);
+  camera.fit(points, viewport_->aspect(), editing_ ? 0.1 : 0.05, report_ || editing_ ? 0.2 : 0.08);
   viewport_->requestFrame();
 }
 
@@ -335,6 +445,7 @@ void RobotView::updateLabels() {
                      : tr("known to better than 0.2 mm"));
     add(anchors.box, tr("equal-inertia box"));
     add(anchors.gravity, tr("gravity"));
+    if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
   }
   overlay_->setLabels(std::move(labels));
   std::array<QPointF, 3> ends;
@@ -347,13 +458,14 @@ void RobotView::updateLabels() {
 }
 
 void RobotView::updateNote() {
-  QString text;
-  if (track_ && !track_->hasJoints()) {
+  QString text = stepNote_;
+  if (text.isEmpty() && track_ && !track_->hasJoints()) {
     text = track_->positionKnown() ? tr("This recording has no robot: the sensor is shown alone")
                                    : tr("This recording has no position: the sensor turns in place");
   }
   note_->setText(text);
   note_->adjustSize();
+  note_->move(16, stepTools_ ? stepTools_->geometry().bottom() + 10 : 14);
   note_->setVisible(!text.isEmpty());
 }
 
@@ -361,6 +473,7 @@ void RobotView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange && scene_) {
     scene_->restyle();
+    overlay_->update();
     viewport_->requestFrame();
   }
 }

@@ -1,16 +1,21 @@
 #pragma once
 // The 3D half of the window: arm, tool and path at one instant of the recording, with labels and view tools.
+#include <QPointer>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/estimation/estimate.h"
+#include "core/payload/shape.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
+#include "ui/robot_view/dimension_lines.h"
+#include "ui/robot_view/handles.h"
 #include "ui/robot_view/robot_look.h"
 
 class QLabel;
+class QPainter;
 
 namespace heft {
 
@@ -36,6 +41,23 @@ class RobotView : public QWidget {
   void showReport(std::shared_ptr<const EstimateReport> report);
   void showTime(double time);
 
+  /// The user's tool in S axes; meshes must be loaded. It stays until it is replaced. `selected` is drawn stronger.
+  void showTool(std::vector<ShapeBody> bodies, int selected = -1);
+  /// While its shape is edited: close to the tool, and nothing in the way. Off brings the earlier view back.
+  void setToolEditing(bool editing);
+  /// What the shown step lets one grab; null for nothing. Taken out again by the step that put it in.
+  void setHandles(HandleSet* handles);
+  void setDimensions(std::vector<DimensionLine> lines);
+  /// What to do here, and the step's own tools beside it, at the top left. The view does not own the tools.
+  void setStepNote(const QString& text);
+  void setStepTools(QWidget* tools);
+  /// A second arm in these joint angles, translucent: a suggested motion. Nothing hides it.
+  void showGhost(const std::optional<VectorXd>& joints);
+  /// The way of the suggested motion, B axes [m]; empty hides it.
+  void showGhostWay(const std::vector<Vector3d>& way);
+  /// X_BS as drawn now.
+  Isometry3d sensorPose() const { return X_BS_; }
+
   enum class Preset { overview, front, side, top, tool };
   void usePreset(Preset preset);
 
@@ -57,6 +79,9 @@ class RobotView : public QWidget {
   void updateInstant();
   void updateLabels();
   void updateNote();
+  void applyParts();
+  void placeSensor(const Isometry3d& X_BS);
+  void paintOver(QPainter& painter) const;
 
   Viewport* viewport_;
   LabelOverlay* overlay_;
@@ -73,6 +98,15 @@ class RobotView : public QWidget {
   double time_ = 0.0;
   bool labelsShown_ = true;
   Preset preset_ = Preset::overview;
+  Isometry3d X_BS_ = Isometry3d::Identity();
+  std::vector<ShapeBody> tool_;
+  bool editing_ = false;
+  struct LookBefore;
+  std::unique_ptr<LookBefore> before_;  ///< Camera before editing.
+  QPointer<HandleSet> handles_;
+  std::vector<DimensionLine> dimensions_;
+  QString stepNote_;
+  QPointer<QWidget> stepTools_;
   bool cameraTouched_ = false;  ///< The user moved it: no automatic fit on resize.
 };
 

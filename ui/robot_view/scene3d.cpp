@@ -4,8 +4,6 @@
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkMath.h>
-#include <vtkMatrix4x4.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -14,9 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/robot_view/ghost_arm.h"
+#include "ui/robot_view/piece.h"
 #include "ui/robot_view/soft_shadow.h"
 #include "ui/robot_view/solids.h"
 #include "ui/robot_view/stage.h"
+#include "ui/robot_view/tool_shape.h"
 #include "ui/theme/theme.h"
 
 namespace heft {
@@ -28,31 +29,6 @@ constexpr double kGravityArrow = 0.2;  ///< [m]
 constexpr double kAxisLength = 0.13;   ///< [m]
 constexpr double kSensorRadius = 0.0375;
 constexpr double kBallRadius = 0.013;
-
-vtkSmartPointer<vtkMatrix4x4> toMatrix(const Eigen::Matrix4d& m) {
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) matrix->SetElement(i, j, m(i, j));
-  return matrix;
-}
-
-void setPose(vtkActor* actor, const Eigen::Matrix4d& pose) { actor->SetUserMatrix(toMatrix(pose)); }
-
-void setColour(vtkActor* actor, const QColor& colour) {
-  actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-}
-
-/// One drawn thing whose mesh may be replaced.
-struct Piece {
-  vtkSmartPointer<vtkPolyDataMapper> mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
-
-  Piece() {
-    mapper->SetInputData(vtkSmartPointer<vtkPolyData>::New());
-    actor->SetMapper(mapper);
-  }
-  void setMesh(vtkPolyData* mesh) { mapper->SetInputData(mesh); }
-};
 
 void makeMatt(vtkActor* actor) {
   actor->GetProperty()->SetInterpolationToPhong();
@@ -115,6 +91,8 @@ struct Scene3d::Impl {
 
   Piece sensorBody, ball, region, regionLines, box, path, force, torque, gravity;
   std::array<Piece, 3> axes;
+  ToolShape tool;
+  GhostArm ghost;
   SoftShadow shadow;
 
   SceneParts parts;
@@ -128,7 +106,7 @@ struct Scene3d::Impl {
   std::vector<PathSample> samples;
   Anchors anchors;
 
-  explicit Impl(vtkRenderer* r) : renderer(r), stage(r) {
+  explicit Impl(vtkRenderer* r) : renderer(r), stage(r), tool(r), ghost(r) {
     renderer->GetRenderWindow()->SetNumberOfLayers(2);
     front->SetLayer(1);
     front->InteractiveOff();
@@ -161,16 +139,6 @@ struct Scene3d::Impl {
     to->AddActor(piece.actor);
   }
 
-  static void makeGhost(vtkActor* actor) {
-    setColour(actor, theme().tool);
-    actor->GetProperty()->SetOpacity(0.26);
-    actor->GetProperty()->SetAmbient(0.35);
-    actor->GetProperty()->SetSpecular(0.1);
-    // Only the near side: seen through both sides at once the shape would be a tangle.
-    actor->GetProperty()->BackfaceCullingOn();
-    actor->ForceTranslucentOn();
-  }
-
   void show(Piece& piece, bool shown) { piece.actor->SetVisibility(shown); }
 
   void updateVisibility() {
@@ -186,6 +154,7 @@ struct Scene3d::Impl {
     show(torque, sensorShown && parts.arrows && wrench);
     show(gravity, sensorShown && parts.arrows);
     for (auto& axis : axes) show(axis, sensorShown && parts.axes);
+    tool.setShown(parts.tool);
     stage.setGridShown(parts.grid);
   }
 
@@ -193,6 +162,7 @@ struct Scene3d::Impl {
     const Eigen::Matrix4d X = X_BS.matrix();
     setPose(sensorBody.actor, X);
     for (auto& axis : axes) setPose(axis.actor, X);
+    tool.setPose(X_BS);
     anchors = {};
     if (!sensorShown) return;
     for (int a = 0; a < 3; ++a) {
@@ -255,6 +225,7 @@ struct Scene3d::Impl {
                    Vector3d(kSensorRadius * std::cos(i * kPi / 12), kSensorRadius * std::sin(i * kPi / 12), -0.02));
       }
     }
+    for (const Vector3d& p : tool.points()) shadow.add(X_BS * p);
     stage.setShadow(shadow.finish());
   }
 
@@ -292,8 +263,10 @@ void Scene3d::restyle() {
   setColour(s.gravity.actor, t.gravity);
   for (int a = 0; a < 3; ++a) setColour(s.axes[a].actor, t.axis[a]);
   for (auto& piece : s.linkPieces) {
-    if (piece.ghost) s.makeGhost(piece.piece.actor);
+    if (piece.ghost) makeTranslucent(piece.piece.actor, t.tool, 0.26);
   }
+  s.tool.restyle();
+  s.ghost.restyle();
   s.rebuildPath();
   s.updateShadow();
 }
@@ -337,9 +310,12 @@ void Scene3d::setRobot(std::shared_ptr<const RobotLook> look, const std::vector<
   }
   for (auto& piece : s.linkPieces) {
     piece.ghost = piece.link < static_cast<int>(ghostLinks.size()) && ghostLinks[piece.link];
-    if (piece.ghost) s.makeGhost(piece.piece.actor);
+    if (piece.ghost) makeTranslucent(piece.piece.actor, theme().tool, 0.26);
     s.renderer->AddActor(piece.piece.actor);
   }
+  std::vector<GhostArm::Part> ghost;
+  for (const auto& piece : s.linkPieces) ghost.push_back({piece.link, piece.X_LV, piece.piece.mapper->GetInput()});
+  s.ghost.setParts(ghost);
   s.updateShadow();
 }
 
@@ -375,6 +351,16 @@ void Scene3d::setPayload(const std::optional<PayloadLook>& payload) {
   s.updateSensor();
   s.updateVisibility();
 }
+
+void Scene3d::setTool(const std::vector<ShapeBody>& bodies, int selected) {
+  impl_->tool.setBodies(bodies, selected);
+  impl_->updateVisibility();
+  impl_->updateShadow();
+}
+
+void Scene3d::setGhost(const std::vector<Isometry3d>& X_BL) { impl_->ghost.setPoses(X_BL); }
+
+void Scene3d::setGhostWay(const std::vector<Vector3d>& way) { impl_->ghost.setWay(way); }
 
 void Scene3d::setPath(const std::vector<PathSample>& samples) {
   impl_->samples = samples;
@@ -429,6 +415,7 @@ std::vector<Vector3d> Scene3d::outline() const {
     }
   }
   for (const PathSample& sample : s.samples) points.push_back(sample.point);
+  for (const Vector3d& p : s.tool.points()) points.push_back(s.X_BS * p);
   if (s.sensorShown) {
     const Vector3d at = s.X_BS.translation();
     // Room for the arrows up and down, of which the way of the sensor says nothing.
@@ -447,6 +434,7 @@ std::vector<Vector3d> Scene3d::toolOutline() const {
   for (int a = 0; a < 3; ++a) {
     for (const double side : {-1.0, 1.0}) points.push_back(centre + 0.16 * side * Vector3d::Unit(a));
   }
+  for (const Vector3d& p : s.tool.points()) points.push_back(s.X_BS * p);
   return points;
 }
 

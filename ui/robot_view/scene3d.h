@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/math/rigid.h"
+#include "core/payload/shape.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
 #include "ui/robot_view/orbit_camera.h"
@@ -31,7 +32,7 @@ struct PathSample {
 };
 
 struct SceneParts {
-  bool path = true, arrows = true, axes = true, grid = true, payload = true;
+  bool path = true, arrows = true, axes = true, grid = true, payload = true, tool = true;
 };
 
 class Scene3d {
@@ -49,6 +50,11 @@ class Scene3d {
   void setSensor(double bodyLength, bool body);
   void setSensorPose(const Isometry3d& X_BS);
   void setPayload(const std::optional<PayloadLook>& payload);
+  /// The user's tool, in S axes; meshes must be loaded. `selected` is drawn stronger; -1: all alike.
+  void setTool(const std::vector<ShapeBody>& bodies, int selected);
+  /// A second, translucent arm with its links there; empty shows none.
+  void setGhost(const std::vector<Isometry3d>& X_BL);
+  void setGhostWay(const std::vector<Vector3d>& way);
   void setPath(const std::vector<PathSample>& samples);
   /// Force [N] and torque [N m] on the payload, without bias, B axes, about S's origin; lengths follow `fullForce` and
   /// `fullTorque`, which are drawn 0.22 m long and three quarters of a turn. Nothing for an absent wrench.

@@ -41,6 +41,30 @@ QPointF Viewport::toPixels(const Vector3d& point) const {
   return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
 }
 
+void Viewport::setHandles(HandleSet* handles) {
+  if (handles_ == handles) return;
+  if (handles_) {
+    handles_->cancel();
+    handles_->leave();
+    disconnect(handles_, nullptr, this, nullptr);
+  }
+  handles_ = handles;
+  setMouseTracking(handles_ != nullptr);
+  if (handles_) connect(handles_, &HandleSet::changed, this, &Viewport::showCursor);
+  showCursor();
+}
+
+void Viewport::showCursor() {
+  if (handles_ && handles_->dragging()) {
+    setCursor(Qt::ClosedHandCursor);
+  } else if (handles_ && handles_->current()) {
+    setCursor(Qt::OpenHandCursor);
+  } else {
+    unsetCursor();
+  }
+  setToolTip(handles_ && !handles_->dragging() ? handles_->tip() : QString());
+}
+
 void Viewport::requestFrame() {
   if (!frame_.isActive()) frame_.start();
 }
@@ -94,9 +118,16 @@ void Viewport::cameraChanged() {
 void Viewport::mousePressEvent(QMouseEvent* event) {
   last_ = event->pos();
   event->accept();
+  if (handles_ && event->button() == Qt::LeftButton) handles_->press(event->localPos(), handleView());
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  if (handles_ && handles_->dragging()) {
+    last_ = event->pos();
+    handles_->move(event->localPos(), handleView(), event->modifiers() & Qt::ShiftModifier);
+    return;
+  }
+  if (handles_ && event->buttons() == Qt::NoButton) handles_->hover(event->localPos(), handleView());
   const QPoint step = event->pos() - last_;
   last_ = event->pos();
   const bool shift = event->modifiers() & Qt::ShiftModifier;
@@ -110,7 +141,16 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   cameraChanged();
 }
 
-void Viewport::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (handles_ && event->button() == Qt::LeftButton) handles_->release();
+  event->accept();
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+  QVTKOpenGLNativeWidget::leaveEvent(event);
+  if (handles_ && !handles_->dragging()) handles_->leave();
+}
+
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) { event->accept(); }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
@@ -146,6 +186,9 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Minus:
       camera_.dolly(1.0 / 0.9);
       return cameraChanged();
+    case Qt::Key_Escape:
+      if (handles_ && handles_->dragging()) return handles_->cancel();
+      return event->ignore();
     default:
       event->ignore();
   }

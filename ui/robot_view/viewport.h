@@ -4,8 +4,10 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <QPoint>
+#include <QPointer>
 #include <QTimer>
 
+#include "ui/robot_view/handles.h"
 #include "ui/robot_view/orbit_camera.h"
 
 namespace heft {
@@ -20,6 +22,11 @@ class Viewport : public QVTKOpenGLNativeWidget {
   double aspect() const { return height() > 0 ? static_cast<double>(width()) / height() : 1.0; }
   /// Widget pixels of a point in B, or a point far outside if it lies behind the camera.
   QPointF toPixels(const Vector3d& point) const;
+
+  /// What can be grabbed, before the mouse turns the view; null for nothing. Must outlive its use here.
+  void setHandles(HandleSet* handles);
+  HandleSet* handles() const { return handles_; }
+  HandleSet::View handleView() const { return {camera_, QSizeF(size())}; }
 
   /// Renders soon; several calls make one frame.
   void requestFrame();
@@ -42,14 +49,17 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
   void cameraChanged();
+  void showCursor();
 
   vtkSmartPointer<vtkRenderer> renderer_;
   OrbitCamera camera_;
+  QPointer<HandleSet> handles_;
   QTimer frame_;                   ///< Gathers requests.
   QTimer settle_;                  ///< After the last quick frame: one smooth one.
   bool softwareRendering_ = true;  ///< Then smoothing costs too much while things move.

@@ -1,0 +1,40 @@
+#pragma once
+// The arm once more, translucent in the accent colour: a motion that is suggested, not the one that was made.
+#include <vtkRenderer.h>
+
+#include <vector>
+
+#include "ui/robot_view/piece.h"
+
+namespace heft {
+
+class GhostArm {
+ public:
+  struct Part {
+    int link;
+    Eigen::Matrix4d X_LV;  ///< With the mesh's scale.
+    vtkPolyData* mesh;
+  };
+  explicit GhostArm(vtkRenderer* renderer);
+
+  /// What the ghost is made of; shared with the arm itself.
+  void setParts(const std::vector<Part>& parts);
+  /// Where its links are, indexed as the robot's; empty hides it.
+  void setPoses(const std::vector<Isometry3d>& X_BL);
+  /// The way that it goes [m, B axes]; empty hides it.
+  void setWay(const std::vector<Vector3d>& way);
+  void restyle();
+
+ private:
+  struct Link {
+    int link;
+    Eigen::Matrix4d X_LV;
+    Piece piece;
+  };
+  vtkRenderer* renderer_;
+  std::vector<Link> links_;
+  std::vector<Vector3d> way_;
+  Piece tube_;
+};
+
+}  // namespace heft

@@ -1,0 +1,105 @@
+#include "ui/robot_view/tool_shape.h"
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkProperty.h>
+
+#include "ui/robot_view/solids.h"
+#include "ui/robot_view/tool_solid.h"
+#include "ui/theme/theme.h"
+
+namespace heft {
+namespace {
+
+vtkSmartPointer<vtkPolyData> toLines(const std::vector<std::vector<Vector3d>>& edges) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  auto lines = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& edge : edges) {
+    lines->InsertNextCell(static_cast<vtkIdType>(edge.size()));
+    for (const Vector3d& p : edge) lines->InsertCellPoint(points->InsertNextPoint(p.x(), p.y(), p.z()));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  return data;
+}
+
+bool sameForm(const ShapeBody& a, const ShapeBody& b) {
+  return a.kind == b.kind && a.dims == b.dims && a.mesh == b.mesh && a.unit == b.unit && a.wall == b.wall;
+}
+
+}  // namespace
+
+void ToolShape::setBodies(const std::vector<ShapeBody>& bodies, int selected) {
+  selected_ = selected;
+  while (bodies_.size() > bodies.size()) {
+    for (Piece* piece : {&bodies_.back().faces, &bodies_.back().edges, &bodies_.back().hollow})
+      renderer_->RemoveActor(piece->actor);
+    bodies_.pop_back();
+  }
+  points_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool fresh = i == bodies_.size();
+    if (fresh) {
+      bodies_.emplace_back();
+      for (Piece* piece : {&bodies_[i].faces, &bodies_[i].edges, &bodies_[i].hollow})
+        renderer_->AddActor(piece->actor);
+    }
+    Body& body = bodies_[i];
+    if (fresh || !sameForm(body.shape, bodies[i])) {
+      const ToolSolid solid = makeToolSolid(bodies[i]);
+      body.faces.setMesh(toPolyData(solid.faces));
+      body.edges.setMesh(toLines(solid.edges));
+      body.hollow.setMesh(toLines(solid.hollow));
+    }
+    body.shape = bodies[i];
+    auto* mesh = body.faces.mapper->GetInput();
+    const vtkIdType count = mesh->GetNumberOfPoints(), stride = std::max<vtkIdType>(1, count / 200);
+    for (vtkIdType v = 0; v < count; v += stride) {
+      double p[3];
+      mesh->GetPoint(v, p);
+      points_.push_back(bodies[i].X_SB * Vector3d(p[0], p[1], p[2]));
+    }
+  }
+  restyle();
+  place();
+}
+
+void ToolShape::setPose(const Isometry3d& X_BS) {
+  X_BS_ = X_BS;
+  place();
+}
+
+void ToolShape::place() {
+  for (Body& body : bodies_) {
+    const Eigen::Matrix4d X = (X_BS_ * body.shape.X_SB).matrix();
+    for (Piece* piece : {&body.faces, &body.edges, &body.hollow}) heft::setPose(piece->actor, X);
+  }
+}
+
+void ToolShape::setShown(bool shown) {
+  shown_ = shown;
+  for (Body& body : bodies_)
+    for (Piece* piece : {&body.faces, &body.edges, &body.hollow}) piece->actor->SetVisibility(shown);
+}
+
+void ToolShape::restyle() {
+  const Theme& t = theme();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& body = bodies_[i];
+    const bool strong = selected_ < 0 || selected_ == static_cast<int>(i);
+    makeTranslucent(body.faces.actor, t.tool, strong ? 0.42 : 0.22);
+    // Both sides: one sees into the body.
+    body.faces.actor->GetProperty()->BackfaceCullingOff();
+    body.faces.actor->GetProperty()->SetOpacity(strong ? 0.30 : 0.16);
+    for (Piece* piece : {&body.edges, &body.hollow}) {
+      setColour(piece->actor, t.dark ? t.axis[2] : QColor("#2B6F97"));
+      piece->actor->GetProperty()->LightingOff();
+      piece->actor->GetProperty()->SetLineWidth(strong ? 1.6F : 1.0F);
+    }
+    body.hollow.actor->GetProperty()->SetOpacity(0.45);
+  }
+  setShown(shown_);
+}
+
+}  // namespace heft
