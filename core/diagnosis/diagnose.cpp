@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/diagnosis/corrected.h"
 #include "core/diagnosis/events.h"
 #include "core/diagnosis/frames.h"
 #include "core/diagnosis/search.h"
@@ -241,28 +242,7 @@ void widen(EstimateReport& report, const Fit& fit) {
 /// The recording as the sensor and the robot would have told it without the causes.
 Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Work& work) {
   Recording out = cleaned;
-  if (work.mistake) {
-    switch (work.mistake->kind) {
-      case FrameMistake::Kind::wrenchSign:
-        out.wrench = -out.wrench;
-        break;
-      case FrameMistake::Kind::gravitySign:
-        out.meta.gravity = -out.meta.gravity;
-        break;
-      case FrameMistake::Kind::transposed:
-        out.quaternion.leftCols<3>() *= -1.0;
-        break;
-      case FrameMistake::Kind::turned:
-      case FrameMistake::Kind::mirrored: {
-        const Matrix3d& turn = work.mistake->turn;
-        out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * turn.transpose()).eval();
-        out.wrench.rightCols<3>() = (out.wrench.rightCols<3>() * turn.transpose()).eval();
-        break;
-      }
-      case FrameMistake::Kind::none:
-        break;
-    }
-  }
+  if (work.mistake) out = undone(std::move(out), *work.mistake);
   if (!work.search.final.model.terms.empty()) {
     auto effect = effectOf(work.search.final.model, out, robot);
     if (!effect) return effect.error();
@@ -429,6 +409,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     // A jump is a drift that took no time.
     if (cause.id == "sensor_bias" && std::ranges::find(cause.alternatives, "bias_drift") == cause.alternatives.end())
       cause.alternatives.push_back("bias_drift");
+    cause.before = before;
+    cause.after = after;
     fitted.push_back(std::move(cause));
     before = after;
   }
@@ -527,6 +509,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     }
   }
   out.model = final.model;
+  out.mistake = work.mistake;
   const auto bank = signaturesOf(work.signals, final.model, options.hidden);
   for (const auto& signature : bank) {
     const std::string id(signature.form.cause->id());

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "core/diagnosis/frames.h"
 #include "core/diagnosis/heldout.h"
 #include "core/diagnosis/sample_tests.h"
 #include "core/diagnosis/structure.h"
@@ -43,6 +44,7 @@ struct DiagnosedCause {
   bool direct = false;                          ///< Seen in the samples themselves; evidence and gain are then empty.
   double deltaBic = 0.0, pValue = 0.0;
   diagnosis::Gain gain;  ///< On blocks that were held out
+  diagnosis::Wrenches before, after;  ///< 6 x N, left over on such blocks without and with it; empty if seen directly
   std::vector<std::string> alternatives;
   std::string tellApart;
 };
@@ -80,6 +82,7 @@ struct DiagnosisReport {
   nlohmann::json metaChanges() const;  ///< What the meta file should say instead; empty object: nothing
   RecordingMeta meta;
   diagnosis::Model model;         ///< Extended model
+  std::optional<diagnosis::FrameMistake> mistake;  ///< Undone before everything else
   DiagnosisSeries series;
   Findings findings;
   /// On another recording, where one was given: misfit of the baseline, and with the causes kept as found here.

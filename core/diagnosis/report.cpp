@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/diagnosis/corrected.h"
 #include "core/diagnosis/diagnose.h"
 
 namespace heft {
@@ -137,6 +138,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
               {"model", modelToJson(report.model)},
               {"timing_s", {{"total", report.seconds}}},
               {"findings", findings}};
+  if (report.mistake) out["frame_mistake"] = mistakeToJson(*report.mistake);
   if (report.check)
     out["check"] = {{"file", report.check->file},
                     {"force_rms_before_n", report.check->before.force},

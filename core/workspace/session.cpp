@@ -83,6 +83,12 @@ json marksJson(const std::vector<Mark>& marks) {
   return out;
 }
 
+json correctionsJson(const Corrections& corrections) {
+  const json found = json::parse(corrections.found, nullptr, false);
+  if (corrections.causes.empty() || !found.is_object()) return json();
+  return {{"causes", corrections.causes}, {"found", found}};
+}
+
 json shapeJson(const ShapeChoice& choice, const fs::path& folder) {
   Shape shape = choice.shape;
   for (ShapeBody& body : shape.bodies)
@@ -154,7 +160,15 @@ Result<SessionRecording> readRecordingEntry(const json& entry, const Reader& rea
   if (!marks) return marks.error();
   out.marks = std::move(marks).value();
   if (memberOf(entry, "result").is_object()) out.result = entry["result"].dump();
-  out.kept = othersOf(entry, {"file", "absolute", "marks", "result"});
+  const json& corrections = memberOf(entry, "corrections");
+  if (corrections.is_object() && memberOf(corrections, "found").is_object() && memberOf(corrections, "causes").is_array()) {
+    for (const json& cause : corrections["causes"]) {
+      if (!cause.is_string()) return reader.wrong("corrections", "should name causes");
+      out.corrections.causes.push_back(cause.get<std::string>());
+    }
+    if (!out.corrections.causes.empty()) out.corrections.found = corrections["found"].dump();
+  }
+  out.kept = othersOf(entry, {"file", "absolute", "marks", "result", "corrections"});
   return out;
 }
 
@@ -224,7 +238,8 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
     recordings.push_back(withKept({{"file", relativeTo(recording.file, folder)},
                                    {"absolute", displayName(recording.file)},
                                    {"marks", marksJson(recording.marks)},
-                                   {"result", result.is_object() ? result : json()}},
+                                   {"result", result.is_object() ? result : json()},
+                                   {"corrections", correctionsJson(recording.corrections)}},
                                   keptObject(recording.kept)));
   }
   json mounted = json::array();

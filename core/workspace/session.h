@@ -22,11 +22,20 @@ namespace heft {
 inline constexpr int kSessionVersion = 1;
 inline constexpr std::string_view kSessionExtension = ".heft";
 
+/// What the user accepted of a diagnosis. An estimate takes it out of the recording first.
+struct Corrections {
+  std::vector<std::string> causes;  ///< IDs, in the order in which they were applied.
+  std::string found;                ///< The heft.diagnose/1 that they are of, as JSON text; empty without causes.
+
+  bool operator==(const Corrections&) const = default;
+};
+
 struct SessionRecording {
   std::filesystem::path file;  ///< Absolute.
   std::vector<Mark> marks;     ///< Painted by the user; they win over the file's own, later ones over earlier ones.
   std::string result;          ///< The last heft.estimate/1 as JSON text; empty if there is none.
   std::string kept;            ///< JSON object text with keys that a newer version wrote.
+  Corrections corrections = {};
 };
 
 /// The answer to "What does your tool look like?".

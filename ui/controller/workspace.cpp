@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "core/diagnosis/corrected.h"
 #include "core/recording/csv_reader.h"
 #include "core/workspace/marks.h"
 #include "ui/controller/edit_command.h"
@@ -15,7 +16,7 @@ namespace heft {
 namespace {
 
 constexpr int kEstimateDelay = 350;  ///< [ms] after the last edit
-enum EditKind { kMarks = 1, kShape, kSettings, kExport };
+enum EditKind { kMarks = 1, kShape, kSettings, kExport, kCorrections };
 
 bool isSession(const QString& path) {
   return path.endsWith(QLatin1String(kSessionExtension.data()), Qt::CaseInsensitive);
@@ -28,6 +29,12 @@ Recording Snapshot::recording() const {
   // The last mark that covers an instant wins: the painted ones come last.
   copy.meta.marks.insert(copy.meta.marks.end(), marks.begin(), marks.end());
   return copy;
+}
+
+Result<EstimateReport> Snapshot::estimated(const Progress& progress) const {
+  if (corrections.causes.empty()) return heft::estimate(recording(), robot(), options, progress);
+  const nlohmann::json found = nlohmann::json::parse(corrections.found, nullptr, false);
+  return estimateWith(recording(), robot(), options, found, corrections.causes, progress);
 }
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
@@ -141,7 +148,7 @@ void Workspace::loaded(const QString& path, std::shared_ptr<const OpenRecording>
   std::size_t index = 0;
   while (index < session_.recordings.size() && session_.recordings[index].file != file) ++index;
   if (index == session_.recordings.size()) {
-    session_.recordings.push_back({file, {}, {}, {}});
+    session_.recordings.push_back({file, {}, {}, {}, {}});
     entries_.emplace_back();
     modified_ = true;
   }
@@ -179,6 +186,7 @@ Snapshot Workspace::snapshot() const {
   if (!out.opened) return out;
   out.marks = session_.recordings[static_cast<std::size_t>(session_.active)].marks;
   out.options = estimateOptions(session_);
+  out.corrections = corrections();
   // Painting over a suggestion must not turn the rest of the recording into "not marked": what counts is whether the
   // file itself came with marks.
   out.options.segments = defaultSegmentMode(out.opened->recording);
@@ -223,7 +231,7 @@ void Workspace::estimate() {
   jobs_.start(
       tr("Estimating"),
       [now](const Progress& progress) -> Result<std::shared_ptr<const EstimateReport>> {
-        auto result = heft::estimate(now.recording(), now.robot(), now.options, progress);
+        auto result = now.estimated(progress);
         if (!result) return result.error();
         // Findings of reading concern the result as much as those of estimating.
         auto report = std::make_shared<EstimateReport>(std::move(result).value());
@@ -308,6 +316,25 @@ void Workspace::setMarks(const std::vector<Mark>& marks, const QString& text, in
                                                   emit sessionChanged();
                                                   estimateSoon(static_cast<int>(index));
                                                 }));
+}
+
+const Corrections& Workspace::corrections() const {
+  static const Corrections none;
+  return active() ? session_.recordings[static_cast<std::size_t>(session_.active)].corrections : none;
+}
+
+void Workspace::setCorrections(const Corrections& corrections, const QString& text) {
+  if (!opened()) return;
+  const auto index = static_cast<std::size_t>(session_.active);
+  undo_.push(new EditCommand<Corrections>(text, kCorrections, 0, session_.recordings[index].corrections, corrections,
+                                          [this, index](const Corrections& value) {
+                                            session_.recordings[index].corrections = value;
+                                            if (session_.active != static_cast<int>(index))
+                                              show(static_cast<int>(index));
+                                            emit correctionsChanged();
+                                            emit sessionChanged();
+                                            estimateSoon(static_cast<int>(index));
+                                          }));
 }
 
 void Workspace::paint(double from, double to, std::optional<MarkLabel> label, int mergeKey) {

@@ -35,8 +35,11 @@ struct Snapshot {
   std::shared_ptr<const OpenRecording> opened;
   std::vector<Mark> marks;  ///< Painted, laid over the file's own.
   EstimateOptions options;
+  Corrections corrections;  ///< Of the reality check; recording() does not hold them, estimated() does.
 
   Recording recording() const;
+  /// With the corrections in the model.
+  Result<EstimateReport> estimated(const Progress& progress) const;
   const RobotModel* robot() const { return opened->robot.get(); }
 };
 
@@ -97,6 +100,9 @@ class Workspace : public QObject {
   void setShape(const ShapeChoice& shape, const QString& text, int mergeKey = 0);
   void setSettings(const EstimateSettings& settings, const QString& text, int mergeKey = 0);
   void setExport(const ExportChoice& choice, const QString& text, int mergeKey = 0);
+  /// Of the shown recording.
+  void setCorrections(const Corrections& corrections, const QString& text);
+  const Corrections& corrections() const;
   int newMergeKey() { return ++mergeKey_; }
   /// View state: kept in the session, never undone.
   void setStep(const QString& id);
@@ -110,6 +116,7 @@ class Workspace : public QObject {
   void shapeChanged();
   void settingsChanged();
   void exportChanged();
+  void correctionsChanged();
   /// Anything in the session changed, results included.
   void sessionChanged();
   /// busy() would answer differently.

@@ -24,8 +24,9 @@ class SessionTest : public testing::Test {
 
   Session example() const {
     Session session;
-    session.recordings.push_back({folder / "data" / "a.csv", {{1.5, 2.5, MarkLabel::contact}}, R"({"schema":"x"})", ""});
-    session.recordings.push_back({folder / "b.csv", {}, "", ""});
+    session.recordings.push_back({folder / "data" / "a.csv", {{1.5, 2.5, MarkLabel::contact}}, R"({"schema":"x"})", "", {}});
+    session.recordings.push_back({folder / "b.csv", {}, "", "", {}});
+    session.recordings.back().corrections = {{"cable_pull", "contact"}, R"({"schema":"heft.diagnose/1"})"};
     session.active = 1;
     session.shape.answer = ShapeChoice::Answer::given;
     session.shape.picture = "gripper";
@@ -61,6 +62,8 @@ TEST_F(SessionTest, ComesBackAsItWasSaved) {
   ASSERT_EQ(after->recordings[0].marks.size(), 1u);
   EXPECT_EQ(after->recordings[0].marks[0].label, MarkLabel::contact);
   EXPECT_EQ(after->recordings[0].result, before.recordings[0].result);
+  EXPECT_TRUE(after->recordings[0].corrections.causes.empty());
+  EXPECT_EQ(after->recordings[1].corrections, before.recordings[1].corrections);
   EXPECT_EQ(after->active, 1);
   EXPECT_EQ(after->shape.picture, "gripper");
   ASSERT_EQ(after->shape.shape.bodies.size(), 1u);

@@ -1,0 +1,201 @@
+#include "core/diagnosis/corrected.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace heft {
+
+using namespace diagnosis;
+using nlohmann::json;
+
+namespace {
+
+using Kind = FrameMistake::Kind;
+constexpr std::array<std::pair<Kind, std::string_view>, 5> kKinds{{{Kind::gravitySign, "gravity_sign"},
+                                                                   {Kind::wrenchSign, "wrench_sign"},
+                                                                   {Kind::transposed, "transposed"},
+                                                                   {Kind::turned, "turned"},
+                                                                   {Kind::mirrored, "mirrored"}}};
+
+bool has(const std::vector<std::string>& causes, std::string_view id) {
+  return std::find(causes.begin(), causes.end(), id) != causes.end();
+}
+
+/// The member of `object` under `key`; null if there is none.
+const json& memberOf(const json& object, const char* key) {
+  static const json nothing;
+  const auto it = object.is_object() ? object.find(key) : object.end();
+  return it == object.end() ? nothing : *it;
+}
+
+std::optional<FrameMistake> mistakeFromJson(const json& object) {
+  FrameMistake out;
+  const json& kind = memberOf(object, "kind");
+  for (const auto& [value, name] : kKinds)
+    if (kind == name) out.kind = value;
+  if (out.kind == Kind::none) return std::nullopt;
+  const json& turn = memberOf(object, "turn");
+  if (!turn.is_array() || turn.size() != 9) return std::nullopt;
+  for (int i = 0; i < 9; ++i) {
+    if (!turn[static_cast<std::size_t>(i)].is_number()) return std::nullopt;
+    out.turn(i / 3, i % 3) = turn[static_cast<std::size_t>(i)].get<double>();
+  }
+  return out;
+}
+
+struct NamedCause {
+  bool direct = false;
+  std::vector<std::pair<double, double>> when;
+};
+
+std::optional<NamedCause> causeIn(const json& found, const std::string& id) {
+  for (const json& cause : memberOf(found, "causes")) {
+    if (memberOf(cause, "cause") != id) continue;
+    NamedCause out;
+    out.direct = memberOf(cause, "direct") == true;
+    for (const json& stretch : memberOf(cause, "when"))
+      if (stretch.is_array() && stretch.size() == 2 && stretch[0].is_number() && stretch[1].is_number())
+        out.when.emplace_back(stretch[0].get<double>(), stretch[1].get<double>());
+    return out;
+  }
+  return std::nullopt;
+}
+
+/// Deviations as the joint fit of payload and causes had them, where that is more.
+void widen(EstimateReport& report, const json& found) {
+  const json& std = memberOf(memberOf(found, "payload_after"), "std");
+  const auto grow = [](double& deviation, Interval& interval, const json& least) {
+    if (!least.is_number() || !(deviation > 0.0) || !(deviation < least.get<double>())) return;
+    const double factor = least.get<double>() / deviation, middle = 0.5 * (interval.lower + interval.upper);
+    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
+    deviation = least.get<double>();
+  };
+  grow(report.std.mass, report.interval95.mass, memberOf(std, "mass_kg"));
+  const json& com = memberOf(std, "com_m");
+  for (std::size_t i = 0; i < 3 && com.is_array() && com.size() == 3; ++i)
+    grow(report.std.com(static_cast<Eigen::Index>(i)), report.interval95.com[i], com[i]);
+}
+
+/// Adds to both series what the correction took off, between the recording's rows by a straight line.
+void addBack(WrenchSeries& series, const Recording& raw, const Recording& cleaned) {
+  Eigen::Index row = 0;
+  for (Eigen::Index k = 0; k < series.time.size(); ++k) {
+    while (row + 2 < raw.rows() && raw.time(row + 1) < series.time(k)) ++row;
+    const Eigen::Index next = std::min(row + 1, raw.rows() - 1);
+    const double step = raw.time(next) - raw.time(row);
+    const double share = step > 0.0 ? std::clamp((series.time(k) - raw.time(row)) / step, 0.0, 1.0) : 0.0;
+    const Eigen::Matrix<double, 1, 6> effect = (1.0 - share) * (raw.wrench.row(row) - cleaned.wrench.row(row)) +
+                                               share * (raw.wrench.row(next) - cleaned.wrench.row(next));
+    series.measured.row(k) += effect;
+    series.simulated.row(k) += effect;
+  }
+}
+
+}  // namespace
+
+Recording undone(Recording out, const FrameMistake& mistake) {
+  switch (mistake.kind) {
+    case Kind::wrenchSign:
+      out.wrench = -out.wrench;
+      break;
+    case Kind::gravitySign:
+      out.meta.gravity = -out.meta.gravity;
+      break;
+    case Kind::transposed:
+      out.quaternion.leftCols<3>() *= -1.0;
+      break;
+    case Kind::turned:
+    case Kind::mirrored:
+      out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * mistake.turn.transpose()).eval();
+      out.wrench.rightCols<3>() = (out.wrench.rightCols<3>() * mistake.turn.transpose()).eval();
+      break;
+    case Kind::none:
+      break;
+  }
+  return out;
+}
+
+json mistakeToJson(const FrameMistake& mistake) {
+  json turn = json::array();
+  for (int i = 0; i < 9; ++i) turn.push_back(mistake.turn(i / 3, i % 3));
+  std::string_view name;
+  for (const auto& [value, text] : kKinds)
+    if (value == mistake.kind) name = text;
+  return {{"kind", name}, {"turn", turn}, {"remedy", mistake.remedy}};
+}
+
+bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
+  if (!cause.direct)
+    return std::any_of(report.model.terms.begin(), report.model.terms.end(),
+                       [&](const Term& term) { return term.form->cause->id() == cause.id; });
+  if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
+  if (cause.id == "contact") return !cause.when.empty();
+  return cause.id == "motion_lag" || cause.id == "derivative_noise";
+}
+
+Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,
+                            const std::vector<std::string>& causes) {
+  const Error other{"The corrections of this session are of a diagnosis that this version of Heft does not understand; "
+                    "run the reality check again."};
+  Recording out = recording;
+  std::vector<std::string> fitted;
+  for (const std::string& id : causes) {
+    const auto cause = causeIn(found, id);
+    if (!cause) return other;
+    if (!cause->direct) {
+      fitted.push_back(id);
+    } else if (id == "frame_error" || id == "sensor_rotation") {
+      const auto mistake = mistakeFromJson(memberOf(found, "frame_mistake"));
+      if (!mistake) return other;
+      out = undone(std::move(out), *mistake);
+    } else if (id == "contact") {
+      for (const auto& [from, to] : cause->when) out.meta.marks.push_back({from, to, MarkLabel::contact});
+    } else if (id == "motion_lag" || id == "derivative_noise") {
+      out.dq.resize(0, out.dq.cols());
+    }
+  }
+  if (fitted.empty()) return out;
+  // The zero's wandering was fitted along with them and is allowed for together with any of them.
+  fitted.emplace_back(kWandering);
+  // The model was fitted to a recording without the mistake, whoever applies that one, too.
+  Recording stated = out;
+  std::optional<FrameMistake> left;
+  if (!has(causes, "frame_error") && !has(causes, "sensor_rotation"))
+    left = mistakeFromJson(memberOf(found, "frame_mistake"));
+  if (left) stated = undone(std::move(stated), *left);
+  auto model = modelFromJson(memberOf(found, "model"), stated, robot);
+  if (!model) return model.error();
+  auto effect = effectOf(*model, stated, robot, fitted);
+  if (!effect) return effect.error();
+  if (left && (left->kind == Kind::turned || left->kind == Kind::mirrored)) {
+    effect->leftCols<3>() = (effect->leftCols<3>() * left->turn).eval();
+    effect->rightCols<3>() = (effect->rightCols<3>() * left->turn).eval();
+  } else if (left && left->kind == Kind::wrenchSign) {
+    *effect = -*effect;
+  }
+  out.wrench -= *effect;
+  return out;
+}
+
+Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                                    const json& found, const std::vector<std::string>& causes,
+                                    const Progress& progress) {
+  if (causes.empty()) return estimate(recording, robot, options, progress);
+  auto cleaned = corrected(recording, robot, found, causes);
+  if (!cleaned) return cleaned.error();
+  auto report = estimate(*cleaned, robot, options, progress);
+  if (!report) return report;
+  widen(*report, found);
+  addBack(report->series, recording, *cleaned);
+  report->findings.push_back({Severity::info, "causes_taken_out",
+                              fmt::format("The reality check's corrections are part of these numbers: {}.", fmt::join(causes, ", ")),
+                              "", {}});
+  return report;
+}
+
+}  // namespace heft

@@ -1,0 +1,30 @@
+#pragma once
+// What a diagnosis found, taken out of a recording one cause at a time, and the payload estimated with it.
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/diagnose.h"
+
+namespace heft {
+
+/// The recording as it would be without a mistake of frames or signs.
+Recording undone(Recording recording, const diagnosis::FrameMistake& mistake);
+nlohmann::json mistakeToJson(const diagnosis::FrameMistake& mistake);
+
+/// False for what can only be mended on the rig (a sensor at its limit), or is allowed for anyway (spikes).
+bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause);
+
+/// `recording` without `causes` (IDs) of `found`, a heft.diagnose/1 that was made on it: their wrench is taken off,
+/// frames are set right, contacts are marked, joint velocities that disagree with the angles are dropped. Fails if
+/// `found` does not hold them.
+Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const nlohmann::json& found,
+                            const std::vector<std::string>& causes);
+
+/// estimate() with the causes in the model: the payload comes from the corrected recording, its deviations are at least
+/// those of the joint fit, and the simulated wrench holds what the causes add, so that it compares with the recording.
+Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                                    const nlohmann::json& found, const std::vector<std::string>& causes,
+                                    const Progress& progress = {});
+
+}  // namespace heft

@@ -1,0 +1,106 @@
+// Causes taken out one at a time, and the difference looked at from several sides.
+#include "core/diagnosis/corrected.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/diagnosis/views.h"
+#include "tests/core/diagnosis/fixture.h"
+
+namespace heft::test {
+namespace {
+
+struct Pulled {
+  Recording recording = aRecording(MotionKind::free, 81, {{"cable_pull", "", 4.0}});
+  DiagnosisReport report = diagnosed(recording);
+  nlohmann::json found = toJson(report);
+};
+
+const Pulled& pulled() {
+  static const Pulled kPulled;
+  return kPulled;
+}
+
+TEST(Corrected, PayloadAndPredictionUseTheCause) {
+  const auto& p = pulled();
+  ASSERT_FALSE(p.report.causes.empty());
+  EXPECT_EQ(p.report.causes[0].id, "cable_pull");
+  EXPECT_TRUE(canApply(p.report, p.report.causes[0]));
+  const EstimateOptions options;
+  const auto plain = estimateWith(p.recording, &RobotModel::panda(), options, p.found, {});
+  const auto with = estimateWith(p.recording, &RobotModel::panda(), options, p.found, {"cable_pull"});
+  ASSERT_TRUE(plain.ok());
+  ASSERT_TRUE(with.ok()) << with.error().message;
+  EXPECT_LT(std::abs(with->payload.mass - 0.75), 0.2 * std::abs(plain->payload.mass - 0.75));
+  EXPECT_NEAR(with->payload.mass, p.report.after.payload.mass, 1e-9);
+  EXPECT_GE(with->std.mass, 0.999 * p.report.after.std.mass);
+  // The simulated wrench comes closer to what was measured, and that still is what was recorded.
+  const auto misfit = [](const EstimateReport& r) { return (r.series.measured - r.series.simulated).norm(); };
+  EXPECT_LT(misfit(*with), 0.5 * misfit(*plain));
+  EXPECT_LT((with->series.measured - plain->series.measured).cwiseAbs().maxCoeff(), 0.05);
+}
+
+TEST(Corrected, WhatWasNotFoundCannotBeApplied) {
+  const auto& p = pulled();
+  EXPECT_FALSE(corrected(p.recording, &RobotModel::panda(), p.found, {"time_offset"}).ok());
+  EXPECT_FALSE(corrected(p.recording, &RobotModel::panda(), nlohmann::json::array(), {"cable_pull"}).ok());
+  auto broken = p.found;
+  broken.erase("model");
+  EXPECT_FALSE(corrected(p.recording, &RobotModel::panda(), broken, {"cable_pull"}).ok());
+}
+
+TEST(Corrected, AWrongSignIsTurnedRoundAndAContactMarked) {
+  Recording recording = aRecording(MotionKind::excitation, 82);
+  recording.wrench = -recording.wrench;
+  const DiagnosisReport report = diagnosed(recording);
+  ASSERT_TRUE(report.mistake.has_value());
+  ASSERT_TRUE(canApply(report, report.causes.front()));
+  auto found = toJson(report);
+  const auto out = corrected(recording, &RobotModel::panda(), found, {report.causes.front().id});
+  ASSERT_TRUE(out.ok()) << out.error().message;
+  EXPECT_LT((out->wrench + recording.wrench).cwiseAbs().maxCoeff(), 1e-12);
+  found["causes"].push_back({{"cause", "contact"}, {"direct", true}, {"when", {{2.0, 3.0}}}});
+  const auto marked = corrected(recording, &RobotModel::panda(), found, {"contact"});
+  ASSERT_TRUE(marked.ok());
+  ASSERT_EQ(marked->meta.marks.size(), recording.meta.marks.size() + 1);
+  EXPECT_EQ(marked->meta.marks.back().label, MarkLabel::contact);
+}
+
+TEST(Views, TheStretchShowsTheCauseAndThePullGoesWithThePlace) {
+  const auto& p = pulled();
+  const auto& cause = p.report.causes[0];
+  const auto stretch = diagnosis::tellingStretch(p.report.series, cause.before, cause.after, 3.0);
+  EXPECT_NEAR(stretch.to - stretch.from, 3.0, 0.1);
+  double was = 0, is = 0;
+  for (Eigen::Index n = 0; n < p.report.series.time.size(); ++n)
+    if (p.report.series.time(n) >= stretch.from && p.report.series.time(n) <= stretch.to) {
+      was += std::pow(cause.before(stretch.channel, n), 2);
+      is += std::pow(cause.after(stretch.channel, n), 2);
+    }
+  EXPECT_GT(was, 9.0 * is);
+  const auto witnesses = diagnosis::witnesses(p.recording, &RobotModel::panda());
+  ASSERT_TRUE(witnesses.ok());
+  double place = 0, speed = 0;
+  for (const auto& w : *witnesses) {
+    ASSERT_EQ(w.value.size(), p.report.series.time.size()) << w.id;
+    for (int c = 0; c < 3; ++c) {
+      const double r = std::abs(diagnosis::correlation(p.report.series, w.value, cause.before.row(c).transpose()));
+      EXPECT_LE(r, 1.0 + 1e-9);
+      if (w.id.starts_with("position")) place = std::max(place, r);
+      if (w.id.starts_with("velocity_")) speed = std::max(speed, r);
+    }
+  }
+  EXPECT_GT(place, speed);
+}
+
+TEST(Views, TheSpectrumFallsToTheFloor) {
+  const auto spectrum = diagnosis::spectrumOf(pulled().report.series, false);
+  ASSERT_GT(spectrum.frequency.size(), 20);
+  EXPECT_GT(spectrum.floor, 0.0);
+  EXPECT_GT(spectrum.before(0), 10.0 * spectrum.after(0));
+  EXPECT_NEAR(spectrum.before(spectrum.before.size() - 2), spectrum.after(spectrum.after.size() - 2), spectrum.floor);
+}
+
+}  // namespace
+}  // namespace heft::test
