@@ -2,6 +2,288 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>CauseCard</name>
+    <message>
+        <source>Unseen error %1 before, %2 after, noise floor %3</source>
+        <translation>Ungesehener Fehler %1 vorher, %2 nachher, Rauschen %3</translation>
+    </message>
+    <message>
+        <source>Root mean square of what the model misses, on stretches that it was not fitted to.</source>
+        <translation>Effektivwert dessen, was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>Measured, old and improved simulation on the unseen stretch</source>
+        <translation>Gemessen, alte und verbesserte Simulation auf dem ungesehenen Abschnitt</translation>
+    </message>
+    <message>
+        <source>Value and one standard deviation</source>
+        <translation>Wert und eine Standardabweichung</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>Evidence (ΔBIC)</source>
+        <translation>Beweiskraft (ΔBIC)</translation>
+    </message>
+    <message>
+        <source>How much better the recording is explained, after paying for the extra numbers; under %1 nothing is named.</source>
+        <translation>Wie viel besser die Aufnahme erklärt wird, nach Abzug für die zusätzlichen Zahlen; unter %1 wird nichts benannt.</translation>
+    </message>
+    <message>
+        <source>p-value</source>
+        <translation>p-Wert</translation>
+    </message>
+    <message>
+        <source>How often a clean recording with this motion and noise looks at least as conspicuous</source>
+        <translation>Wie oft eine saubere Aufnahme mit dieser Bewegung und diesem Rauschen mindestens so auffällig aussieht</translation>
+    </message>
+    <message>
+        <source>Better on</source>
+        <translation>Besser auf</translation>
+    </message>
+    <message>
+        <source>%1 of %2 unseen stretches</source>
+        <translation>%1 von %2 ungesehenen Abschnitten</translation>
+    </message>
+    <message>
+        <source>Explained</source>
+        <translation>Erklärt</translation>
+    </message>
+    <message>
+        <source>%1 % (95 %: %2 to %3 %)</source>
+        <translation>%1 % (95 %: %2 bis %3 %)</translation>
+    </message>
+    <message>
+        <source>Share of the squared error that goes away on unseen stretches</source>
+        <translation>Anteil des quadrierten Fehlers, der auf ungesehenen Abschnitten verschwindet</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>Name in files</source>
+        <translation>Name in Dateien</translation>
+    </message>
+    <message>
+        <source>Applied</source>
+        <translation>Angewandt</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>The payload is estimated without this correction again</source>
+        <translation>Die Last wird wieder ohne diese Berichtigung geschätzt</translation>
+    </message>
+    <message>
+        <source>Apply this correction</source>
+        <translation>Diese Berichtigung anwenden</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>The cause becomes part of the model: result, prediction and export use it</source>
+        <translation>Die Ursache wird Teil des Modells: Ergebnis, Vorhersage und Ausgabe benutzen sie</translation>
+    </message>
+    <message>
+        <source>Heft allows for it already; the cure is on the rig.</source>
+        <translation>Heft berücksichtigt es bereits; abgestellt wird es am Aufbau.</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>seen directly</source>
+        <translation>direkt gesehen</translation>
+    </message>
+    <message>
+        <source>The readings themselves show it.</source>
+        <translation>Die Messwerte selbst zeigen es.</translation>
+    </message>
+    <message>
+        <source>very strong</source>
+        <translation>sehr stark</translation>
+    </message>
+    <message>
+        <source>strong</source>
+        <translation>stark</translation>
+    </message>
+    <message>
+        <source>just visible</source>
+        <translation>eben sichtbar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n false alarm(s) in %1 simulated clean runs.</source>
+        <translation>
+            <numerusform>%n Fehlalarm in %1 simulierten sauberen Läufen.</numerusform>
+            <numerusform>%n Fehlalarme in %1 simulierten sauberen Läufen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Far above what noise alone would give.</source>
+        <translation>Weit über dem, was Rauschen allein ergäbe.</translation>
+    </message>
+    <message>
+        <source>mass %1 → %2 kg</source>
+        <translation>Masse %1 → %2 kg</translation>
+    </message>
+    <message>
+        <source>centre %1 %2 → %3 mm</source>
+        <translation>Schwerpunkt %1 %2 → %3 mm</translation>
+    </message>
+    <message>
+        <source>Error in %1, unseen stretch [%2]</source>
+        <translation>Fehler in %1, ungesehen [%2]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>old model</source>
+        <translation>altes Modell</translation>
+    </message>
+    <message>
+        <source>improved</source>
+        <translation>verbessert</translation>
+    </message>
+    <message>
+        <source>Cause found</source>
+        <translation>Ursache gefunden</translation>
+    </message>
+    <message>
+        <source>Error on an unseen stretch, before and after</source>
+        <translation>Fehler auf einem ungesehenen Abschnitt, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>The model was fitted without this stretch. Grey: twice the sensor’s noise.</source>
+        <translation>Das Modell wurde ohne diesen Abschnitt angepasst. Grau: das doppelte Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Unseen error %1 → %2; dashed: noise floor %3.</source>
+        <translation>Ungesehener Fehler %1 → %2; gestrichelt: Rauschen %3.</translation>
+    </message>
+    <message>
+        <source>Check on the rig:</source>
+        <translation>Am Aufbau prüfen:</translation>
+    </message>
+    <message>
+        <source>Show this stretch in the plots</source>
+        <translation>Diesen Abschnitt in den Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>Two causes possible</source>
+        <translation>Zwei Ursachen möglich</translation>
+    </message>
+    <message>
+        <source>Several causes possible</source>
+        <translation>Mehrere Ursachen möglich</translation>
+    </message>
+    <message>
+        <source>this motion cannot tell</source>
+        <translation>diese Bewegung verrät es nicht</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>To decide:</source>
+        <translation>Zum Entscheiden:</translation>
+    </message>
+    <message>
+        <source>Record it</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Whichever it is: unseen error %1 → %2; noise floor %3.</source>
+        <translation>Welche es auch ist: ungesehener Fehler %1 → %2; Rauschen %3.</translation>
+    </message>
+    <message>
+        <source>Something unknown</source>
+        <translation>Etwas Unbekanntes</translation>
+    </message>
+    <message>
+        <source>shown, not named</source>
+        <translation>gezeigt, nicht benannt</translation>
+    </message>
+    <message>
+        <source>Something is left that goes with %1.</source>
+        <translation>Es bleibt etwas, das mit Folgendem geht: %1.</translation>
+    </message>
+    <message>
+        <source>What is left, by frequency [N/√Hz]</source>
+        <translation>Was bleibt, nach Frequenz [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>Grey: the level of the sensor’s own noise. What rises above it has no name yet.</source>
+        <translation>Grau: die Höhe des Sensorrauschens. Was darüber hinausragt, hat noch keinen Namen.</translation>
+    </message>
+    <message>
+        <source> Most of it lies at %1 Hz.</source>
+        <translation> Das meiste liegt bei %1 Hz.</translation>
+    </message>
+    <message>
+        <source>It makes up %1 % of what is left.</source>
+        <translation>Es macht %1 % dessen aus, was bleibt.</translation>
+    </message>
+    <message>
+        <source> No known cause accounts for it, so Heft gives it no name and corrects nothing.</source>
+        <translation> Keine bekannte Ursache erklärt es; deshalb gibt Heft ihm keinen Namen und berichtigt nichts.</translation>
+    </message>
+    <message>
+        <source>What helps:</source>
+        <translation>Was hilft:</translation>
+    </message>
+    <message>
+        <source>record the same motion once more, without touching anything, and compare.</source>
+        <translation>dieselbe Bewegung noch einmal aufnehmen, ohne etwas zu berühren, und vergleichen.</translation>
+    </message>
+    <message>
+        <source>Model fits</source>
+        <translation>Modell passt</translation>
+    </message>
+    <message>
+        <source>Only the sensor’s noise is left.</source>
+        <translation>Es bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Error %1, noise floor %2; torque %3 N m.</source>
+        <translation>Fehler %1, Rauschen %2; Drehmoment %3 N m.</translation>
+    </message>
+</context>
+<context>
     <name>ExportText</name>
     <message>
         <source>Franka Desk</source>
@@ -229,14 +511,6 @@
         <translation>&amp;Payload-Datei …</translation>
     </message>
     <message>
-        <source>Save a &amp;picture of the window …</source>
-        <translation>&amp;Bild des Fensters speichern …</translation>
-    </message>
-    <message>
-        <source>window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
@@ -307,6 +581,30 @@
     <message>
         <source>Finds out what a robot arm carries. Heft’s source is under the Apache License 2.0; this program links QCustomPlot and may be passed on under the GNU General Public License, version 3 or later.</source>
         <translation>Findet heraus, was ein Roboterarm trägt. Der Quelltext von Heft steht unter der Apache-Lizenz 2.0; dieses Programm bindet QCustomPlot ein und darf unter der GNU General Public License, Version 3 oder später, weitergegeben werden.</translation>
+    </message>
+    <message>
+        <source>Save a &amp;picture</source>
+        <translation>&amp;Bild speichern</translation>
+    </message>
+    <message>
+        <source>Of the &amp;window …</source>
+        <translation>Vom &amp;Fenster …</translation>
+    </message>
+    <message>
+        <source>Of the 3D &amp;view …</source>
+        <translation>Von der &amp;3D-Ansicht …</translation>
+    </message>
+    <message>
+        <source>Of the &amp;plots …</source>
+        <translation>Von den &amp;Kurven …</translation>
+    </message>
+    <message>
+        <source>Of the pan&amp;el …</source>
+        <translation>Von der &amp;Seite rechts …</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
     </message>
 </context>
 <context>
@@ -438,6 +736,181 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>Practice</name>
+    <message>
+        <source>How to look</source>
+        <translation>Worauf achten</translation>
+    </message>
+    <message>
+        <source>When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, drift or ring? The views below the arm show it by frequency and against the motion.</source>
+        <translation>Wann ist die Abweichung groß: bei schnellen Bewegungen, an manchen Orten, ab einem Augenblick, die ganze Zeit? Springt sie, wandert sie, schwingt sie nach? Die Ansichten unter dem Arm zeigen sie nach Frequenz und gegen die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Your guess</source>
+        <translation>Ihr Tipp</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>Not this one</source>
+        <translation>Diese nicht</translation>
+    </message>
+    <message>
+        <source>Hidden was: %1.</source>
+        <translation>Versteckt war: %1.</translation>
+    </message>
+    <message>
+        <source>Your guess, “%1”, would look like this: %2</source>
+        <translation>Ihr Tipp „%1“ sähe so aus: %2</translation>
+    </message>
+    <message>
+        <source>To tell them apart on a real rig: %1</source>
+        <translation>So unterscheidet man sie am wirklichen Aufbau: %1</translation>
+    </message>
+    <message>
+        <source>Another one</source>
+        <translation>Noch eine</translation>
+    </message>
+</context>
+<context>
+    <name>RealityPage</name>
+    <message>
+        <source>This is where the simulation differs from your data.</source>
+        <translation>Hier weicht die Simulation von Ihren Daten ab.</translation>
+    </message>
+    <message>
+        <source>The model fits</source>
+        <translation>Das Modell passt</translation>
+    </message>
+    <message>
+        <source>Nothing in your data calls for a correction.</source>
+        <translation>Nichts in Ihren Daten verlangt eine Berichtigung.</translation>
+    </message>
+    <message>
+        <source>Something unknown</source>
+        <translation>Etwas Unbekanntes</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s) found, something is left</source>
+        <translation>
+            <numerusform>%n Ursache gefunden, etwas bleibt</numerusform>
+            <numerusform>%n Ursachen gefunden, etwas bleibt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n correction(s) applied</source>
+        <translation>
+            <numerusform>%n Berichtigung angewandt</numerusform>
+            <numerusform>%n Berichtigungen angewandt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Result, prediction and export use them.</source>
+        <translation>Ergebnis, Vorhersage und Ausgabe benutzen sie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s) found</source>
+        <translation>
+            <numerusform>%n Ursache gefunden</numerusform>
+            <numerusform>%n Ursachen gefunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Two causes are possible</source>
+        <translation>Zwei Ursachen sind möglich</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n findings are still open</source>
+        <translation>
+            <numerusform>%n Befund ist noch offen</numerusform>
+            <numerusform>%n Befunde sind noch offen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s) found, </source>
+        <translation>
+            <numerusform>%n Ursache gefunden, </numerusform>
+            <numerusform>%n Ursachen gefunden, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n still open</source>
+        <translation>
+            <numerusform>%n noch offen</numerusform>
+            <numerusform>%n noch offen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Your result changed:</source>
+        <translation>Ihr Ergebnis hat sich geändert:</translation>
+    </message>
+    <message>
+        <source>Your result changes:</source>
+        <translation>Ihr Ergebnis ändert sich:</translation>
+    </message>
+    <message>
+        <source>That is %1 times the uncertainty it was stated with.</source>
+        <translation>Das ist das %1-Fache der angegebenen Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>That is less than the uncertainty it was stated with.</source>
+        <translation>Das ist weniger als die angegebene Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>The meta file should say this instead</source>
+        <translation>Die Meta-Datei sollte stattdessen dies sagen</translation>
+    </message>
+    <message>
+        <source>Save the corrected meta file …</source>
+        <translation>Berichtigte Meta-Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Writes a copy of the meta file with these entries; later recordings then start out right.</source>
+        <translation>Schreibt eine Kopie der Meta-Datei mit diesen Einträgen; spätere Aufnahmen beginnen dann richtig.</translation>
+    </message>
+    <message>
+        <source>Does it hold on another recording?</source>
+        <translation>Gilt es auch für eine andere Aufnahme?</translation>
+    </message>
+    <message>
+        <source>On %1 the error falls, too: %2 → %3.</source>
+        <translation>Auf %1 sinkt der Fehler auch: %2 → %3.</translation>
+    </message>
+    <message>
+        <source>On %1 it does not help: %2 → %3. The cause may belong to this recording alone.</source>
+        <translation>Auf %1 hilft es nicht: %2 → %3. Die Ursache gehört vielleicht nur zu dieser Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Check on %1</source>
+        <translation>An %1 prüfen</translation>
+    </message>
+    <message>
+        <source>Open another recording of the same rig …</source>
+        <translation>Eine andere Aufnahme desselben Aufbaus öffnen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also considered: %n cause(s)</source>
+        <translation>
+            <numerusform>Auch betrachtet: %n Ursache</numerusform>
+            <numerusform>Auch betrachtet: %n Ursachen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None of them explains anything beyond noise.</source>
+        <translation>Keine davon erklärt mehr als Rauschen.</translation>
+    </message>
+    <message>
+        <source>Could not have been seen: %1.</source>
+        <translation>Nicht zu sehen gewesen wären: %1.</translation>
+    </message>
+    <message>
+        <source>The smallest size of each cause that this motion and this sensor would have shown.</source>
+        <translation>Die kleinste Größe jeder Ursache, die diese Bewegung und dieser Sensor gezeigt hätten.</translation>
     </message>
 </context>
 <context>
@@ -770,6 +1243,225 @@
     </message>
 </context>
 <context>
+    <name>SessionReport</name>
+    <message>
+        <source>Torque, measured less simulated [N m]</source>
+        <translation>Drehmoment, gemessen minus simuliert [N m]</translation>
+    </message>
+    <message>
+        <source>Force, measured less simulated [N]</source>
+        <translation>Kraft, gemessen minus simuliert [N]</translation>
+    </message>
+    <message>
+        <source>Torque [N m]</source>
+        <translation>Drehmoment [N m]</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>dashed: simulated</source>
+        <translation>gestrichelt: simuliert</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>ignoriert</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Standing poses</source>
+        <translation>Stehende Posen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>%1 s at %2 Hz, %3 samples</source>
+        <translation>%1 s mit %2 Hz, %3 Werte</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Known from</source>
+        <translation>Bekannt aus</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Centre %1</source>
+        <translation>Schwerpunkt %1</translation>
+    </message>
+    <message>
+        <source>Compared with what was known</source>
+        <translation>Verglichen mit Bekanntem</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>To be noted</source>
+        <translation>Zu beachten</translation>
+    </message>
+    <message>
+        <source>From [s]</source>
+        <translation>Von [s]</translation>
+    </message>
+    <message>
+        <source>To [s]</source>
+        <translation>Bis [s]</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>What touched nothing</source>
+        <translation>Was nichts berührte</translation>
+    </message>
+    <message>
+        <source> (applied)</source>
+        <translation> (angewandt)</translation>
+    </message>
+    <message>
+        <source>Unseen error %1 → %2; noise floor %3.</source>
+        <translation>Ungesehener Fehler %1 → %2; Rauschen %3.</translation>
+    </message>
+    <message>
+        <source>Equally possible with this motion: %1. To decide: %2</source>
+        <translation>Mit dieser Bewegung ebenso möglich: %1. Zum Entscheiden: %2</translation>
+    </message>
+    <message>
+        <source>Check on the rig: %1</source>
+        <translation>Am Aufbau prüfen: %1</translation>
+    </message>
+    <message>
+        <source>Reality check: %1</source>
+        <translation>Realitätsprüfung: %1</translation>
+    </message>
+    <message>
+        <source>Only the sensor’s noise is left: %1.</source>
+        <translation>Es bleibt nur das Rauschen des Sensors: %1.</translation>
+    </message>
+    <message>
+        <source>Something is left that goes with %1; no known cause accounts for it.</source>
+        <translation>Es bleibt etwas, das mit Folgendem geht: %1; keine bekannte Ursache erklärt es.</translation>
+    </message>
+    <message>
+        <source>With all causes the result changes: %1, %2 times its stated uncertainty.</source>
+        <translation>Mit allen Ursachen ändert sich das Ergebnis: %1, das %2-Fache der angegebenen Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Torque difference by frequency [N m/√Hz]</source>
+        <translation>Drehmomentabweichung nach Frequenz [N m/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force difference by frequency [N/√Hz]</source>
+        <translation>Kraftabweichung nach Frequenz [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>with the causes</source>
+        <translation>mit den Ursachen</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>Could not have been seen: %1.</source>
+        <translation>Nicht zu sehen gewesen wären: %1.</translation>
+    </message>
+    <message>
+        <source>Heft report: %1</source>
+        <translation>Heft-Bericht: %1</translation>
+    </message>
+    <message>
+        <source>Heft Studio %1, %2</source>
+        <translation>Heft Studio %1, %2</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Nichts ist offen.</translation>
+    </message>
+    <message>
+        <source>The arm as it moved</source>
+        <translation>Der Arm, wie er sich bewegte</translation>
+    </message>
+    <message>
+        <source>%1: a report ends in .html or .pdf.</source>
+        <translation>%1: Ein Bericht endet auf .html oder .pdf.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and was not replaced.</source>
+        <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: check that the folder exists and may be written to.</source>
+        <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob es den Ordner gibt und ob er beschreibbar ist.</translation>
+    </message>
+    <message>
+        <source>Heft report</source>
+        <translation>Heft-Bericht</translation>
+    </message>
+</context>
+<context>
     <name>Steps</name>
     <message>
         <source>Record</source>
@@ -832,6 +1524,685 @@
     </message>
 </context>
 <context>
+    <name>heft::Causes</name>
+    <message>
+        <source>Sensor’s zero jumped</source>
+        <translation>Sensornull gesprungen</translation>
+    </message>
+    <message>
+        <source>was there a knock, a loose plug, or a program that zeroed the sensor while recording?</source>
+        <translation>gab es einen Stoß, einen losen Stecker oder ein Programm, das den Sensor während der Aufnahme genullt hat?</translation>
+    </message>
+    <message>
+        <source>Turn the tool to another pose after the jump and hold: a jump stays, a load turns with gravity.</source>
+        <translation>Das Werkzeug nach dem Sprung in eine andere Lage drehen und halten: Ein Sprung bleibt, eine Last dreht sich mit der Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>The difference is flat, steps once, and is flat again, however the tool is held.</source>
+        <translation>Die Abweichung ist flach, macht eine Stufe und ist wieder flach, wie man das Werkzeug auch hält.</translation>
+    </message>
+    <message>
+        <source>Sensor drifts</source>
+        <translation>Sensor wandert</translation>
+    </message>
+    <message>
+        <source>let the sensor warm up for half an hour, keep draughts off it, and zero it often.</source>
+        <translation>den Sensor eine halbe Stunde warmlaufen lassen, vor Zugluft schützen und oft nullen.</translation>
+    </message>
+    <message>
+        <source>Come back to the same pose three times: a drift reads differently each time.</source>
+        <translation>Dreimal in dieselbe Lage zurückkehren: Eine Drift zeigt jedes Mal etwas anderes.</translation>
+    </message>
+    <message>
+        <source>The difference climbs or sinks slowly over the whole recording and ignores the motion.</source>
+        <translation>Die Abweichung steigt oder sinkt langsam über die ganze Aufnahme und kümmert sich nicht um die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Readings late</source>
+        <translation>Messwerte verspätet</translation>
+    </message>
+    <message>
+        <source>do force and joint angles get their time from one clock, at the source?</source>
+        <translation>bekommen Kraft und Gelenkwinkel ihre Zeit von einer Uhr, gleich an der Quelle?</translation>
+    </message>
+    <message>
+        <source>Shake the tool quickly for ten seconds, two to four times a second.</source>
+        <translation>Das Werkzeug zehn Sekunden lang schnell schütteln, zwei- bis viermal pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>The difference is large where the force changes fast and zero where it rests, with the full height kept.</source>
+        <translation>Die Abweichung ist groß, wo sich die Kraft schnell ändert, und null, wo sie ruht; die Höhe bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Readings smoothed</source>
+        <translation>Messwerte geglättet</translation>
+    </message>
+    <message>
+        <source>is a filter or averaging switched on in the sensor’s amplifier or driver?</source>
+        <translation>ist im Verstärker oder Treiber des Sensors ein Filter oder eine Mittelung eingeschaltet?</translation>
+    </message>
+    <message>
+        <source>Shake the tool quickly for ten seconds: smoothing makes fast forces smaller, a delay does not.</source>
+        <translation>Das Werkzeug zehn Sekunden lang schnell schütteln: Glättung macht schnelle Kräfte kleiner, eine Verspätung nicht.</translation>
+    </message>
+    <message>
+        <source>Late like a delay, but peaks are also cut down, and the noise looks soft.</source>
+        <translation>Verspätet wie bei einer Verzögerung, aber Spitzen sind auch niedriger, und das Rauschen wirkt weich.</translation>
+    </message>
+    <message>
+        <source>Accelerations late</source>
+        <translation>Beschleunigungen verspätet</translation>
+    </message>
+    <message>
+        <source>record the plain joint angles at the full rate, without smoothing.</source>
+        <translation>die reinen Gelenkwinkel mit voller Rate aufnehmen, ohne Glättung.</translation>
+    </message>
+    <message>
+        <source>Turn the tool slowly through large angles: late readings show then too, late accelerations do not.</source>
+        <translation>Das Werkzeug langsam um große Winkel drehen: Verspätete Messwerte zeigen sich auch dann, verspätete Beschleunigungen nicht.</translation>
+    </message>
+    <message>
+        <source>Slow turning fits well; only starts and stops leave a difference.</source>
+        <translation>Langsames Drehen passt gut; nur Anfahren und Anhalten lassen eine Abweichung.</translation>
+    </message>
+    <message>
+        <source>Sensor mounted turned</source>
+        <translation>Sensor verdreht montiert</translation>
+    </message>
+    <message>
+        <source>compare the arrows printed on the sensor with the mount in the meta file.</source>
+        <translation>die Pfeile auf dem Sensor mit der Montage in der Meta-Datei vergleichen.</translation>
+    </message>
+    <message>
+        <source>Turn the last joint by half a turn and hold, then tilt the tool.</source>
+        <translation>Das letzte Gelenk um eine halbe Drehung drehen und halten, dann das Werkzeug kippen.</translation>
+    </message>
+    <message>
+        <source>The weight shows up on the wrong axis of the sensor, always the same one.</source>
+        <translation>Das Gewicht erscheint auf der falschen Achse des Sensors, immer derselben.</translation>
+    </message>
+    <message>
+        <source>Robot base tilted</source>
+        <translation>Robotersockel schief</translation>
+    </message>
+    <message>
+        <source>put a spirit level on the robot’s base, or state the true gravity in the meta file.</source>
+        <translation>eine Wasserwaage auf den Robotersockel legen oder die wahre Schwerkraft in die Meta-Datei schreiben.</translation>
+    </message>
+    <message>
+        <source>Record once more with a heavier tool: a tilt grows with the weight, a pull does not.</source>
+        <translation>Noch einmal mit einem schwereren Werkzeug aufnehmen: Eine Neigung wächst mit dem Gewicht, ein Zug nicht.</translation>
+    </message>
+    <message>
+        <source>A difference that keeps its direction in the room and grows with the tool’s weight.</source>
+        <translation>Eine Abweichung, die ihre Richtung im Raum behält und mit dem Gewicht des Werkzeugs wächst.</translation>
+    </message>
+    <message>
+        <source>One channel reads wrong</source>
+        <translation>Ein Kanal misst falsch</translation>
+    </message>
+    <message>
+        <source>hang a known weight from each side of the sensor; check its calibration file.</source>
+        <translation>ein bekanntes Gewicht an jede Seite des Sensors hängen; seine Kalibrierdatei prüfen.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale.</source>
+        <translation>Das Werkzeug so kippen, dass sein Gewicht nacheinander auf jeder Achse liegt. Gleiche Fehler auf allen Achsen verrät nur eine Waage.</translation>
+    </message>
+    <message>
+        <source>The difference on one channel is a small copy of that channel itself.</source>
+        <translation>Die Abweichung eines Kanals ist ein kleines Abbild dieses Kanals selbst.</translation>
+    </message>
+    <message>
+        <source>One channel shows on another</source>
+        <translation>Ein Kanal wirkt auf einen anderen</translation>
+    </message>
+    <message>
+        <source>is the sensor’s own calibration matrix loaded (serial number)?</source>
+        <translation>ist die Kalibriermatrix dieses Sensors geladen (Seriennummer)?</translation>
+    </message>
+    <message>
+        <source>Tilt the tool so that its weight lies on each axis of the sensor in turn.</source>
+        <translation>Das Werkzeug so kippen, dass sein Gewicht nacheinander auf jeder Achse des Sensors liegt.</translation>
+    </message>
+    <message>
+        <source>The difference on one channel is a small copy of another channel.</source>
+        <translation>Die Abweichung eines Kanals ist ein kleines Abbild eines anderen.</translation>
+    </message>
+    <message>
+        <source>Cable or hose pulls</source>
+        <translation>Kabel oder Schlauch zieht</translation>
+    </message>
+    <message>
+        <source>does the cable or hose hang free of the wrist, with slack in every pose?</source>
+        <translation>hängt das Kabel oder der Schlauch frei vom Handgelenk, mit Spiel in jeder Lage?</translation>
+    </message>
+    <message>
+        <source>Move the tool through a larger space, to where the cable is taut and where it is slack.</source>
+        <translation>Das Werkzeug durch einen größeren Raum bewegen, dorthin, wo das Kabel straff ist, und dorthin, wo es durchhängt.</translation>
+    </message>
+    <message>
+        <source>The difference goes with the place of the tool: the same spot, the same pull, at any speed.</source>
+        <translation>Die Abweichung hängt vom Ort des Werkzeugs ab: dieselbe Stelle, derselbe Zug, bei jeder Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Steady pull from outside</source>
+        <translation>Steter Zug von außen</translation>
+    </message>
+    <message>
+        <source>is there a balancer, a hose or a weight that pulls in one direction?</source>
+        <translation>gibt es einen Federzug, einen Schlauch oder ein Gewicht, das in eine Richtung zieht?</translation>
+    </message>
+    <message>
+        <source>A difference that keeps its direction in the room, whatever the tool weighs.</source>
+        <translation>Eine Abweichung, die ihre Richtung im Raum behält, egal, wie schwer das Werkzeug ist.</translation>
+    </message>
+    <message>
+        <source>Resistance grows with speed</source>
+        <translation>Widerstand wächst mit dem Tempo</translation>
+    </message>
+    <message>
+        <source>does the tool drag hoses full of liquid, dampers, bellows or covers along?</source>
+        <translation>zieht das Werkzeug gefüllte Schläuche, Dämpfer, Bälge oder Hüllen mit?</translation>
+    </message>
+    <message>
+        <source>Repeat one movement slowly, faster and fast.</source>
+        <translation>Eine Bewegung langsam, schneller und schnell wiederholen.</translation>
+    </message>
+    <message>
+        <source>The difference follows the speed: none at rest, twice as much at twice the speed.</source>
+        <translation>Die Abweichung folgt dem Tempo: keine in Ruhe, doppelt so viel bei doppeltem Tempo.</translation>
+    </message>
+    <message>
+        <source>Something rubs</source>
+        <translation>Etwas reibt</translation>
+    </message>
+    <message>
+        <source>does a cable rub in a clamp, a cover scrape, a sheath stiffen?</source>
+        <translation>reibt ein Kabel in einer Klemme, schleift eine Hülle, ist ein Mantel steif?</translation>
+    </message>
+    <message>
+        <source>Repeat one movement at several speeds, and turn back after short and long ways.</source>
+        <translation>Eine Bewegung mit mehreren Tempi wiederholen und nach kurzen und langen Wegen umkehren.</translation>
+    </message>
+    <message>
+        <source>The difference jumps to the other side whenever the motion reverses, at any speed.</source>
+        <translation>Die Abweichung springt auf die andere Seite, sobald die Bewegung umkehrt, bei jedem Tempo.</translation>
+    </message>
+    <message>
+        <source>Something loose in the tool</source>
+        <translation>Etwas Loses im Werkzeug</translation>
+    </message>
+    <message>
+        <source>shake the tool by hand and listen: a loose part, a liquid, a hanging hose?</source>
+        <translation>das Werkzeug von Hand schütteln und lauschen: ein loses Teil, eine Flüssigkeit, ein hängender Schlauch?</translation>
+    </message>
+    <message>
+        <source>Move and stop abruptly a few times in different directions: what is loose rings on.</source>
+        <translation>Einige Male in verschiedene Richtungen bewegen und abrupt anhalten: Was lose ist, schwingt nach.</translation>
+    </message>
+    <message>
+        <source>After each stop the difference swings on for a while, a few times a second.</source>
+        <translation>Nach jedem Halt schwingt die Abweichung eine Weile nach, einige Male pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Mount gives</source>
+        <translation>Montage gibt nach</translation>
+    </message>
+    <message>
+        <source>tighten the screws between arm, sensor and tool; look for rubber or thin adapters.</source>
+        <translation>die Schrauben zwischen Arm, Sensor und Werkzeug anziehen; nach Gummi oder dünnen Zwischenplatten sehen.</translation>
+    </message>
+    <message>
+        <source>Tap the tool with a finger while the arm holds still.</source>
+        <translation>Mit dem Finger an das Werkzeug tippen, während der Arm stillhält.</translation>
+    </message>
+    <message>
+        <source>A fine, fast ringing after every jerk, always at the same pitch.</source>
+        <translation>Ein feines, schnelles Nachklingen nach jedem Ruck, immer gleich hoch.</translation>
+    </message>
+    <message>
+        <source>Load changed on the way</source>
+        <translation>Last änderte sich unterwegs</translation>
+    </message>
+    <message>
+        <source>was a part picked up or put down? Mark only the stretch that you mean.</source>
+        <translation>wurde ein Teil aufgenommen oder abgelegt? Nur den gemeinten Abschnitt markieren.</translation>
+    </message>
+    <message>
+        <source>Turn the tool to another pose after the change: a load turns with gravity, a jump does not.</source>
+        <translation>Das Werkzeug nach der Änderung in eine andere Lage drehen: Eine Last dreht sich mit der Schwerkraft, ein Sprung nicht.</translation>
+    </message>
+    <message>
+        <source>From one moment on there is a difference that turns with the tool, as a weight does.</source>
+        <translation>Von einem Augenblick an gibt es eine Abweichung, die sich mit dem Werkzeug dreht, wie ein Gewicht.</translation>
+    </message>
+    <message>
+        <source>The tool touched something</source>
+        <translation>Das Werkzeug berührte etwas</translation>
+    </message>
+    <message>
+        <source>was the tool set down, bumped, or held by its front?</source>
+        <translation>wurde das Werkzeug abgesetzt, angestoßen oder vorn angefasst?</translation>
+    </message>
+    <message>
+        <source>Repeat the motion without touching anything.</source>
+        <translation>Die Bewegung wiederholen, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>Short, large differences at a few moments; between them everything fits.</source>
+        <translation>Kurze, große Abweichungen in wenigen Augenblicken; dazwischen passt alles.</translation>
+    </message>
+    <message>
+        <source>Sensor at its limit</source>
+        <translation>Sensor am Anschlag</translation>
+    </message>
+    <message>
+        <source>use a range that fits the load, and check the sensor’s zero.</source>
+        <translation>einen Messbereich benutzen, der zur Last passt, und die Null des Sensors prüfen.</translation>
+    </message>
+    <message>
+        <source>Repeat the motion more slowly, or with a lighter tool.</source>
+        <translation>Die Bewegung langsamer oder mit einem leichteren Werkzeug wiederholen.</translation>
+    </message>
+    <message>
+        <source>The measured curve is cut off flat at the top.</source>
+        <translation>Die gemessene Kurve ist oben flach abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Joint angle off</source>
+        <translation>Gelenkwinkel daneben</translation>
+    </message>
+    <message>
+        <source>check that joint’s calibration and the robot description of this recording.</source>
+        <translation>die Kalibrierung dieses Gelenks und die Roboterbeschreibung dieser Aufnahme prüfen.</translation>
+    </message>
+    <message>
+        <source>Visit poses in which the other joints stand very differently, elbow high and low.</source>
+        <translation>Lagen aufsuchen, in denen die anderen Gelenke ganz anders stehen, Ellbogen hoch und tief.</translation>
+    </message>
+    <message>
+        <source>A difference that depends on the pose: a tilt that is not the same everywhere.</source>
+        <translation>Eine Abweichung, die von der Lage abhängt: eine Neigung, die nicht überall gleich ist.</translation>
+    </message>
+    <message>
+        <source>Spikes</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>check the sensor’s cable and plug, and what switches on nearby.</source>
+        <translation>Kabel und Stecker des Sensors prüfen, und was in der Nähe schaltet.</translation>
+    </message>
+    <message>
+        <source>Hold still for a few seconds: spikes come without motion.</source>
+        <translation>Einige Sekunden stillhalten: Ausreißer kommen ohne Bewegung.</translation>
+    </message>
+    <message>
+        <source>Single readings far off, with normal ones on both sides.</source>
+        <translation>Einzelne Werte weit daneben, mit gewöhnlichen zu beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Sensor’s place is wrong</source>
+        <translation>Ort des Sensors stimmt nicht</translation>
+    </message>
+    <message>
+        <source>measure from the flange to the sensor’s origin and compare with the meta file.</source>
+        <translation>vom Flansch zum Ursprung des Sensors messen und mit der Meta-Datei vergleichen.</translation>
+    </message>
+    <message>
+        <source>Turn the tool fast to and fro about all three axes.</source>
+        <translation>Das Werkzeug schnell um alle drei Achsen hin und her drehen.</translation>
+    </message>
+    <message>
+        <source>Slow motion fits; fast turning leaves a difference that grows with the square of its speed.</source>
+        <translation>Langsame Bewegung passt; schnelles Drehen lässt eine Abweichung, die mit dem Quadrat des Tempos wächst.</translation>
+    </message>
+    <message>
+        <source>Accelerations off</source>
+        <translation>Beschleunigungen daneben</translation>
+    </message>
+    <message>
+        <source>record joint angles at the full rate; check the size of gravity in the meta file.</source>
+        <translation>Gelenkwinkel mit voller Rate aufnehmen; den Betrag der Schwerkraft in der Meta-Datei prüfen.</translation>
+    </message>
+    <message>
+        <source>Record once more with stronger smoothing and compare.</source>
+        <translation>Noch einmal mit stärkerer Glättung aufnehmen und vergleichen.</translation>
+    </message>
+    <message>
+        <source>The fast parts of the motion are too large or too small in the simulation, the slow ones fit.</source>
+        <translation>Die schnellen Teile der Bewegung sind in der Simulation zu groß oder zu klein, die langsamen passen.</translation>
+    </message>
+    <message>
+        <source>Sensor remembers its load</source>
+        <translation>Sensor merkt sich seine Last</translation>
+    </message>
+    <message>
+        <source>was the sensor overloaded, glued or pinched? Check its screws.</source>
+        <translation>wurde der Sensor überlastet, verklebt oder eingeklemmt? Seine Schrauben prüfen.</translation>
+    </message>
+    <message>
+        <source>Load the sensor slowly up and down in one direction, in small and large steps.</source>
+        <translation>Den Sensor in einer Richtung langsam be- und entlasten, in kleinen und großen Stufen.</translation>
+    </message>
+    <message>
+        <source>The difference lags behind the load itself: one value on the way up, another on the way down.</source>
+        <translation>Die Abweichung hinkt der Last nach: ein Wert auf dem Hinweg, ein anderer auf dem Rückweg.</translation>
+    </message>
+    <message>
+        <source>Frames or signs mixed up</source>
+        <translation>Achsen oder Vorzeichen vertauscht</translation>
+    </message>
+    <message>
+        <source>compare the sensor’s manual with the meta file: axes, signs, gravity.</source>
+        <translation>das Handbuch des Sensors mit der Meta-Datei vergleichen: Achsen, Vorzeichen, Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>None is needed: the mistake is too large to be overlooked.</source>
+        <translation>Keine ist nötig: Der Fehler ist zu groß, um übersehen zu werden.</translation>
+    </message>
+    <message>
+        <source>Nothing fits: the simulated curves run against the measured ones.</source>
+        <translation>Nichts passt: Die simulierten Kurven laufen den gemessenen entgegen.</translation>
+    </message>
+    <message>
+        <source>Readings lost or repeated</source>
+        <translation>Messwerte verloren oder wiederholt</translation>
+    </message>
+    <message>
+        <source>check the connection, and record at the sensor’s own rate.</source>
+        <translation>die Verbindung prüfen und mit der Rate des Sensors aufnehmen.</translation>
+    </message>
+    <message>
+        <source>None is needed: the readings show it.</source>
+        <translation>Keine ist nötig: Die Messwerte zeigen es.</translation>
+    </message>
+    <message>
+        <source>The measured curve has flat steps or holes where it should run on.</source>
+        <translation>Die gemessene Kurve hat Stufen oder Löcher, wo sie weiterlaufen sollte.</translation>
+    </message>
+    <message>
+        <source>The sensor’s zero drifts: %1 by %2 %3 per second.</source>
+        <translation>Die Null des Sensors wandert: %1 um %2 %3 pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>The sensor’s zero creeps: %1 by %2 %3 before it settles.</source>
+        <translation>Die Null des Sensors kriecht: %1 um %2 %3, bis sie sich beruhigt.</translation>
+    </message>
+    <message>
+        <source>Forces have the opposite sign: the file holds what the tool does to the sensor.</source>
+        <translation>Die Kräfte haben das umgekehrte Vorzeichen: Die Datei enthält, was das Werkzeug auf den Sensor ausübt.</translation>
+    </message>
+    <message>
+        <source>Gravity points up in the meta file; it should point down.</source>
+        <translation>Die Schwerkraft zeigt in der Meta-Datei nach oben; sie sollte nach unten zeigen.</translation>
+    </message>
+    <message>
+        <source>Orientations are stored the other way round: base in sensor instead of sensor in base.</source>
+        <translation>Die Orientierungen sind umgekehrt gespeichert: Basis im Sensor statt Sensor in der Basis.</translation>
+    </message>
+    <message>
+        <source>The sensor is mounted turned by %1° against the meta file.</source>
+        <translation>Der Sensor ist gegenüber der Meta-Datei um %1° verdreht montiert.</translation>
+    </message>
+    <message>
+        <source>The force’s axes are mirrored: two are swapped, or one has the wrong sign.</source>
+        <translation>Die Achsen der Kraft sind gespiegelt: Zwei sind vertauscht, oder eine hat das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings are zero throughout: lost packets.</source>
+        <translation>%1 % der Messwerte sind durchweg null: verlorene Pakete.</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings are missing.</source>
+        <translation>%1 % der Messwerte fehlen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the force readings repeat the one before.</source>
+        <translation>%1 % der Kraftwerte wiederholen den davor.</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>Kraft %1</translation>
+    </message>
+    <message>
+        <source>torque %1</source>
+        <translation>Drehmoment %1</translation>
+    </message>
+    <message>
+        <source>At %1 s the sensor’s zero jumped by %2 N.</source>
+        <translation>Bei %1 s sprang die Null des Sensors um %2 N.</translation>
+    </message>
+    <message>
+        <source>The force readings arrive %1 ms late.</source>
+        <translation>Die Kraftwerte kommen %1 ms zu spät.</translation>
+    </message>
+    <message>
+        <source>The force readings arrive %1 ms before the motion.</source>
+        <translation>Die Kraftwerte kommen %1 ms vor der Bewegung.</translation>
+    </message>
+    <message>
+        <source>The force readings are smoothed over %1 ms.</source>
+        <translation>Die Kraftwerte sind über %1 ms geglättet.</translation>
+    </message>
+    <message>
+        <source>The reported joint velocities come %1 ms late; Heft can use the angles instead.</source>
+        <translation>Die gemeldeten Gelenkgeschwindigkeiten kommen %1 ms zu spät; Heft kann stattdessen die Winkel benutzen.</translation>
+    </message>
+    <message>
+        <source>Accelerations come %1 ms late; the angles do not.</source>
+        <translation>Beschleunigungen kommen %1 ms zu spät; die Winkel nicht.</translation>
+    </message>
+    <message>
+        <source>The sensor sits turned by %1°.</source>
+        <translation>Der Sensor sitzt um %1° verdreht.</translation>
+    </message>
+    <message>
+        <source>The robot’s base is tilted by %1° against the stated gravity.</source>
+        <translation>Der Robotersockel ist um %1° gegen die angegebene Schwerkraft geneigt.</translation>
+    </message>
+    <message>
+        <source>The channel %1 reads %2 % too much.</source>
+        <translation>Der Kanal %1 zeigt %2 % zu viel.</translation>
+    </message>
+    <message>
+        <source>The channel %1 reads %2 % too little.</source>
+        <translation>Der Kanal %1 zeigt %2 % zu wenig.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shows up in %3.</source>
+        <translation>%1 von %2 erscheint in %3.</translation>
+    </message>
+    <message>
+        <source>A cable twists back as the tool turns: %1 N m per radian.</source>
+        <translation>Ein Kabel dreht zurück, wenn sich das Werkzeug dreht: %1 N m pro Radiant.</translation>
+    </message>
+    <message>
+        <source>A cable or hose pulls the tool towards one spot: %1 N per metre.</source>
+        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zu einer Stelle hin: %1 N pro Meter.</translation>
+    </message>
+    <message>
+        <source>A cable or hose pulls the tool back, by up to %1 N per metre.</source>
+        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zurück, mit bis zu %1 N pro Meter.</translation>
+    </message>
+    <message>
+        <source>Something pulls at the tool with %1 N, always in the same direction.</source>
+        <translation>Etwas zieht mit %1 N am Werkzeug, immer in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>Something holds the tool back: %1 N per metre per second.</source>
+        <translation>Etwas bremst das Werkzeug: %1 N pro Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something resists turning: %1 N m per radian per second.</source>
+        <translation>Etwas bremst das Drehen: %1 N m pro Radiant pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something rubs and holds the tool back with %1 N.</source>
+        <translation>Etwas reibt und hält das Werkzeug mit %1 N zurück.</translation>
+    </message>
+    <message>
+        <source>Something rubs and resists turning with %1 N m.</source>
+        <translation>Etwas reibt und bremst das Drehen mit %1 N m.</translation>
+    </message>
+    <message>
+        <source>About %1 g in the tool are loose and swing %2 times a second.</source>
+        <translation>Etwa %1 g im Werkzeug sind lose und schwingen %2-mal pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>The tool’s mount gives and rings at %1 Hz.</source>
+        <translation>Die Montage des Werkzeugs gibt nach und klingt mit %1 Hz.</translation>
+    </message>
+    <message>
+        <source>At %1 s the load became %2 g heavier.</source>
+        <translation>Bei %1 s wurde die Last %2 g schwerer.</translation>
+    </message>
+    <message>
+        <source>At %1 s the load became %2 g lighter.</source>
+        <translation>Bei %1 s wurde die Last %2 g leichter.</translation>
+    </message>
+    <message>
+        <source>The tool touched something from %1 to %2 s, with up to %3 N.</source>
+        <translation>Das Werkzeug berührte von %1 bis %2 s etwas, mit bis zu %3 N.</translation>
+    </message>
+    <message>
+        <source>The tool touched something %1 times, with up to %2 N.</source>
+        <translation>Das Werkzeug berührte %1-mal etwas, mit bis zu %2 N.</translation>
+    </message>
+    <message>
+        <source>The sensor reached the end of its range in %1 % of the readings.</source>
+        <translation>Der Sensor war in %1 % der Messwerte am Ende seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is really %2° away from what was recorded.</source>
+        <translation>Gelenk %1 steht in Wirklichkeit %2° neben dem Aufgenommenen.</translation>
+    </message>
+    <message>
+        <source>%1 readings are isolated spikes; Heft replaced them by their neighbours.</source>
+        <translation>%1 Messwerte sind einzelne Ausreißer; Heft hat sie durch ihre Nachbarn ersetzt.</translation>
+    </message>
+    <message>
+        <source>The sensor’s origin sits %1 mm away from where the meta file puts it.</source>
+        <translation>Der Ursprung des Sensors sitzt %1 mm neben der Stelle aus der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>The reported joint velocities are %1 % off; Heft can use the angles instead.</source>
+        <translation>Die gemeldeten Gelenkgeschwindigkeiten liegen %1 % daneben; Heft kann stattdessen die Winkel benutzen.</translation>
+    </message>
+    <message>
+        <source>The forces of acceleration are %1 % off what the motion says.</source>
+        <translation>Die Beschleunigungskräfte liegen %1 % neben dem, was die Bewegung sagt.</translation>
+    </message>
+    <message>
+        <source>The sensor remembers %1 of its load: it reads differently going up and coming down.</source>
+        <translation>Der Sensor merkt sich %1 seiner Last: Er zeigt beim Belasten anderes als beim Entlasten.</translation>
+    </message>
+    <message>
+        <source>where the tool is</source>
+        <translation>dem Ort des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>how fast the tool moves</source>
+        <translation>dem Tempo des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the direction in which the tool moves</source>
+        <translation>der Bewegungsrichtung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the joint angles</source>
+        <translation>den Gelenkwinkeln</translation>
+    </message>
+    <message>
+        <source>the joint angles, several times a turn</source>
+        <translation>den Gelenkwinkeln, mehrmals je Umdrehung</translation>
+    </message>
+    <message>
+        <source>the direction in which joints turn</source>
+        <translation>der Drehrichtung der Gelenke</translation>
+    </message>
+    <message>
+        <source>the load on the sensor</source>
+        <translation>der Last am Sensor</translation>
+    </message>
+    <message>
+        <source>the load’s size</source>
+        <translation>der Größe der Last</translation>
+    </message>
+    <message>
+        <source>how fast the load changes</source>
+        <translation>dem Wechsel der Last</translation>
+    </message>
+    <message>
+        <source>how fast the tool turns</source>
+        <translation>dem Drehtempo des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the direction in which the tool turns</source>
+        <translation>der Drehrichtung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>how fast the turning changes</source>
+        <translation>dem Wechsel des Drehtempos</translation>
+    </message>
+    <message>
+        <source>a slow wave in time</source>
+        <translation>einer langsamen Welle in der Zeit</translation>
+    </message>
+    <message>
+        <source>a rhythm of %1</source>
+        <translation>einem Rhythmus von %1</translation>
+    </message>
+    <message>
+        <source>load changes under %1</source>
+        <translation>Laständerungen unter %1</translation>
+    </message>
+    <message>
+        <source>cables softer than %1</source>
+        <translation>Kabel weicher als %1</translation>
+    </message>
+    <message>
+        <source>delays under %1</source>
+        <translation>Verspätungen unter %1</translation>
+    </message>
+    <message>
+        <source>tilts under %1</source>
+        <translation>Neigungen unter %1</translation>
+    </message>
+    <message>
+        <source>drifts under %1</source>
+        <translation>Drift unter %1</translation>
+    </message>
+    <message>
+        <source>loose parts under %1</source>
+        <translation>lose Teile unter %1</translation>
+    </message>
+    <message>
+        <source>a sensor turned by less than %1</source>
+        <translation>ein Sensor, der weniger als %1 verdreht ist</translation>
+    </message>
+    <message>
+        <source>smoothing under %1</source>
+        <translation>Glättung unter %1</translation>
+    </message>
+    <message>
+        <source>wrong gains under %1</source>
+        <translation>falsche Verstärkungen unter %1</translation>
+    </message>
+    <message>
+        <source>joint angles off by less than %1</source>
+        <translation>Gelenkwinkel weniger als %1 daneben</translation>
+    </message>
+    <message>
+        <source>steady pulls under %1</source>
+        <translation>steter Zug unter %1</translation>
+    </message>
+    <message>
+        <source>a sensor misplaced by less than %1</source>
+        <translation>ein Sensor weniger als %1 am falschen Ort</translation>
+    </message>
+</context>
+<context>
     <name>heft::DifferenceCursor</name>
     <message>
         <source>A</source>
@@ -852,6 +2223,129 @@
     <message>
         <source>time [s]</source>
         <translation>Zeit [s]</translation>
+    </message>
+</context>
+<context>
+    <name>heft::DifferencePane</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>gravity’s direction, %1</source>
+        <translation>Richtung der Schwerkraft, %1</translation>
+    </message>
+    <message>
+        <source>how gravity’s direction changes, %1</source>
+        <translation>Wechsel der Schwerkraftrichtung, %1</translation>
+    </message>
+    <message>
+        <source>position, %1</source>
+        <translation>Ort, %1</translation>
+    </message>
+    <message>
+        <source>velocity, %1</source>
+        <translation>Geschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>sign of the velocity, %1</source>
+        <translation>Vorzeichen der Geschwindigkeit, %1</translation>
+    </message>
+    <message>
+        <source>acceleration, %1</source>
+        <translation>Beschleunigung, %1</translation>
+    </message>
+    <message>
+        <source>turning, %1</source>
+        <translation>Drehung, %1</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>The difference</source>
+        <translation>Die Abweichung</translation>
+    </message>
+    <message>
+        <source>over time</source>
+        <translation>über der Zeit</translation>
+    </message>
+    <message>
+        <source>by frequency</source>
+        <translation>nach Frequenz</translation>
+    </message>
+    <message>
+        <source>against the motion</source>
+        <translation>gegen die Bewegung</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>Gegen</translation>
+    </message>
+    <message>
+        <source>Back to the plots</source>
+        <translation>Zurück zu den Kurven</translation>
+    </message>
+    <message>
+        <source>Difference in %1 [%2]</source>
+        <translation>Abweichung in %1 [%2]</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>with the causes</source>
+        <translation>mit den Ursachen</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>Torque difference [N m/√Hz]</source>
+        <translation>Drehmomentabweichung [N m/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force difference [N/√Hz]</source>
+        <translation>Kraftabweichung [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>Frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>No stretch is long enough to tell frequencies.</source>
+        <translation>Kein Abschnitt ist lang genug, um Frequenzen zu zeigen.</translation>
+    </message>
+    <message>
+        <source>With the causes: %1 [%2]</source>
+        <translation>Mit den Ursachen: %1 [%2]</translation>
+    </message>
+    <message>
+        <source>Without: %1 [%2]</source>
+        <translation>Ohne: %1 [%2]</translation>
+    </message>
+    <message>
+        <source>Nothing to compare with.</source>
+        <translation>Nichts zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise.</source>
+        <translation>Was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde. Grau: das doppelte Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Grey: the level of the sensor’s own noise. What rises above it is not noise.</source>
+        <translation>Grau: die Höhe des Sensorrauschens. Was darüber hinausragt, ist kein Rauschen.</translation>
+    </message>
+    <message>
+        <source>A cloud that leans or bends goes with what is on the axis; a flat one does not.</source>
+        <translation>Eine Wolke, die sich neigt oder biegt, geht mit dem, was auf der Achse steht; eine flache nicht.</translation>
     </message>
 </context>
 <context>
@@ -1295,6 +2789,17 @@
     </message>
 </context>
 <context>
+    <name>heft::Manual</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Back to the step (F1 or Esc)</source>
+        <translation>Zurück zum Schritt (F1 oder Esc)</translation>
+    </message>
+</context>
+<context>
     <name>heft::MarkPanel</name>
     <message>
         <source>after recording</source>
@@ -1645,6 +3150,270 @@
     <message>
         <source>Pause (Space)</source>
         <translation>Anhalten (Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>heft::RealityPanel</name>
+    <message>
+        <source>after recording</source>
+        <translation>nach der Aufnahme</translation>
+    </message>
+    <message>
+        <source>what is wrong?</source>
+        <translation>was stimmt nicht?</translation>
+    </message>
+    <message>
+        <source>looking …</source>
+        <translation>sucht …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n correction(s) applied</source>
+        <translation>
+            <numerusform>%n Berichtigung angewandt</numerusform>
+            <numerusform>%n Berichtigungen angewandt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not looked yet</source>
+        <translation>noch nicht gesucht</translation>
+    </message>
+    <message>
+        <source>look again</source>
+        <translation>noch einmal suchen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cause(s) to apply</source>
+        <translation>
+            <numerusform>%n Ursache anzuwenden</numerusform>
+            <numerusform>%n Ursachen anzuwenden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>something unknown</source>
+        <translation>etwas Unbekanntes</translation>
+    </message>
+    <message>
+        <source>two causes possible</source>
+        <translation>zwei Ursachen möglich</translation>
+    </message>
+    <message>
+        <source>the model fits</source>
+        <translation>das Modell passt</translation>
+    </message>
+    <message>
+        <source>check the rig</source>
+        <translation>den Aufbau prüfen</translation>
+    </message>
+    <message>
+        <source>Apply a correction to see what it changes · Ctrl+Z takes it back</source>
+        <translation>Eine Berichtigung anwenden zeigt, was sie ändert · Strg+Z nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>Looking for causes</source>
+        <translation>Ursachen suchen</translation>
+    </message>
+    <message>
+        <source>The search was stopped.</source>
+        <translation>Die Suche wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Making a recording to practise on</source>
+        <translation>Eine Übungsaufnahme entsteht</translation>
+    </message>
+    <message>
+        <source>apply “%1”</source>
+        <translation>„%1“ anwenden</translation>
+    </message>
+    <message>
+        <source>take back “%1”</source>
+        <translation>„%1“ zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Checking on %1</source>
+        <translation>Prüfen an %1</translation>
+    </message>
+    <message>
+        <source>There is no reality check yet that could correct a meta file.</source>
+        <translation>Es gibt noch keine Realitätsprüfung, die eine Meta-Datei berichtigen könnte.</translation>
+    </message>
+    <message>
+        <source>The reality check proposes no change of the meta file.</source>
+        <translation>Die Realitätsprüfung schlägt keine Änderung der Meta-Datei vor.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and was not replaced.</source>
+        <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>Save the corrected meta file</source>
+        <translation>Die berichtigte Meta-Datei speichern</translation>
+    </message>
+    <message>
+        <source>Meta files (*.meta.json)</source>
+        <translation>Meta-Dateien (*.meta.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>A report needs an open recording.</source>
+        <translation>Ein Bericht braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Save a report of the session</source>
+        <translation>Einen Bericht der Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;Web page (*.html)</source>
+        <translation>PDF (*.pdf);;Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>Looking for causes …</source>
+        <translation>Ursachen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Heft compares the recording with what the simulation expects, and with 200 simulated clean ones.</source>
+        <translation>Heft vergleicht die Aufnahme mit dem, was die Simulation erwartet, und mit 200 simulierten sauberen.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>What does the simulation get wrong?</source>
+        <translation>Was macht die Simulation falsch?</translation>
+    </message>
+    <message>
+        <source>Open a recording first, or take one from the menu Practice.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme, oder nehmen Sie eine aus dem Menü Üben.</translation>
+    </message>
+    <message>
+        <source>Go to Record</source>
+        <translation>Zu Aufnehmen</translation>
+    </message>
+    <message>
+        <source>What is wrong with this recording?</source>
+        <translation>Was stimmt mit dieser Aufnahme nicht?</translation>
+    </message>
+    <message>
+        <source>One fault of the rig is hidden in it. Look, then guess.</source>
+        <translation>Ein Fehler des Aufbaus ist darin versteckt. Ansehen, dann tippen.</translation>
+    </message>
+    <message>
+        <source>Look at the difference more closely</source>
+        <translation>Die Abweichung genauer ansehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n correction(s) of an earlier check are part of the result.</source>
+        <translation>
+            <numerusform>%n Berichtigung einer früheren Prüfung ist Teil des Ergebnisses.</numerusform>
+            <numerusform>%n Berichtigungen einer früheren Prüfung sind Teil des Ergebnisses.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Heft looks for what the model of a rigid tool cannot explain.</source>
+        <translation>Heft sucht, was das Modell eines starren Werkzeugs nicht erklären kann.</translation>
+    </message>
+    <message>
+        <source>Look for causes</source>
+        <translation>Ursachen suchen</translation>
+    </message>
+    <message>
+        <source>The marks changed since Heft looked.</source>
+        <translation>Die Marken haben sich seit der Suche geändert.</translation>
+    </message>
+    <message>
+        <source>By frequency over the sensor’s noise, and against what the robot did</source>
+        <translation>Nach Frequenz über dem Sensorrauschen und gegen das, was der Roboter tat</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Noch einmal suchen</translation>
+    </message>
+    <message>
+        <source>Go on to Export</source>
+        <translation>Weiter zu Ausgeben</translation>
+    </message>
+    <message>
+        <source>&amp;Look for causes</source>
+        <translation>&amp;Ursachen suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Report of the session …</source>
+        <translation>&amp;Bericht der Sitzung …</translation>
+    </message>
+    <message>
+        <source>&amp;A recording with a hidden fault</source>
+        <translation>&amp;Eine Aufnahme mit einem versteckten Fehler</translation>
+    </message>
+    <message>
+        <source>Riddle &amp;%1</source>
+        <translation>Rätsel &amp;%1</translation>
+    </message>
+    <message>
+        <source>diagnose needs an open recording.</source>
+        <translation>diagnose braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>%1 is not applied.</source>
+        <translation>%1 ist nicht angewandt.</translation>
+    </message>
+    <message>
+        <source>apply needs a reality check first: diagnose.</source>
+        <translation>apply braucht zuerst eine Realitätsprüfung: diagnose.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be applied here; found were: %2.</source>
+        <translation>%1 lässt sich hier nicht anwenden; gefunden wurden: %2.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>There is nothing called %1 to look against.</source>
+        <translation>Es gibt nichts namens %1, wogegen man sehen könnte.</translation>
+    </message>
+    <message>
+        <source>look expects plots, time, frequency or motion.</source>
+        <translation>look erwartet plots, time, frequency oder motion.</translation>
+    </message>
+    <message>
+        <source>check needs a reality check first: diagnose.</source>
+        <translation>check braucht zuerst eine Realitätsprüfung: diagnose.</translation>
+    </message>
+    <message>
+        <source>%1 is not open beside the shown recording.</source>
+        <translation>%1 ist nicht neben der gezeigten Aufnahme offen.</translation>
+    </message>
+    <message>
+        <source>practice expects the number of a riddle.</source>
+        <translation>practice erwartet die Nummer eines Rätsels.</translation>
+    </message>
+    <message>
+        <source>guess needs a recording to practise on.</source>
+        <translation>guess braucht eine Übungsaufnahme.</translation>
+    </message>
+    <message>
+        <source>%1 is none of the faults to guess.</source>
+        <translation>%1 ist keiner der Fehler zum Tippen.</translation>
+    </message>
+    <message>
+        <source>Something pulls from here</source>
+        <translation>Hierher zieht etwas</translation>
+    </message>
+    <message>
+        <source>within %1 cm, %2 N on average</source>
+        <translation>auf %1 cm genau, im Mittel %2 N</translation>
     </message>
 </context>
 <context>
@@ -2039,6 +3808,18 @@
     <message>
         <source>This recording has no position: the sensor turns in place</source>
         <translation>Diese Aufnahme hat keine Position: Der Sensor dreht sich auf der Stelle</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sensor, tool side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the shape sits on this face</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -32,13 +32,14 @@ Outcome run(const QStringList& arguments, const QString& path = {}) {
           QString::fromUtf8(process.readAllStandardError())};
 }
 
-QString writeSimulated(const QTemporaryDir& folder) {
+QString writeSimulated(const QTemporaryDir& folder, std::vector<EffectRequest> effects = {}, double seconds = 5.0) {
   Payload payload;
   payload.mass = 0.5;
   payload.com = {0, 0, 0.05};
   payload.inertiaCom = Vector3d(0.001, 0.001, 0.0006).asDiagonal();
   SimulateOptions options;
-  options.duration = 5.0;
+  options.duration = seconds;
+  options.effects = std::move(effects);
   const auto simulated = simulate(RobotModel::panda(), payload, options);
   EXPECT_TRUE(simulated.ok());
   const QString path = folder.filePath("rec.csv");
@@ -134,6 +135,34 @@ TEST(Program, AScriptGoesFromTheRecordingToThePayloadFile) {
   EXPECT_EQ(again.code, 1);
   EXPECT_TRUE(again.err.contains("walk.txt:")) << again.err.toStdString();
   EXPECT_TRUE(again.err.contains("exists") || again.err.contains("gibt es schon")) << again.err.toStdString();
+}
+
+TEST(Program, AScriptFindsACauseAppliesItAndWritesTheReport) {
+  QTemporaryDir folder;
+  const QString recording = writeSimulated(folder, {{"cable_pull", "", 6.0}}, 10.0);
+  QFile script(folder.filePath("check.txt"));
+  ASSERT_TRUE(script.open(QIODevice::WriteOnly));
+  script.write(QStringLiteral("open \"%1\"\nstep reality-check\npicture \"%2/cards.png\"\nlook motion position_x\n"
+                              "picture \"%2/motion.png\" window\nlook plots\napply cable_pull\nmanual\n"
+                              "picture \"%2/manual.png\" panel\nmanual\nreport \"%2/r.html\"\nreport \"%2/r.pdf\"\n"
+                              "step export\nclick roleOwnTool\nexport franka-desk \"%2/tool.json\"\n")
+                   .arg(recording, folder.path())
+                   .toUtf8());
+  script.close();
+  const Outcome outcome = run({"--offscreen", "--script", script.fileName()});
+  EXPECT_EQ(outcome.code, 0) << outcome.err.toStdString();
+  QFile report(folder.filePath("r.html"));
+  ASSERT_TRUE(report.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(report.readAll().contains("(applied)"));
+  EXPECT_TRUE(QFile::exists(folder.filePath("r.pdf")));
+  EXPECT_TRUE(QFile::exists(folder.filePath("tool.json")));
+  const QImage cards(folder.filePath("cards.png")), motion(folder.filePath("motion.png")), manual(folder.filePath("manual.png"));
+  EXPECT_EQ(cards.size(), QSize(1440, 900));
+  EXPECT_NE(cards, motion);
+  std::set<QRgb> colours;
+  for (int y = 0; y < manual.height(); ++y)
+    for (int x = 0; x < manual.width(); ++x) colours.insert(manual.pixel(x, y));
+  EXPECT_GT(colours.size(), 60u) << "the manual has text and a picture of the window";
 }
 
 TEST(Program, AScriptThatIsWrongNamesTheLine) {

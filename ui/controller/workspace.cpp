@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
-#include "core/diagnosis/corrected.h"
 #include "core/recording/csv_reader.h"
 #include "core/workspace/marks.h"
+#include "ui/controller/diagnosis.h"
 #include "ui/controller/edit_command.h"
 #include "ui/controller/open_recording.h"
 

@@ -22,6 +22,7 @@
 #include "ui/main_window/menus.h"
 #include "ui/main_window/panels.h"
 #include "ui/main_window/status_bar.h"
+#include "ui/manual/manual.h"
 #include "ui/models/numbers.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/steps/step_bar.h"
@@ -125,6 +126,9 @@ void MainWindow::addPanels(const StudioMenus& menus) {
     panel->addActions(menus);
   }
   panels_[step_]->entered();
+  manual_ = new Manual([this](const QString& part) { return pictureOf(part); }, panelStack_);
+  panelStack_->addWidget(manual_);
+  connect(manual_, &Manual::closeWanted, this, [this] { showManual(false); });
 }
 
 void MainWindow::connectParts() {
@@ -171,6 +175,7 @@ void MainWindow::loadArm() {
 
 void MainWindow::showStep(Step step) {
   StepPanel* panel = panels_.value(step);
+  if (panel && manualShown()) showManual(false);
   if (!panel || step == step_) return;
   StepPanel* before = panels_.value(step_);
   if (isVisible()) {
@@ -212,6 +217,31 @@ bool MainWindow::settled() const {
 }
 
 void MainWindow::showDetails(bool shown) { header_->setDetails(shown); }
+
+bool MainWindow::manualShown() const { return manual_ && panelStack_->currentWidget() == manual_; }
+
+void MainWindow::showManual(bool shown) {
+  if (!shown) return panelStack_->setCurrentWidget(panels_[step_]);
+  panelStack_->setCurrentWidget(manual_);
+  manual_->open(QString::fromUtf8(stepId(step_).data()));
+}
+
+QImage MainWindow::pictureOf(const QString& part) {
+  if (part == "window") return picture();
+  if (part == "view") {
+    view_->renderNow();
+    return view_->grab().toImage();
+  }
+  if (part == "plots") return pane_->grab().toImage();
+  if (part == "panel") return panelStack_->grab().toImage();
+  if (part == "steps") return steps_->grab().toImage();
+  const auto step = stepFromId(part.toStdString());
+  StepPanel* panel = step ? panels_.value(*step) : nullptr;
+  if (!panel) return {};
+  // A panel that was not shown yet has no size.
+  if (!panel->isVisible()) panel->resize(kPanelWidth, std::max(600, panelStack_->height()));
+  return panel->grab().toImage();
+}
 
 QImage MainWindow::picture() {
   view_->renderNow();

@@ -20,6 +20,7 @@ namespace heft {
 class Autosave;
 class Files;
 class HeaderBar;
+class Manual;
 class MessageBar;
 class RecordingPane;
 class RobotView;
@@ -53,6 +54,11 @@ class MainWindow : public QMainWindow {
 
   /// True once the arm's shape is loaded and nothing is under way: the picture will not change by itself.
   bool settled() const;
+  /// The manual in place of the panel, at the chapter of the step shown.
+  void showManual(bool shown);
+  bool manualShown() const;
+  /// A part as it looks now: window, view, plots, panel, steps, or the panel of a step by its id; null for other names.
+  QImage pictureOf(const QString& part);
   /// Also the engineer's numbers.
   void showDetails(bool shown);
   bool detailsShown() const { return details_; }
@@ -102,6 +108,7 @@ class MainWindow : public QMainWindow {
   QSplitter* down_ = nullptr;
   QStackedWidget* below_ = nullptr;
   QStackedWidget* panelStack_ = nullptr;
+  Manual* manual_ = nullptr;
   QMenu* languages_ = nullptr;
   bool arranged_ = false;
   QMap<Step, StepPanel*> panels_;

@@ -49,8 +49,13 @@ void MenuBuilder::buildFile(QMenu* menu) {
   menu->addSeparator();
   QAction* payload = menu->addAction(tr("Payload &file …"), w_, [w = w_] { w->showStep(Step::exportFile); });
   payload->setShortcut(QKeySequence("Ctrl+E"));
-  menu->addAction(tr("Save a &picture of the window …"), w_,
-                  [w = w_] { w->files_->savePicture(w->picture(), tr("window")); });
+  QMenu* pictures = menu->addMenu(tr("Save a &picture"));
+  const std::pair<QString, const char*> parts[] = {{tr("Of the &window …"), "window"},
+                                                   {tr("Of the 3D &view …"), "view"},
+                                                   {tr("Of the &plots …"), "plots"},
+                                                   {tr("Of the pan&el …"), "panel"}};
+  for (const auto& [text, part] : parts)
+    pictures->addAction(text, w_, [w = w_, name = QString(part)] { w->files_->savePicture(w->pictureOf(name), name); });
 }
 
 void MenuBuilder::buildEdit(QMenu* menu) {
@@ -101,6 +106,8 @@ void MenuBuilder::buildTools(QMenu* menu) {
 }
 
 void MenuBuilder::buildHelp(QMenu* menu) {
+  menu->addAction(tr("&Manual"), w_, [w = w_] { w->showManual(!w->manualShown()); })->setShortcut(QKeySequence(Qt::Key_F1));
+  menu->addSeparator();
   menu->addAction(tr("&About Heft Studio"), w_, [w = w_] {
     QMessageBox box(w);
     box.setWindowTitle(tr("About Heft Studio"));

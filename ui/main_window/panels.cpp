@@ -2,6 +2,7 @@
 
 #include "ui/export_panel/export_panel.h"
 #include "ui/mark_panel/mark_panel.h"
+#include "ui/reality_panel/reality_panel.h"
 #include "ui/record_panel/record_panel.h"
 #include "ui/results/result_step.h"
 
@@ -12,6 +13,7 @@ std::vector<StepPanel*> makePanels(const StudioParts& parts) {
       new RecordPanel(parts),
       new MarkPanel(parts),
       new ResultStep(parts),
+      new RealityPanel(parts),
       new ExportPanel(parts),
   };
 }

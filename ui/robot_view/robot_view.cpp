@@ -358,7 +358,13 @@ void RobotView::paintOver(QPainter& painter) const {
     }
     paintDimensions(painter, dimensions_, X_BS_, centre / std::max(1, ends), view);
   }
+  if (pull_) paintPull(painter, *pull_, X_BS_.translation(), view);
   if (handles_) handles_->paint(painter, view);
+}
+
+void RobotView::showPull(const std::optional<PullMark>& pull) {
+  pull_ = pull;
+  viewport_->requestFrame();
 }
 
 void RobotView::setStepNote(const QString& text) {

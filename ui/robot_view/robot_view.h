@@ -12,6 +12,7 @@
 #include "core/robot/robot_model.h"
 #include "ui/robot_view/dimension_lines.h"
 #include "ui/robot_view/handles.h"
+#include "ui/robot_view/pull_mark.h"
 #include "ui/robot_view/robot_look.h"
 
 class QLabel;
@@ -55,6 +56,8 @@ class RobotView : public QWidget {
   void showGhost(const std::optional<VectorXd>& joints);
   /// The way of the suggested motion, B axes [m]; empty hides it.
   void showGhostWay(const std::vector<Vector3d>& way);
+  /// What pulls at the tool; nothing hides it. Taken out again by the step that put it in.
+  void showPull(const std::optional<PullMark>& pull);
   /// X_BS as drawn now.
   Isometry3d sensorPose() const { return X_BS_; }
 
@@ -105,6 +108,7 @@ class RobotView : public QWidget {
   std::unique_ptr<LookBefore> before_;  ///< Camera before editing.
   QPointer<HandleSet> handles_;
   std::vector<DimensionLine> dimensions_;
+  std::optional<PullMark> pull_;
   QString stepNote_;
   QPointer<QWidget> stepTools_;
   bool cameraTouched_ = false;  ///< The user moved it: no automatic fit on resize.

@@ -28,6 +28,13 @@ std::string ScriptRunner::help() {
          "  step NAME                         record, mark, shape, result, reality-check, export\n"
          "  estimate                          estimate again\n"
          "  compare                           all methods side by side\n"
+         "  diagnose                          look for causes (reality check)\n"
+         "  apply CAUSE | takeback CAUSE      a correction, by the cause's name in files\n"
+         "  check FILE                        the causes found, on another open recording\n"
+         "  look plots|time|frequency|motion [WITNESS]\n"
+         "  meta FILE [replace]               the corrected meta file that the causes ask for\n"
+         "  report FILE [replace]             of the whole session, .html or .pdf\n"
+         "  practice NUMBER | guess CAUSE     a recording with a hidden fault\n"
          "  mark FROM TO LABEL                free, contact, ignore or suggested\n"
          "  accept                            accept all suggested marks\n"
          "  export FORMAT FILE [replace]      write the payload file\n"
@@ -37,6 +44,7 @@ std::string ScriptRunner::help() {
          "  measure A B | table FILE          two cursors; the visible stretch as CSV\n"
          "  camera NAME                       whole, tool, front, side, top\n"
          "  details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT\n"
+         "  manual                            open or close the manual\n"
          "  click NAME                        a button by its object name\n"
          "  picture FILE [window|view|plots|panel]\n"
          "  wait SECONDS\n";
@@ -85,18 +93,7 @@ void ScriptRunner::finish(const QString& failure) {
 
 Result<bool> ScriptRunner::takePicture(const QStringList& words) {
   const QString part = words.value(2, QStringLiteral("window"));
-  MainWindow& window = studio_->window();
-  QImage image;
-  if (part == "window") {
-    image = window.picture();
-  } else if (part == "view") {
-    window.robotView()->renderNow();
-    image = window.robotView()->grab().toImage();
-  } else if (part == "plots") {
-    image = window.recordingPane()->grab().toImage();
-  } else if (part == "panel") {
-    image = window.panel(window.step())->grab().toImage();
-  }
+  const QImage image = studio_->window().pictureOf(part);
   if (words.size() < 2 || words.size() > 3 || image.isNull())
     return wrong(tr("picture expects a file and perhaps window, view, plots or panel."));
   if (!image.save(words[1]))
@@ -177,6 +174,8 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     if (!size) return wrong(tr("size expects WIDTHxHEIGHT between 640x400 and 7680x4320."));
     return studio_->setSize(*size), Result<bool>(true);
   }
+  if (verb == "manual" && words.size() == 1)
+    return window.showManual(!window.manualShown()), Result<bool>(true);
   if (verb == "click") {
     auto* button = window.findChild<QAbstractButton*>(words.value(1));
     if (!button || !button->isVisible() || !button->isEnabled())

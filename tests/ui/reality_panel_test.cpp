@@ -1,0 +1,276 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/recording/csv_reader.h"
+#include "core/robot/robot_model.h"
+#include "core/simulation/practice.h"
+#include "core/simulation/simulate.h"
+#include "ui/controller/workspace.h"
+#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/practice.h"
+#include "ui/reality_panel/reality_panel.h"
+
+namespace heft {
+namespace {
+
+constexpr int kLong = 120000;  // [ms]
+
+class RealityPanelTest : public testing::Test {
+ protected:
+  RealityPanelTest() {
+    QStandardPaths::setTestModeEnabled(true);
+    parts.workspace = &workspace;
+    parts.followJobs = [this](JobRunner* runner) { jobs = runner; };
+    parts.say = [this](Severity, const QString& text) { said = text; };
+    panel = std::make_unique<RealityPanel>(parts);
+    panel->resize(440, 900);
+    panel->show();
+  }
+  QString simulated(const char* name, std::vector<EffectRequest> effects, std::uint64_t seed = 5) {
+    Payload payload;
+    payload.mass = 0.8;
+    payload.com = {0.005, -0.01, 0.06};
+    payload.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+    SimulateOptions options;
+    options.duration = 10.0;
+    options.rateHz = 500.0;
+    options.seed = seed;
+    options.effects = std::move(effects);
+    const auto made = simulate(RobotModel::panda(), payload, options);
+    EXPECT_TRUE(made.ok());
+    const QString path = folder.filePath(name);
+    EXPECT_TRUE(writeRecording(made->recording, path.toStdString()).ok());
+    return path;
+  }
+  void open(const QString& path) {
+    workspace.open(path);
+    settle();
+    ASSERT_TRUE(workspace.report());
+  }
+  /// Estimates and searches have come to rest, and the page shows it.
+  void settle() {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && !jobs->running(); }, kLong));
+    QApplication::processEvents();
+  }
+  QStringList texts() const {
+    QStringList out;
+    for (const QLabel* label : panel->findChildren<QLabel*>()) out << label->text();
+    return out;
+  }
+  QPushButton* buttonOf(const char* name, const char* cause) {
+    for (auto* button : panel->findChildren<QPushButton*>(name))
+      if (button->property("cause").toString() == cause) return button;
+    return nullptr;
+  }
+
+  QTemporaryDir folder;
+  Workspace workspace;
+  StudioParts parts;
+  JobRunner* jobs = nullptr;
+  QString said;
+  std::unique_ptr<RealityPanel> panel;
+};
+
+TEST_F(RealityPanelTest, ACauseIsNamedAppliedUndoneAndSaved) {
+  EXPECT_EQ(panel->state().progress, StepState::Progress::later);
+  open(simulated("hose.csv", {{"cable_pull", "", 4.0}}));
+  panel->diagnose();
+  EXPECT_TRUE(jobs->running());
+  settle();
+  ASSERT_TRUE(panel->report());
+  ASSERT_EQ(panel->report()->verdict, Verdict::explained) << panel->report()->sentence;
+  EXPECT_TRUE(texts().join("|").contains("pulls the tool towards one spot")) << texts().join("|").toStdString();
+  EXPECT_EQ(panel->state().light, Light::look);
+  const double plain = workspace.report()->payload.mass;
+  QPushButton* apply = buttonOf("mainButton", "cable_pull");
+  ASSERT_NE(apply, nullptr);
+  QTest::mouseClick(apply, Qt::LeftButton);
+  settle();
+  EXPECT_EQ(workspace.corrections().causes, std::vector<std::string>{"cable_pull"});
+  const double with = workspace.report()->payload.mass;
+  EXPECT_LT(std::abs(with - 0.8), std::abs(plain - 0.8));
+  EXPECT_NEAR(with, panel->report()->after.payload.mass, 1e-9);
+  EXPECT_EQ(panel->state().light, Light::measured);
+
+  const QString file = folder.filePath("s.heft");
+  ASSERT_TRUE(workspace.save(file));
+  workspace.undoStack()->undo();
+  settle();
+  EXPECT_TRUE(workspace.corrections().causes.empty());
+  EXPECT_NEAR(workspace.report()->payload.mass, plain, 1e-12);
+  workspace.undoStack()->redo();
+  settle();
+  QPushButton* back = buttonOf("plainButton", "cable_pull");
+  ASSERT_NE(back, nullptr) << "an applied cause can be taken back";
+  QTest::mouseClick(back, Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(workspace.corrections().causes.empty());
+
+  Workspace other;
+  other.open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !other.busy() && other.report(); }, kLong));
+  EXPECT_NEAR(other.report()->payload.mass, with, 1e-9);
+}
+
+TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
+  open(simulated("clean.csv", {}));
+  panel->diagnose();
+  settle();
+  ASSERT_TRUE(panel->report());
+  EXPECT_EQ(panel->report()->verdict, Verdict::clean);
+  EXPECT_TRUE(texts().contains("Only the sensor’s noise is left."));
+  EXPECT_EQ(panel->state().progress, StepState::Progress::done);
+  Step wanted = Step::record;
+  const auto mains = panel->findChildren<QPushButton*>("mainButton");
+  ASSERT_EQ(mains.size(), 1);
+  EXPECT_EQ(mains[0]->text(), "Go on to Export");
+  Q_UNUSED(wanted);
+  const auto refused = panel->obey({"apply", "cable_pull"});
+  ASSERT_TRUE(refused.has_value());
+  EXPECT_FALSE(refused->ok());
+}
+
+TEST_F(RealityPanelTest, StopsWhenAsked) {
+  panel->hide();  // Shown, it would look by itself as soon as a recording is there.
+  open(simulated("late.csv", {{"time_offset", "", 15.0}}));
+  ASSERT_FALSE(panel->report());
+  panel->show();
+  panel->diagnose();
+  for (auto* button : panel->findChildren<QPushButton*>("secondButton"))
+    if (button->isVisible()) QTest::mouseClick(button, Qt::LeftButton);
+  settle();
+  EXPECT_FALSE(panel->report());
+  EXPECT_TRUE(texts().contains("The search was stopped."));
+}
+
+TEST_F(RealityPanelTest, AWrongSignAsksForAnotherMetaFileAndNothingIsReplacedSilently) {
+  const QString path = simulated("sign.csv", {{"frame_error", "wrench-sign", 1.0}});
+  open(path);
+  panel->diagnose();
+  settle();
+  ASSERT_TRUE(panel->report());
+  ASSERT_TRUE(panel->report()->mistake) << panel->report()->sentence;
+  const QString file = folder.filePath("better.meta.json");
+  const auto written = panel->obey({"meta", file});
+  ASSERT_TRUE(written && written->ok()) << (written ? written->error().message : "");
+  QFile meta(file);
+  ASSERT_TRUE(meta.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(meta.readAll().contains("payload_on_sensor"));
+  EXPECT_FALSE(panel->obey({"meta", file})->ok());
+  EXPECT_TRUE(panel->obey({"meta", file, "replace"})->ok());
+}
+
+TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
+  std::uint64_t seed = 1;
+  while (practiceEffect(seed).id != "time_offset") ++seed;
+  ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.opened() && workspace.report() && !workspace.busy() && !jobs->running(); }, kLong));
+  QApplication::processEvents();
+  EXPECT_EQ(practiceSeed(workspace.opened()->path), seed);
+  EXPECT_TRUE(texts().contains("What is wrong with this recording?"));
+  EXPECT_FALSE(texts().join("|").contains("arrive"));
+  QTest::mouseClick(panel->findChild<QPushButton*>("guess_cable_pull"), Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(texts().contains("Not this one"));
+  EXPECT_TRUE(texts().join("|").contains("Hidden was: Readings late"));
+  // Opened once more it is a riddle again.
+  ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
+  settle();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel->findChild<QPushButton*>("guess_time_offset") != nullptr; }, kLong));
+  settle();
+  QTest::mouseClick(panel->findChild<QPushButton*>("guess_time_offset"), Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(texts().contains("Right"));
+}
+
+TEST_F(RealityPanelTest, TheReportHoldsEverythingAsPageAndAsPdf) {
+  EXPECT_FALSE(panel->obey({"report", folder.filePath("none.html")})->ok());
+  open(simulated("hose.csv", {{"cable_pull", "", 4.0}}));
+  panel->diagnose();
+  settle();
+  const QString page = folder.filePath("r.html"), pdf = folder.filePath("r.pdf");
+  ASSERT_TRUE(panel->obey({"report", page})->ok());
+  ASSERT_TRUE(panel->obey({"report", pdf})->ok());
+  QFile html(page), paper(pdf);
+  ASSERT_TRUE(html.open(QIODevice::ReadOnly) && paper.open(QIODevice::ReadOnly));
+  const QByteArray text = html.readAll();
+  EXPECT_TRUE(text.contains("hose.csv"));
+  EXPECT_TRUE(text.contains("Cable or hose pulls"));
+  EXPECT_GE(text.count("data:image/png;base64,"), 6);
+  EXPECT_FALSE(text.contains("http://") || text.contains("https://"));
+  const QByteArray start = paper.readAll();
+  EXPECT_TRUE(start.startsWith("%PDF"));
+  EXPECT_GT(start.size(), 40000) << "pictures are in it";
+  EXPECT_FALSE(panel->obey({"report", page})->ok()) << "nothing is replaced silently";
+  EXPECT_FALSE(panel->obey({"report", folder.filePath("r.doc")})->ok());
+}
+
+TEST_F(RealityPanelTest, TheDifferenceIsLookedAtFromThreeSides) {
+  open(simulated("hose.csv", {{"cable_pull", "", 4.0}}));
+  panel->diagnose();
+  settle();
+  auto* pane = static_cast<DifferencePane*>(panel->ownPane());
+  EXPECT_EQ(panel->below(), StepPanel::Below::plots);
+  ASSERT_TRUE(panel->obey({"look", "motion", "position_x"})->ok());
+  EXPECT_EQ(panel->below(), StepPanel::Below::own);
+  ASSERT_EQ(pane->charts().size(), 2u);
+  EXPECT_GT(pane->charts()[0].curves[0].points.size(), 50);
+  ASSERT_TRUE(panel->obey({"look", "frequency"})->ok());
+  EXPECT_GT(pane->charts()[0].band, 0.0);
+  EXPECT_FALSE(panel->obey({"look", "motion", "colour"})->ok());
+  ASSERT_TRUE(panel->obey({"look", "plots"})->ok());
+  EXPECT_EQ(panel->below(), StepPanel::Below::plots);
+}
+
+TEST_F(RealityPanelTest, ChecksOnAnotherOpenRecording) {
+  open(simulated("b.csv", {{"time_offset", "", 15.0}}, 6));
+  open(simulated("a.csv", {{"time_offset", "", 15.0}}, 7));
+  panel->diagnose();
+  settle();
+  ASSERT_TRUE(panel->obey({"check", folder.filePath("b.csv")})->ok());
+  settle();
+  ASSERT_TRUE(panel->report()->check);
+  EXPECT_LT(panel->report()->check->after.torque, panel->report()->check->before.torque);
+  EXPECT_FALSE(panel->obey({"check", folder.filePath("c.csv")})->ok());
+}
+
+TEST(CauseWords, EveryCauseHasAllItsWords) {
+  std::vector<std::string> ids{"contact", "saturation", "spikes", "dropouts", "frame_error"};
+  for (const auto& cause : diagnosis::catalogue()) ids.emplace_back(cause->id());
+  for (const auto& id : ids) {
+    if (id == diagnosis::kWandering) continue;
+    EXPECT_NE(causeTitle(id), QString::fromStdString(id));
+    EXPECT_FALSE(causeCheck(id).isEmpty()) << id;
+    EXPECT_FALSE(causeDecides(id).isEmpty()) << id;
+    EXPECT_FALSE(causeLooks(id).isEmpty()) << id;
+  }
+  for (const auto& id : practiceKinds()) EXPECT_FALSE(causeLooks(id).isEmpty()) << id;
+}
+
+TEST(CauseWords, NumbersStandInTheSentence) {
+  DiagnosisReport report;
+  DiagnosedCause late;
+  late.id = "time_offset";
+  late.parameters = {{"delay", "ms", 8.13, 0.9}};
+  EXPECT_EQ(causeSentence(late, report), "The force readings arrive 8.1 ± 0.9 ms late.");
+  late.parameters[0].value = -8.13;
+  EXPECT_TRUE(causeSentence(late, report).contains("before the motion"));
+  DiagnosedCause cross;
+  cross.id = "crosstalk";
+  cross.parameters = {{"fx_to_ty", "%", 3.0, 0.2}};
+  EXPECT_EQ(causeSentence(cross, report), "3.0 ± 0.2 % of force x shows up in torque y.");
+}
+
+}  // namespace
+}  // namespace heft

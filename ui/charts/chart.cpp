@@ -1,0 +1,227 @@
+#include "ui/charts/chart.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/models/numbers.h"
+
+namespace heft {
+namespace {
+
+QColor colourOf(ChartCurve::Colour colour, const Theme& t) {
+  using C = ChartCurve::Colour;
+  switch (colour) {
+    case C::before:
+      return t.text2;
+    case C::after:
+      return t.accent;
+    case C::x:
+      return t.axis[0];
+    case C::y:
+      return t.axis[1];
+    case C::z:
+      return t.axis[2];
+    case C::dots:
+    case C::text:
+      break;
+  }
+  return t.text;
+}
+
+struct Span {
+  double low = 0.0, high = 1.0;
+  bool log = false;
+
+  double value(double v) const { return log ? std::log10(std::max(v, 1e-12)) : v; }
+  double share(double v) const { return (value(v) - low) / (high - low); }
+};
+
+/// Round places for ticks, as shown values.
+std::vector<double> ticksOf(const Span& span, int about) {
+  std::vector<double> out;
+  if (span.log) {
+    for (int e = static_cast<int>(std::floor(span.low)); e <= std::ceil(span.high); ++e)
+      for (const double f : {1.0, 2.0, 5.0}) {
+        const double at = std::log10(f) + e;
+        if (at < span.low || at > span.high || (f > 1.0 && span.high - span.low > 2.2)) continue;
+        out.push_back(f * std::pow(10.0, e));
+      }
+    return out;
+  }
+  const double raw = (span.high - span.low) / about, power = std::pow(10.0, std::floor(std::log10(raw)));
+  double step = 10.0 * power;
+  for (const double f : {5.0, 2.0, 1.0})
+    if (f * power >= raw) step = f * power;
+  for (double at = std::ceil(span.low / step) * step; at <= span.high + 1e-9 * step; at += step) out.push_back(std::abs(at) < 1e-9 * step ? 0.0 : at);
+  return out;
+}
+
+QString tickText(double value, const std::vector<double>& ticks, bool log) {
+  double least = std::abs(value);
+  if (!log && ticks.size() > 1) least = ticks[1] - ticks[0];
+  const int decimals = least > 0.0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(least) - 1e-9)), 0, 6) : 0;
+  return numberText(value, decimals);
+}
+
+}  // namespace
+
+void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme& t, bool legend) {
+  p.setRenderHint(QPainter::Antialiasing);
+  const QFont small = [] {
+    QFont font = uiFont(type::kTick);
+    return font;
+  }();
+  p.setFont(small);
+  const QFontMetricsF metrics(small);
+  Span x, y;
+  x.log = chart.logX;
+  y.log = chart.logY;
+  x.low = y.low = 1e300;
+  x.high = y.high = -1e300;
+  for (const auto& curve : chart.curves)
+    for (const QPointF& point : curve.points) {
+      if (!std::isfinite(point.x()) || !std::isfinite(point.y())) continue;
+      if ((x.log && point.x() <= 0.0) || (y.log && point.y() <= 0.0)) continue;
+      x.low = std::min(x.low, x.value(point.x()));
+      x.high = std::max(x.high, x.value(point.x()));
+      y.low = std::min(y.low, y.value(point.y()));
+      y.high = std::max(y.high, y.value(point.y()));
+    }
+  if (!(x.high > x.low)) {
+    p.setPen(t.text2);
+    p.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, chart.nothing);
+    return;
+  }
+  if (chart.band > 0.0) {
+    y.low = std::min(y.low, y.log ? y.value(0.5 * chart.band) : -1.3 * chart.band);
+    y.high = std::max(y.high, y.value(1.3 * chart.band));
+  }
+  if (!(y.high > y.low)) y.high = y.low + 1.0;
+  const double pad = 0.06 * (y.high - y.low);
+  y.low -= pad;
+  y.high += pad;
+
+  const std::vector<double> yTicks = ticksOf(y, area.height() > 180 ? 5 : 3);
+  double widest = 0.0;
+  for (const double tick : yTicks) widest = std::max(widest, metrics.horizontalAdvance(tickText(tick, yTicks, y.log)));
+  const double line = metrics.height();
+  const double top = chart.yTitle.isEmpty() && !legend ? 4 : line + 8;
+  const QRectF plot = area.adjusted(widest + 8, top, -8, -(line + 6) - (chart.xTitle.isEmpty() ? 0 : line));
+  const auto px = [&](double v) { return plot.left() + x.share(v) * plot.width(); };
+  const auto py = [&](double v) { return plot.bottom() - y.share(v) * plot.height(); };
+
+  p.fillRect(plot, t.panel);
+  p.save();
+  p.setClipRect(plot);
+  if (chart.band > 0.0) {
+    const double bottom = y.log ? plot.bottom() : py(-chart.band);
+    p.fillRect(QRectF(QPointF(plot.left(), py(chart.band)), QPointF(plot.right(), bottom)), t.noise);
+  }
+  p.restore();
+  p.setPen(QPen(t.plotGrid, 1));
+  for (const double tick : yTicks) p.drawLine(QPointF(plot.left(), py(tick)), QPointF(plot.right(), py(tick)));
+  if (!y.log && y.low < 0.0 && y.high > 0.0) {
+    p.setPen(QPen(t.plotZero, 1));
+    p.drawLine(QPointF(plot.left(), py(0.0)), QPointF(plot.right(), py(0.0)));
+  }
+  p.setPen(t.text2);
+  for (const double tick : yTicks)
+    p.drawText(QRectF(area.left(), py(tick) - line / 2, widest + 2, line), Qt::AlignRight | Qt::AlignVCenter,
+               tickText(tick, yTicks, y.log));
+  const std::vector<double> xTicks = ticksOf(x, std::max(2, static_cast<int>(plot.width() / 90)));
+  for (const double tick : xTicks) {
+    const QString text = tickText(tick, xTicks, x.log);
+    const double half = 0.5 * metrics.horizontalAdvance(text) + 2;
+    const double at = std::clamp(px(tick), area.left() + half, area.right() - half);
+    p.drawText(QRectF(at - half, plot.bottom() + 3, 2 * half, line), Qt::AlignCenter, text);
+  }
+  if (!chart.xTitle.isEmpty())
+    p.drawText(QRectF(plot.left(), area.bottom() - line, plot.width(), line), Qt::AlignRight, chart.xTitle);
+
+  p.save();
+  p.setClipRect(plot);
+  for (const auto& curve : chart.curves) {
+    const QColor colour = colourOf(curve.colour, t);
+    if (curve.colour == ChartCurve::Colour::dots) {
+      QColor pale = colour;
+      pale.setAlpha(110);
+      p.setPen(Qt::NoPen);
+      p.setBrush(pale);
+      for (const QPointF& point : curve.points)
+        if (std::isfinite(point.x()) && std::isfinite(point.y())) p.drawEllipse(QPointF(px(point.x()), py(point.y())), 1.6, 1.6);
+      p.setBrush(Qt::NoBrush);
+      continue;
+    }
+    QPainterPath path;
+    bool open = false;
+    for (const QPointF& point : curve.points) {
+      if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || (y.log && point.y() <= 0.0) || (x.log && point.x() <= 0.0)) {
+        open = false;
+        continue;
+      }
+      const QPointF at(px(point.x()), py(point.y()));
+      open ? path.lineTo(at) : path.moveTo(at);
+      open = true;
+    }
+    QPen pen(colour, 1.5);
+    if (curve.dashed) pen.setDashPattern({3.0, 2.0});
+    p.setPen(pen);
+    p.drawPath(path);
+  }
+  p.restore();
+  p.setPen(QPen(t.line, 1));
+  p.drawRect(plot);
+
+  double right = plot.right();
+  if (legend) {
+    for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve) {
+      if (curve->name.isEmpty()) continue;
+      const double width = metrics.horizontalAdvance(curve->name);
+      p.setPen(t.text2);
+      p.drawText(QRectF(right - width, area.top(), width + 2, line), Qt::AlignLeft, curve->name);
+      QPen pen(colourOf(curve->colour, t), 1.8);
+      if (curve->dashed) pen.setDashPattern({3.0, 2.0});
+      p.setPen(pen);
+      p.drawLine(QPointF(right - width - 24, area.top() + line / 2), QPointF(right - width - 6, area.top() + line / 2));
+      right -= width + 38;
+    }
+  }
+  QFont bold = small;
+  bold.setWeight(QFont::DemiBold);
+  p.setFont(bold);
+  p.setPen(t.text);
+  const QRectF head(area.left(), area.top(), std::max(20.0, right - area.left()), line);
+  p.drawText(head, Qt::AlignLeft, QFontMetricsF(bold).elidedText(chart.yTitle, Qt::ElideRight, head.width()));
+}
+
+QImage chartImage(const Chart& chart, QSize size, const Theme& t) {
+  QImage image(2 * size, QImage::Format_RGB32);
+  image.fill(t.panel);
+  QPainter painter(&image);
+  painter.scale(2.0, 2.0);
+  drawChart(painter, QRectF(QPointF(4, 4), QSizeF(size.width() - 8, size.height() - 8)), chart, t, true);
+  return image;
+}
+
+ChartWidget::ChartWidget(QWidget* parent) : QWidget(parent) { setMinimumHeight(90); }
+
+void ChartWidget::setChart(Chart chart, bool legend) {
+  chart_ = std::move(chart);
+  legend_ = legend;
+  update();
+}
+
+void ChartWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  drawChart(painter, QRectF(rect()), chart_, theme(), legend_);
+}
+
+void ChartWidget::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) update();
+}
+
+}  // namespace heft

@@ -1,0 +1,52 @@
+#pragma once
+// Small plots that are painted once: on a card, in a pane, in a report. Curves over linear or logarithmic axes, a band
+// about zero for the noise. The large plots of a recording are in ui/wrench_plots.
+#include <QImage>
+#include <QPointF>
+#include <QString>
+#include <QVector>
+#include <QWidget>
+#include <vector>
+
+#include "ui/theme/theme.h"
+
+namespace heft {
+
+struct ChartCurve {
+  enum class Colour { before, after, text, x, y, z, dots };
+  QString name;  ///< For the legend; empty: not in it.
+  Colour colour = Colour::text;
+  QVector<QPointF> points;  ///< A point that is not finite interrupts the line.
+  bool dashed = false;
+};
+
+struct Chart {
+  QString xTitle, yTitle;  ///< With units: "Time [s]"
+  std::vector<ChartCurve> curves;
+  double band = 0.0;  ///< Half height of the noise band about zero; with logY: its level above the bottom.
+  bool logX = false, logY = false;
+  QString nothing;    ///< Stands there if there are no points.
+};
+
+void drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const Theme& theme, bool legend);
+/// For reports: `size` in points at twice the resolution.
+QImage chartImage(const Chart& chart, QSize size, const Theme& theme);
+
+class ChartWidget : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ChartWidget(QWidget* parent = nullptr);
+  /// `legend`: names over the plot.
+  void setChart(Chart chart, bool legend);
+  const Chart& chart() const { return chart_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  Chart chart_;
+  bool legend_ = true;
+};
+
+}  // namespace heft

@@ -1,0 +1,406 @@
+#include "ui/reality_panel/cause_card.h"
+
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/controller/diagnosis.h"
+#include "ui/models/numbers.h"
+#include "ui/reality_panel/cause_words.h"
+#include "ui/theme/icons.h"
+
+namespace heft {
+namespace {
+
+struct Say {
+  Q_DECLARE_TR_FUNCTIONS(CauseCard)
+};
+
+/// Two bars and the noise floor as a dashed line.
+class GainBars : public QWidget {
+ public:
+  GainBars(double before, double after, double noise, QWidget* parent) : QWidget(parent), before_(before), after_(after), noise_(noise) {
+    setFixedHeight(46);
+    setAccessibleName(Say::tr("Unseen error %1 before, %2 after, noise floor %3").arg(newtonText(before), newtonText(after), newtonText(noise)));
+    setToolTip(Say::tr("Root mean square of what the model misses, on stretches that it was not fitted to."));
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    const Theme& t = theme();
+    p.setFont(uiFont(type::kCaption));
+    const QFontMetrics metrics(p.font());
+    const QString words[] = {Say::tr("before"), Say::tr("after")};
+    const int left = std::max(metrics.horizontalAdvance(words[0]), metrics.horizontalAdvance(words[1])) + 10;
+    QFont bold = uiFont(type::kCaption, QFont::DemiBold);
+    const double most = std::max({before_, after_, noise_, 1e-12}), full = width() - left - 90.0;
+    const double values[] = {before_, after_};
+    for (int i = 0; i < 2; ++i) {
+      const double y = 4 + 22 * i;
+      p.setFont(uiFont(type::kCaption));
+      p.setPen(t.text2);
+      p.drawText(QRectF(0, y - 2, left, 18), Qt::AlignVCenter | Qt::AlignLeft, words[i]);
+      p.setPen(Qt::NoPen);
+      p.setBrush(i == 0 ? t.text3 : t.accent);
+      const double length = std::max(3.0, full * values[i] / most);
+      p.drawRoundedRect(QRectF(left, y, length, 14), 3, 3);
+      p.setPen(t.text);
+      p.setFont(bold);
+      p.drawText(QRectF(left + length + 8, y - 2, 90, 18), Qt::AlignVCenter | Qt::AlignLeft, newtonText(values[i]));
+      p.setBrush(Qt::NoBrush);
+    }
+    QPen dash(t.text, 1.3);
+    dash.setDashPattern({2.5, 2.0});
+    p.setPen(dash);
+    const double x = left + full * noise_ / most;
+    p.drawLine(QPointF(x, 0), QPointF(x, height()));
+  }
+
+ private:
+  double before_, after_, noise_;
+};
+
+QPushButton* makeButton(const QString& text, const char* name, QWidget* parent) {
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(name);
+  return button;
+}
+
+QHBoxLayout* tagRow(QWidget* tag, const QString& right, const QString& tip, QWidget* parent) {
+  auto* row = new QHBoxLayout;
+  row->addWidget(tag);
+  row->addStretch(1);
+  QLabel* word = styledLabel(right, "caption", parent);
+  word->setToolTip(tip);
+  row->addWidget(word);
+  return row;
+}
+
+void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const DiagnosedCause& cause, QWidget* parent) {
+  if (cause.before.cols() > 0) {
+    auto* chart = new ChartWidget(parent);
+    chart->setChart(overlayChart(report, cause), true);
+    chart->setFixedHeight(140);
+    chart->setAccessibleName(Say::tr("Measured, old and improved simulation on the unseen stretch"));
+    column->addWidget(chart);
+  }
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  int r = 0;
+  const auto add = [&](const QString& name, const QString& value, const QString& tip = {}) {
+    QLabel* left = styledLabel(name, "caption", parent);
+    QLabel* right = styledLabel(value, "detailValue", parent);
+    right->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    right->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    right->setWordWrap(true);
+    left->setToolTip(tip);
+    right->setToolTip(tip);
+    grid->addWidget(left, r, 0);
+    grid->addWidget(right, r++, 1);
+  };
+  for (const auto& p : cause.parameters) add(QString::fromStdString(p.name), parameterText(p), Say::tr("Value and one standard deviation"));
+  for (const auto& [from, to] : cause.when) add(Say::tr("When"), Say::tr("%1 to %2 s").arg(numberText(from, 1), numberText(to, 1)));
+  if (!cause.direct) {
+    add(Say::tr("Evidence (ΔBIC)"), numberText(cause.deltaBic, 0),
+        Say::tr("How much better the recording is explained, after paying for the extra numbers; under %1 nothing is named.")
+            .arg(numberText(report.threshold, 1)));
+    add(Say::tr("p-value"), cause.pValue < 1e-4 ? QStringLiteral("< 0.0001") : numberText(cause.pValue, 4),
+        Say::tr("How often a clean recording with this motion and noise looks at least as conspicuous"));
+    if (cause.gain.blocks > 0) {
+      add(Say::tr("Better on"), Say::tr("%1 of %2 unseen stretches").arg(cause.gain.blocksBetter).arg(cause.gain.blocks));
+      add(Say::tr("Explained"),
+          Say::tr("%1 % (95 %: %2 to %3 %)")
+              .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0), numberText(100 * cause.gain.upper, 0)),
+          Say::tr("Share of the squared error that goes away on unseen stretches"));
+      add(Say::tr("Torque"), QStringLiteral("%1 → %2 N m").arg(numberText(cause.gain.torqueBefore, 4), numberText(cause.gain.torqueAfter, 4)));
+    }
+  }
+  add(Say::tr("Name in files"), QString::fromStdString(cause.id));
+  column->addLayout(grid);
+}
+
+void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardState& state, const CardActions& actions,
+                QWidget* parent, QWidget* details) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  if (state.applied) {
+    row->addWidget(new LightIcon(Light::measured, 18, parent));
+    row->addWidget(styledLabel(Say::tr("Applied"), "captionBold", parent));
+    row->addStretch(1);
+    auto* undo = makeButton(Say::tr("Take back"), "plainButton", parent);
+    undo->setProperty("cause", QString::fromStdString(cause.id));
+    undo->setToolTip(Say::tr("The payload is estimated without this correction again"));
+    QObject::connect(undo, &QPushButton::clicked, parent, [actions, id = cause.id] { actions.undo(id); });
+    row->addWidget(undo);
+  } else if (state.applicable) {
+    auto* apply = makeButton(state.next ? Say::tr("Apply this correction") : Say::tr("Apply"), state.next ? "mainButton" : "acceptButton", parent);
+    apply->setProperty("cause", QString::fromStdString(cause.id));
+    apply->setToolTip(Say::tr("The cause becomes part of the model: result, prediction and export use it"));
+    if (state.next) apply->setIcon(QIcon(iconPixmap("check", 20, Qt::white, theme().accentFill, 2.0)));
+    QObject::connect(apply, &QPushButton::clicked, parent, [actions, id = cause.id] { actions.apply(id); });
+    row->addWidget(apply, state.next ? 1 : 0);
+    if (!state.next) row->addStretch(1);
+  } else {
+    row->addWidget(wrappedLabel(Say::tr("Heft allows for it already; the cure is on the rig."), "caption", parent), 1);
+  }
+  auto* more = makeButton(Say::tr("Details"), state.next && !state.applied ? "secondButton" : "plainButton", parent);
+  more->setCheckable(true);
+  more->setChecked(state.details);
+  QObject::connect(more, &QPushButton::toggled, details, &QWidget::setVisible);
+  row->addWidget(more);
+  column->addLayout(row);
+  column->addWidget(details);
+  details->setVisible(state.details);
+}
+
+QWidget* detailsOf(const DiagnosisReport& report, const DiagnosedCause& cause, QWidget* parent) {
+  auto* out = new QWidget(parent);
+  out->setProperty("role", "details");
+  auto* column = new QVBoxLayout(out);
+  column->setContentsMargins(0, 4, 0, 0);
+  addDetails(column, report, cause, out);
+  return out;
+}
+
+/// "Check on the rig: ...": bold beginning, plain rest.
+QLabel* boldFirst(const QString& bold, const QString& rest, QWidget* parent) {
+  QLabel* label = wrappedLabel({}, "caption", parent);
+  label->setTextFormat(Qt::RichText);
+  label->setText(QStringLiteral("<b>%1</b> %2").arg(bold.toHtmlEscaped(), rest.toHtmlEscaped()));
+  return label;
+}
+
+QVector<QPointF> pointsOf(const DiagnosisReport& report, const VectorXd& y, double from, double to) {
+  QVector<QPointF> out;
+  const auto& s = report.series;
+  for (Eigen::Index n = 0; n < s.time.size(); ++n) {
+    if (s.time(n) < from || s.time(n) > to) continue;
+    out.push_back({s.time(n), s.judged[static_cast<std::size_t>(n)] ? y(n) : std::nan("")});
+  }
+  return out;
+}
+
+}  // namespace
+
+QString newtonText(double value) { return QCoreApplication::translate("CauseCard", "%1 N").arg(numberText(value, value < 0.1 ? 3 : 2)); }
+
+StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& report) {
+  if (cause.direct) return {Say::tr("seen directly"), Say::tr("The readings themselves show it.")};
+  const double over = cause.deltaBic / std::max(1.0, report.threshold);
+  StrengthText out;
+  out.word = over > 3.0 ? Say::tr("very strong") : over > 1.5 ? Say::tr("strong") : Say::tr("just visible");
+  if (report.surrogates > 0) {
+    const int alarms = std::max(0, static_cast<int>(std::lround(cause.pValue * (report.surrogates + 1))) - 1);
+    out.meaning = Say::tr("%n false alarm(s) in %1 simulated clean runs.", "", alarms).arg(report.surrogates);
+  } else {
+    out.meaning = Say::tr("Far above what noise alone would give.");
+  }
+  return out;
+}
+
+ChangeText payloadChange(const DiagnosisReport& report) {
+  const Payload &a = report.before.payload, &b = report.after.payload, &s = report.before.std;
+  ChangeText out;
+  const auto offer = [&](double from, double to, double std, const QString& text) {
+    const double sigmas = std > 0.0 ? std::abs(to - from) / std : 0.0;
+    if (!out.text.isEmpty() && sigmas <= out.sigmas) return;
+    out = {text, sigmas};
+  };
+  const int digits = std::abs(a.mass - b.mass) < 0.01 ? 4 : std::abs(a.mass - b.mass) < 0.1 ? 3 : 2;
+  offer(a.mass, b.mass, s.mass, Say::tr("mass %1 → %2 kg").arg(numberText(a.mass, digits), numberText(b.mass, digits)));
+  for (int i = 0; i < 3; ++i)
+    offer(a.com(i), b.com(i), s.com(i),
+          Say::tr("centre %1 %2 → %3 mm").arg(QChar('x' + i)).arg(numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1)));
+  return out;
+}
+
+Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
+  const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
+  Chart chart;
+  const bool torque = stretch.channel >= 3;
+  chart.yTitle = Say::tr("Error in %1, unseen stretch [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
+  chart.xTitle = Say::tr("Time [s]");
+  chart.band = 2.0 * (torque ? report.noise.torque : report.noise.force);
+  chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before, pointsOf(report, cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to), true});
+  chart.curves.push_back({Say::tr("after"), ChartCurve::Colour::after, pointsOf(report, cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to), false});
+  return chart;
+}
+
+Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
+  const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
+  const VectorXd measured = report.series.measured.row(stretch.channel).transpose();
+  Chart chart;
+  chart.yTitle = QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), stretch.channel >= 3 ? "N m" : "N");
+  chart.xTitle = Say::tr("Time [s]");
+  const auto add = [&](const QString& name, ChartCurve::Colour colour, const VectorXd& y, bool dashed) {
+    chart.curves.push_back({name, colour, pointsOf(report, y, stretch.from, stretch.to), dashed});
+  };
+  add(Say::tr("measured"), ChartCurve::Colour::text, measured, false);
+  add(Say::tr("old model"), ChartCurve::Colour::before, measured - cause.before.row(stretch.channel).transpose(), true);
+  add(Say::tr("improved"), ChartCurve::Colour::after, measured - cause.after.row(stretch.channel).transpose(), false);
+  return chart;
+}
+
+QWidget* makeVerdictTag(const QString& text, Light light, bool accent, QWidget* parent) {
+  auto* tag = new QFrame(parent);
+  tag->setObjectName(accent ? "verdictAccent" : light == Light::measured ? "verdictGood" : light == Light::twoCauses ? "verdictLook" : "verdictQuiet");
+  auto* row = new QHBoxLayout(tag);
+  row->setContentsMargins(7, 2, 8, 2);
+  row->setSpacing(6);
+  if (accent) {
+    auto* icon = new QLabel(tag);
+    icon->setPixmap(iconPixmap("check", 14, theme().accent, theme().accentTint, 2.0));
+    row->addWidget(icon);
+  } else {
+    row->addWidget(new LightIcon(light, 14, tag));
+  }
+  row->addWidget(styledLabel(text, "verdictWord", tag));
+  tag->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  tag->setAccessibleName(text);
+  return tag;
+}
+
+QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& cause, const CardState& state,
+                       const CardActions& actions, QWidget* parent) {
+  const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
+  card.frame->setProperty("cause", QString::fromStdString(cause.id));
+  const StrengthText strength = strengthOf(cause, report);
+  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Cause found"), Light::measured, true, card.frame), strength.word, strength.meaning, card.frame));
+  QLabel* sentence = wrappedLabel(causeSentence(cause, report), "cardTitle", card.frame);
+  sentence->setProperty("role", "sentence");
+  card.layout->addWidget(sentence);
+  if (!state.applied && cause.before.cols() > 0) {
+    auto* chart = new ChartWidget(card.frame);
+    chart->setChart(errorChart(report, cause), true);
+    chart->setFixedHeight(132);
+    chart->setProperty("role", "unseen");
+    chart->setAccessibleName(Say::tr("Error on an unseen stretch, before and after"));
+    chart->setToolTip(Say::tr("The model was fitted without this stretch. Grey: twice the sensor’s noise."));
+    card.layout->addWidget(chart);
+  }
+  if (cause.gain.forceBefore > 0.0) {
+    card.layout->addWidget(new GainBars(cause.gain.forceBefore, cause.gain.forceAfter, report.noise.force, card.frame));
+    card.layout->addWidget(wrappedLabel(Say::tr("Unseen error %1 → %2; dashed: noise floor %3.")
+                                            .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)),
+                                        "caption", card.frame));
+  }
+  if (!state.applied) {
+    QLabel* check = boldFirst(Say::tr("Check on the rig:"), causeCheck(cause.id), card.frame);
+    card.layout->addWidget(check);
+    card.layout->addWidget(boldFirst(strength.word.left(1).toUpper() + strength.word.mid(1) + ":", strength.meaning, card.frame));
+  }
+  if (cause.before.cols() > 0 && !state.applied) {
+    const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
+    auto* show = makeButton(Say::tr("Show this stretch in the plots"), "linkButton", card.frame);
+    QObject::connect(show, &QPushButton::clicked, card.frame, [actions, stretch] { actions.showStretch(stretch.from, stretch.to); });
+    card.layout->addWidget(show, 0, Qt::AlignLeft);
+  }
+  addButtons(card.layout, cause, state, actions, card.frame, detailsOf(report, cause, card.frame));
+  return card.frame;
+}
+
+QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause, const CardState& state,
+                     const CardActions& actions, QWidget* parent) {
+  const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
+  card.frame->setProperty("cause", QString::fromStdString(cause.id));
+  const bool two = cause.alternatives.size() == 1;
+  card.layout->addLayout(tagRow(makeVerdictTag(two ? Say::tr("Two causes possible") : Say::tr("Several causes possible"), Light::twoCauses, false, card.frame),
+                                Say::tr("this motion cannot tell"), {}, card.frame));
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  const auto box = [&](const QString& title, const QString& text) {
+    auto* frame = new QFrame(card.frame);
+    frame->setObjectName("tieBox");
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(10, 8, 10, 8);
+    column->setSpacing(2);
+    column->addWidget(wrappedLabel(title, "sectionTitle", frame));
+    if (!text.isEmpty()) column->addWidget(wrappedLabel(text, "caption", frame));
+    column->addStretch(1);
+    return frame;
+  };
+  grid->addWidget(box(causeTitle(cause.id), causeSentence(cause, report)), 0, 0);
+  grid->addWidget(styledLabel(Say::tr("or"), "caption", card.frame), 0, 1, Qt::AlignCenter);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(2, 1);
+  int place = 1;
+  for (const auto& id : cause.alternatives) {
+    grid->addWidget(box(causeTitle(id), causeCheck(id)), place / 2, 2 * (place % 2));
+    ++place;
+  }
+  card.layout->addLayout(grid);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(new IconLabel("bulb", 20, card.frame), 0, Qt::AlignTop);
+  row->addWidget(boldFirst(Say::tr("To decide:"), causeDecides(cause.id), card.frame), 1);
+  auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
+  QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record(); });
+  row->addWidget(record, 0, Qt::AlignVCenter);
+  card.layout->addLayout(row);
+  if (cause.gain.forceBefore > 0.0)
+    card.layout->addWidget(wrappedLabel(Say::tr("Whichever it is: unseen error %1 → %2; noise floor %3.")
+                                            .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)),
+                                        "caption", card.frame));
+  addButtons(card.layout, cause, state, actions, card.frame, detailsOf(report, cause, card.frame));
+  return card.frame;
+}
+
+QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actions, QWidget* parent) {
+  const Card card = makeCard("card", parent);
+  card.frame->setProperty("role", "unknown");
+  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Something unknown"), Light::unknown, false, card.frame), Say::tr("shown, not named"), {}, card.frame));
+  card.layout->addWidget(wrappedLabel(Say::tr("Something is left that goes with %1.").arg(goesWithText(report.remaining.goesWith)), "cardTitle", card.frame));
+  const auto spectrum = diagnosis::spectrumOf(report.series, false);
+  if (spectrum.frequency.size() > 0) {
+    Chart chart;
+    chart.yTitle = Say::tr("What is left, by frequency [N/√Hz]");
+    chart.xTitle = Say::tr("Frequency [Hz]");
+    chart.logX = chart.logY = true;
+    chart.band = spectrum.floor;
+    QVector<QPointF> points;
+    for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i) points.push_back({spectrum.frequency(i), spectrum.after(i)});
+    chart.curves.push_back({{}, ChartCurve::Colour::after, points, false});
+    auto* widget = new ChartWidget(card.frame);
+    widget->setChart(chart, false);
+    widget->setFixedHeight(140);
+    widget->setToolTip(Say::tr("Grey: the level of the sensor’s own noise. What rises above it has no name yet."));
+    widget->setAccessibleName(chart.yTitle);
+    card.layout->addWidget(widget);
+  }
+  const double share = 100.0 * std::clamp(report.remaining.share, 0.0, 1.0);
+  QString band;
+  if (report.remaining.highHz > 0.0)
+    band = Say::tr(" Most of it lies at %1 Hz.").arg(numberText(report.remaining.lowHz, 1));
+  card.layout->addWidget(wrappedLabel(Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) + band +
+                                          Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing."),
+                                      "caption", card.frame));
+  auto* row = new QHBoxLayout;
+  row->addWidget(boldFirst(Say::tr("What helps:"), Say::tr("record the same motion once more, without touching anything, and compare."), card.frame), 1);
+  auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
+  QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record(); });
+  row->addWidget(record);
+  card.layout->addLayout(row);
+  return card.frame;
+}
+
+QWidget* makeCleanCard(const DiagnosisReport& report, QWidget* parent) {
+  const Card card = makeCard("card", parent);
+  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Model fits"), Light::measured, false, card.frame), {}, {}, card.frame));
+  card.layout->addWidget(wrappedLabel(Say::tr("Only the sensor’s noise is left."), "cardTitle", card.frame));
+  card.layout->addWidget(wrappedLabel(Say::tr("Error %1, noise floor %2; torque %3 N m.")
+                                          .arg(newtonText(report.baseline.force), newtonText(report.noise.force), numberText(report.baseline.torque, 4)),
+                                      "caption", card.frame));
+  return card.frame;
+}
+
+}  // namespace heft

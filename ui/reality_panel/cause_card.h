@@ -1,0 +1,60 @@
+#pragma once
+// The cards of the reality check: one a cause, in plain words, with what it gains and what to do about it.
+#include <QString>
+#include <functional>
+#include <vector>
+
+#include "ui/controller/diagnosis.h"
+#include "ui/charts/chart.h"
+#include "ui/widgets/basics.h"
+
+namespace heft {
+
+struct CardActions {
+  std::function<void(std::string)> apply, undo;
+  std::function<void(double, double)> showStretch;
+  std::function<void()> record;
+};
+
+struct CardState {
+  bool applied = false;
+  bool applicable = true;
+  bool next = false;     ///< The one thing to do next: its button is the filled one.
+  bool details = false;
+};
+
+/// How strong the evidence is, in a word and a sentence: "very strong", "0 false alarms in 200 simulated clean runs".
+struct StrengthText {
+  QString word, meaning;
+};
+StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& report);
+
+/// "mass 0.84 → 0.81 kg", the number that moves most in units of its uncertainty, and by how many of these.
+struct ChangeText {
+  QString text;
+  double sigmas = 0.0;
+};
+ChangeText payloadChange(const DiagnosisReport& report);
+
+/// Error on the unseen stretch that tells most, before and after.
+Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause);
+/// Measured, old and improved simulation on the same stretch.
+Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause);
+
+/// "0.31 N": three digits below 0.1.
+QString newtonText(double value);
+
+/// What is cause and is told apart: one explanation. `report` is kept alive by the caller's page.
+QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& cause, const CardState& state,
+                       const CardActions& actions, QWidget* parent);
+/// Two explanations or more that this motion cannot tell apart.
+QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause, const CardState& state,
+                     const CardActions& actions, QWidget* parent);
+/// What nothing in the catalogue accounts for.
+QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actions, QWidget* parent);
+QWidget* makeCleanCard(const DiagnosisReport& report, QWidget* parent);
+
+/// Verdict tag: icon and word.
+QWidget* makeVerdictTag(const QString& text, Light light, bool accent, QWidget* parent);
+
+}  // namespace heft

@@ -1,0 +1,86 @@
+#include "ui/reality_panel/practice.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "core/simulation/practice.h"
+#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_panel/cause_words.h"
+
+namespace heft {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Practice)
+};
+
+}  // namespace
+
+QString practiceFolder() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).absoluteFilePath("practice");
+}
+
+QString practiceFile(std::uint64_t seed) { return QDir(practiceFolder()).filePath(QStringLiteral("practice-%1.csv").arg(seed)); }
+
+std::optional<std::uint64_t> practiceSeed(const QString& path) {
+  const QFileInfo file(path);
+  if (file.absolutePath() != practiceFolder()) return std::nullopt;
+  static const QRegularExpression pattern(QStringLiteral("^practice-(\\d+)$"));
+  const auto match = pattern.match(file.completeBaseName());
+  if (!match.hasMatch()) return std::nullopt;
+  bool ok = false;
+  const auto seed = match.captured(1).toULongLong(&ok);
+  return ok ? std::optional<std::uint64_t>(seed) : std::nullopt;
+}
+
+void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(std::string)>& guessed) {
+  const Card hint = makeCard("cardSuggested", parent);
+  hint.layout->addWidget(styledLabel(Words::tr("How to look"), "sectionTitle", hint.frame));
+  hint.layout->addWidget(wrappedLabel(
+      Words::tr("When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, "
+                "drift or ring? The views below the arm show it by frequency and against the motion."),
+      "body", hint.frame));
+  column->addWidget(hint.frame);
+  column->addWidget(styledLabel(Words::tr("Your guess"), "sectionTitle", parent));
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  int place = 0;
+  for (const auto& id : practiceKinds()) {
+    auto* button = new QPushButton(causeTitle(id), parent);
+    button->setObjectName("guess_" + QString::fromStdString(id));
+    button->setProperty("role", "plain");
+    button->setToolTip(causeLooks(id));
+    QObject::connect(button, &QPushButton::clicked, parent, [guessed, id] { guessed(id); });
+    grid->addWidget(button, place / 2, place % 2);
+    ++place;
+  }
+  column->addLayout(grid);
+}
+
+void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth, const std::string& guess,
+                 const std::function<void()>& another) {
+  const bool right = truth == guess;
+  const Card card = makeCard(right ? "card" : "cardLook", parent);
+  card.frame->setProperty("role", "feedback");
+  card.layout->addWidget(makeVerdictTag(right ? Words::tr("Right") : Words::tr("Not this one"), right ? Light::measured : Light::look, false, card.frame));
+  card.layout->addWidget(wrappedLabel(Words::tr("Hidden was: %1.").arg(causeTitle(truth)), "cardTitle", card.frame));
+  card.layout->addWidget(wrappedLabel(causeLooks(truth), "body", card.frame));
+  if (!right) {
+    card.layout->addWidget(wrappedLabel(Words::tr("Your guess, “%1”, would look like this: %2").arg(causeTitle(guess), causeLooks(guess)), "caption", card.frame));
+    card.layout->addWidget(wrappedLabel(Words::tr("To tell them apart on a real rig: %1").arg(causeDecides(truth)), "caption", card.frame));
+  }
+  auto* next = new QPushButton(Words::tr("Another one"), card.frame);
+  next->setObjectName("anotherRiddle");
+  QObject::connect(next, &QPushButton::clicked, parent, [another] { another(); });
+  card.layout->addWidget(next, 0, Qt::AlignLeft);
+  column->addWidget(card.frame);
+}
+
+}  // namespace heft

@@ -1,0 +1,545 @@
+#include "ui/reality_panel/reality_panel.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_file.h"
+#include "core/recording/csv_reader.h"
+#include "core/simulation/practice.h"
+#include "ui/controller/diagnosis.h"
+#include "ui/controller/workspace.h"
+#include "ui/reality_panel/cause_card.h"
+#include "ui/reality_panel/cause_words.h"
+#include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/practice.h"
+#include "ui/reality_panel/reality_page.h"
+#include "ui/models/numbers.h"
+#include "ui/report/session_report.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/timeline/time_axis.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+namespace heft {
+namespace {
+
+struct Looked {
+  std::shared_ptr<const DiagnosisReport> report;
+  std::vector<diagnosis::Witness> witnesses;
+  std::string json;
+};
+
+Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
+  const Recording recording = now.recording();
+  DiagnoseOptions options;
+  options.estimate = now.options;
+  options.segments = now.options.segments;
+  auto report = diagnose(recording, now.robot(), options, progress);
+  if (!report) return report.error();
+  Looked out;
+  if (auto witnesses = diagnosis::witnesses(recording, now.robot())) out.witnesses = std::move(*witnesses);
+  out.json = toJson(*report).dump();
+  out.report = std::make_shared<const DiagnosisReport>(std::move(*report));
+  return out;
+}
+
+bool sameMarks(const std::vector<Mark>& a, const std::vector<Mark>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Mark& x, const Mark& y) {
+    return x.from == y.from && x.to == y.to && x.label == y.label;
+  });
+}
+
+Result<bool> refusal(const QString& sentence) { return Error{sentence.toStdString()}; }
+
+}  // namespace
+
+RealityPanel::RealityPanel(const StudioParts& parts) : StepPanel(parts), pane_(new DifferencePane) {
+  parts.followJobs(&jobs_);
+  connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString&) {
+    if (bar_) bar_->setValue(static_cast<int>(1000 * fraction));
+  });
+  connect(pane_, &DifferencePane::closeWanted, this, [this] { look(false); });
+  connect(&workspace(), &Workspace::openedChanged, this, [this] {
+    failure_.clear();
+    if (wanted_ || (isVisible() && !found())) diagnose();
+    refresh();
+  });
+  connect(&workspace(), &Workspace::marksChanged, this, &RealityPanel::refresh);
+  connect(&workspace(), &Workspace::correctionsChanged, this, &RealityPanel::refresh);
+  connect(&workspace(), &Workspace::reportChanged, this, &RealityPanel::refresh);
+  refresh();
+}
+
+RealityPanel::Found* RealityPanel::found() {
+  const auto opened = workspace().opened();
+  const auto it = opened ? found_.find(opened->path) : found_.end();
+  return it == found_.end() || !it->report ? nullptr : &*it;
+}
+const RealityPanel::Found* RealityPanel::found() const { return const_cast<RealityPanel*>(this)->found(); }
+
+std::shared_ptr<const DiagnosisReport> RealityPanel::report() const { return found() ? found()->report : nullptr; }
+
+const std::vector<diagnosis::Witness>& RealityPanel::witnesses() const {
+  static const std::vector<diagnosis::Witness> none;
+  return found() ? found()->witnesses : none;
+}
+
+bool RealityPanel::applied(const std::string& cause) const {
+  const auto& causes = workspace().corrections().causes;
+  return std::find(causes.begin(), causes.end(), cause) != causes.end();
+}
+
+bool RealityPanel::outdated() const { return found() && !sameMarks(found()->marks, workspace().snapshot().marks); }
+
+bool RealityPanel::riddle() const {
+  const auto opened = workspace().opened();
+  return opened && practiceSeed(opened->path) && found_.value(opened->path).guess.empty();
+}
+
+StepState RealityPanel::state() const {
+  using P = StepState::Progress;
+  if (!workspace().opened()) return {P::later, Light::measured, tr("after recording")};
+  if (riddle()) return {P::ready, Light::measured, tr("what is wrong?")};
+  if (jobs_.running()) return {P::ready, Light::measured, tr("looking …")};
+  const int count = static_cast<int>(workspace().corrections().causes.size());
+  if (!found()) {
+    if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
+    return {P::ready, Light::measured, tr("not looked yet")};
+  }
+  const DiagnosisReport& report = *found()->report;
+  int toApply = 0;
+  for (const auto& cause : report.causes) toApply += canApply(report, cause) && !applied(cause.id) && !isTied(cause) ? 1 : 0;
+  if (outdated()) return {P::ready, Light::measured, tr("look again")};
+  if (toApply > 0) return {P::done, Light::look, tr("%n cause(s) to apply", "", toApply)};
+  if (report.verdict == Verdict::unexplained) return {P::done, Light::unknown, tr("something unknown")};
+  if (report.verdict == Verdict::ambiguous && count == 0) return {P::done, Light::twoCauses, tr("two causes possible")};
+  if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
+  return report.verdict == Verdict::clean ? StepState{P::done, Light::measured, tr("the model fits")}
+                                          : StepState{P::done, Light::look, tr("check the rig")};
+}
+
+QWidget* RealityPanel::ownPane() { return pane_; }
+
+QString RealityPanel::hint() const { return tr("Apply a correction to see what it changes · Ctrl+Z takes it back"); }
+
+void RealityPanel::left() {
+  shown_ = false;
+  markPull();
+}
+
+/// A cable's spring in the 3D view, from the tool to where it would be slack.
+void RealityPanel::markPull() {
+  if (!parts().view) return;
+  parts().view->showPull({});
+  if (!shown_ || !found() || riddle()) return;
+  const Found& now = *found();
+  const auto cause = std::find_if(now.report->causes.begin(), now.report->causes.end(),
+                                  [](const DiagnosedCause& c) { return c.id == "cable_pull"; });
+  if (cause == now.report->causes.end()) return;
+  PullMark mark;
+  double within = 0.0, sum = 0.0;
+  Vector3d stiffness = Vector3d::Zero();
+  std::array<const VectorXd*, 3> place{};
+  for (int i = 0; i < 3; ++i) {
+    const std::string axis(1, static_cast<char>('x' + i));
+    double pull = 0.0, pullStd = 0.0, std = 0.0;
+    for (const auto& p : cause->parameters) {
+      if (p.name == "stiffness" || p.name == "stiffness_" + axis) stiffness(i) = p.value, std = p.std;
+      if (p.name == "force_" + axis) pull = p.value, pullStd = p.std;
+    }
+    for (const auto& w : now.witnesses)
+      if (w.id == "position_" + axis) place[static_cast<std::size_t>(i)] = &w.value;
+    // A soft axis does not tell a place.
+    if (!place[static_cast<std::size_t>(i)] || stiffness(i) < 3.0 * std || !(stiffness(i) > 0.0)) return;
+    const double away = pull / stiffness(i);
+    mark.anchor(i) = place[static_cast<std::size_t>(i)]->mean() + away;
+    within = std::max(within, std::hypot(pullStd, away * std) / stiffness(i));
+  }
+  const Eigen::Index blocks = place[0]->size();
+  for (Eigen::Index n = 0; n < blocks; ++n)
+    sum += stiffness.cwiseProduct(Vector3d((*place[0])(n), (*place[1])(n), (*place[2])(n)) - mark.anchor).norm();
+  mark.title = tr("Something pulls from here");
+  mark.note = tr("within %1 cm, %2 N on average")
+                  .arg(numberText(std::max(1.0, 200.0 * within), 0), numberText(sum / static_cast<double>(std::max<Eigen::Index>(1, blocks)), 1));
+  parts().view->showPull(mark);
+}
+
+void RealityPanel::entered() {
+  shown_ = true;
+  markPull();
+  if (workspace().opened() && !found() && !jobs_.running() && failure_.isEmpty()) diagnose();
+}
+
+void RealityPanel::setDetailsShown(bool shown) {
+  details_ = shown;
+  refresh();
+}
+
+void RealityPanel::look(bool on) {
+  if (looking_ == on) return;
+  looking_ = on;
+  emit arrangementChanged();
+}
+
+void RealityPanel::diagnose() {
+  wanted_ = false;
+  const Snapshot now = workspace().snapshot();
+  if (!now.opened) return;
+  failure_.clear();
+  jobs_.start(
+      tr("Looking for causes"), [now](const Progress& progress) { return lookAt(now, progress); },
+      [this, now](Result<Looked> result) {
+        if (result) {
+          Found& entry = found_[now.opened->path];
+          entry.report = result->report;
+          entry.witnesses = std::move(result->witnesses);
+          entry.json = std::move(result->json);
+          entry.marks = now.marks;
+        } else {
+          failure_ = result.error().cancelled ? tr("The search was stopped.") : QString::fromStdString(result.error().message);
+        }
+        // The runner still counts as running while it delivers.
+        QMetaObject::invokeMethod(this, &RealityPanel::refresh, Qt::QueuedConnection);
+      });
+  refresh();
+}
+
+void RealityPanel::practise(std::uint64_t seed) {
+  const QString path = practiceFile(seed);
+  found_.remove(path);
+  jobs_.start(
+      tr("Making a recording to practise on"),
+      [seed, path](const Progress& progress) -> Result<bool> {
+        auto made = practiceRecording(seed, progress);
+        if (!made) return made.error();
+        QDir().mkpath(practiceFolder());
+        return writeRecording(made->recording, path.toStdString());
+      },
+      [this, path](Result<bool> result) {
+        if (!result) {
+          if (!result.error().cancelled) parts().say(Severity::error, QString::fromStdString(result.error().message));
+          return;
+        }
+        wanted_ = true;
+        workspace().open(path);
+        parts().goTo(Step::realityCheck);
+      });
+}
+
+void RealityPanel::guess(const std::string& cause) {
+  const auto opened = workspace().opened();
+  if (!opened || !practiceSeed(opened->path)) return;
+  found_[opened->path].guess = cause;
+  if (!found() && !jobs_.running()) diagnose();
+  refresh();
+}
+
+void RealityPanel::apply(const std::string& cause) {
+  if (!found() || applied(cause)) return;
+  Corrections next = workspace().corrections();
+  if (next.found != found()->json) {
+    // Corrections of an earlier search: those that were found again go on, with their new numbers.
+    std::erase_if(next.causes, [&](const std::string& id) {
+      const auto& causes = found()->report->causes;
+      return std::none_of(causes.begin(), causes.end(), [&](const auto& c) { return c.id == id; });
+    });
+    next.found = found()->json;
+  }
+  next.causes.push_back(cause);
+  workspace().setCorrections(next, tr("apply “%1”").arg(causeTitle(cause)));
+}
+
+void RealityPanel::takeBack(const std::string& cause) {
+  Corrections next = workspace().corrections();
+  std::erase(next.causes, cause);
+  if (next.causes.empty()) next.found.clear();
+  workspace().setCorrections(next, tr("take back “%1”").arg(causeTitle(cause)));
+}
+
+std::vector<int> RealityPanel::others() const {
+  std::vector<int> out;
+  for (int k = 0; k < static_cast<int>(workspace().session().recordings.size()); ++k)
+    if (k != workspace().session().active && workspace().openedAt(k)) out.push_back(k);
+  return out;
+}
+
+void RealityPanel::checkOnOther(int index) {
+  const auto all = others();
+  if (!found() || index < 0 || index >= static_cast<int>(all.size())) return;
+  const auto other = workspace().openedAt(all[static_cast<std::size_t>(index)]);
+  const QString path = workspace().opened()->path;
+  jobs_.start(
+      tr("Checking on %1").arg(QFileInfo(other->path).fileName()),
+      [report = found()->report, other](const Progress&) { return checkOn(*report, other->recording, other->robot.get()); },
+      [this, path, name = QFileInfo(other->path).fileName()](Result<DiagnosisReport::Check> result) {
+        if (!result) return parts().say(Severity::error, QString::fromStdString(result.error().message));
+        if (!found_.contains(path) || !found_[path].report) return;
+        auto checked = std::make_shared<DiagnosisReport>(*found_[path].report);
+        checked->check = *result;
+        checked->check->file = name.toStdString();
+        found_[path].report = std::move(checked);
+        QMetaObject::invokeMethod(this, &RealityPanel::refresh, Qt::QueuedConnection);
+      });
+}
+
+Result<bool> RealityPanel::writeMeta(const QString& file, bool replace) {
+  const auto opened = workspace().opened();
+  if (!opened || !found()) return refusal(tr("There is no reality check yet that could correct a meta file."));
+  const nlohmann::json changes = found()->report->metaChanges();
+  if (changes.empty()) return refusal(tr("The reality check proposes no change of the meta file."));
+  if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 exists already and was not replaced.").arg(file));
+  nlohmann::json meta = nlohmann::json::object();
+  const auto from = metaFileOf(opened->path.toStdString());
+  if (std::filesystem::exists(from)) {
+    auto old = readJsonFile(from);
+    if (!old) return old.error();
+    meta = std::move(*old);
+  }
+  meta.merge_patch(changes);
+  return writeTextFile(file.toStdString(), meta.dump(2) + "\n");
+}
+
+void RealityPanel::saveMeta() {
+  const auto opened = workspace().opened();
+  if (!opened) return;
+  const QFileInfo info(opened->path);
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the corrected meta file"),
+                                                    info.absolutePath() + "/" + info.completeBaseName() + "-corrected.meta.json",
+                                                    tr("Meta files (*.meta.json)"));
+  if (file.isEmpty()) return;
+  const auto written = writeMeta(file, true);
+  parts().say(written ? Severity::info : Severity::error,
+              written ? tr("Saved %1.").arg(file) : QString::fromStdString(written.error().message));
+}
+
+Result<bool> RealityPanel::writeReport(const QString& file, bool replace) {
+  if (!workspace().opened()) return refusal(tr("A report needs an open recording."));
+  ReportParts content;
+  content.workspace = &workspace();
+  // A riddle that is still to be guessed is not given away on paper.
+  if (!riddle()) content.diagnosis = report();
+  if (parts().view) {
+    parts().view->renderNow();
+    content.view = parts().view->grab().toImage();
+  }
+  return writeSessionReport(content, file, replace);
+}
+
+void RealityPanel::saveReport() {
+  const auto opened = workspace().opened();
+  if (!opened) return parts().say(Severity::info, tr("Open a recording first."));
+  const QFileInfo info(opened->path);
+  QString chosen;
+  QString file = QFileDialog::getSaveFileName(this, tr("Save a report of the session"),
+                                              info.absolutePath() + "/" + info.completeBaseName() + "-report.pdf",
+                                              tr("PDF (*.pdf);;Web page (*.html)"), &chosen);
+  if (file.isEmpty()) return;
+  // The dialog asked about a name with an ending only.
+  const bool asked = !QFileInfo(file).suffix().isEmpty();
+  if (!asked) file += chosen.contains("html") ? ".html" : ".pdf";
+  const auto written = writeReport(file, asked);
+  parts().say(written ? Severity::info : Severity::error,
+              written ? tr("Saved %1.").arg(file) : QString::fromStdString(written.error().message));
+}
+
+void RealityPanel::showWaiting() {
+  QVBoxLayout* column = page()->restart(tr("Looking for causes …"), tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean ones."));
+  bar_ = new QProgressBar(page()->content());
+  bar_->setRange(0, 1000);
+  bar_->setValue(static_cast<int>(1000 * jobs_.fraction()));
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Progress"));
+  column->addWidget(bar_);
+  column->addStretch(1);
+  page()->setMainButton({});
+  page()->setSecondButton(tr("Stop"), [this] { jobs_.cancel(); });
+}
+
+void RealityPanel::refresh() {
+  bar_ = nullptr;
+  const auto opened = workspace().opened();
+  const int position = page()->scrollPosition();
+  pane_->showReport(report(), witnesses());
+  markPull();
+  page()->setSecondButton({});
+  if (!opened) {
+    page()->restart(tr("What does the simulation get wrong?"), tr("Open a recording first, or take one from the menu Practice."))->addStretch(1);
+    page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
+  } else if (riddle()) {
+    QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"), tr("One fault of the rig is hidden in it. Look, then guess."));
+    addGuesses(column, page()->content(), [this](const std::string& id) { guess(id); });
+    auto* closer = new QPushButton(tr("Look at the difference more closely"), page()->content());
+    closer->setObjectName("lookCloser");
+    closer->setEnabled(found() != nullptr);
+    connect(closer, &QPushButton::clicked, this, [this] { look(true); });
+    column->addWidget(closer);
+    column->addStretch(1);
+    page()->setMainButton({});
+  } else if (jobs_.running()) {
+    showWaiting();
+  } else if (!found()) {
+    const int count = static_cast<int>(workspace().corrections().causes.size());
+    page()->restart(tr("What does the simulation get wrong?"),
+                    !failure_.isEmpty() ? failure_
+                    : count > 0         ? tr("%n correction(s) of an earlier check are part of the result.", "", count)
+                                        : tr("Heft looks for what the model of a rigid tool cannot explain."))
+        ->addStretch(1);
+    page()->setMainButton(tr("Look for causes"), [this] { diagnose(); });
+  } else {
+    showReport(*found());
+    page()->setScrollPosition(position);
+  }
+  emit stateChanged();
+}
+
+void RealityPanel::showReport(const Found& found) {
+  const DiagnosisReport& report = *found.report;
+  int count = 0;
+  for (const auto& cause : report.causes) count += applied(cause.id) ? 1 : 0;
+  const VerdictText verdict = verdictText(report, count);
+  QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
+  QWidget* content = page()->content();
+  if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
+    addFeedback(column, content, practiceEffect(*seed).id, found.guess,
+                [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
+  if (outdated()) {
+    const Card card = makeCard("cardLook", content);
+    card.layout->addWidget(wrappedLabel(tr("The marks changed since Heft looked."), "body", card.frame));
+    column->addWidget(card.frame);
+  }
+  CardActions actions;
+  actions.apply = [this](const std::string& id) { apply(id); };
+  actions.undo = [this](const std::string& id) { takeBack(id); };
+  actions.record = [this] { parts().goTo(Step::record); };
+  actions.showStretch = [this](double from, double to) {
+    look(false);
+    if (parts().plots) parts().plots->timeAxis()->show(from, to);
+  };
+  if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
+  bool someNext = outdated();
+  for (const auto& cause : report.causes) {
+    CardState state;
+    state.applied = applied(cause.id);
+    state.applicable = canApply(report, cause);
+    state.details = details_;
+    state.next = !someNext && !state.applied && state.applicable && !isTied(cause);
+    someNext = someNext || state.next;
+    column->addWidget((isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, actions, content));
+    if (&cause == &report.causes.front()) addChange(column, content, report, count > 0);
+  }
+  if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions, content));
+  addMetaProposal(column, content, report, [this] { saveMeta(); });
+  auto* closer = new QPushButton(tr("Look at the difference more closely"), content);
+  closer->setObjectName("lookCloser");
+  closer->setToolTip(tr("By frequency over the sensor’s noise, and against what the robot did"));
+  connect(closer, &QPushButton::clicked, this, [this] { look(!looking_); });
+  column->addWidget(closer);
+  QStringList names;
+  for (const int k : others()) names << QFileInfo(workspace().openedAt(k)->path).fileName();
+  addCheck(column, content, report, names, [this](int index) { checkOnOther(index); }, [this] { parts().chooseFiles(); });
+  addConsidered(column, content, report);
+  addNotSeen(column, content, report, details_);
+  column->addStretch(1);
+  if (outdated()) {
+    page()->setMainButton(tr("Look again"), [this] { diagnose(); });
+  } else if (!someNext) {
+    page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
+  } else {
+    page()->setMainButton({});
+  }
+}
+
+void RealityPanel::addActions(const StudioMenus& menus) {
+  QAction* again = menus.tools->addAction(tr("&Look for causes"), this, [this] {
+    if (!workspace().opened()) return;
+    parts().goTo(Step::realityCheck);
+    diagnose();
+  });
+  again->setShortcut(QKeySequence("Ctrl+L"));
+  menus.file->addAction(tr("&Report of the session …"), this, &RealityPanel::saveReport)->setShortcut(QKeySequence("Ctrl+P"));
+  QAction* riddle = menus.practice->addAction(tr("&A recording with a hidden fault"), this,
+                                              [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
+  riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));
+  menus.practice->addSeparator();
+  for (unsigned seed = 1; seed <= 9; ++seed)
+    menus.practice->addAction(tr("Riddle &%1").arg(seed), this, [this, seed] { practise(seed); });
+}
+
+std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
+  const QString& verb = words[0];
+  const auto arguments = words.size() - 1;
+  if (verb == "diagnose" && arguments == 0) {
+    if (!workspace().opened()) return refusal(tr("diagnose needs an open recording."));
+    diagnose();
+    return Result<bool>(true);
+  }
+  if ((verb == "apply" || verb == "takeback") && arguments == 1) {
+    const std::string id = words[1].toStdString();
+    if (verb == "takeback") {
+      if (!applied(id)) return refusal(tr("%1 is not applied.").arg(words[1]));
+      takeBack(id);
+      return Result<bool>(true);
+    }
+    if (!found()) return refusal(tr("apply needs a reality check first: diagnose."));
+    const auto& causes = found()->report->causes;
+    const auto cause = std::find_if(causes.begin(), causes.end(), [&](const auto& c) { return c.id == id; });
+    if (cause == causes.end() || !canApply(*found()->report, *cause)) {
+      QStringList names;
+      for (const auto& c : causes) names << QString::fromStdString(c.id);
+      return refusal(tr("%1 cannot be applied here; found were: %2.").arg(words[1], names.isEmpty() ? tr("none") : names.join(", ")));
+    }
+    apply(id);
+    return Result<bool>(true);
+  }
+  if (verb == "look" && arguments >= 1) {
+    using View = DifferencePane::View;
+    const std::pair<const char*, View> views[] = {{"time", View::time}, {"frequency", View::frequency}, {"motion", View::motion}};
+    if (words[1] == "plots") return look(false), Result<bool>(true);
+    for (const auto& [name, view] : views)
+      if (words[1] == name) {
+        pane_->setView(view);
+        if (arguments >= 2 && !pane_->setWitness(words[2])) return refusal(tr("There is nothing called %1 to look against.").arg(words[2]));
+        look(true);
+        return Result<bool>(true);
+      }
+    return refusal(tr("look expects plots, time, frequency or motion."));
+  }
+  if (verb == "check" && arguments == 1) {
+    if (!found()) return refusal(tr("check needs a reality check first: diagnose."));
+    const auto all = others();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (QFileInfo(workspace().openedAt(all[k])->path) == QFileInfo(words[1]))
+        return checkOnOther(static_cast<int>(k)), Result<bool>(true);
+    return refusal(tr("%1 is not open beside the shown recording.").arg(words[1]));
+  }
+  if (verb == "meta" && (arguments == 1 || (arguments == 2 && words[2] == "replace"))) return writeMeta(words[1], arguments == 2);
+  if (verb == "report" && (arguments == 1 || (arguments == 2 && words[2] == "replace"))) return writeReport(words[1], arguments == 2);
+  if (verb == "practice" && arguments == 1) {
+    bool ok = false;
+    const auto seed = words[1].toULongLong(&ok);
+    if (!ok) return refusal(tr("practice expects the number of a riddle."));
+    practise(seed);
+    return Result<bool>(true);
+  }
+  if (verb == "guess" && arguments == 1) {
+    const auto& kinds = practiceKinds();
+    if (!workspace().opened() || !practiceSeed(workspace().opened()->path)) return refusal(tr("guess needs a recording to practise on."));
+    if (std::find(kinds.begin(), kinds.end(), words[1].toStdString()) == kinds.end()) return refusal(tr("%1 is none of the faults to guess.").arg(words[1]));
+    guess(words[1].toStdString());
+    return Result<bool>(true);
+  }
+  return std::nullopt;
+}
+
+}  // namespace heft

@@ -1,0 +1,78 @@
+#pragma once
+// The step "Reality check": what the simulation gets wrong, one card a cause, applied and taken back one by one.
+#include <QMap>
+#include <memory>
+
+#include "ui/controller/diagnosis.h"
+#include "ui/jobs/job_runner.h"
+#include "ui/steps/step_panel.h"
+
+class QProgressBar;
+
+namespace heft {
+
+class DifferencePane;
+struct OpenRecording;
+
+class RealityPanel : public StepPanel {
+  Q_OBJECT
+ public:
+  explicit RealityPanel(const StudioParts& parts);
+
+  Step step() const override { return Step::realityCheck; }
+  StepState state() const override;
+  void entered() override;
+  void left() override;
+  void setDetailsShown(bool shown) override;
+  Below below() const override { return looking_ ? Below::own : Below::plots; }
+  QWidget* ownPane() override;
+  QString hint() const override;
+  void addActions(const StudioMenus& menus) override;
+  std::optional<Result<bool>> obey(const QStringList& words) override;
+
+  /// Looks for causes in the shown recording, in a job.
+  void diagnose();
+  /// Makes a recording that hides one fault and opens it.
+  void practise(std::uint64_t seed);
+  void guess(const std::string& cause);
+  void apply(const std::string& cause);
+  void takeBack(const std::string& cause);
+  std::shared_ptr<const DiagnosisReport> report() const;
+  /// Beside the report: what the difference can be drawn against.
+  const std::vector<diagnosis::Witness>& witnesses() const;
+
+ private:
+  struct Found {
+    std::shared_ptr<const DiagnosisReport> report;
+    std::vector<diagnosis::Witness> witnesses;
+    std::string json;                ///< heft.diagnose/1
+    std::vector<Mark> marks;         ///< That it was made with.
+    std::string guess;               ///< Of a practice recording
+  };
+  void refresh();
+  void showWaiting();
+  void showReport(const Found& found);
+  Found* found();
+  const Found* found() const;
+  bool applied(const std::string& cause) const;
+  bool outdated() const;
+  /// A practice recording whose fault has not been guessed yet.
+  bool riddle() const;
+  void checkOnOther(int index);
+  std::vector<int> others() const;
+  void markPull();
+  void saveMeta();
+  Result<bool> writeMeta(const QString& file, bool replace);
+  void saveReport();
+  Result<bool> writeReport(const QString& file, bool replace);
+  void look(bool on);
+
+  JobRunner jobs_;
+  DifferencePane* pane_;
+  QProgressBar* bar_ = nullptr;  ///< While looking; of the page.
+  QMap<QString, Found> found_;   ///< By path.
+  QString failure_;
+  bool details_ = false, looking_ = false, wanted_ = false, shown_ = false;
+};
+
+}  // namespace heft
