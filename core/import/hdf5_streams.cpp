@@ -54,15 +54,38 @@ herr_t collectPath(hid_t, const char* name, const H5O_info_t* info, void* data) 
   return paths.size() < kMostDatasets ? 0 : 1;
 }
 
-std::optional<Dataset> describe(hid_t file, const std::string& path, double mostBytes) {
+/// What a dataset holds instead of plain numbers, in words; empty for numbers.
+std::string oddType(H5T_class_t kind) {
+  switch (kind) {
+    case H5T_INTEGER:
+    case H5T_FLOAT:
+      return {};
+    case H5T_STRING:
+      return "text";
+    case H5T_COMPOUND:
+      return "a compound type";
+    case H5T_VLEN:
+      return "lists of different lengths";
+    case H5T_ARRAY:
+      return "an array type";
+    case H5T_ENUM:
+      return "names of states";
+    default:
+      return "no plain numbers";
+  }
+}
+
+/// Nothing for what is no table of numbers; `odd` says then what it is, unless the file is damaged there.
+std::optional<Dataset> describe(hid_t file, const std::string& path, double mostBytes, std::string& odd) {
   const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), &H5Dclose);
   if (!dataset) return std::nullopt;
   const Handle type(H5Dget_type(dataset.id()), &H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), &H5Sclose);
   if (!type || !space) return std::nullopt;
-  const auto kind = H5Tget_class(type.id());
-  if (kind != H5T_INTEGER && kind != H5T_FLOAT) return std::nullopt;
+  odd = oddType(H5Tget_class(type.id()));
+  if (!odd.empty()) return std::nullopt;
   const int rank = H5Sget_simple_extent_ndims(space.id());
+  if (rank > 2) odd = fmt::format("{} dimensions", rank);
   if (rank != 1 && rank != 2) return std::nullopt;
   hsize_t sizes[2] = {0, 1};
   if (H5Sget_simple_extent_dims(space.id(), sizes, nullptr) != rank) return std::nullopt;
@@ -151,8 +174,31 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   std::error_code code;
   const double mostBytes = 1e3 * static_cast<double>(std::filesystem::file_size(path, code)) + 1e6;
   std::vector<Dataset> all;
-  for (const auto& each : paths)
-    if (auto dataset = describe(file.id(), each, mostBytes)) all.push_back(std::move(*dataset));
+  std::vector<std::string> odd;
+  for (const auto& each : paths) {
+    std::string what;
+    if (auto dataset = describe(file.id(), each, mostBytes, what))
+      all.push_back(std::move(*dataset));
+    else if (!what.empty())
+      odd.push_back(fmt::format("/{} ({})", printable(each, 100), what));
+  }
+  if (!odd.empty()) {
+    const auto count = odd.size();
+    if (count > 5) {
+      odd.resize(5);
+      odd.push_back(fmt::format("{} more", count - 5));
+    }
+    const auto names = fmt::format("{}", fmt::join(odd, ", "));
+    constexpr const char* kRemedy = "Write each quantity as a dataset of numbers with one row a sample.";
+    if (all.empty())
+      return errorAt({set.file, 0, 0}, fmt::format("no dataset of this HDF5 file is a table of numbers: {}.", names),
+                     kRemedy);
+    set.findings.push_back({Severity::info,
+                            "dataset_odd",
+                            fmt::format("Left out, as they are no tables of numbers: {}.", names),
+                            kRemedy,
+                            {set.file, 0, 0}});
+  }
 
   std::map<std::pair<std::string, hsize_t>, std::vector<const Dataset*>> groups;
   for (const auto& each : all) groups[{each.group, each.rows}].push_back(&each);

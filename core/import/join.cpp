@@ -64,6 +64,10 @@ class Joiner {
     makeQuaternionsSmooth();
     if (auto failure = align()) return *failure;
     if (auto failure = resample()) return *failure;
+    for (const auto s : {wrench_.stream, motion().stream}) {
+      if (!recording_.labels.empty()) break;
+      takeLabels(s);
+    }
     return std::move(recording_);
   }
 
@@ -216,6 +220,8 @@ class Joiner {
       return 1e-9 * static_cast<double>(first) > kEpoch ? first : 0;
     };
     const auto common = origin(motion());
+    motionZero_ = common;
+    wrenchZero_ = unrelated_ ? origin(wrench_) : common;
     for (auto* signal : {&wrench_, &joints_, &velocities_, &quaternion_, &position_}) {
       if (signal->empty()) continue;
       const auto zero = unrelated_ ? origin(*signal) : common;
@@ -310,6 +316,7 @@ class Joiner {
                                    nameOf(motion().stream), nameOf(wrench_.stream)),
                        how);
       wrench_.time.array() += offset.seconds;
+      wrenchShift_ = offset.seconds;
       note(Severity::warning, "clock_offset",
            fmt::format("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
                        nameOf(wrench_.stream), figures),
@@ -384,6 +391,34 @@ class Joiner {
     return std::nullopt;
   }
 
+  /// What the user labelled in the file of stream `like`, on the recording's times.
+  void takeLabels(std::size_t like) {
+    const bool withWrench = like == wrench_.stream;
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      const Stream& stream = streams_[s];
+      const auto field = std::find(stream.fields.begin(), stream.fields.end(), kLabelField);
+      if (stream.file != streams_[like].file || field == stream.fields.end()) continue;
+      const auto& values = stream.values[static_cast<std::size_t>(field - stream.fields.begin())];
+      const std::int64_t zero = (withWrench ? wrenchZero_ : motionZero_) - offsetOf(s) - clockShift_[like];
+      std::vector<std::pair<double, double>> labelled;
+      for (std::size_t k = 0; k < std::min(values.size(), stream.received.size()); ++k)
+        labelled.emplace_back(
+            1e-9 * static_cast<double>(stream.received[k] - zero) + (withWrench ? wrenchShift_ : 0.0), values[k]);
+      std::sort(labelled.begin(), labelled.end());
+      if (labelled.empty()) continue;
+      const double step = std::max(wrench_.step, motion().step);
+      std::vector<std::optional<MarkLabel>> labels;
+      for (const double t : recording_.time) {
+        auto next = std::lower_bound(labelled.begin(), labelled.end(), std::pair(t, -2.0));
+        if (next == labelled.end() || (next != labelled.begin() && t - (next - 1)->first < next->first - t)) --next;
+        const bool known = next->second >= 0.0 && std::abs(next->first - t) <= step;
+        labels.push_back(known ? std::optional(static_cast<MarkLabel>(std::lround(next->second))) : std::nullopt);
+      }
+      recording_.labels = std::move(labels);
+      return;
+    }
+  }
+
   static VectorXd clamped(const VectorXd& at, const Signal& signal) {
     return at.cwiseMax(signal.time(0)).cwiseMin(signal.time(signal.time.size() - 1));
   }
@@ -417,6 +452,8 @@ class Joiner {
   std::vector<std::int64_t> clockShift_;
   std::vector<bool> useStamps_;
   bool unrelated_ = false;
+  std::int64_t motionZero_ = 0, wrenchZero_ = 0;  ///< [ns] What time 0 is in each of the two files.
+  double wrenchShift_ = 0.0;                      ///< [s] added to the wrench's times
   Signal wrench_, joints_, velocities_, quaternion_, position_;
   Recording recording_;
 };

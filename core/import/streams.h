@@ -39,6 +39,10 @@ struct Stream {
   double rateHz() const { return samples > 1 && last > first ? static_cast<double>(samples - 1) / duration() : 0.0; }
 };
 
+/// A table's column of labels comes as a field of this name, holding MarkLabel's numbers or kNoLabel.
+inline constexpr std::string_view kLabelField = "label";
+inline constexpr double kNoLabel = -1.0;
+
 struct StreamSet {
   std::string file;
   FileKind kind = FileKind::table;

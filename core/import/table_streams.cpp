@@ -16,6 +16,7 @@
 #include "core/recording/csv_reader.h"
 #include "core/recording/csv_table.h"
 #include "core/recording/number.h"
+#include "core/recording/recording.h"
 
 namespace heft {
 
@@ -118,6 +119,26 @@ std::vector<double> toNumbers(const std::vector<std::string>& cells) {
   return out;
 }
 
+/// The contract's column `label` as the numbers of MarkLabel; kNoLabel where a cell is empty or is no label.
+std::vector<double> toLabels(const std::vector<std::string>& cells, StreamSet& set) {
+  std::vector<double> out;
+  out.reserve(cells.size());
+  std::size_t unknown = 0, first = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto label = markLabelFromString(cells[k]);
+    if (!label && !cells[k].empty() && unknown++ == 0) first = k;
+    out.push_back(label ? static_cast<double>(*label) : kNoLabel);
+  }
+  if (unknown > 0)
+    set.findings.push_back({Severity::warning,
+                            "label_unknown",
+                            fmt::format("\"{}\" is no label ({} such rows, read as not labelled).",
+                                        printable(cells[first]), unknown),
+                            "Labels are free, contact or ignore.",
+                            {set.file, 0, 0}});
+  return out;
+}
+
 /// "rostopic echo -p" of a JointState writes the joints' names into columns of their own: field.name0 names
 /// field.position0.
 void nameJoints(std::vector<std::string>& names, const std::vector<std::vector<std::string>>& cells) {
@@ -184,7 +205,8 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   Table table;
   table.names = header->names;
   nameJoints(table.names, cells);
-  for (auto& column : cells) table.columns.push_back(toNumbers(column));
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    table.columns.push_back(table.names[c] == kLabelField ? toLabels(cells[c], set) : toNumbers(cells[c]));
   const auto done = table.toStreams(set, time);
   if (!done) return done.error();
   return set;

@@ -104,10 +104,13 @@ std::optional<Error> otherFormat(std::string_view text, const std::string& file)
     const char* what;
     const char* remedy;
   };
+  // Heft reads these, but not where only a table can be.
+  static constexpr const char* kOpenWhole =
+      "Give it as the recording itself, or write a CSV of it with heft convert IN OUT.csv.";
   static constexpr std::array<Magic, 9> kMagics = {
-      Magic{"#ROSBAG", "a ROS 1 bag", "Export its topics to CSV first, for instance with PlotJuggler."},
-      Magic{"\x89MCAP", "an MCAP recording", "Export its topics to CSV first, for instance with PlotJuggler."},
-      Magic{"SQLite format 3", "an SQLite database, perhaps a ROS 2 bag", "Export its topics to CSV first."},
+      Magic{"#ROSBAG", "a ROS 1 bag", kOpenWhole},
+      Magic{"\x89MCAP", "an MCAP recording", kOpenWhole},
+      Magic{"SQLite format 3", "an SQLite database, perhaps a ROS 2 bag", kOpenWhole},
       Magic{"\x1F\x8B", "a gzip archive", "Unpack it first with gunzip."},
       Magic{"\x28\xB5\x2F\xFD", "a zstd archive", "Unpack it first with unzstd."},
       Magic{"PK\x03\x04", "a ZIP archive or an office document", "Save the sheet as CSV first."},

@@ -179,5 +179,70 @@ TEST_F(Tables, EstimatesOfTheControllerAreNotTakenForASensor) {
   EXPECT_THAT(read.error().message, ::testing::HasSubstr("estimate"));
 }
 
+/// A contract CSV whose force is called otherwise, with labels: contact from 0.3 s to 0.6 s, nothing before 0.1 s.
+std::string labelled(const std::string& contact) {
+  std::string text = "time";
+  for (int j = 1; j <= 7; ++j) text += fmt::format(",q{}", j);
+  text += ",push_x,push_y,push_z,tx,ty,tz,label\n";
+  for (int k = 0; k < 100; ++k) {
+    const double t = 0.01 * k;
+    text += fmt::format("{:.3f}", t);
+    for (int j = 0; j < 7; ++j) text += fmt::format(",{:.9f}", jointAt(t, j));
+    for (int a = 0; a < 6; ++a) text += fmt::format(",{:.9f}", wrenchAt(t, a));
+    text += std::string(",") + (k < 10 ? "" : k >= 30 && k < 60 ? contact : "free") + "\n";
+  }
+  return text;
+}
+
+TEST_F(Tables, LabelsStayWhereColumnsAreChosen) {
+  ImportOptions options;
+  options.use = {"fx=push_x", "fy=push_y", "fz=push_z", "tx=tx", "ty=ty", "tz=tz"};
+  const auto read = openRecording(write("labelled.csv", labelled("contact")), options);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  expectFormula(read->recording);
+  const auto& labels = read->recording.labels;
+  ASSERT_EQ(labels.size(), 100u);
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    if (k < 10)
+      EXPECT_FALSE(labels[k]) << k;
+    else
+      EXPECT_EQ(labels[k], k >= 30 && k < 60 ? MarkLabel::contact : MarkLabel::free) << k;
+  }
+  EXPECT_FALSE(hasCode(read->findings, "label_unknown"));
+
+  const auto odd = openRecording(write("odd.csv", labelled("touching")), options);
+  ASSERT_TRUE(odd.ok());
+  EXPECT_TRUE(hasCode(odd->findings, "label_unknown")) << allTexts(odd->findings);
+  EXPECT_FALSE(odd->recording.labels[40]);
+  EXPECT_EQ(odd->recording.labels[70], MarkLabel::free);
+}
+
+TEST_F(Tables, LabelsOfOneFileFollowItsClock) {
+  // The wrench comes from another file at twice the rate; both clocks count from 1970.
+  std::string joints = "time", wrench = "time,fx,fy,fz,tx,ty,tz\n";
+  for (int j = 1; j <= 7; ++j) joints += fmt::format(",q{}", j);
+  joints += ",label\n";
+  for (int k = 0; k < 100; ++k) {
+    joints += fmt::format("{:.3f}", kStart + 0.01 * k);
+    for (int j = 0; j < 7; ++j) joints += fmt::format(",{:.9f}", jointAt(0.01 * k, j));
+    joints += k >= 50 ? ",ignore\n" : ",free\n";
+  }
+  for (int k = 0; k < 200; ++k) {
+    wrench += fmt::format("{:.3f}", kStart + 0.005 * k);
+    for (int a = 0; a < 6; ++a) wrench += fmt::format(",{:.9f}", wrenchAt(0.005 * k, a));
+    wrench += "\n";
+  }
+  ImportOptions options;
+  options.join = {write("wrench.csv", wrench)};
+  const auto read = openRecording(write("joints.csv", joints), options);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  const auto& recording = read->recording;
+  ASSERT_EQ(static_cast<Eigen::Index>(recording.labels.size()), recording.rows());
+  for (Eigen::Index k = 0; k < recording.rows(); ++k)
+    EXPECT_EQ(recording.labels[static_cast<std::size_t>(k)],
+              recording.time(k) > 0.4999 ? MarkLabel::ignore : MarkLabel::free)
+        << recording.time(k);
+}
+
 }  // namespace
 }  // namespace heft
