@@ -36,34 +36,46 @@ Channels padded(const Channels& signal, Eigen::Index pad) {
   return out;
 }
 
-void filterForwardBackward(const std::vector<Biquad>& sections, Channels& signal) {
-  // All sections in one sweep over the rows, up to eight channels side by side: their recursions are independent.
-  using Lanes = Eigen::Array<double, 8, 1>;
+namespace {
+
+/// Channels that are filtered side by side.
+using Lanes = Eigen::Array<double, 8, 1>;
+
+/// All sections in one sweep over the rows of `count` channels from `first` on. The count is known to the compiler, so
+/// that a row goes straight from memory into registers and back.
+template <int count>
+void sweep(const std::vector<Biquad>& sections, Channels& signal, Eigen::Index first, bool backward) {
   const Eigen::Index n = signal.rows();
   std::vector<Lanes> z1(sections.size()), z2(sections.size());
+  Lanes x = Lanes::Zero();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double* row = &signal(backward ? n - 1 - i : i, first);
+    std::copy_n(row, count, x.data());
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+      const Biquad& s = sections[k];
+      if (i == 0) {
+        // Steady state for a constant input equal to the first sample: no start-up transient. Each section has
+        // gain 1.
+        z1[k] = x * (1.0 - s.b0);
+        z2[k] = x * (s.b2 - s.a2);
+      }
+      const Lanes y = s.b0 * x + z1[k];
+      z1[k] = s.b1 * x - s.a1 * y + z2[k];
+      z2[k] = s.b2 * x - s.a2 * y;
+      x = y;
+    }
+    std::copy_n(x.data(), count, row);
+  }
+}
+
+}  // namespace
+
+void filterForwardBackward(const std::vector<Biquad>& sections, Channels& signal) {
+  using Sweep = void (*)(const std::vector<Biquad>&, Channels&, Eigen::Index, bool);
+  constexpr Sweep kSweeps[] = {sweep<1>, sweep<2>, sweep<3>, sweep<4>, sweep<5>, sweep<6>, sweep<7>, sweep<8>};
   for (Eigen::Index first = 0; first < signal.cols(); first += Lanes::SizeAtCompileTime) {
     const Eigen::Index lanes = std::min<Eigen::Index>(Lanes::SizeAtCompileTime, signal.cols() - first);
-    for (const bool backward : {false, true}) {
-      Lanes x = Lanes::Zero();
-      for (Eigen::Index i = 0; i < n; ++i) {
-        double* row = &signal(backward ? n - 1 - i : i, first);
-        std::copy_n(row, lanes, x.data());
-        for (std::size_t k = 0; k < sections.size(); ++k) {
-          const Biquad& s = sections[k];
-          if (i == 0) {
-            // Steady state for a constant input equal to the first sample: no start-up transient. Each section has
-            // gain 1.
-            z1[k] = x * (1.0 - s.b0);
-            z2[k] = x * (s.b2 - s.a2);
-          }
-          const Lanes y = s.b0 * x + z1[k];
-          z1[k] = s.b1 * x - s.a1 * y + z2[k];
-          z2[k] = s.b2 * x - s.a2 * y;
-          x = y;
-        }
-        std::copy_n(x.data(), lanes, row);
-      }
-    }
+    for (const bool backward : {false, true}) kSweeps[lanes - 1](sections, signal, first, backward);
   }
 }
 

@@ -88,9 +88,13 @@ class Smoother {
   Channels weighted(const Channels& signal, const VectorXd& kernel, Eigen::Index pad) const {
     Channels out = Channels::Zero(output_.size, signal.cols());
     const Eigen::Index first = pad + output_.first - kernel.size() / 2;
-    for (Eigen::Index k = 0; k < output_.size; ++k)
-      for (Eigen::Index i = 0; i < kernel.size(); ++i)
-        out.row(k) += kernel(i) * signal.row(first + k * output_.stride + i);
+    const Eigen::Index channels = signal.cols();
+    for (Eigen::Index k = 0; k < output_.size; ++k) {
+      double* sum = &out(k, 0);
+      const double* row = &signal(first + k * output_.stride, 0);
+      for (Eigen::Index i = 0; i < kernel.size(); ++i, row += channels)
+        for (Eigen::Index c = 0; c < channels; ++c) sum[c] += kernel(i) * row[c];
+    }
     return out;
   }
 

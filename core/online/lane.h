@@ -31,8 +31,8 @@ class Lane {
   /// How far blocks stay behind the newest sample [s].
   double delay() const { return 15.0 / cutoffHz_; }
 
-  /// Appends what has become ready: in steps of about 40 ms at 25 Hz where it is shown (`eager`), of a second where it
-  /// only stands by. With `last` everything that is left. False if nothing was.
+  /// Appends what has become ready: in steps of about 40 ms at 25 Hz where it is shown (`eager`), of two seconds where
+  /// it only stands by. With `last` everything that is left. False if nothing was.
   bool advance(const SampleStream& stream, const RobotModel* robot, bool eager, bool last);
   /// A new stretch begins.
   void beginStretch() { next_ = 0; }
