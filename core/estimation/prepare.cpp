@@ -7,6 +7,7 @@
 #include <cmath>
 #include <future>
 
+#include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
 
 namespace heft {
@@ -53,6 +54,14 @@ std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from,
     if (k - start >= shortest) runs.push_back({start, k});
   }
   return runs;
+}
+
+void calm(Prepared& out) {
+  out.still = stillness(out.blocks, out.runs);
+  if (!out.still) return;
+  const Regressor rest = regressorAtRest(*out.still);
+  for (const auto& run : out.runs)
+    for (Eigen::Index k = run.from; k < run.to; ++k) out.blocks.Y[static_cast<std::size_t>(k)] = rest;
 }
 
 void learnNoise(Prepared& out, bool poses) {
@@ -160,6 +169,13 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                     "trimmed range. Check "
                     "the marks, or lower the trim.",
                     span, out.usedDuration)};
+  calm(out);
+  if (out.still)
+    out.findings.push_back({Severity::info,
+                            "stood_still",
+                            "The tool stood still all the time.",
+                            "Tilt it into several directions: at rest its weight and the sensor's bias look alike.",
+                            {}});
   learnNoise(out, false);
   return out;
 }

@@ -25,6 +25,7 @@ struct Prepared {
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;     ///< Robust weights of the innovations, 0..1
   std::vector<Triangle> folds;                          ///< Whitened rows, one triangle a fold
   Triangle whitened = Triangle::Zero();                 ///< The whole problem with honest variances
+  std::optional<Vector3d> still;                        ///< Specific force, if nothing moves in the runs
   double cutoffHz = 0.0;                                ///< That the motion was smoothed with; 0 for other smoothing
   Eigen::Matrix<double, 6, Eigen::Dynamic> unwhitened;  ///< Innovations of all blocks, used or not, in N and N m
   Findings findings;
@@ -42,6 +43,9 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
 /// Contiguous blocks of [from, to) that are labelled free, at least `shortest` long.
 std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,
                         Eigen::Index shortest);
+
+/// If nothing moves in the runs, `still` is set and the blocks there become those of a tool at rest.
+void calm(Prepared& out);
 
 /// From `blocks` and `runs` to `noise`, `weights` and `unwhitened`. `poses`: no block is left out of the noise model.
 void learnNoise(Prepared& out, bool poses);

@@ -84,7 +84,8 @@ Result<ChosenPrior> fromShape(const EstimateOptions& options, const Triangle& wh
          "shape_contradicts_data",
          "The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
          "the sensor differently.",
-         "Check the shape's size and where it sits, or choose \"rough\".",
+         options.shape->certainty == Certainty::rough ? "Check the shape's size and where it sits, or leave it away."
+                                                      : "Check the shape's size and where it sits, or choose \"rough\".",
          {}});
   chosen.prior.U0 = fit.U0;
   chosen.prior.mean = fit.mean;

@@ -30,11 +30,13 @@ void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,
   count_ += weights.sum();
 }
 
-ArModel AutoCovariance::fit() const {
-  ArModel best;
-  if (count_ < 2.0 || !(sums_(0) > 0.0)) return best;
+ArModel AutoCovariance::fit(int beyond) const {
+  ArModel white;
+  if (count_ < 2.0 || !(sums_(0) > 0.0)) return white;
   double variance = sums_(0) / count_;
-  best.sigma = std::sqrt(variance);
+  white.sigma = std::sqrt(variance);
+  std::vector<ArModel> models{white};
+  std::size_t best = 0;
   double bestScore = count_ * std::log(variance);
   Eigen::VectorXd a;
   const auto maxOrder = std::min<Eigen::Index>(sums_.size() - 1, static_cast<Eigen::Index>(count_ / 10));
@@ -48,14 +50,15 @@ ArModel AutoCovariance::fit() const {
     a = next;
     variance *= 1.0 - reflection * reflection;
     if (!(variance > 0.0)) break;
+    models.push_back({a, std::sqrt(variance)});
     const double score = count_ * std::log(variance) + static_cast<double>(p) * std::log(count_);
     if (score < bestScore) {
       bestScore = score;
-      best.coefficients = a;
-      best.sigma = std::sqrt(variance);
+      best = static_cast<std::size_t>(p);
     }
   }
-  return best;
+  if (best > 0) best = std::min(best + static_cast<std::size_t>(beyond), models.size() - 1);
+  return models[best];
 }
 
 }  // namespace heft

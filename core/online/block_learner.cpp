@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/estimation/prior.h"
+#include "core/estimation/standstill.h"
 #include "core/segmentation/segmentation.h"
 
 namespace heft {
@@ -57,6 +58,7 @@ Prepared learnedWith(const Blocks& blocks, std::vector<MarkLabel> labels) {
     out.usedBlocks = 0;
     return out;
   }
+  calm(out);
   learnNoise(out, false);
   return out;
 }
@@ -78,6 +80,7 @@ Prepared withoutFirst(const Prepared& prepared, Eigen::Index count) {
   out.blocks.Y.assign(prepared.blocks.Y.begin() + count, prepared.blocks.Y.end());
   out.blocks.wrench = prepared.blocks.wrench.rightCols(n - count);
   out.labels.assign(prepared.labels.begin() + count, prepared.labels.end());
+  out.still = prepared.still;
   out.noise = prepared.noise;
   out.weights = prepared.weights.rightCols(n - count);
   for (const auto& run : prepared.runs) {
@@ -100,6 +103,7 @@ void BlockLearner::learn(const Prepared& prepared) {
   for (std::size_t k = 0; k < judged_.size(); ++k)
     if (prepared.labels[k] == MarkLabel::contact) judged_[k] = Judged::contact;
   for (const auto& run : prepared.runs) std::fill(judged_.begin() + run.from, judged_.begin() + run.to, Judged::free);
+  still_ = prepared.still;
   noise_ = prepared.noise;
   weighting_ = bounded(noise_);
   used_ = prepared.usedBlocks;
@@ -185,7 +189,10 @@ void BlockLearner::follow(const Blocks& blocks) {
   if (ready > followed_) {
     // Free runs with the blocks before them that their noise remembers.
     const Eigen::Index from = std::max<Eigen::Index>(0, followed_ - noise_.order);
-    const WrenchRows rows = blocks.rows(from, ready);
+    WrenchRows rows = blocks.rows(from, ready);
+    if (still_)
+      for (auto& Y : rows.Y)
+        if (standsStill(Y, *still_)) Y = regressorAtRest(*still_);
     std::vector<Run> runs;
     for (Eigen::Index k = from; k < ready; ++k) {
       if (judged_[static_cast<std::size_t>(k)] != Judged::free) continue;

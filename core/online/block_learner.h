@@ -63,6 +63,7 @@ class BlockLearner {
   bool estimated_ = false;
   Eigen::Index learned_ = 0, followed_ = 0;  ///< Blocks learned from; and those whose rows are in fresh_.
   std::vector<Judged> judged_;
+  std::optional<Vector3d> still_;  ///< What was learned from stood still: with this specific force.
   NoiseModel noise_, weighting_;
   Triangle frozen_ = Triangle::Zero(), frozenRows_ = Triangle::Zero(), base_ = Triangle::Zero(),
            total_ = Triangle::Zero();

@@ -110,6 +110,42 @@ TEST(Estimate, StandingStillWithAShapeReturnsTheShape) {
               0.3 * defaultPayload().inertiaCom(2, 2));
 }
 
+TEST(Estimate, NoiseOfStandingJointsIsNoMotion) {
+  Recording recording = standingStill(recordingOf(MotionKind::free, defaultPayload(), 4));
+  recording.dq.resize(0, 0);
+  recording.meta.knownPayload = {};
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0.0, 1e-5);
+  for (double& q : recording.q.reshaped()) q += noise(random);
+
+  const auto alone = reportOf(recording);
+  EXPECT_TRUE(has(alone, "stood_still"));
+  EXPECT_EQ(alone.identifiability.mass, Source::none);
+  EXPECT_GT(alone.interval95.mass.upper, 3.0) << "nothing is known, so the interval is wide";
+  EXPECT_LT(alone.interval95.mass.lower, 0.2);
+
+  // What was given comes back, and nothing contradicts it.
+  EstimateOptions options;
+  Shape shape;
+  ShapeBody body;
+  body.kind = BodyKind::cylinder;
+  body.dims = {0.03, 0.15};
+  body.X_SB.translation().z() = 0.08;
+  shape.bodies = {body};
+  shape.certainty = Certainty::rough;
+  options.shape = shape;
+  StatedPayload scale;
+  scale.mass = 0.812;
+  scale.massStd = 0.005;
+  options.stated = {scale};
+  const auto told = reportOf(recording, options);
+  EXPECT_NEAR(told.payload.mass, 0.812, 0.01);
+  EXPECT_NEAR(told.payload.com.z(), 0.08, 0.01);
+  EXPECT_EQ(told.identifiability.mass, Source::prior);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(told.identifiability.inertia[i][i], Source::prior);
+  EXPECT_FALSE(has(told, "prior_contradicts_data"));
+}
+
 TEST(Estimate, AShapeHelpsWhereSlowMotionCannot) {
   double with = 0.0, without = 0.0;
   for (unsigned seed = 1; seed <= 5; ++seed) {

@@ -48,6 +48,28 @@ TEST(Statistics, WhiteNoiseNeedsNoMemory) {
   AutoCovariance sums(6);
   sums.add(e, Eigen::VectorXd::Ones(e.size()));
   EXPECT_EQ(sums.fit().order(), 0);
+  EXPECT_EQ(sums.fit(2).order(), 0);
+}
+
+TEST(Statistics, OneOrderMoreThanBicGivesSlowNoiseItsStrength) {
+  // White noise on top of first-order noise, as a sensor has both: BIC settles for one order where 800 samples cannot
+  // prove a second one, and then the slow noise comes out too weak.
+  double plain = 0.0, beyond = 0.0;
+  const int sets = 200;
+  const double truth = std::sqrt(0.8 + 1.0 / (0.35 * 0.35));  // of the sum's long-run deviation
+  for (int set = 0; set < sets; ++set) {
+    const auto seed = static_cast<unsigned>(100 + 2 * set);
+    const Eigen::VectorXd e =
+        autoregressive(Eigen::VectorXd::Constant(1, 0.65), 1.0, 800, seed) + autoregressive({}, std::sqrt(0.8), 800, seed + 1);
+    AutoCovariance sums(8);
+    sums.add(e, Eigen::VectorXd::Ones(e.size()));
+    const ArModel one = sums.fit(), more = sums.fit(1);
+    EXPECT_EQ(more.order(), one.order() + 1);
+    plain += one.gain() * one.sigma / sets;
+    beyond += more.gain() * more.sigma / sets;
+  }
+  EXPECT_LT(plain, beyond);
+  EXPECT_LT(std::abs(beyond - truth), std::abs(plain - truth));
 }
 
 TEST(Statistics, WeightZeroLeavesSpikesOut) {
