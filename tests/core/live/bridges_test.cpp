@@ -1,6 +1,7 @@
 // Foxglove WebSocket and rosbridge.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <random>
 
@@ -132,6 +133,51 @@ TEST(Rosbridge, AsksForTopicsAndReadsThem) {
   ASSERT_TRUE(collected.reach(10));
   ASSERT_TRUE(eventually([&] { return source->status().malformed == 2; }));
   EXPECT_EQ((*collected.samples()[9].wrench)(2), 19.0);
+}
+
+TEST(Rosbridge, SurvivesDamagedMessages) {
+  const std::string topics =
+      R"({"op":"service_response","service":"/rosapi/topics","result":true,"values":{"topics":["/ft","/joint_states"],)"
+      R"("types":["geometry_msgs/WrenchStamped","sensor_msgs/JointState"]}})";
+  const auto wrench = [](long secs, int nsecs) {
+    return fmt::format(
+        R"({{"op":"publish","topic":"/ft","msg":{{"header":{{"stamp":{{"secs":{},"nsecs":{}}},"frame_id":"x"}},)"
+        R"("wrench":{{"force":{{"x":1,"y":2,"z":3}},"torque":{{"x":4,"y":5,"z":6}}}}}}}})",
+        secs, nsecs);
+  };
+  const std::string joints =
+      R"({"op":"publish","topic":"/joint_states","msg":{"header":{"stamp":{"secs":1,"nsecs":7}},)"
+      R"("name":["j1","j2","j3","j4","j5","j6","j7"],"position":[1,2,3,4,5,6,7],"velocity":[],"effort":[]}})";
+  FakeBridge bridge("", {}, [&](FakeBridge& self, const std::string& text) {
+    if (text.find("/rosapi/topics") != std::string::npos) self.sendText(topics);
+  });
+  Collected collected;
+  const auto source = makeRosbridgeSource("127.0.0.1", bridge.port(), {});
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return bridge.texts().size() == 3; }));
+  std::mt19937 random(9);
+  for (int round = 0; round < 400; ++round) {
+    std::string bytes = random() % 4 == 0 ? topics : random() % 2 == 0 ? joints : wrench(1, round);
+    // Often a digit or a bracket for another: still JSON, but not what it should be.
+    const std::string other = R"(0123456789-.e[]{}",:tfn)";
+    for (unsigned i = 0; i < 1 + random() % 4; ++i)
+      bytes[random() % bytes.size()] =
+          random() % 2 == 0 ? other[random() % other.size()] : static_cast<char>(random() % 256);
+    if (random() % 4 == 0) bytes.resize(random() % bytes.size());
+    if (random() % 40 == 0) bytes = std::string(random() % 3000, random() % 2 == 0 ? '[' : '{');
+    // WebSocket text must be UTF-8, so other bytes come as binary.
+    const bool plain = std::all_of(bytes.begin(), bytes.end(), [](char c) { return c > 0; });
+    if (plain)
+      bridge.sendText(bytes);
+    else
+      bridge.sendBinary(bytes);
+  }
+  const auto before = collected.samples().size();
+  for (int k = 0; k < 40; ++k) bridge.sendText(wrench(2000000000, 1000000 * (k + 1)));
+  EXPECT_TRUE(collected.reach(before + 10));
+  EXPECT_GT(source->status().malformed, 50u);
+  EXPECT_EQ(source->status().disconnects, 0u);
+  for (const auto& sample : collected.samples()) EXPECT_TRUE(!sample.wrench || sample.wrench->allFinite());
 }
 
 TEST(Rosbridge, WhereNothingListensSaysSoAndKeepsTrying) {
