@@ -21,6 +21,8 @@ namespace {
 using nlohmann::json;
 
 constexpr double kNormal95 = 1.959963984540054;
+// Half widths beyond which a number is no knowledge of a tool that a hand holds.
+constexpr double kFarMass = 5.0, kFarCom = 0.25, kFarInertia = 2.0;  // [kg], [m], relative
 
 struct Options {
   std::string recording, robot, want, output, json;
@@ -39,8 +41,11 @@ json widths(const Uncertainty& u) {
 }
 
 std::string knownText(const Uncertainty& u) {
-  return fmt::format("mass ± {:.1f} g, centre of mass ± {:.1f} mm, inertia ± {:.0f} %", 1e3 * kNormal95 * u.mass,
-                     1e3 * kNormal95 * u.com, 1e2 * kNormal95 * u.inertia);
+  const double mass = kNormal95 * u.mass, com = kNormal95 * u.com, inertia = kNormal95 * u.inertia;
+  return fmt::format("mass {}, centre of mass {}, inertia {}",
+                     mass < kFarMass ? fmt::format("± {:.1f} g", 1e3 * mass) : "not known",
+                     com < kFarCom ? fmt::format("± {:.1f} mm", 1e3 * com) : "not known",
+                     inertia < kFarInertia ? fmt::format("± {:.0f} %", 1e2 * inertia) : "not known");
 }
 
 std::string speedText(const LimitUse& use, double cap) {
@@ -115,12 +120,15 @@ void coachPoses(const Options& options, const Input& input) {
     if (const auto next = guide.next(recording.q.row(recording.rows() - 1).transpose())) {
       std::string joints;
       for (const double q : next->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
-      text += fmt::format("Next pose: {}\n  joints [{}] rad\n  mass ± {:.1f} g, centre of mass ± {:.1f} mm after it\n",
-                          next->words, joints, 1e3 * kNormal95 * next->massStd, 1e3 * kNormal95 * next->comStd);
+      const double mass = kNormal95 * next->massStd, com = kNormal95 * next->comStd;
+      text += fmt::format("Next pose: {}\n  joints [{}] rad\n  {}, {} after it\n", next->words, joints,
+                          mass < kFarMass ? fmt::format("mass ± {:.1f} g", 1e3 * mass) : "mass not known",
+                          com < kFarCom ? fmt::format("centre of mass ± {:.1f} mm", 1e3 * com)
+                                        : "centre of mass not known yet");
       text += kObstacles;
       out["next"] = {{"q_rad", list(next->q)},
                      {"text", next->words},
-                     {"after", {{"mass_kg", kNormal95 * next->massStd}, {"com_m", kNormal95 * next->comStd}}}};
+                     {"after", {{"mass_kg", mass}, {"com_m", com}}}};
     }
   }
   writeResults(options, "heft.coach/1", out, text, nullptr);

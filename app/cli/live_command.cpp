@@ -153,6 +153,11 @@ class StatusLine {
       fmt::print(stderr, "{}\n", text);
     std::fflush(stderr);
   }
+  /// A line that stays.
+  void say(const std::string& text) {
+    fmt::print(stderr, "{}{}\n", terminal_ ? "\r\033[K" : "", text);
+    std::fflush(stderr);
+  }
   ~StatusLine() {
     if (terminal_) fmt::print(stderr, "\r\033[K");
   }
@@ -204,6 +209,8 @@ class LiveRun {
         takeNew();
         const auto status = session_.status();
         if (!status.recordingProblem.empty()) throw Failed(status.recordingProblem);
+        if (running_)
+          for (const auto& news : running_->news()) line.say(news);
         line.show((running_ ? running_->line() : std::string("waiting for motion and wrench")) + troubleLine(status));
         if (finished) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));

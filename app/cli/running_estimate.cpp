@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "app/cli/cli.h"
 #include "core/online/online_estimator.h"
 
@@ -11,15 +13,15 @@ struct RunningEstimate::Impl {
   bool flip = false;  ///< The samples' wrench is the payload's on the sensor.
   std::optional<double> start;
   OnlineEstimator estimator;
+  std::set<std::string> told;
 };
-
 
 RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* robot,
                                  const std::optional<Shape>& shape) {
   OnlineOptions options;
   options.shape = shape;
   impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor, std::nullopt,
-                       orFail(OnlineEstimator::create(meta, robot, options))});
+                       orFail(OnlineEstimator::create(meta, robot, options)), {}});
 }
 
 void RunningEstimate::add(const LiveSample& sample) {
@@ -43,6 +45,13 @@ std::string RunningEstimate::line() const {
                      toString(state.touch), state.inertia.words);
 }
 
+std::vector<std::string> RunningEstimate::news() {
+  std::vector<std::string> out;
+  for (const auto& finding : impl_->estimator.state().findings)
+    if ((finding.code == "tool_changed" || finding.code == "tool_back") && impl_->told.insert(finding.text).second)
+      out.push_back(finding.text);
+  return out;
+}
 
 RunningEstimate::~RunningEstimate() = default;
 

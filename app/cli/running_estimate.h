@@ -2,6 +2,7 @@
 // The estimate while samples arrive, as a line of text.
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/live/source.h"
 #include "core/payload/shape.h"
@@ -22,6 +23,8 @@ class RunningEstimate {
   void add(const LiveSample& sample);
   /// "  12.4 s  0.800 kg [0.798, 0.803]  centre (8.4, 2.1, 53.1) mm  free  Inertia: turn the tool faster"
   std::string line() const;
+  /// What is worth a line of its own and was not yet returned: that the tool changed.
+  std::vector<std::string> news();
 
  private:
   struct Impl;

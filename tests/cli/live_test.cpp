@@ -1,6 +1,8 @@
 // heft live: a replay estimates as the recording itself does.
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "tests/cli/process.h"
 
 namespace heft::test {
@@ -25,6 +27,28 @@ TEST_F(LiveTest, AReplayEstimatesAndRecordsTheSame) {
   EXPECT_NEAR(readJson("recorded.json")["payload"]["mass_kg"].get<double>(), mass, 1e-3 * mass);
   // A second run does not touch what the first one recorded.
   EXPECT_TRUE(failedWithOneSentence(heft({"live", "replay:rec.csv?speed=6", "--record", "live.csv"}), "exists"));
+}
+
+TEST_F(LiveTest, AnotherToolIsNoticedWhileItRuns) {
+  // One motion and one sensor, so that the two recordings differ in nothing but the tool.
+  const auto tool = [this](const char* name, double mass) {
+    write(name, json({{"mass_kg", mass}, {"com_m", {0.0, 0.01, 0.06}},
+                      {"inertia_com_kgm2", {{0.001, 0, 0}, {0, 0.0011, 0}, {0, 0, 0.0007}}}})
+                    .dump());
+  };
+  tool("heavy.json", 0.9);
+  tool("light.json", 0.4);
+  simulate("heavy", {"--payload", "heavy.json", "--motion", "free", "--seed", "5"});
+  simulate("light", {"--payload", "light.json", "--motion", "free", "--seed", "5"});
+  std::istringstream heavy(read("heavy.csv")), light(read("light.csv"));
+  std::string both, a, b;
+  for (int row = 0; std::getline(heavy, a) && std::getline(light, b); ++row) both += (row <= 10000 ? a : b) + "\n";
+  write("both.csv", both);
+  write("both.meta.json", read("heavy.meta.json"));
+  const Outcome run = heft({"live", "replay:both.csv?speed=5", "--json", "live.json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("The tool changed at"));
+  EXPECT_THAT(run.err, HasSubstr("0.90 kg became 0.40 kg"));
 }
 
 TEST_F(LiveTest, SourcesThatAreNoneAndSilentOnesSaySo) {

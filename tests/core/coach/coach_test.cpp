@@ -8,38 +8,9 @@
 namespace heft {
 namespace {
 
+using test::dullMotion;
 using test::Performer;
-
-/// A demonstration that tells little: one slow tilt by a few degrees.
-JointMotion dullMotion() {
-  const RobotModel& panda = RobotModel::panda();
-  const Eigen::Index n = 201;
-  JointMotion motion;
-  motion.time = VectorXd::LinSpaced(n, 0.0, 4.0);
-  motion.q = panda.homePosture().transpose().replicate(n, 1);
-  motion.dq = motion.ddq = MatrixXd::Zero(n, 7);
-  constexpr double kOmega = 2.0 * 3.14159265358979 / 4.0;
-  for (Eigen::Index k = 0; k < n; ++k)
-    for (const int j : {4, 5, 6}) {
-      const double a = 0.05, t = kOmega * motion.time(k) * (j - 3);
-      motion.q(k, j) += a * (1.0 - std::cos(t));
-      motion.dq(k, j) = a * (j - 3) * kOmega * std::sin(t);
-      motion.ddq(k, j) = a * (j - 3) * (j - 3) * kOmega * kOmega * std::cos(t);
-    }
-  return motion;
-}
-
-double width(const OnlineState& state, CoachGoal quantity) {
-  switch (quantity) {
-    case CoachGoal::mass:
-      return state.std.mass;
-    case CoachGoal::com:
-      return state.std.com.maxCoeff();
-    case CoachGoal::inertia:
-      return state.std.inertiaCom.diagonal().cwiseQuotient(state.payload.inertiaCom.diagonal()).maxCoeff();
-  }
-  return 0.0;
-}
+using test::width;
 
 class FollowedAdvice : public testing::TestWithParam<CoachGoal> {};
 

@@ -2,6 +2,8 @@
 // An arm with a tool and a sensor that makes proposed motions, as a robot or a docile hand would.
 #include <cmath>
 
+#include <gtest/gtest.h>
+
 #include "core/coach/coach.h"
 #include "core/simulation/sensor.h"
 #include "core/wrench/regressor.h"
@@ -62,6 +64,38 @@ class Performer {
   SimulateOptions options_;
   Vector6d bias_;
 };
+
+/// A demonstration that tells little: one slow tilt by a few degrees.
+inline JointMotion dullMotion() {
+  const RobotModel& panda = RobotModel::panda();
+  const Eigen::Index n = 201;
+  JointMotion motion;
+  motion.time = VectorXd::LinSpaced(n, 0.0, 4.0);
+  motion.q = panda.homePosture().transpose().replicate(n, 1);
+  motion.dq = motion.ddq = MatrixXd::Zero(n, 7);
+  constexpr double kOmega = 2.0 * 3.14159265358979 / 4.0;
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (const int j : {4, 5, 6}) {
+      const double a = 0.05, t = kOmega * motion.time(k) * (j - 3);
+      motion.q(k, j) += a * (1.0 - std::cos(t));
+      motion.dq(k, j) = a * (j - 3) * kOmega * std::sin(t);
+      motion.ddq(k, j) = a * (j - 3) * (j - 3) * kOmega * kOmega * std::cos(t);
+    }
+  return motion;
+}
+
+/// Standard deviation of what is asked for [kg, m], relative for the inertia: the largest of its parts.
+inline double width(const OnlineState& state, CoachGoal quantity) {
+  switch (quantity) {
+    case CoachGoal::mass:
+      return state.std.mass;
+    case CoachGoal::com:
+      return state.std.com.maxCoeff();
+    case CoachGoal::inertia:
+      return state.std.inertiaCom.diagonal().cwiseQuotient(state.payload.inertiaCom.diagonal()).maxCoeff();
+  }
+  return 0.0;
+}
 
 /// Every limit at 1 kHz, from positions alone where that is possible: nothing of what limitUse() does.
 inline void expectLimitsKept(const JointMotion& motion, const GuidedTool& tool, double tcpSpeed) {
