@@ -8,6 +8,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "core/estimation/estimate.h"
 #include "tests/core/online/feed.h"
 
 namespace heft {
@@ -53,8 +54,21 @@ void fixedSmoothing(benchmark::State& state) {
 }
 void automaticSmoothing(benchmark::State& state) { online(state, {}); }
 
+/// The same recording by the batch estimator, for a ratio: what one look at the whole costs.
+void batchEstimate(benchmark::State& state) {
+  const Recording& data = recording();
+  double processor = 0.0;
+  for (auto _ : state) {
+    const std::clock_t start = std::clock();
+    benchmark::DoNotOptimize(estimate(data, &RobotModel::panda(), {}));
+    processor += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+  state.counters["core_percent"] = 100.0 * processor / (60.0 * static_cast<double>(state.iterations()));
+}
+
 BENCHMARK(fixedSmoothing)->Unit(benchmark::kMillisecond);
 BENCHMARK(automaticSmoothing)->Unit(benchmark::kMillisecond);
+BENCHMARK(batchEstimate)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace heft
