@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/estimation/prepare.h"
 #include "core/motion/motion.h"
@@ -45,6 +46,8 @@ struct OnlineEstimator::Impl {
   BlockLearner learner;
   std::optional<Tool> other;  ///< The tool before.
   Eigen::Index nextChoice = kFirstChoice;
+  std::vector<MarkLabel> choiceLabels;        ///< Not empty: the smoothing is to be chosen in the next step.
+  std::optional<std::size_t> choice;          ///< What was chosen, and is to be learned from in the next step.
   Eigen::Index sinceStep = 0;
   std::uint64_t samples = 0, dropped = 0;
   int gaps = 0, tools = 1;
@@ -77,6 +80,8 @@ struct OnlineEstimator::Impl {
     learner = freshLearner();
     other.reset();
     nextChoice = kFirstChoice;
+    choiceLabels.clear();
+    choice.reset();
     tools = 1;
     toolChanged.reset();
     events.clear();
@@ -110,7 +115,7 @@ struct OnlineEstimator::Impl {
   }
 
   /// Which lane's blocks are predicted best; the labels are those of the lane chosen so far.
-  void choose(const std::vector<MarkLabel>& labels) {
+  std::size_t bestLane(const std::vector<MarkLabel>& labels) const {
     std::vector<Prepared> prepared;
     for (const auto& lane : lanes) {
       const auto n = std::min(static_cast<std::size_t>(lane.blocks.size()), labels.size());
@@ -123,19 +128,32 @@ struct OnlineEstimator::Impl {
       if (!prepared[i].runs.empty() && !prepared[best].runs.empty() &&
           advantage(prepared[best], prepared[i]) >= kWorthSmoothing)
         best = i;
-    if (best == chosen) return;
+    return best;
+  }
+
+  void use(std::size_t lane) {
+    if (lane == chosen) return;
     learner = freshLearner();
-    chosen = best;
+    chosen = lane;
   }
 
   void learn(bool last) {
+    if (last) {
+      choiceLabels.clear();
+      choice.reset();
+    }
     Prepared prepared = learnedFrom(blocks());
     const Eigen::Index n = blocks().size();
     if (lanes.size() > 1 && !prepared.runs.empty() && (last || n >= nextChoice)) {
       nextChoice = std::max(nextChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(n)));
-      const std::size_t before = chosen;
-      choose(prepared.labels);
-      if (chosen != before) prepared = learnedFrom(blocks());
+      if (last) {
+        const std::size_t before = chosen;
+        use(bestLane(prepared.labels));
+        if (chosen != before) prepared = learnedFrom(blocks());
+      } else {
+        // Not in this step: whoever reads the sensor meanwhile would have to wait for both.
+        choiceLabels = prepared.labels;
+      }
     }
     if (blocks().size() > kMost) {
       // The choice of the smoothing is made by now; the other lanes would only keep the machine warm.
@@ -144,6 +162,7 @@ struct OnlineEstimator::Impl {
         lanes.clear();
         lanes.push_back(std::move(kept));
         chosen = 0;
+        choiceLabels.clear();
         other.reset();
       }
       learner.freeze(prepared, kDropped);
@@ -156,6 +175,15 @@ struct OnlineEstimator::Impl {
   void take() {
     learner.follow(blocks());
     if (options.startAnew && learner.estimated()) lookForOtherTool();
+    if (choice) {
+      use(*std::exchange(choice, std::nullopt));
+      return learn(false);
+    }
+    if (!choiceLabels.empty()) {
+      const std::size_t best = bestLane(std::exchange(choiceLabels, {}));
+      if (best != chosen) choice = best;
+      return;
+    }
     const Eigen::Index n = blocks().size();
     const Eigen::Index due =
         learner.learnedBlocks() +
@@ -219,6 +247,8 @@ struct OnlineEstimator::Impl {
   }
 
   void changed(double time) {
+    choiceLabels.clear();
+    choice.reset();
     toolChanged = time;
     if (events.size() > 20) events.erase(events.begin());
     nextChoice =
