@@ -19,6 +19,7 @@
 #include "core/import/import.h"
 #include "core/live/session.h"
 #include "core/motion/motion.h"
+#include "core/simulation/virtual_rig.h"
 
 namespace heft::cli {
 namespace {
@@ -180,6 +181,8 @@ RecordingMeta metaOf(const Options& options, Findings& findings) {
   }
   RecordingMeta meta;
   if (!file.empty()) meta = orFail(readMeta(file, findings));
+  const auto isVirtual = [](const auto& s) { return s == "virtual" || s.starts_with("virtual:"); };
+  if (file.empty() && std::ranges::all_of(options.sources, isVirtual)) meta = VirtualRig::metaFor(VirtualRigOptions());
   if (meta.kind == RecordingKind::poses) throw Failed("Live samples are of a motion, not of standing poses.");
   // A replayed recording was brought to one sign when it was read.
   if (replays) meta.wrenchSign = WrenchSign::sensorOnPayload;
@@ -334,7 +337,8 @@ Command makeLiveCommand(CLI::App& root) {
                   "foxglove:HOST[:PORT]  Foxglove WebSocket bridge\n"
                   "rosbridge:HOST[:PORT]  rosbridge\n"
                   "udp:PORT  JSON objects in datagrams, with a CSV's column names\n"
-                  "replay:FILE  a recording, in real time")
+                  "replay:FILE  a recording, in real time\n"
+                  "virtual:SEED  a simulated Panda that moves by itself, to try things without a robot")
       ->type_name("")
       ->required();
   app->add_option("--record", options->record, "Write the samples to this CSV as they arrive")->type_name("FILE");

@@ -246,12 +246,12 @@ void PoseGuide::judge() {
   } else if (values(1) < kPoorSpread) {
     result_.spreadWords = "The tool has been tilted about one axis only: tilt it about another one too.";
   } else if (values(0) < kPoorSpread || used < 6) {
-    result_.spread = Light::coarse;
+    result_.spread = ExcitationLight::coarse;
     result_.spreadWords = used < 6
                               ? fmt::format("{} of at least 6 poses are usable.", used)
                               : "Two axes of tilt are well covered; also hold the tool nearly upside down or level.";
   } else {
-    result_.spread = values(0) > kGoodSpread ? Light::good : Light::coarse;
+    result_.spread = values(0) > kGoodSpread ? ExcitationLight::good : ExcitationLight::coarse;
     result_.spreadWords = values(0) > kGoodSpread ? "The tilts cover all directions."
                                                   : "The tilts cover all directions a little: wider ones tell more.";
   }

@@ -35,7 +35,7 @@ struct PoseResult {
   double mass = 0.0, massStd = 0.0;                            ///< [kg]
   Vector3d com = Vector3d::Zero(), comStd = Vector3d::Zero();  ///< [m]
   Vector6d bias = Vector6d::Zero();
-  Light spread = Light::none;  ///< Of the orientations
+  ExcitationLight spread = ExcitationLight::none;  ///< Of the orientations
   std::string spreadWords;     ///< "Gravity has pulled along two directions only: tilt the tool about another axis."
 };
 

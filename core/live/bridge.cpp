@@ -89,7 +89,7 @@ void BridgeSource::take(const std::string& topic, const std::string& type, const
     if (status.topics != topics) status.topics = topics;
   });
   setState(LinkState::live);
-  if (std::isfinite(sample->time)) emit(*sample);
+  if (std::isfinite(sample->time)) passOn(*sample);
 }
 
 void BridgeSource::take(const std::string& topic, const std::string& type, const NamedNumbers& numbers,

@@ -79,7 +79,7 @@ class JsonUdpSource : public ThreadedSource {
       sample->time = clock_.timeOf(stamp, now);
     }
     setState(LinkState::live);
-    if (std::isfinite(sample->time)) emit(*sample);
+    if (std::isfinite(sample->time)) passOn(*sample);
   }
 
   const std::string host_;

@@ -131,7 +131,7 @@ class RdtSource : public ThreadedSource {
       wrench(a) = reader.read<std::int32_t>() / (a < 3 ? settings_.countsPerNewton : settings_.countsPerNewtonMetre);
     sample.wrench = wrench;
     setState(LinkState::live);
-    emit(sample);
+    passOn(sample);
   }
 
   RdtSettings settings_;

@@ -40,7 +40,7 @@ class ReplaySource : public ThreadedSource {
       for (double left = due - hostNow(); left > 0.0 && !stopping.stop_requested(); left = due - hostNow())
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left, 0.05)));
       if (stopping.stop_requested()) return;
-      emit(sample);
+      passOn(sample);
     }
     setState(LinkState::finished);
   }

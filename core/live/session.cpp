@@ -42,11 +42,17 @@ void LiveSession::take(const LiveSample& part) {
   const std::lock_guard lock(mutex_);
   complete_.clear();
   merger_.add(part, complete_);
+  if (paused_) return;
   for (const auto& sample : complete_) {
     ring_.push(sample);
     newest_ = sample.time;
     if (recorder_) recorder_->add(sample);
   }
+}
+
+void LiveSession::setPaused(bool paused) {
+  const std::lock_guard lock(mutex_);
+  paused_ = paused;
 }
 
 Result<bool> LiveSession::record(const std::filesystem::path& csv, const RecordingMeta& meta) {

@@ -50,6 +50,9 @@ class LiveSession {
   Result<bool> start();
   void stop();
 
+  /// While paused samples are neither recorded nor passed on.
+  void setPaused(bool paused);
+
   /// From the next sample on into a new file; see Recorder.
   Result<bool> record(const std::filesystem::path& csv, const RecordingMeta& meta);
   /// Closes the recording; returns its number of rows.
@@ -69,6 +72,7 @@ class LiveSession {
   std::optional<Recorder> recorder_;
   std::vector<LiveSample> complete_;
   double newest_ = 0.0;
+  bool paused_ = false;
 };
 
 }  // namespace heft

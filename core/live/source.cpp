@@ -8,6 +8,7 @@
 
 #include "core/base/text.h"
 #include "core/live/sources.h"
+#include "core/live/virtual_source.h"
 
 namespace heft {
 
@@ -61,7 +62,7 @@ SourceStatus ThreadedSource::status() const {
   return status_;
 }
 
-void ThreadedSource::emit(const LiveSample& sample) {
+void ThreadedSource::passOn(const LiveSample& sample) {
   count([](SourceStatus& status) { ++status.samples; });
   sink_(sample);
 }
@@ -98,7 +99,7 @@ std::optional<double> positive(const std::string& text) {
 Error badAddress(const std::string& address) {
   return Error{
       fmt::format("\"{}\" is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], "
-                  "udp:[HOST:]PORT and replay:FILE.",
+                  "udp:[HOST:]PORT, replay:FILE and virtual:SEED.",
                   printable(address, 100))};
 }
 
@@ -106,6 +107,19 @@ Error badAddress(const std::string& address) {
 
 Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address) {
   Address parts;
+  if (address == "virtual" || address.starts_with("virtual:")) {
+    std::uint64_t seed = 1;
+    const std::string_view digits = std::string_view(address).substr(std::min<std::size_t>(8, address.size()));
+    const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+    if (!digits.empty() && (code != std::errc() || end != digits.data() + digits.size())) return badAddress(address);
+    VirtualRigOptions options;
+    options.seed = seed;
+    options.payload = practiceTool(seed);
+    auto source = VirtualSource::create(RobotModel::panda(), options, VirtualSource::Pace::realTime);
+    if (!source) return source.error();
+    (*source)->guide([](GuidedArm& arm) { arm.wander(); });
+    return std::unique_ptr<LiveSource>(std::move(*source));
+  }
   const auto colon = address.find(':');
   if (colon == std::string::npos || colon + 1 == address.size()) return badAddress(address);
   parts.kind = address.substr(0, colon);

@@ -79,7 +79,7 @@ class ThreadedSource : public LiveSource {
   /// Runs until `stopping` is requested.
   virtual void run(const std::stop_token& stopping) = 0;
 
-  void emit(const LiveSample& sample);
+  void passOn(const LiveSample& sample);
   void setState(LinkState state, std::string text = {});
   /// Changes the counters under the lock.
   template <class Act>
@@ -101,6 +101,7 @@ class ThreadedSource : public LiveSource {
 ///   rosbridge:HOST[:PORT]            rosbridge; ?wrench=TOPIC&joints=TOPIC where it cannot list topics
 ///   udp:[HOST:]PORT                  JSON objects in datagrams; without a host only from this machine
 ///   replay:FILE[?speed=N]            a recording, in real time
+///   virtual:[SEED]                   a simulated Panda with a tool that the seed chooses, moving by itself
 /// Fails with a sentence that lists these forms.
 Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address);
 

@@ -41,11 +41,11 @@ struct OnlineSample {
 };
 
 /// How well the motion so far tells a quantity: red, yellow, green.
-enum class Light { none, coarse, good };
-std::string_view toString(Light light);  ///< "none", "coarse", "good"
+enum class ExcitationLight { none, coarse, good };
+std::string_view toString(ExcitationLight light);  ///< "none", "coarse", "good"
 
 struct Excitation {
-  Light light = Light::none;
+  ExcitationLight light = ExcitationLight::none;
   std::string words;  ///< "Mass known to 0.6 %", "Inertia: turn the tool faster"
 };
 

@@ -24,21 +24,21 @@ Source weakest(std::initializer_list<Source> sources) {
 }
 
 Excitation judged(Source source, bool good, std::string name, const std::string& size, const std::string& advice) {
-  if (source == Source::none) return {Light::none, fmt::format("{}: not known yet. {}", name, advice)};
-  if (source == Source::prior) return {Light::coarse, fmt::format("{}: {}, from your shape. {}", name, size, advice)};
-  if (!good) return {Light::coarse, fmt::format("{}: {}. {}", name, size, advice)};
-  return {Light::good, fmt::format("{}: {}, measured.", name, size)};
+  if (source == Source::none) return {ExcitationLight::none, fmt::format("{}: not known yet. {}", name, advice)};
+  if (source == Source::prior) return {ExcitationLight::coarse, fmt::format("{}: {}, from your shape. {}", name, size, advice)};
+  if (!good) return {ExcitationLight::coarse, fmt::format("{}: {}. {}", name, size, advice)};
+  return {ExcitationLight::good, fmt::format("{}: {}, measured.", name, size)};
 }
 
 }  // namespace
 
-std::string_view toString(Light light) {
+std::string_view toString(ExcitationLight light) {
   switch (light) {
-    case Light::none:
+    case ExcitationLight::none:
       return "none";
-    case Light::coarse:
+    case ExcitationLight::coarse:
       return "coarse";
-    case Light::good:
+    case ExcitationLight::good:
       return "good";
   }
   return "none";
@@ -58,9 +58,9 @@ std::string_view toString(Touch touch) {
 
 void judgeExcitation(OnlineState& state) {
   if (!state.estimated) {
-    state.mass = {Light::none, "Mass: not known yet. Move the tool without touching anything."};
-    state.com = {Light::none, "Centre of mass: not known yet. Tilt the tool."};
-    state.inertia = {Light::none, "Inertia: not known yet. Turn the tool."};
+    state.mass = {ExcitationLight::none, "Mass: not known yet. Move the tool without touching anything."};
+    state.com = {ExcitationLight::none, "Centre of mass: not known yet. Tilt the tool."};
+    state.inertia = {ExcitationLight::none, "Inertia: not known yet. Turn the tool."};
     return;
   }
   const Identifiability& id = state.identifiability;

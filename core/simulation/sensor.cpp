@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simulation/random.h"
-
 namespace heft {
 
 namespace {
@@ -22,34 +20,53 @@ Vector6d drawBias(const SensorModel& sensor, std::uint64_t seed) {
   return bias;
 }
 
-WrenchSeries drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows) {
-  WrenchSeries noise(rows, 6);
+SensorNoise::SensorNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz) {
   // First-order Gauss-Markov: x' = rho x + sqrt(1 - rho^2) sigma n, started in its stationary state.
-  const double rho = sensor.colourTime > 0.0 ? std::exp(-1.0 / (rateHz * sensor.colourTime)) : 0.0;
-  const double innovation = std::sqrt(1.0 - rho * rho);
+  rho_ = sensor.colourTime > 0.0 ? std::exp(-1.0 / (rateHz * sensor.colourTime)) : 0.0;
+  innovation_ = std::sqrt(1.0 - rho_ * rho_);
   for (int c = 0; c < 6; ++c) {
     const auto channel = static_cast<std::uint64_t>(c);
-    RandomStream white(seed, RandomPurpose::white, channel), coloured(seed, RandomPurpose::coloured, channel),
-        walk(seed, RandomPurpose::walk, channel);
-    const double whiteSigma = c < 3 ? sensor.forceNoise : sensor.torqueNoise;
-    const double colouredSigma = c < 3 ? sensor.colouredForce : sensor.colouredTorque;
-    const double stride = (c < 3 ? sensor.forceWalk : sensor.torqueWalk) / std::sqrt(rateHz);
-    double state = coloured.normal(), place = 0.0;
-    for (Eigen::Index k = 0; k < rows; ++k) {
-      noise(k, c) = whiteSigma * white.normal() + colouredSigma * state + place;
-      state = rho * state + innovation * coloured.normal();
-      if (stride > 0.0) place += stride * walk.normal();
-    }
+    RandomStream coloured(seed, RandomPurpose::coloured, channel);
+    const double state = coloured.normal();
+    channels_.push_back({RandomStream(seed, RandomPurpose::white, channel), coloured,
+                         RandomStream(seed, RandomPurpose::walk, channel),
+                         c < 3 ? sensor.forceNoise : sensor.torqueNoise,
+                         c < 3 ? sensor.colouredForce : sensor.colouredTorque,
+                         (c < 3 ? sensor.forceWalk : sensor.torqueWalk) / std::sqrt(rateHz), state});
+  }
+}
+
+Vector6d SensorNoise::next() {
+  Vector6d noise;
+  for (int c = 0; c < 6; ++c) {
+    Channel& channel = channels_[static_cast<std::size_t>(c)];
+    noise(c) = channel.whiteSigma * channel.white.normal() + channel.colouredSigma * channel.state + channel.place;
+    channel.state = rho_ * channel.state + innovation_ * channel.coloured.normal();
+    if (channel.stride > 0.0) channel.place += channel.stride * channel.walk.normal();
   }
   return noise;
 }
 
-void digitise(const SensorModel& sensor, WrenchSeries& wrench) {
+WrenchSeries drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows) {
+  WrenchSeries noise(rows, 6);
+  SensorNoise stream(sensor, seed, rateHz);
+  for (Eigen::Index k = 0; k < rows; ++k) noise.row(k) = stream.next().transpose();
+  return noise;
+}
+
+Vector6d digitised(const SensorModel& sensor, const Vector6d& wrench) {
+  Vector6d out;
   for (int c = 0; c < 6; ++c) {
     const double range = c < 3 ? sensor.forceRange(c) : sensor.torqueRange;
     const double step = c < 3 ? sensor.forceResolution(c) : sensor.torqueResolution(c - 3);
-    for (double& x : wrench.col(c)) x = std::clamp(rounded(std::clamp(x, -range, range), step), -range, range);
+    out(c) = std::clamp(rounded(std::clamp(wrench(c), -range, range), step), -range, range);
   }
+  return out;
+}
+
+void digitise(const SensorModel& sensor, WrenchSeries& wrench) {
+  for (Eigen::Index k = 0; k < wrench.rows(); ++k)
+    wrench.row(k) = digitised(sensor, wrench.row(k).transpose()).transpose();
 }
 
 void measureWrench(const SensorModel& sensor, std::uint64_t seed, double rateHz, const Vector6d& bias,

@@ -35,7 +35,7 @@ TEST(PoseGuide, EightPosesGiveMassAndCentre) {
   EXPECT_EQ(guide.usedCount(), 8);
   const PoseResult& result = guide.result();
   EXPECT_TRUE(result.known);
-  EXPECT_EQ(result.spread, Light::good) << result.spreadWords;
+  EXPECT_EQ(result.spread, ExcitationLight::good) << result.spreadWords;
   EXPECT_NEAR(result.mass, tool.mass, 1e-3);
   EXPECT_LT((result.com - tool.com).norm(), 1e-3);
   EXPECT_LT((result.bias - someBias()).norm(), 1e-2);
@@ -72,7 +72,7 @@ TEST(PoseGuide, SpreadIsJudged) {
   one.add(poseAt(tool, {0, 0, 0}, someBias()));
   one.add(poseAt(tool, {0, 0, 1.0}, someBias()));  // about gravity: no other tilt
   EXPECT_EQ(one.poses()[1].light, PoseLight::tooClose);
-  EXPECT_EQ(one.result().spread, Light::none);
+  EXPECT_EQ(one.result().spread, ExcitationLight::none);
   EXPECT_THAT(one.result().spreadWords, testing::HasSubstr("one tilt only"));
   PoseGuide axis({}, kGravity);
   for (const double roll : {-0.25, 0.0, 0.25}) axis.add(poseAt(tool, {roll, 0, 0}, someBias()));
@@ -102,7 +102,7 @@ TEST(PoseGuide, ProposedPosesLeadToTheResult) {
     promised = next->massStd;
     q = next->q;
   }
-  EXPECT_EQ(guide.result().spread, Light::good) << guide.result().spreadWords;
+  EXPECT_EQ(guide.result().spread, ExcitationLight::good) << guide.result().spreadWords;
   EXPECT_TRUE(guide.result().known);
   EXPECT_NEAR(guide.result().mass, tool.mass, 0.01);
   EXPECT_LT((guide.result().com - tool.com).norm(), 0.003);

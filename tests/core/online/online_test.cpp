@@ -202,19 +202,19 @@ TEST(Online, LightsTellWhatTheMotionTells) {
       still.wrench(k, c) = wrench(c) + (c < 3 ? 0.05 : 0.002) * std::sin(37.0 * static_cast<double>(k * k % 1009 + c));
   }
   OnlineEstimator a = estimatorFor(still);
-  EXPECT_EQ(a.state().mass.light, Light::none);
+  EXPECT_EQ(a.state().mass.light, ExcitationLight::none);
   EXPECT_FALSE(a.state().estimated);
   feed(a, still);
   EXPECT_TRUE(a.state().estimated);
-  EXPECT_EQ(a.state().mass.light, Light::none);
-  EXPECT_EQ(a.state().com.light, Light::none);
-  EXPECT_EQ(a.state().inertia.light, Light::none);
+  EXPECT_EQ(a.state().mass.light, ExcitationLight::none);
+  EXPECT_EQ(a.state().com.light, ExcitationLight::none);
+  EXPECT_EQ(a.state().inertia.light, ExcitationLight::none);
   const Recording brisk = simulated(MotionKind::excitation, onlineTool(), 11, 10.0);
   OnlineEstimator b = estimatorFor(brisk);
   feed(b, brisk);
-  EXPECT_EQ(b.state().mass.light, Light::good);
-  EXPECT_EQ(b.state().com.light, Light::good);
-  EXPECT_NE(b.state().inertia.light, Light::none);
+  EXPECT_EQ(b.state().mass.light, ExcitationLight::good);
+  EXPECT_EQ(b.state().com.light, ExcitationLight::good);
+  EXPECT_NE(b.state().inertia.light, ExcitationLight::none);
   EXPECT_THAT(b.state().mass.words, testing::HasSubstr("measured"));
 }
 
