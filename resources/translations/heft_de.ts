@@ -419,6 +419,287 @@
     </message>
 </context>
 <context>
+    <name>LiveWords</name>
+    <message>
+        <source>Tilt the tool sideways and back, slowly</source>
+        <translation>Neigen Sie das Werkzeug langsam zur Seite und zurück</translation>
+    </message>
+    <message>
+        <source>tilt sideways, slowly</source>
+        <translation>langsam zur Seite neigen</translation>
+    </message>
+    <message>
+        <source>Tilt the tool forwards and back, slowly</source>
+        <translation>Neigen Sie das Werkzeug langsam nach vorn und zurück</translation>
+    </message>
+    <message>
+        <source>tilt forwards, slowly</source>
+        <translation>langsam nach vorn neigen</translation>
+    </message>
+    <message>
+        <source>Tilt the tool round in a slow circle, as if stirring</source>
+        <translation>Neigen Sie das Werkzeug langsam im Kreis, wie beim Umrühren</translation>
+    </message>
+    <message>
+        <source>tilt in a slow circle</source>
+        <translation>langsam im Kreis neigen</translation>
+    </message>
+    <message>
+        <source>Turn the tool about its long axis, slowly and far</source>
+        <translation>Drehen Sie das Werkzeug langsam und weit um seine Längsachse</translation>
+    </message>
+    <message>
+        <source>turn far, slowly</source>
+        <translation>langsam und weit drehen</translation>
+    </message>
+    <message>
+        <source>Turn the tool to and fro about its long axis, faster</source>
+        <translation>Drehen Sie das Werkzeug schneller um seine Längsachse hin und her</translation>
+    </message>
+    <message>
+        <source>turn to and fro, faster</source>
+        <translation>schneller hin und her drehen</translation>
+    </message>
+    <message>
+        <source>Swing the tool sideways to and fro, once a second</source>
+        <translation>Schwenken Sie das Werkzeug seitlich hin und her, einmal je Sekunde</translation>
+    </message>
+    <message>
+        <source>swing sideways</source>
+        <translation>seitlich schwenken</translation>
+    </message>
+    <message>
+        <source>Swing the tool forwards and back, once a second</source>
+        <translation>Schwenken Sie das Werkzeug vor und zurück, einmal je Sekunde</translation>
+    </message>
+    <message>
+        <source>swing forwards</source>
+        <translation>vor und zurück schwenken</translation>
+    </message>
+    <message>
+        <source>Swing the tool round in a circle, once a second</source>
+        <translation>Schwenken Sie das Werkzeug im Kreis, einmal je Sekunde</translation>
+    </message>
+    <message>
+        <source>swing in a circle</source>
+        <translation>im Kreis schwenken</translation>
+    </message>
+    <message>
+        <source>Shake the tool sideways, about three times a second</source>
+        <translation>Schütteln Sie das Werkzeug seitlich, etwa dreimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>shake sideways</source>
+        <translation>seitlich schütteln</translation>
+    </message>
+    <message>
+        <source>Shake the tool forwards and back, about three times a second</source>
+        <translation>Schütteln Sie das Werkzeug vor und zurück, etwa dreimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>shake forwards</source>
+        <translation>vor und zurück schütteln</translation>
+    </message>
+    <message>
+        <source>Shake the tool about its long axis, two to three times a second</source>
+        <translation>Schütteln Sie das Werkzeug um seine Längsachse, zwei- bis dreimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>shake about its axis</source>
+        <translation>um die Längsachse schütteln</translation>
+    </message>
+    <message>
+        <source>± %1 g</source>
+        <translation>± %1 g</translation>
+    </message>
+    <message>
+        <source>± %1 kg</source>
+        <translation>± %1 kg</translation>
+    </message>
+    <message>
+        <source>± %1 mm</source>
+        <translation>± %1 mm</translation>
+    </message>
+    <message>
+        <source>over ± 999 %</source>
+        <translation>über ± 999 %</translation>
+    </message>
+    <message>
+        <source>± %1 %</source>
+        <translation>± %1 %</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Nothing more is needed: the tool is known well</source>
+        <translation>Mehr ist nicht nötig: Das Werkzeug ist gut bekannt</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3</source>
+        <translation>%1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>From your shape</source>
+        <translation>Aus Ihrer Form</translation>
+    </message>
+    <message>
+        <source>Nearly there</source>
+        <translation>Fast so weit</translation>
+    </message>
+    <message>
+        <source>Not yet, move the tool</source>
+        <translation>Noch nicht, bewegen Sie das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Not yet, tilt the tool</source>
+        <translation>Noch nicht, neigen Sie das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Not yet, turn the tool</source>
+        <translation>Noch nicht, drehen Sie das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Not yet, needs faster turns</source>
+        <translation>Noch nicht, braucht schnellere Drehungen</translation>
+    </message>
+    <message>
+        <source>Not yet, needs more tilt</source>
+        <translation>Noch nicht, braucht mehr Neigung</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>too close to another one</source>
+        <translation>zu nah an einer anderen</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>touched</source>
+        <translation>berührt</translation>
+    </message>
+    <message>
+        <source>Used.</source>
+        <translation>Benutzt.</translation>
+    </message>
+    <message>
+        <source>The tool hangs nearly as in another pose: tilt it further.</source>
+        <translation>Das Werkzeug hängt fast wie in einer anderen Haltung: Neigen Sie es weiter.</translation>
+    </message>
+    <message>
+        <source>The tool moved: hold it still for a second.</source>
+        <translation>Das Werkzeug hat sich bewegt: Halten Sie es eine Sekunde still.</translation>
+    </message>
+    <message>
+        <source>The force is %1 N off what the other poses say: something touched the tool.</source>
+        <translation>Die Kraft weicht um %1 N von dem ab, was die anderen Haltungen sagen: Etwas hat das Werkzeug berührt.</translation>
+    </message>
+    <message>
+        <source>The tilts cover all directions.</source>
+        <translation>Die Neigungen decken alle Richtungen ab.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of at least 6 poses can be used.</source>
+        <translation>
+            <numerusform>%n von mindestens 6 Haltungen ist brauchbar.</numerusform>
+            <numerusform>%n von mindestens 6 Haltungen sind brauchbar.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tilts cover all directions a little: wider ones tell more.</source>
+        <translation>Die Neigungen decken alle Richtungen ein wenig ab: Weitere sagen mehr.</translation>
+    </message>
+    <message>
+        <source>The tool has been in one tilt only: tilt it, at least by 30 degrees.</source>
+        <translation>Das Werkzeug hatte bisher nur eine Neigung: Neigen Sie es um mindestens 30 Grad.</translation>
+    </message>
+    <message>
+        <source>The tool has been tilted about one axis only: tilt it about another one too.</source>
+        <translation>Das Werkzeug wurde nur um eine Achse geneigt: Neigen Sie es auch um eine andere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) lost</source>
+        <translation>
+            <numerusform>%n Messwert verloren</numerusform>
+            <numerusform>%n Messwerte verloren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n late</source>
+        <translation>
+            <numerusform>%n verspätet</numerusform>
+            <numerusform>%n verspätet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>%n unlesbar</numerusform>
+            <numerusform>%n unlesbar</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reported as faulty by the device</source>
+        <translation>
+            <numerusform>%n vom Gerät als fehlerhaft gemeldet</numerusform>
+            <numerusform>%n vom Gerät als fehlerhaft gemeldet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>connection lost %n time(s)</source>
+        <translation>
+            <numerusform>Verbindung %n-mal verloren</numerusform>
+            <numerusform>Verbindung %n-mal verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no samples lost</source>
+        <translation>keine Messwerte verloren</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>connecting …</source>
+        <translation>verbindet …</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>connection lost, trying again …</source>
+        <translation>Verbindung verloren, neuer Versuch …</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>played to its end</source>
+        <translation>bis zum Ende abgespielt</translation>
+    </message>
+</context>
+<context>
     <name>MarkText</name>
     <message>
         <source>%1 – %2 s</source>
@@ -2609,6 +2890,17 @@
     </message>
 </context>
 <context>
+    <name>heft::FlangeGuide</name>
+    <message>
+        <source>Drag to move the tool</source>
+        <translation>Ziehen bewegt das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Drag round to turn the tool</source>
+        <translation>Ringsum ziehen dreht das Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>heft::HeaderBar</name>
     <message>
         <source>Heft Studio</source>
@@ -2727,6 +3019,213 @@
     <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::LiveBoard</name>
+    <message>
+        <source>Rather move the arm freely?</source>
+        <translation>Lieber den Arm frei bewegen?</translation>
+    </message>
+    <message>
+        <source>Rather hold still in several poses?</source>
+        <translation>Lieber in mehreren Haltungen stillhalten?</translation>
+    </message>
+    <message>
+        <source>Free motion</source>
+        <translation>Freie Bewegung</translation>
+    </message>
+    <message>
+        <source>Standing poses</source>
+        <translation>Standhaltungen</translation>
+    </message>
+    <message>
+        <source>Starts again; mass, centre and inertia from free motion</source>
+        <translation>Beginnt neu; Masse, Schwerpunkt und Trägheit aus freier Bewegung</translation>
+    </message>
+    <message>
+        <source>Starts again; mass and centre of mass only, from poses held still</source>
+        <translation>Beginnt neu; nur Masse und Schwerpunkt, aus still gehaltenen Haltungen</translation>
+    </message>
+    <message>
+        <source>NEXT POSE</source>
+        <translation>NÄCHSTE HALTUNG</translation>
+    </message>
+    <message>
+        <source>DO THIS NOW</source>
+        <translation>JETZT TUN</translation>
+    </message>
+    <message>
+        <source>How much of the suggested motion&apos;s time has passed</source>
+        <translation>Wie viel von der Zeit der vorgeschlagenen Bewegung vergangen ist</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin fahren</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Vormachen</translation>
+    </message>
+    <message>
+        <source>The virtual arm makes the suggested motion by itself</source>
+        <translation>Der virtuelle Arm macht die vorgeschlagene Bewegung von selbst</translation>
+    </message>
+    <message>
+        <source>What Heft knows so far</source>
+        <translation>Was Heft bisher weiß</translation>
+    </message>
+    <message>
+        <source>band = uncertainty over time</source>
+        <translation>Band = Unsicherheit über der Zeit</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Haltungen</translation>
+    </message>
+    <message>
+        <source>Take the last pose away</source>
+        <translation>Letzte Haltung wegnehmen</translation>
+    </message>
+    <message>
+        <source>Move by itself</source>
+        <translation>Von selbst bewegen</translation>
+    </message>
+    <message>
+        <source>The virtual arm wanders about, as if somebody guided it</source>
+        <translation>Der virtuelle Arm wandert umher, als führte ihn jemand</translation>
+    </message>
+    <message>
+        <source>Change the tool</source>
+        <translation>Werkzeug wechseln</translation>
+    </message>
+    <message>
+        <source>Another hidden tool is screwed on; Heft has to notice</source>
+        <translation>Ein anderes verborgenes Werkzeug wird angeschraubt; Heft muss es merken</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 Hz, %2</source>
+        <translation>%1 Hz, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) without a partner</source>
+        <translation>
+            <numerusform>%n Teil ohne Gegenstück</numerusform>
+            <numerusform>%n Teile ohne Gegenstück</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Waiting for the first data</source>
+        <translation>Warten auf die ersten Daten</translation>
+    </message>
+    <message>
+        <source>Motion and force are both needed.</source>
+        <translation>Bewegung und Kraft werden beide gebraucht.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool as the ghost shows, and hold it still</source>
+        <translation>Neigen Sie das Werkzeug, wie der Schatten es zeigt, und halten Sie es still</translation>
+    </message>
+    <message>
+        <source>After it: mass ± %1 g, centre of mass ± %2 mm.</source>
+        <translation>Danach: Masse ± %1 g, Schwerpunkt ± %2 mm.</translation>
+    </message>
+    <message>
+        <source>One still second is enough.</source>
+        <translation>Eine ruhige Sekunde genügt.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool another way, and hold it still</source>
+        <translation>Neigen Sie das Werkzeug anders und halten Sie es still</translation>
+    </message>
+    <message>
+        <source>Bring the arm into the middle of its range</source>
+        <translation>Bringen Sie den Arm in die Mitte seines Bereichs</translation>
+    </message>
+    <message>
+        <source>Move the tool, in all directions</source>
+        <translation>Bewegen Sie das Werkzeug in alle Richtungen</translation>
+    </message>
+    <message>
+        <source>Tilt the tool about all its axes, then turn it faster</source>
+        <translation>Neigen Sie das Werkzeug um alle Achsen, dann drehen Sie es schneller</translation>
+    </message>
+    <message>
+        <source>From here no motion keeps all the joints&apos; limits.</source>
+        <translation>Von hier aus hält keine Bewegung alle Gelenkgrenzen ein.</translation>
+    </message>
+    <message>
+        <source>about %1 s more</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>Something touches the tool now. This stretch is left out.</source>
+        <translation>Gerade berührt etwas das Werkzeug. Dieser Abschnitt wird ausgelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretch(es) look touched. You can check them in Mark.</source>
+        <translation>
+            <numerusform>%n Abschnitt sieht berührt aus. Prüfen Sie ihn unter Markieren.</numerusform>
+            <numerusform>%n Abschnitte sehen berührt aus. Prüfen Sie sie unter Markieren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tool was changed at %1 s. What stands above is of the new one.</source>
+        <translation>Das Werkzeug wurde bei %1 s gewechselt. Die Angaben oben gelten für das neue.</translation>
+    </message>
+    <message>
+        <source>Pose %1: %2</source>
+        <translation>Haltung %1: %2</translation>
+    </message>
+    <message>
+        <source>Still to come</source>
+        <translation>Kommt noch</translation>
+    </message>
+    <message>
+        <source>Heft takes a pose by itself once the tool has stood still for a second.</source>
+        <translation>Heft nimmt eine Haltung von selbst auf, sobald das Werkzeug eine Sekunde stillsteht.</translation>
+    </message>
+    <message>
+        <source>Mass %1 ± %2 kg, centre of mass ± %3 mm</source>
+        <translation>Masse %1 ± %2 kg, Schwerpunkt ± %3 mm</translation>
+    </message>
+    <message>
+        <source>Mass and centre of mass are not known yet.</source>
+        <translation>Masse und Schwerpunkt sind noch nicht bekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::LiveRun</name>
+    <message>
+        <source>The folder %1 for recordings cannot be made.</source>
+        <translation>Der Ordner %1 für Aufzeichnungen lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>The source sends %1 joints, the robot has %2: name the right robot in the rig file.</source>
+        <translation>Die Quelle sendet %1 Gelenke, der Roboter hat %2: Nennen Sie den richtigen Roboter in der Aufbaudatei.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::LiveStage</name>
+    <message>
+        <source>Paused at %1 s</source>
+        <translation>Pause bei %1 s</translation>
+    </message>
+    <message>
+        <source>● Standing poses  %1 s</source>
+        <translation>● Standhaltungen  %1 s</translation>
+    </message>
+    <message>
+        <source>● Recording %1 s   %2 Hz</source>
+        <translation>● Aufzeichnung %1 s   %2 Hz</translation>
+    </message>
+    <message>
+        <source>Move like this</source>
+        <translation>So bewegen</translation>
     </message>
 </context>
 <context>
@@ -3497,6 +3996,193 @@
         <source>Time, joint angles or sensor poses, and force and torque: a CSV, a ROS bag, MCAP or HDF5. A file NAME.meta.json beside it may name the robot and how the sensor is mounted.</source>
         <translation>Zeit, Gelenkwinkel oder Sensorposen, Kraft und Moment: als CSV, ROS-Bag, MCAP oder HDF5. Eine Datei NAME.meta.json daneben kann den Roboter nennen und wie der Sensor angebaut ist.</translation>
     </message>
+    <message>
+        <source>The tool was changed. Heft now learns the new one.</source>
+        <translation>Das Werkzeug wurde gewechselt. Heft lernt jetzt das neue kennen.</translation>
+    </message>
+    <message>
+        <source>waiting for data</source>
+        <translation>wartet auf Daten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pose(s), recording</source>
+        <translation>
+            <numerusform>%n Haltung, läuft</numerusform>
+            <numerusform>%n Haltungen, läuft</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s, recording</source>
+        <translation>%1 s, läuft</translation>
+    </message>
+    <message>
+        <source>Drag the tool, or use arrow keys; with Shift they turn it</source>
+        <translation>Ziehen Sie das Werkzeug oder benutzen Sie die Pfeiltasten; mit Umschalt drehen sie es</translation>
+    </message>
+    <message>
+        <source>Listen to your robot</source>
+        <translation>Ihrem Roboter zuhören</translation>
+    </message>
+    <message>
+        <source>Heft only listens: it moves nothing and changes nothing.</source>
+        <translation>Heft hört nur zu: Es bewegt nichts und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Connect and record</source>
+        <translation>Verbinden und aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Try it without a robot</source>
+        <translation>Ohne Roboter ausprobieren</translation>
+    </message>
+    <message>
+        <source>The virtual arm follows your mouse as a hand-guided one follows your hand. Find out what its hidden tool weighs.</source>
+        <translation>Der virtuelle Arm folgt Ihrer Maus wie ein handgeführter Ihrer Hand. Finden Sie heraus, was sein verborgenes Werkzeug wiegt.</translation>
+    </message>
+    <message>
+        <source>Live robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Open files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Virtual arm</source>
+        <translation>Virtueller Arm</translation>
+    </message>
+    <message>
+        <source>Which tool does it carry?</source>
+        <translation>Welches Werkzeug trägt er?</translation>
+    </message>
+    <message>
+        <source>Surprise</source>
+        <translation>Überraschung</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>irgendeins</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Leicht</translation>
+    </message>
+    <message>
+        <source>below 0.5 kg</source>
+        <translation>unter 0,5 kg</translation>
+    </message>
+    <message>
+        <source>Heavy</source>
+        <translation>Schwer</translation>
+    </message>
+    <message>
+        <source>over 1.1 kg</source>
+        <translation>über 1,1 kg</translation>
+    </message>
+    <message>
+        <source>How to guide it</source>
+        <translation>So führen Sie ihn</translation>
+    </message>
+    <message>
+        <source>Drag the tool in the picture: the arm follows.</source>
+        <translation>Ziehen Sie das Werkzeug im Bild: Der Arm folgt.</translation>
+    </message>
+    <message>
+        <source>Drag one of the three rings: the tool turns.</source>
+        <translation>Ziehen Sie an einem der drei Ringe: Das Werkzeug dreht sich.</translation>
+    </message>
+    <message>
+        <source>Or use the arrow keys and Page Up, Page Down; with Shift they turn.</source>
+        <translation>Oder benutzen Sie die Pfeiltasten, Bild auf und Bild ab; mit Umschalt drehen sie.</translation>
+    </message>
+    <message>
+        <source>The coach says what helps most. Let it be shown to you if you like.</source>
+        <translation>Der Trainer sagt, was am meisten hilft. Lassen Sie es sich vormachen, wenn Sie mögen.</translation>
+    </message>
+    <message>
+        <source>Standing poses</source>
+        <translation>Standhaltungen</translation>
+    </message>
+    <message>
+        <source>Start guiding</source>
+        <translation>Führen beginnen</translation>
+    </message>
+    <message>
+        <source>Hold the tool still, in several tilts</source>
+        <translation>Halten Sie das Werkzeug still, in mehreren Neigungen</translation>
+    </message>
+    <message>
+        <source>Heft takes a pose by itself after one still second. Touch nothing with the tool.</source>
+        <translation>Heft nimmt eine Haltung nach einer ruhigen Sekunde von selbst auf. Berühren Sie mit dem Werkzeug nichts.</translation>
+    </message>
+    <message>
+        <source>Move the arm. Heft listens.</source>
+        <translation>Bewegen Sie den Arm. Heft hört zu.</translation>
+    </message>
+    <message>
+        <source>Guide it as you always do. Touch nothing with the tool.</source>
+        <translation>Führen Sie ihn wie immer. Berühren Sie mit dem Werkzeug nichts.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Beenden und behalten</translation>
+    </message>
+    <message>
+        <source>Nothing has come yet.</source>
+        <translation>Es ist noch nichts gekommen.</translation>
+    </message>
+    <message>
+        <source>Two poses at least are needed.</source>
+        <translation>Mindestens zwei Haltungen sind nötig.</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded.</source>
+        <translation>Es wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>live %1 expects seconds and a tool&apos;s number.</source>
+        <translation>live %1 erwartet Sekunden und die Nummer eines Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>The virtual arm did not start.</source>
+        <translation>Der virtuelle Arm ist nicht gestartet.</translation>
+    </message>
+    <message>
+        <source>%1 could not be played.</source>
+        <translation>%1 konnte nicht abgespielt werden.</translation>
+    </message>
+    <message>
+        <source>Nothing is being recorded: begin with live virtual or live replay.</source>
+        <translation>Es wird nichts aufgezeichnet: Beginnen Sie mit live virtual oder live replay.</translation>
+    </message>
+    <message>
+        <source>live pass expects seconds of a virtual arm.</source>
+        <translation>live pass erwartet Sekunden eines virtuellen Arms.</translation>
+    </message>
+    <message>
+        <source>live guide expects metres and, if you like, radians.</source>
+        <translation>live guide erwartet Meter und, wenn Sie mögen, Radiant.</translation>
+    </message>
+    <message>
+        <source>There is nothing to be shown now.</source>
+        <translation>Es gibt jetzt nichts vorzumachen.</translation>
+    </message>
+    <message>
+        <source>live expects virtual, poses, replay, pass, guide, show, change, stop or discard.</source>
+        <translation>live erwartet virtual, poses, replay, pass, guide, show, change, stop oder discard.</translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordingPane</name>
@@ -3811,15 +4497,15 @@
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug</translation>
     </message>
     <message>
         <source>sensor, tool side</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensor, Werkzeugseite</translation>
     </message>
     <message>
         <source>the shape sits on this face</source>
-        <translation type="unfinished"></translation>
+        <translation>die Form sitzt auf dieser Fläche</translation>
     </message>
 </context>
 <context>
@@ -3863,6 +4549,145 @@
     <message>
         <source>&quot;%1&quot; is no command of a script, or its words are wrong; see heft-studio --help.</source>
         <translation>„%1“ ist kein Befehl eines Skripts, oder seine Wörter stimmen nicht; siehe heft-studio --help.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::SourceForm</name>
+    <message>
+        <source>Who measures force and torque?</source>
+        <translation>Wer misst Kraft und Drehmoment?</translation>
+    </message>
+    <message>
+        <source>Net F/T sensor</source>
+        <translation>Net-F/T-Sensor</translation>
+    </message>
+    <message>
+        <source>ATI, Schunk</source>
+        <translation>ATI, Schunk</translation>
+    </message>
+    <message>
+        <source>ROS, Foxglove bridge</source>
+        <translation>ROS, Foxglove-Brücke</translation>
+    </message>
+    <message>
+        <source>joints and wrench</source>
+        <translation>Gelenke und Kräfte</translation>
+    </message>
+    <message>
+        <source>ROS, rosbridge</source>
+        <translation>ROS, rosbridge</translation>
+    </message>
+    <message>
+        <source>Own program</source>
+        <translation>Eigenes Programm</translation>
+    </message>
+    <message>
+        <source>JSON over UDP</source>
+        <translation>JSON über UDP</translation>
+    </message>
+    <message>
+        <source>A recording</source>
+        <translation>Eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>played as it happened</source>
+        <translation>abgespielt wie geschehen</translation>
+    </message>
+    <message>
+        <source>Address of the sensor, for instance 192.168.1.1</source>
+        <translation>Adresse des Sensors, zum Beispiel 192.168.1.1</translation>
+    </message>
+    <message>
+        <source>As its web page has it. Heft asks it for its data and changes nothing in it.</source>
+        <translation>Wie die seiner Webseite. Heft fragt nach seinen Daten und ändert nichts an ihm.</translation>
+    </message>
+    <message>
+        <source>Address of the Foxglove bridge; empty: localhost:8765</source>
+        <translation>Adresse der Foxglove-Brücke; leer: localhost:8765</translation>
+    </message>
+    <message>
+        <source>Computer and port of foxglove_bridge</source>
+        <translation>Rechner und Port von foxglove_bridge</translation>
+    </message>
+    <message>
+        <source>Address of rosbridge; empty: localhost:9090</source>
+        <translation>Adresse von rosbridge; leer: localhost:9090</translation>
+    </message>
+    <message>
+        <source>Computer and port of rosbridge_server</source>
+        <translation>Rechner und Port von rosbridge_server</translation>
+    </message>
+    <message>
+        <source>Port that your program sends to; empty: 9870</source>
+        <translation>Port, an den Ihr Programm sendet; leer: 9870</translation>
+    </message>
+    <message>
+        <source>Datagrams with a JSON object each: time, q1 … q7, fx … tz. Only from this computer.</source>
+        <translation>Datagramme mit je einem JSON-Objekt: time, q1 … q7, fx … tz. Nur von diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>Recording to play</source>
+        <translation>Aufzeichnung zum Abspielen</translation>
+    </message>
+    <message>
+        <source>Any recording that Heft opens</source>
+        <translation>Jede Aufzeichnung, die Heft öffnet</translation>
+    </message>
+    <message>
+        <source>Choose a recording</source>
+        <translation>Aufzeichnung wählen</translation>
+    </message>
+    <message>
+        <source>Who tells how the arm stands?</source>
+        <translation>Wer sagt, wie der Arm steht?</translation>
+    </message>
+    <message>
+        <source>Foxglove</source>
+        <translation>Foxglove</translation>
+    </message>
+    <message>
+        <source>rosbridge</source>
+        <translation>rosbridge</translation>
+    </message>
+    <message>
+        <source>JSON, UDP</source>
+        <translation>JSON, UDP</translation>
+    </message>
+    <message>
+        <source>Rig file (NAME.meta.json), if you have one</source>
+        <translation>Aufbaudatei (NAME.meta.json), falls vorhanden</translation>
+    </message>
+    <message>
+        <source>Says which robot it is, how the sensor is mounted and which sign its forces have</source>
+        <translation>Sagt, welcher Roboter es ist, wie der Sensor sitzt und welches Vorzeichen seine Kräfte haben</translation>
+    </message>
+    <message>
+        <source>Choose a rig file</source>
+        <translation>Aufbaudatei wählen</translation>
+    </message>
+    <message>
+        <source>Rig files (*.json)</source>
+        <translation>Aufbaudateien (*.json)</translation>
+    </message>
+    <message>
+        <source>Without it the recording&apos;s own is used.</source>
+        <translation>Ohne sie gilt die der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Without it the arm is taken for a Franka Panda with the sensor at its flange.</source>
+        <translation>Ohne sie gilt der Arm als Franka Panda mit dem Sensor am Flansch.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s address is missing.</source>
+        <translation>Die Adresse des Sensors fehlt.</translation>
+    </message>
+    <message>
+        <source>Which recording is to be played?</source>
+        <translation>Welche Aufzeichnung soll abgespielt werden?</translation>
+    </message>
+    <message>
+        <source>Standing poses cannot be played as a motion.</source>
+        <translation>Standhaltungen lassen sich nicht als Bewegung abspielen.</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,51 @@
     </message>
 </context>
 <context>
+    <name>LiveWords</name>
+    <message numerus="yes">
+        <source>%n of at least 6 poses can be used.</source>
+        <translation>
+            <numerusform>%n of at least 6 poses can be used.</numerusform>
+            <numerusform>%n of at least 6 poses can be used.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s) lost</source>
+        <translation>
+            <numerusform>%n sample lost</numerusform>
+            <numerusform>%n samples lost</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n late</source>
+        <translation>
+            <numerusform>%n late</numerusform>
+            <numerusform>%n late</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable</source>
+        <translation>
+            <numerusform>%n unreadable</numerusform>
+            <numerusform>%n unreadable</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reported as faulty by the device</source>
+        <translation>
+            <numerusform>%n reported as faulty by the device</numerusform>
+            <numerusform>%n reported as faulty by the device</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>connection lost %n time(s)</source>
+        <translation>
+            <numerusform>connection lost %n time</numerusform>
+            <numerusform>connection lost %n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MarkText</name>
     <message numerus="yes">
         <source>Only free parts are used. Please check %n stretch(es).</source>
@@ -84,6 +129,23 @@
     </message>
 </context>
 <context>
+    <name>heft::LiveBoard</name>
+    <message numerus="yes">
+        <source>%n part(s) without a partner</source>
+        <translation>
+            <numerusform>%n part without a partner</numerusform>
+            <numerusform>%n parts without a partner</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stretch(es) look touched. You can check them in Mark.</source>
+        <translation>
+            <numerusform>%n stretch looks touched. You can check it in Mark.</numerusform>
+            <numerusform>%n stretches look touched. You can check them in Mark.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>heft::MarkPanel</name>
     <message numerus="yes">
         <source>%n suggestion(s) to check</source>
@@ -124,6 +186,13 @@
         <translation>
             <numerusform>%n pose recorded</numerusform>
             <numerusform>%n poses recorded</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pose(s), recording</source>
+        <translation>
+            <numerusform>%n pose, recording</numerusform>
+            <numerusform>%n poses, recording</numerusform>
         </translation>
     </message>
 </context>

@@ -1,26 +1,96 @@
 #include "ui/record_panel/record_panel.h"
 
+#include <QButtonGroup>
+#include <QDateTime>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <thread>
+#include <tuple>
 
+#include "core/motion/motion.h"
+#include "core/recording/csv_reader.h"
+#include "core/workspace/session.h"
+#include "ui/controller/autosave.h"
 #include "ui/controller/workspace.h"
+#include "ui/live/live_words.h"
 #include "ui/models/numbers.h"
+#include "ui/record_panel/flange_guide.h"
+#include "ui/record_panel/live_board.h"
+#include "ui/record_panel/live_stage.h"
+#include "ui/record_panel/source_form.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/theme/icons.h"
+#include "ui/timeline/playback.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/choice_card.h"
+#include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
+namespace {
 
-RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts) {
+/// A seed whose practice tool weighs between both [kg].
+std::uint64_t toolBetween(double lightest, double heaviest) {
+  std::uint64_t seed = QRandomGenerator::global()->bounded(1000000);
+  while (true) {
+    const double mass = practiceTool(++seed).mass;
+    if (mass >= lightest && mass <= heaviest) return seed;
+  }
+}
+
+QString nameNow(const char* what) {
+  return QString::fromLatin1(what) + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmm"));
+}
+
+}  // namespace
+
+RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(new LiveRun(this)) {
+  if (parts.view) {
+    auto* playback = new Playback(this);
+    ownPane_ = new RecordingPane(playback);
+    ownPane_->setObjectName("livePlots");
+    guide_ = new FlangeGuide(run_, parts.view, this);
+  }
   connect(&workspace(), &Workspace::openedChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &RecordPanel::refresh);
   connect(&workspace(), &Workspace::busyChanged, this, &StepPanel::stateChanged);
+  connect(run_, &LiveRun::refreshed, this, &RecordPanel::liveRefreshed);
+  connect(run_, &LiveRun::adviceChanged, this, [this] {
+    if (board_) board_->refresh();
+  });
+  connect(run_, &LiveRun::toolChanged, this, [this] {
+    this->parts().say(Severity::info, tr("The tool was changed. Heft now learns the new one."));
+  });
+  connect(run_, &LiveRun::failed, this, &RecordPanel::fail);
+  for (JobRunner* runner : run_->runners()) parts.followJobs(runner);
+  parts.followJobs(&looking_);
+  parts.followJobs(&waiting_);
   refresh();
+}
+
+QWidget* RecordPanel::ownPane() { return ownPane_; }
+
+RecordPanel::~RecordPanel() {
+  // The board and the stage look at the run.
+  waiting_.cancel();
+  delete stage_;
+  delete guide_;
+  if (run_->running()) run_->stop();
 }
 
 StepState RecordPanel::state() const {
   using P = StepState::Progress;
+  if (run_->running()) {
+    const LiveView& now = run_->view();
+    if (!now.any) return {P::ready, Light::measured, tr("waiting for data")};
+    if (run_->poses())
+      return {P::ready, Light::measured, tr("%n pose(s), recording", "", static_cast<int>(now.poses.size()))};
+    return {P::ready, Light::measured, tr("%1 s, recording").arg(numberText(now.time, 1))};
+  }
   const auto opened = workspace().opened();
   if (!opened) return {P::ready, Light::measured, workspace().busy() ? tr("opening …") : tr("nothing open yet")};
   const Recording& recording = opened->recording;
@@ -29,14 +99,121 @@ StepState RecordPanel::state() const {
                                                       : tr("%1 s recorded").arg(numberText(recording.duration(), 1))};
 }
 
-void RecordPanel::entered() { refresh(); }
+QString RecordPanel::hint() const {
+  if (run_->running() && virtualRun_) return tr("Drag the tool, or use arrow keys; with Shift they turn it");
+  return {};
+}
+
+void RecordPanel::entered() {
+  here_ = true;
+  if (run_->running()) {
+    if (stage_) stage_->enter();
+    if (guide_ && virtualRun_) guide_->attach();
+    if (board_) board_->refresh();
+  } else {
+    refresh();
+  }
+}
+
+void RecordPanel::left() {
+  here_ = false;
+  if (stage_) stage_->leave();
+  if (guide_) guide_->detach();
+}
+
+bool RecordPanel::keyPressed(QKeyEvent* event) { return guide_ && run_->running() && virtualRun_ && guide_->key(event); }
+
+void RecordPanel::setWay(Way way) {
+  if (way == way_ && (way != Way::live || form_)) return;
+  way_ = way;
+  if (!run_->running()) refresh();
+}
+
+void RecordPanel::fail(const QString& sentence) {
+  parts().say(Severity::error, sentence);
+  if (!run_->running()) showNoLive();
+}
+
+void RecordPanel::showNoLive() {
+  if (stage_) stage_->leave();
+  if (guide_) guide_->detach();
+  board_ = nullptr;
+  refresh();
+  emit arrangementChanged();
+}
 
 void RecordPanel::refresh() {
+  if (run_->running()) return;
+  if (way_ == Way::live && form_) {
+    emit stateChanged();
+    return;  // What is typed in stays.
+  }
+  form_ = nullptr;
   const auto opened = workspace().opened();
-  QVBoxLayout* column = page()->restart(
-      tr("What does your tool weigh?"),
-      tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass and inertia, "
-         "and tells how sure each number is."));
+  QVBoxLayout* column = nullptr;
+  switch (way_) {
+    case Way::files:
+      column = page()->restart(tr("What does your tool weigh?"),
+                               tr("Open a recording of the arm moving with its tool. Heft finds mass, centre of mass "
+                                  "and inertia, and tells how sure each number is."));
+      addWays(column);
+      addFiles(column);
+      break;
+    case Way::live: {
+      column = page()->restart(tr("Listen to your robot"), tr("Heft only listens: it moves nothing and changes nothing."));
+      addWays(column);
+      form_ = new SourceForm(page()->content());
+      column->addWidget(form_);
+      page()->setSecondButton({});
+      page()->setMainButton(tr("Connect and record"), [this] { startListening(false); });
+      break;
+    }
+    case Way::virtualArm:
+      column = page()->restart(tr("Try it without a robot"),
+                               tr("The virtual arm follows your mouse as a hand-guided one follows your hand. Find out "
+                                  "what its hidden tool weighs."));
+      addWays(column);
+      addVirtual(column);
+      break;
+  }
+  column->addStretch(1);
+  if (way_ == Way::files) {
+    if (opened) {
+      page()->setSecondButton(tr("Open another …"), [this] { parts().chooseFiles(); });
+      page()->setMainButton(tr("See the result"), [this] { parts().goTo(Step::result); });
+    } else {
+      page()->setSecondButton({});
+      page()->setMainButton(tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
+    }
+  }
+  emit stateChanged();
+}
+
+void RecordPanel::addWays(QVBoxLayout* column) {
+  auto* choices = new QWidget(page()->content());
+  choices->setObjectName("choices");
+  choices->setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(choices);
+  row->setContentsMargins(1, 1, 1, 1);
+  row->setSpacing(0);
+  auto* group = new QButtonGroup(choices);
+  const std::tuple<Way, QString, const char*, const char*> ways[] = {
+      {Way::live, tr("Live robot"), "hand", "wayLive"},
+      {Way::files, tr("Open files"), "folder", "wayFiles"},
+      {Way::virtualArm, tr("Virtual arm"), "tool", "wayVirtual"}};
+  for (const auto& [way, text, icon, object] : ways) {
+    auto* button = new QPushButton(themedIcon(icon), QStringLiteral(" ") + text, choices);
+    button->setObjectName(object);
+    button->setCheckable(true);
+    button->setChecked(way == way_);
+    group->addButton(button);
+    row->addWidget(button, 1);
+    connect(button, &QPushButton::clicked, this, [this, w = way] { setWay(w); });
+  }
+  column->addWidget(choices);
+}
+
+void RecordPanel::addFiles(QVBoxLayout* column) {
   QWidget* content = page()->content();
   const Card card = makeCard("card", content);
   card.layout->addWidget(styledLabel(tr("What a recording holds"), "sectionTitle", content));
@@ -48,15 +225,36 @@ void RecordPanel::refresh() {
   column->addWidget(card.frame);
   addOpened(column);
   addRecent(column);
-  column->addStretch(1);
-  if (opened) {
-    page()->setSecondButton(tr("Open another …"), [this] { parts().chooseFiles(); });
-    page()->setMainButton(tr("See the result"), [this] { parts().goTo(Step::result); });
-  } else {
-    page()->setSecondButton({});
-    page()->setMainButton(tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
+}
+
+void RecordPanel::addVirtual(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  column->addWidget(styledLabel(tr("Which tool does it carry?"), "sectionTitle", content));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  auto* group = new QButtonGroup(content);
+  const std::tuple<QString, QString, double, double> tools[] = {{tr("Surprise"), tr("anything"), 0.25, 1.6},
+                                                                {tr("Light"), tr("below 0.5 kg"), 0.25, 0.5},
+                                                                {tr("Heavy"), tr("over 1.1 kg"), 1.1, 1.6}};
+  for (const auto& [name, detail, lightest, heaviest] : tools) {
+    auto* card = new ChoiceCard(name, detail, content);
+    group->addButton(card);
+    card->setChecked(group->buttons().size() == 1);
+    connect(card, &QAbstractButton::clicked, this, [this, a = lightest, b = heaviest] { tool_ = toolBetween(a, b); });
+    row->addWidget(card);
   }
-  emit stateChanged();
+  column->addLayout(row);
+  tool_ = toolBetween(0.25, 1.6);
+  const Card card = makeCard("card", content);
+  card.layout->addWidget(styledLabel(tr("How to guide it"), "sectionTitle", content));
+  for (const QString& line :
+       {tr("Drag the tool in the picture: the arm follows."), tr("Drag one of the three rings: the tool turns."),
+        tr("Or use the arrow keys and Page Up, Page Down; with Shift they turn."),
+        tr("The coach says what helps most. Let it be shown to you if you like.")})
+    card.layout->addWidget(wrappedLabel(line, "caption", content));
+  column->addWidget(card.frame);
+  page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
+  page()->setMainButton(tr("Start guiding"), [this] { startVirtual(tool_, false, true); }, "hand");
 }
 
 void RecordPanel::addOpened(QVBoxLayout* column) {
@@ -97,6 +295,237 @@ void RecordPanel::addRecent(QVBoxLayout* column) {
     connect(button, &QPushButton::clicked, this, [this, path] { workspace().open(path); });
     column->addWidget(button);
   }
+}
+
+void RecordPanel::startVirtual(std::uint64_t seed, bool poses, bool byClock) {
+  VirtualRigOptions options;
+  options.seed = seed;
+  options.payload = practiceTool(seed);
+  auto source = VirtualSource::create(RobotModel::panda(), options, VirtualSource::Pace::stepped);
+  if (!source) return fail(QString::fromStdString(source.error().message));
+  LiveSetup setup;
+  setup.virtualArm = source->get();
+  setup.sources.push_back(std::move(*source));
+  setup.meta = VirtualRig::metaFor(options);
+  // Nothing estimates from it; the result shows how far off it was.
+  setup.meta.knownPayload = {options.payload.mass, options.payload.com, options.payload.inertiaCom};
+  setup.robot = std::shared_ptr<const RobotModel>(std::shared_ptr<void>(), &RobotModel::panda());
+  setup.poses = poses;
+  setup.name = nameNow("virtual");
+  virtualRun_ = true;
+  tool_ = seed;
+  way_ = Way::virtualArm;
+  begin(std::move(setup), byClock);
+}
+
+void RecordPanel::startListening(bool poses) {
+  if (form_) {
+    auto addresses = form_->addresses();
+    if (!addresses) return fail(QString::fromStdString(addresses.error().message));
+    auto meta = form_->meta();
+    if (!meta) return fail(QString::fromStdString(meta.error().message));
+    addresses_ = std::move(*addresses);
+    listenedMeta_ = std::move(*meta);
+  }
+  LiveSetup setup;
+  for (const std::string& address : addresses_) {
+    auto source = makeLiveSource(address);
+    if (!source) return fail(QString::fromStdString(source.error().message));
+    setup.sources.push_back(std::move(*source));
+  }
+  setup.meta = listenedMeta_;
+  if (setup.meta.robot && *setup.meta.robot != "panda") {
+    Findings findings;
+    auto robot = robotFor(setup.meta, findings);
+    if (!robot) return fail(QString::fromStdString(robot.error().message));
+    setup.robot = std::make_shared<const RobotModel>(std::move(*robot));
+  }
+  setup.poses = poses;
+  setup.name = nameNow("live");
+  virtualRun_ = false;
+  begin(std::move(setup), true);
+}
+
+void RecordPanel::begin(LiveSetup setup, bool byClock) {
+  byClock_ = byClock;
+  setup.folder = recordedFolder();
+  setup.shape = estimateOptions(workspace().session()).shape;
+  delete stage_;
+  stage_ = nullptr;
+  board_ = nullptr;
+  const auto robot = setup.robot;
+  if (auto started = run_->start(std::move(setup), byClock); !started)
+    return fail(QString::fromStdString(started.error().message));
+  form_ = nullptr;
+  plotted_ = 0;
+  if (ownPane_) ownPane_->setRecording(nullptr);
+  if (parts().view) {
+    stage_ = new LiveStage(run_, parts().view, byClock, this);
+    if (here_) stage_->enter();
+    if (here_ && virtualRun_ && guide_) guide_->attach();
+    looking_.start(
+        QString(),
+        [robot, virtualRun = virtualRun_](const Progress& progress) -> Result<std::shared_ptr<const RobotLook>> {
+          Findings findings;
+          if (!robot || virtualRun) return pandaLook(findings, progress);
+          return std::make_shared<const RobotLook>(heft::loadLook(*robot, findings, progress));
+        },
+        [this](Result<std::shared_ptr<const RobotLook>> look) {
+          if (look && stage_ && run_->running()) stage_->setLook(*look);
+        });
+  }
+  showLive();
+  emit arrangementChanged();
+  emit stateChanged();
+}
+
+void RecordPanel::showLive() {
+  const bool poses = run_->poses();
+  QVBoxLayout* column =
+      poses ? page()->restart(tr("Hold the tool still, in several tilts"),
+                              tr("Heft takes a pose by itself after one still second. Touch nothing with the tool."))
+            : page()->restart(tr("Move the arm. Heft listens."),
+                              tr("Guide it as you always do. Touch nothing with the tool."));
+  board_ = new LiveBoard(run_, page()->content());
+  connect(board_, &LiveBoard::posesWanted, this, [this](bool wanted) {
+    run_->discard();
+    if (virtualRun_) {
+      startVirtual(tool_, wanted, byClock_);
+    } else {
+      startListening(wanted);
+    }
+  });
+  connect(board_, &LiveBoard::anotherToolWanted, this, &RecordPanel::changeTool);
+  column->addWidget(board_);
+  column->addStretch(1);
+  if (poses) {
+    page()->setSecondButton(tr("Discard"), [this] { obey({"live", "discard"}); });
+  } else {
+    page()->setSecondButton(
+        run_->paused() ? tr("Go on") : tr("Pause"),
+        [this] {
+          run_->setPaused(!run_->paused());
+          page()->secondButton()->setText(run_->paused() ? tr("Go on") : tr("Pause"));
+        },
+        "pause");
+  }
+  page()->setMainButton(tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
+  page()->setMainEnabled(false, tr("Nothing has come yet."));
+}
+
+void RecordPanel::liveRefreshed() {
+  if (!run_->running() || !board_) return;
+  const LiveView& now = run_->view();
+  board_->refresh();
+  const bool enough = run_->poses() ? now.poses.size() >= 2 : now.any;
+  if (enough != page()->mainButton()->isEnabled())
+    page()->setMainEnabled(enough, run_->poses() ? tr("Two poses at least are needed.") : tr("Nothing has come yet."));
+  // Plots cost more than numbers: every other time is enough for the eye.
+  if (ownPane_ && here_ && (plotted_++ % 2 == 0 || !byClock_))
+    ownPane_->showLive(now.traces, now.touched, now.time);
+  emit stateChanged();
+}
+
+void RecordPanel::changeTool() {
+  VirtualSource* arm = run_->virtualArm();
+  if (!arm) return;
+  // Clearly another weight, as when somebody really changes a tool.
+  const double before = arm->payload().mass;
+  const auto seed = before > 0.7 ? toolBetween(0.25, 0.6 * before) : toolBetween(1.5 * before, 1.6);
+  if (auto changed = arm->changeTool(practiceTool(seed)); !changed)
+    parts().say(Severity::error, QString::fromStdString(changed.error().message));
+}
+
+void RecordPanel::stopAndKeep() {
+  if (!run_->running()) return;
+  const bool poses = run_->poses();
+  const Recording kept = poses ? run_->poseRecording() : Recording();
+  const QString file = run_->stop();
+  way_ = Way::files;
+  showNoLive();
+  if (poses && kept.rows() >= 2) {
+    workspace().addRecording(kept, recordedFolder(), nameNow("poses"));
+  } else if (!file.isEmpty()) {
+    workspace().open(file);
+  } else {
+    parts().say(Severity::warning, tr("Nothing was recorded."));
+  }
+}
+
+std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
+  if (words[0] != "live") return std::nullopt;
+  const auto wrong = [](const QString& sentence) { return Result<bool>(Error{sentence.toStdString()}); };
+  const QString what = words.value(1);
+  bool numbers = true;
+  const auto number = [&](int index, double otherwise) {
+    if (words.size() <= index) return otherwise;
+    bool ok = false;
+    const double value = words[index].toDouble(&ok);
+    numbers = numbers && ok;
+    return value;
+  };
+  if (what == "virtual" || what == "poses") {
+    const double seconds = number(2, 0.0), seed = number(3, 1.0);
+    if (!numbers || seconds < 0 || seconds > 7200 || seed < 0) return wrong(tr("live %1 expects seconds and a tool's number.").arg(what));
+    startVirtual(static_cast<std::uint64_t>(seed), what == "poses", false);
+    if (!run_->running()) return wrong(tr("The virtual arm did not start."));
+    if (what == "virtual") run_->virtualArm()->guide([](GuidedArm& arm) { arm.wander(); });
+    run_->pass(seconds);
+    return Result<bool>(true);
+  }
+  if (what == "form") {
+    way_ = Way::live;
+    refresh();
+    return Result<bool>(true);
+  }
+  if (what == "replay" && words.size() >= 3) {
+    way_ = Way::live;
+    form_ = nullptr;
+    addresses_ = {"replay:" + words[2].toStdString() + "?speed=20"};
+    Findings findings;
+    listenedMeta_ = {};
+    if (QFileInfo::exists(QString::fromStdString(metaFileOf(words[2].toStdString()).string()))) {
+      auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);
+      if (!meta) return Result<bool>(meta.error());
+      listenedMeta_ = std::move(*meta);
+      listenedMeta_.wrenchSign = WrenchSign::sensorOnPayload;
+    }
+    startListening(false);
+    if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));
+    // The script goes on when all has come and has been learned.
+    waiting_.start(
+        QString(),
+        [session = run_->session()](const Progress& progress) -> Result<bool> {
+          while (!progress.cancelled() && session->status().sources.front().state == LinkState::live)
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+          std::this_thread::sleep_for(std::chrono::milliseconds(300));
+          return true;
+        },
+        [](Result<bool>) {});
+    return Result<bool>(true);
+  }
+  if (!run_->running()) return wrong(tr("Nothing is being recorded: begin with live virtual or live replay."));
+  if (what == "pass") {
+    const double seconds = number(2, 0.0);
+    if (!numbers || seconds < 0 || !run_->virtualArm()) return wrong(tr("live pass expects seconds of a virtual arm."));
+    run_->pass(seconds);
+    return Result<bool>(true);
+  }
+  if (what == "guide" && run_->virtualArm()) {
+    const Vector3d shift(number(2, 0), number(3, 0), number(4, 0)), turn(number(5, 0), number(6, 0), number(7, 0));
+    if (!numbers) return wrong(tr("live guide expects metres and, if you like, radians."));
+    run_->virtualArm()->guide([&](GuidedArm& arm) { FlangeGuide::nudge(arm, shift, turn); });
+    return Result<bool>(true);
+  }
+  if (what == "show") return run_->makeAdvised() ? Result<bool>(true) : wrong(tr("There is nothing to be shown now."));
+  if (what == "change") return changeTool(), Result<bool>(true);
+  if (what == "stop") return stopAndKeep(), Result<bool>(true);
+  if (what == "discard") {
+    run_->discard();
+    showNoLive();
+    return Result<bool>(true);
+  }
+  return wrong(tr("live expects virtual, poses, replay, pass, guide, show, change, stop or discard."));
 }
 
 }  // namespace heft

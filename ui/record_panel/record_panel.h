@@ -1,24 +1,81 @@
 #pragma once
-// The step "Record": where the motion and the forces come from.
-#include "ui/steps/step_panel.h"
+// The step "Record": where the motion and the forces come from - files, a robot that is listened to, or the virtual arm.
+#include <QPointer>
+#include <memory>
 
+#include "ui/jobs/job_runner.h"
+#include "ui/live/live_run.h"
+#include "ui/robot_view/robot_look.h"
+#include "ui/steps/step_panel.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+class QHBoxLayout;
 class QVBoxLayout;
 
 namespace heft {
+
+class FlangeGuide;
+class LiveBoard;
+class LiveStage;
+class SourceForm;
 
 class RecordPanel : public StepPanel {
   Q_OBJECT
  public:
   explicit RecordPanel(const StudioParts& parts);
+  ~RecordPanel() override;
 
   Step step() const override { return Step::record; }
   StepState state() const override;
   void entered() override;
+  void left() override;
+  Below below() const override { return run_->running() && ownPane_ ? Below::own : Below::plots; }
+  QWidget* ownPane() override;
+  QString hint() const override;
+  bool keyPressed(QKeyEvent* event) override;
+  /// live virtual SECONDS [TOOL] | live poses SECONDS [TOOL] | live pass SECONDS | live replay FILE |
+  /// live guide DX DY DZ [RX RY RZ] | live show | live form | live stop | live discard
+  std::optional<Result<bool>> obey(const QStringList& words) override;
+
+  enum class Way { files, live, virtualArm };
+  void setWay(Way way);
+  /// The virtual arm with a tool that the seed chooses. With `byClock` its time passes by itself.
+  void startVirtual(std::uint64_t seed, bool poses, bool byClock);
+  /// What the form says.
+  void startListening(bool poses);
+  void stopAndKeep();
+  LiveRun* run() { return run_; }
+  FlangeGuide* guide() { return guide_; }
 
  private:
   void refresh();
+  void showLive();
+  void addWays(QVBoxLayout* column);
+  void addFiles(QVBoxLayout* column);
+  void addVirtual(QVBoxLayout* column);
   void addOpened(QVBoxLayout* column);
   void addRecent(QVBoxLayout* column);
+  void begin(LiveSetup setup, bool byClock);
+  void showNoLive();
+  void liveRefreshed();
+  void changeTool();
+  void fail(const QString& sentence);
+
+  QPointer<RecordingPane> ownPane_;  ///< Plots of the live run; the window places it.
+  LiveRun* run_;
+  JobRunner looking_;  ///< Loads what the robot looks like.
+  JobRunner waiting_;  ///< In scripts: until a replay has come to its end.
+  Way way_ = Way::files;
+  bool here_ = false;
+  std::uint64_t tool_ = 0;  ///< Seed of the virtual tool
+  bool virtualRun_ = false, byClock_ = true;
+  SourceForm* form_ = nullptr;
+  LiveBoard* board_ = nullptr;
+  LiveStage* stage_ = nullptr;
+  FlangeGuide* guide_ = nullptr;
+  std::vector<std::string> addresses_;  ///< Of the present run, to begin anew.
+  RecordingMeta listenedMeta_;
+  int plotted_ = 0;
 };
 
 }  // namespace heft

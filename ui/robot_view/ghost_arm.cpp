@@ -2,6 +2,9 @@
 
 #include <vtkProperty.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/robot_view/solids.h"
 #include "ui/theme/theme.h"
 
@@ -9,7 +12,6 @@ namespace heft {
 
 GhostArm::GhostArm(vtkRenderer* renderer) : renderer_(renderer) {
   tube_.actor->VisibilityOff();
-  tube_.mapper->SetColorModeToDirectScalars();
   renderer_->AddActor(tube_.actor);
 }
 
@@ -25,9 +27,15 @@ void GhostArm::setParts(const std::vector<Part>& parts) {
   restyle();
 }
 
-void GhostArm::setPoses(const std::vector<Isometry3d>& X_BL) {
+void GhostArm::setPoses(const std::vector<Isometry3d>& X_BL, const std::vector<Isometry3d>& arm) {
+  const auto apart = [&](std::size_t link) {
+    if (link >= arm.size()) return true;
+    const Isometry3d X = arm[link].inverse() * X_BL[link];
+    return X.translation().norm() > 0.012 || std::acos(std::clamp((X.linear().trace() - 1) / 2, -1.0, 1.0)) > 0.06;
+  };
   for (Link& link : links_) {
-    const bool shown = link.link < static_cast<int>(X_BL.size());
+    const bool shown =
+        link.link < static_cast<int>(X_BL.size()) && apart(static_cast<std::size_t>(link.link));
     link.piece.actor->SetVisibility(shown);
     if (shown) setPose(link.piece.actor, X_BL[static_cast<std::size_t>(link.link)].matrix() * link.X_LV);
   }
@@ -37,14 +45,12 @@ void GhostArm::setWay(const std::vector<Vector3d>& way) {
   way_ = way;
   tube_.actor->SetVisibility(way.size() > 1);
   if (way.size() < 2) return;
-  const QColor c = theme().accent;
-  const std::array<unsigned char, 3> colour{static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
-                                            static_cast<unsigned char>(c.blue())};
-  tube_.setMesh(makeTube(way, std::vector(way.size(), colour), 0.0028, 8));
+  tube_.setMesh(makeBentArrow(way, 0.0042));
 }
 
 void GhostArm::restyle() {
   for (Link& link : links_) makeTranslucent(link.piece.actor, theme().accent, 0.22);
+  setColour(tube_.actor, theme().accent);
   setWay(way_);
 }
 

@@ -19,8 +19,8 @@ class GhostArm {
 
   /// What the ghost is made of; shared with the arm itself.
   void setParts(const std::vector<Part>& parts);
-  /// Where its links are, indexed as the robot's; empty hides it.
-  void setPoses(const std::vector<Isometry3d>& X_BL);
+  /// Where its links are, indexed as the robot's; empty hides it. Links that are where `arm` has them are not drawn.
+  void setPoses(const std::vector<Isometry3d>& X_BL, const std::vector<Isometry3d>& arm);
   /// The way that it goes [m, B axes]; empty hides it.
   void setWay(const std::vector<Vector3d>& way);
   void restyle();

@@ -64,6 +64,14 @@ struct RobotView::LookBefore {
   bool touched;
 };
 
+struct RobotView::Kept {
+  std::shared_ptr<const Recording> recording;
+  std::shared_ptr<const RobotModel> robot;
+  std::shared_ptr<const RobotLook> look;
+  std::shared_ptr<const EstimateReport> report;
+  double time = 0.0;
+};
+
 PayloadLook payloadLook(const EstimateReport& report) {
   PayloadLook look;
   look.com = report.payload.com;
@@ -176,7 +184,12 @@ void RobotView::buildTools() {
 
 void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look) {
   if (recording_) return;
+  if (kept_) {  // Behind what is live.
+    if (!kept_->recording) kept_->robot = std::move(robot), kept_->look = std::move(look);
+    return;
+  }
   robot_ = std::move(robot);
+  look_ = look;
   scene_->setRobot(std::move(look));
   if (robot_) {
     std::vector<Isometry3d> X_BL;
@@ -188,19 +201,24 @@ void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_p
   usePreset(Preset::overview);
 }
 
-void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
-                              std::shared_ptr<const RobotLook> look) {
-  recording_ = std::move(recording);
-  robot_ = std::move(robot);
+void RobotView::dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount) {
   report_.reset();
   enlargement_.reset();
-  track_ = std::make_unique<SceneTrack>(recording_, robot_);
   scene_->setPayload(std::nullopt);
   scene_->setWrench(std::nullopt, 1, 1);
-  const bool ownSensor = robot_ && look && showsSensor(*robot_, *look);
-  scene_->setRobot(robot_ ? std::move(look) : nullptr,
-                   robot_ ? linksBeyond(*robot_, recording_->meta.mount.parent) : std::vector<bool>{});
-  scene_->setSensor(sensorBodyLength(recording_->meta.mount), !ownSensor);
+  look_ = robot_ ? std::move(look) : nullptr;
+  const bool ownSensor = look_ && showsSensor(*robot_, *look_);
+  scene_->setRobot(look_, robot_ ? linksBeyond(*robot_, mount.parent) : std::vector<bool>{});
+  scene_->setSensor(sensorBodyLength(mount), !ownSensor);
+}
+
+void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
+                              std::shared_ptr<const RobotLook> look) {
+  kept_.reset();
+  recording_ = std::move(recording);
+  robot_ = std::move(robot);
+  track_ = std::make_unique<SceneTrack>(recording_, robot_);
+  dress(std::move(look), recording_->meta.mount);
   scene_->setGravityDirection(recording_->meta.gravity);
   time_ = recording_->meta.kind == RecordingKind::poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
   rebuildPath();
@@ -210,7 +228,89 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   updateNote();
 }
 
+void RobotView::beginLive(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look,
+                          const SensorMount& mount, const Vector3d& gravity) {
+  if (!kept_) kept_ = std::make_unique<Kept>(Kept{recording_, robot_, look_, report_, time_});
+  recording_.reset();
+  track_.reset();
+  robot_ = std::move(robot);
+  dress(std::move(look), mount);
+  scene_->setGravityDirection(gravity);
+  scene_->setPath({});
+  sweep_.clear();
+  if (robot_) {
+    std::vector<Isometry3d> X_BL;
+    robot_->linkPoses(robot_->homePosture(), X_BL);
+    scene_->setLinkPoses(X_BL);
+    const auto link = robot_->findLink(mount.parent);
+    const Isometry3d X_BS =
+        X_BL[link ? static_cast<std::size_t>(*link) : X_BL.size() - 1] * poseFromXyzRpy(mount.xyz, mount.rpy);
+    placeSensor(X_BS);
+    // Room for the motion to come.
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {-0.28, 0.28}) sweep_.push_back(X_BS.translation() + side * Vector3d::Unit(axis));
+    sweep_.push_back(X_BS.translation() + Vector3d(0.0, 0.0, 0.45));
+  }
+  usePreset(Preset::overview);
+  updateNote();
+}
+
+void RobotView::showLive(const LiveMoment& moment) {
+  if (!kept_) return;
+  if (moment.q && robot_ && moment.q->size() == robot_->dof()) {
+    std::vector<Isometry3d> X_BL;
+    robot_->linkPoses(*moment.q, X_BL);
+    scene_->setLinkPoses(X_BL);
+  }
+  report_ = moment.report;
+  if (report_) {
+    const PayloadLook look = payloadLook(*report_);
+    scene_->setPayload(look);
+    enlargement_ = look.region.minCoeff() > 0 ? std::optional(look.enlargement) : std::nullopt;
+    showWrench(moment.X_BS, moment.wrench);
+  }
+  placeSensor(moment.X_BS);
+  viewport_->requestFrame();
+}
+
+void RobotView::showLivePath(const std::vector<Vector3d>& path) {
+  if (!kept_) return;
+  std::vector<PathSample> samples;
+  for (const Vector3d& point : path) samples.push_back({point, MarkLabel::free});
+  scene_->setPath(samples);
+}
+
+void RobotView::endLive() {
+  const auto kept = std::move(kept_);
+  if (!kept) return;
+  setGhostLabel({}, {});
+  if (kept->recording) {
+    showRecording(kept->recording, kept->robot, kept->look);
+    showReport(kept->report);
+    showTime(kept->time);
+    return;
+  }
+  report_.reset();
+  enlargement_.reset();
+  sweep_.clear();
+  scene_->setPayload(std::nullopt);
+  scene_->setWrench(std::nullopt, 1, 1);
+  scene_->setPath({});
+  if (kept->robot && kept->look) showRobot(kept->robot, kept->look);
+  updateNote();
+}
+
+void RobotView::setGhostLabel(const QString& title, const QString& note) {
+  ghostTitle_ = title;
+  ghostNote_ = note;
+  viewport_->requestFrame();
+}
+
 void RobotView::showReport(std::shared_ptr<const EstimateReport> report) {
+  if (kept_) {
+    kept_->report = std::move(report);
+    return;
+  }
   report_ = std::move(report);
   if (report_ && recording_) {
     const PayloadLook look = payloadLook(*report_);
@@ -227,6 +327,10 @@ void RobotView::showReport(std::shared_ptr<const EstimateReport> report) {
 }
 
 void RobotView::showTime(double time) {
+  if (kept_) {
+    kept_->time = time;
+    return;
+  }
   if (time == time_) return;
   time_ = time;
   updateInstant();
@@ -271,14 +375,7 @@ void RobotView::updateInstant() {
   if (!track_) return;
   const Isometry3d X_BS = track_->sensorAt(time_);
   if (report_) {
-    // Without bias the arrows show what the tool really needs: its weight and the forces that move it.
-    Vector6d wrench = track_->wrenchAt(time_);
-    wrench.head<3>() -= report_->forceBias;
-    wrench.tail<3>() -= report_->torqueBias;
-    Vector6d inBase;
-    inBase << X_BS.linear() * wrench.head<3>(), X_BS.linear() * wrench.tail<3>();
-    const double weight = std::max(0.5, report_->payload.mass * kGravity);
-    scene_->setWrench(inBase, weight, std::max(0.05, weight * report_->payload.com.norm() * 1.5));
+    showWrench(X_BS, track_->wrenchAt(time_));
   }
   placeSensor(X_BS);
   if (track_->hasJoints()) {
@@ -287,6 +384,16 @@ void RobotView::updateInstant() {
     scene_->setLinkPoses(X_BL);
   }
   viewport_->requestFrame();
+}
+
+void RobotView::showWrench(const Isometry3d& X_BS, Vector6d wrench) {
+  // Without bias the arrows show what the tool really needs: its weight and the forces that move it.
+  wrench.head<3>() -= report_->forceBias;
+  wrench.tail<3>() -= report_->torqueBias;
+  Vector6d inBase;
+  inBase << X_BS.linear() * wrench.head<3>(), X_BS.linear() * wrench.tail<3>();
+  const double weight = std::max(0.5, report_->payload.mass * kGravity);
+  scene_->setWrench(inBase, weight, std::max(0.05, weight * report_->payload.com.norm() * 1.5));
 }
 
 void RobotView::placeSensor(const Isometry3d& X_BS) {
@@ -394,6 +501,7 @@ void RobotView::showGhost(const std::optional<VectorXd>& joints) {
 
 void RobotView::showGhostWay(const std::vector<Vector3d>& way) {
   scene_->setGhostWay(way);
+  ghostEnd_ = way.empty() ? std::nullopt : std::optional(way.back());
   viewport_->requestFrame();
 }
 
@@ -424,9 +532,9 @@ void RobotView::usePreset(Preset preset) {
   }
   std::vector<Vector3d> points = preset == Preset::tool ? scene_->toolOutline() : scene_->outline();
   // The whole recording shall stay in the picture, not only this instant.
-  if (preset != Preset::tool && track_) points.insert(points.end(), sweep_.begin(), sweep_.end());
+  if (preset != Preset::tool) points.insert(points.end(), sweep_.begin(), sweep_.end());
   // Labels stand at the right, so the picture keeps that side free where something is labelled.
-  camera.fit(points, viewport_->aspect(), editing_ ? 0.1 : 0.05, report_ || editing_ ? 0.2 : 0.08);
+  camera.fit(points, viewport_->aspect(), editing_ ? 0.1 : 0.05, report_ || editing_ || kept_ ? 0.2 : 0.08);
   viewport_->requestFrame();
 }
 
@@ -444,13 +552,15 @@ void RobotView::updateLabels() {
     if (viewport_->rect().contains(pixel.toPoint())) labels.push_back({pixel, title, note});
   };
   if (labelsShown_) {
-    add(anchors.wrench, tr("force and torque"));
+    // While the arm moves the coach's label is the one to be read.
+    if (!kept_) add(anchors.wrench, tr("force and torque"));
     add(anchors.centre, tr("Centre of mass"),
         enlargement_ ? (*enlargement_ > 1 ? tr("95 % region, drawn %1× larger").arg(numberText(*enlargement_, 0))
                                           : tr("95 % region"))
                      : tr("known to better than 0.2 mm"));
-    add(anchors.box, tr("equal-inertia box"));
+    if (!kept_) add(anchors.box, tr("equal-inertia box"));
     add(anchors.gravity, tr("gravity"));
+    if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
     if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
   }
   overlay_->setLabels(std::move(labels));

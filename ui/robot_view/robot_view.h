@@ -27,6 +27,14 @@ class Scene3d;
 struct SceneParts;
 struct PayloadLook;
 
+/// An arm that is being listened to, at one instant.
+struct LiveMoment {
+  std::optional<VectorXd> q;                     ///< [rad]; absent: the sensor alone
+  Isometry3d X_BS = Isometry3d::Identity();
+  Vector6d wrench = Vector6d::Zero();            ///< F_PSo_S as measured
+  std::shared_ptr<const EstimateReport> report;  ///< What is known of the tool so far; null at first. No series needed.
+};
+
 class RobotView : public QWidget {
   Q_OBJECT
  public:
@@ -58,6 +66,18 @@ class RobotView : public QWidget {
   void showGhostWay(const std::vector<Vector3d>& way);
   /// What pulls at the tool; nothing hides it. Taken out again by the step that put it in.
   void showPull(const std::optional<PullMark>& pull);
+  /// Words at the end of that way.
+  void setGhostLabel(const QString& title, const QString& note);
+
+  /// Shows a moving arm instead of a recording, which comes back with endLive(). Robot and look are null where only the
+  /// sensor's pose is known.
+  void beginLive(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look, const SensorMount& mount,
+                 const Vector3d& gravity);
+  void showLive(const LiveMoment& moment);
+  /// The way of the sensor so far, B axes [m].
+  void showLivePath(const std::vector<Vector3d>& path);
+  void endLive();
+
   /// X_BS as drawn now.
   Isometry3d sensorPose() const { return X_BS_; }
 
@@ -84,6 +104,8 @@ class RobotView : public QWidget {
   void updateNote();
   void applyParts();
   void placeSensor(const Isometry3d& X_BS);
+  void showWrench(const Isometry3d& X_BS, Vector6d wrench);
+  void dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount);
   void paintOver(QPainter& painter) const;
 
   Viewport* viewport_;
@@ -95,6 +117,7 @@ class RobotView : public QWidget {
   std::unique_ptr<SceneTrack> track_;
   std::shared_ptr<const Recording> recording_;
   std::shared_ptr<const RobotModel> robot_;
+  std::shared_ptr<const RobotLook> look_;
   std::shared_ptr<const EstimateReport> report_;
   std::vector<Vector3d> sweep_;        ///< Where arm and tool get in this recording, B axes [m].
   std::optional<double> enlargement_;  ///< Of the region drawn; absent if none is.
@@ -109,6 +132,10 @@ class RobotView : public QWidget {
   QPointer<HandleSet> handles_;
   std::vector<DimensionLine> dimensions_;
   std::optional<PullMark> pull_;
+  struct Kept;
+  std::unique_ptr<Kept> kept_;  ///< What was shown before something live; null otherwise.
+  std::optional<Vector3d> ghostEnd_;
+  QString ghostTitle_, ghostNote_;
   QString stepNote_;
   QPointer<QWidget> stepTools_;
   bool cameraTouched_ = false;  ///< The user moved it: no automatic fit on resize.

@@ -358,7 +358,9 @@ void Scene3d::setTool(const std::vector<ShapeBody>& bodies, int selected) {
   impl_->updateShadow();
 }
 
-void Scene3d::setGhost(const std::vector<Isometry3d>& X_BL) { impl_->ghost.setPoses(X_BL); }
+void Scene3d::setGhost(const std::vector<Isometry3d>& X_BL) {
+  impl_->ghost.setPoses(X_BL, impl_->X_BL);
+}
 
 void Scene3d::setGhostWay(const std::vector<Vector3d>& way) { impl_->ghost.setWay(way); }
 

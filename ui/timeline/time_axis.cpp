@@ -18,6 +18,16 @@ void TimeAxis::setFull(double lower, double upper, bool poses) {
   emit visibleChanged();
 }
 
+void TimeAxis::grow(double upper) {
+  if (upper <= fullUpper_) return;
+  const bool follows = upper_ >= fullUpper_ - 1e-9;
+  const double by = upper - fullUpper_;
+  fullUpper_ = upper;
+  if (follows) lower_ += by, upper_ += by;
+  emit fullChanged();
+  emit visibleChanged();
+}
+
 void TimeAxis::show(double lower, double upper) {
   if (!std::isfinite(lower) || !std::isfinite(upper)) return;
   const double full = fullUpper_ - fullLower_;

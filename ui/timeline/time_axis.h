@@ -18,6 +18,9 @@ class TimeAxis : public QObject {
   double fullUpper() const { return fullUpper_; }
   bool poses() const { return poses_; }
 
+  /// The recording has grown to `upper`; where its end was in view the view goes along, keeping its span.
+  void grow(double upper);
+
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   double span() const { return upper_ - lower_; }

@@ -155,6 +155,8 @@ int RecordingPane::foldedHeight() const { return foldedHeader_->height() + marks
 
 void RecordingPane::setRecording(const Recording* recording) {
   auto traces = recording ? std::make_shared<const WrenchTraces>(*recording, nullptr) : nullptr;
+  if (live_) bar_->setVisible(!folded_);
+  live_ = false;
   const bool present = traces && !traces->empty();
   const bool poses = present && traces->poses();
   const double first = present ? traces->firstTime() : 0.0, last = present ? traces->lastTime() : 1.0;
@@ -166,6 +168,40 @@ void RecordingPane::setRecording(const Recording* recording) {
   cursor_->setShown(present);
   setMeasuring(false);
   bar_->setRecording(present, poses);
+}
+
+void RecordingPane::showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched,
+                             double now) {
+  constexpr double kWindow = 30.0, kAhead = 3.0;  // [s]
+  if (!live_) {
+    live_ = true;
+    bar_->hide();
+    axis_.setFull(0.0, kWindow);
+    cursor_->setShown(true);
+  }
+  // Free in between: what the marks bar shows as it will be proposed.
+  std::vector<Segment> segments;
+  std::vector<bool> suggested;
+  double at = 0.0;
+  const auto addFree = [&](double to) {
+    if (to - at < 0.02) return;
+    Segment segment;
+    segment.from = at;
+    segment.to = to;
+    segments.push_back(segment);
+    suggested.push_back(false);
+  };
+  for (const Segment& touch : touched) {
+    addFree(touch.from);
+    segments.push_back(touch);
+    suggested.push_back(true);
+    at = touch.to;
+  }
+  addFree(now);
+  plots_->setTraces(std::move(traces));
+  axis_.grow(now + kAhead);
+  setSegments(segments, suggested);
+  cursor_->setTime(now);
 }
 
 void RecordingPane::setReport(const Recording* recording, const EstimateReport* report) {

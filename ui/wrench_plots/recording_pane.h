@@ -29,6 +29,8 @@ class RecordingPane : public QWidget {
 
   /// A new recording: shows all of it from its beginning.
   void setRecording(const Recording* recording);
+  /// What has come so far of something live, up to `now` [s]; the view goes along. Ends with setRecording().
+  void showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched, double now);
   /// The estimate on that recording, or null while there is none.
   void setReport(const Recording* recording, const EstimateReport* report);
   /// What plots and marks bar tint; `suggested` ones are drawn as proposals.
@@ -76,6 +78,7 @@ class RecordingPane : public QWidget {
   DifferenceCursor* difference_;
   std::optional<MarkLabel> brush_;
   bool folded_ = false;
+  bool live_ = false;
 };
 
 }  // namespace heft

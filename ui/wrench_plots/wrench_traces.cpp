@@ -39,6 +39,18 @@ std::vector<double> freeDifferences(const WrenchSeries& series, const std::vecto
 
 }  // namespace
 
+WrenchTraces::WrenchTraces(TraceData data)
+    : measuredTime_(std::move(data.measuredTime)),
+      simulatedTime_(std::move(data.simulatedTime)),
+      limit_(data.differenceLimit),
+      noise_(data.noise) {
+  for (std::size_t c = 0; c < 6; ++c) {
+    curves_[0][c] = MinMaxPyramid(std::move(data.measured[c]));
+    curves_[1][c] = MinMaxPyramid(std::move(data.simulated[c]));
+    curves_[2][c] = MinMaxPyramid(std::move(data.difference[c]));
+  }
+}
+
 WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* report)
     : poses_(recording.meta.kind == RecordingKind::poses) {
   const Eigen::Index rows = std::min(recording.rows(), recording.wrench.rows());

@@ -17,10 +17,18 @@ struct ThinnedCurve {
   bool crowded = false;
 };
 
+/// Curves that are already there. A kind may be empty; within one all channels are as long as its time.
+struct TraceData {
+  std::vector<double> measuredTime, simulatedTime;  ///< [s], not falling
+  std::array<std::vector<double>, 6> measured, simulated, difference;
+  std::array<double, 2> differenceLimit{1.0, 0.1}, noise{0.0, 0.0};  ///< Of force [N] and torque [N m]
+};
+
 class WrenchTraces {
  public:
   /// Nothing to draw.
   WrenchTraces() = default;
+  explicit WrenchTraces(TraceData data);
   /// `report` may be null: then there is no simulated wrench and no difference. Standing poses are counted 1, 2, 3.
   WrenchTraces(const Recording& recording, const EstimateReport* report);
 

@@ -1,0 +1,257 @@
+#include "ui/live/live_run.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "core/motion/motion.h"
+#include "core/recording/csv_reader.h"
+
+namespace heft {
+namespace {
+
+constexpr int kTick = 33;              ///< [ms]
+constexpr int kRefresh = 66;           ///< [ms] Learning is shown so often.
+constexpr double kPiece = 0.5;         ///< [s] of virtual time at once
+constexpr double kAdviseEvery = 2.5;   ///< [s] A ghost that is older stands where the arm no longer is.
+constexpr double kFirstAdvice = 0.5;   ///< [s]
+constexpr double kLongestTick = 0.25;  ///< [s] After a hitch the virtual arm does not run after the time lost.
+
+}  // namespace
+
+LiveRun::LiveRun(QObject* parent) : QObject(parent) {
+  timer_.setInterval(kTick);
+  connect(&timer_, &QTimer::timeout, this, &LiveRun::tick);
+}
+
+LiveRun::~LiveRun() { stop(); }
+
+Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
+  stop();
+  auto session = std::make_shared<LiveSession>(30000);
+  for (auto& source : setup.sources) session->addSource(std::move(source));
+  QString file;
+  if (!setup.poses) {
+    if (!QDir().mkpath(setup.folder))
+      return Error{tr("The folder %1 for recordings cannot be made.").arg(setup.folder).toStdString()};
+    file = QDir(setup.folder).filePath(setup.name + ".csv");
+    for (int k = 2; QFileInfo::exists(file); ++k)
+      file = QDir(setup.folder).filePath(QStringLiteral("%1-%2.csv").arg(setup.name).arg(k));
+    // Without a robot the first samples tell that it is a Panda, which the meta then has to say, too.
+    if (auto recorded = session->record(file.toStdString(), setup.meta); !recorded) return recorded.error();
+  }
+  if (auto running = session->start(); !running) {
+    session->endRecording();
+    if (!file.isEmpty()) {
+      QFile::remove(file);
+      QFile::remove(QString::fromStdString(metaFileOf(file.toStdString()).string()));
+    }
+    return running;
+  }
+  ++run_;
+  session_ = std::move(session);
+  virtualArm_ = setup.virtualArm;
+  robot_ = setup.robot;
+  meta_ = setup.meta;
+  shape_ = setup.shape;
+  poses_ = setup.poses;
+  paused_ = false;
+  byClock_ = byClock;
+  file_ = file;
+  learner_.reset();
+  view_ = {};
+  advice_.reset();
+  advisedAt_ = -1e9;
+  outOfRoom_ = false;
+  tools_ = 1;
+  seen_ = 0;
+  removals_.clear();
+  owed_ = 0.0;
+  clock_.start();
+  sinceRefresh_.start();
+  if (byClock_ || !virtualArm_) timer_.start();
+  emit started();
+  return true;
+}
+
+void LiveRun::setPaused(bool paused) {
+  if (!session_) return;
+  paused_ = paused;
+  session_->setPaused(paused);
+  emit refreshed();
+}
+
+SessionStatus LiveRun::status() const { return session_ ? session_->status() : SessionStatus(); }
+
+bool LiveRun::finished() const {
+  if (!session_) return false;
+  const auto status = session_->status();
+  return std::all_of(status.sources.begin(), status.sources.end(),
+                     [](const SourceStatus& source) { return source.state == LinkState::finished; });
+}
+
+void LiveRun::tick() {
+  const double passed = std::min(kLongestTick, static_cast<double>(clock_.restart()) / 1000.0);
+  if (virtualArm_ && !paused_) virtualArm_->advance(passed);
+  if (sinceRefresh_.elapsed() >= kRefresh) pump();
+}
+
+void LiveRun::pass(double seconds) {
+  if (!virtualArm_) return;
+  owed_ += seconds;
+  pump();
+}
+
+/// The robot and the learner, once a sample tells whether there are joints.
+bool LiveRun::prepare() {
+  if (learner_) return true;
+  std::vector<LiveSample> samples;
+  session_->since(0, samples);
+  if (samples.empty()) return false;
+  if (samples.front().q && !robot_) {
+    if (!meta_.robot) meta_.robot = "panda";
+    Findings findings;
+    auto robot = robotFor(meta_, findings);
+    if (!robot) return stop(), emit failed(QString::fromStdString(robot.error().message)), false;
+    robot_ = std::make_shared<const RobotModel>(std::move(*robot));
+  }
+  if (samples.front().q && samples.front().joints != robot_->dof()) {
+    stop();
+    emit failed(tr("The source sends %1 joints, the robot has %2: name the right robot in the rig file.")
+                    .arg(samples.front().joints)
+                    .arg(robot_->dof()));
+    return false;
+  }
+  auto learner = LiveLearner::create({meta_, samples.front().q ? robot_ : nullptr, shape_, poses_});
+  if (!learner) return stop(), emit failed(QString::fromStdString(learner.error().message)), false;
+  learner_ = std::move(*learner);
+  return true;
+}
+
+void LiveRun::pump() {
+  if (!session_ || learning().running()) return;
+  if (!byClock_ && virtualArm_) {
+    // Step by step the coach keeps up, so that the same steps always give the same advice.
+    if (coaching().running()) return;
+    const double piece = std::min(owed_, kPiece);
+    if (piece <= 0.0 && removals_.empty()) return;
+    owed_ = owed_ - piece < 1e-9 ? 0.0 : owed_ - piece;
+    virtualArm_->advance(piece);
+  }
+  if (!prepare()) return;
+  sinceRefresh_.restart();
+  auto fresh = std::make_shared<std::vector<LiveSample>>();
+  seen_ = session_->since(seen_, *fresh);
+  if (fresh->empty() && view_.any && removals_.empty()) return emit refreshed();
+  learning().start(
+      QString(),
+      [learner = learner_, fresh, removals = std::exchange(removals_, {})](const Progress&) -> Result<LiveView> {
+        for (const std::size_t pose : removals) learner->removePose(pose);
+        for (const LiveSample& sample : *fresh) learner->add(sample);
+        return learner->view();
+      },
+      [this, run = run_](Result<LiveView> result) {
+        if (run != run_ || !session_) return pump();
+        if (!result) return emit failed(QString::fromStdString(result.error().message));
+        const std::size_t poses = view_.poses.size();
+        view_ = std::move(*result);
+        if (view_.state.tools != tools_) {
+          tools_ = view_.state.tools;
+          emit toolChanged();
+        }
+        if (view_.poses.size() != poses) emit poseTaken();
+        emit refreshed();
+        coach();
+        pump();
+      });
+}
+
+void LiveRun::coach() {
+  if (!session_ || poses_ || paused_ || !robot_ || !view_.q || coaching().running()) return;
+  // A motion that the virtual arm is making is not to be replaced under it.
+  if (virtualArm_) {
+    bool making = false;
+    virtualArm_->guide([&](GuidedArm& arm) {
+      making = arm.mode() == GuidedArm::Mode::approaching || arm.mode() == GuidedArm::Mode::following;
+    });
+    if (making) return;
+  }
+  if (view_.time < kFirstAdvice || view_.time - advisedAt_ < kAdviseEvery) return;
+  advisedAt_ = view_.time;
+  coaching().start(
+      QString(),
+      [robot = robot_, meta = meta_, q = *view_.q, information = view_.information](
+          const Progress&) -> Result<Advice> {
+        auto tool = guidedTool(*robot, meta.mount);
+        if (!tool) return tool.error();
+        return advise(information ? std::optional(*information) : std::nullopt, *tool, meta.gravity,
+                      robot->clampToLimits(q));
+      },
+      [this, run = run_](Result<Advice> result) {
+        if (run != run_ || !session_) return pump();
+        outOfRoom_ = !result;
+        advice_.reset();
+        if (result) advice_ = std::move(*result);
+        advisedAt_ = view_.time;
+        emit adviceChanged();
+        pump();
+      });
+}
+
+bool LiveRun::makeAdvised() {
+  if (!virtualArm_) return false;
+  if (poses_) {
+    if (!view_.next) return false;
+    virtualArm_->guide([q = view_.next->q](GuidedArm& arm) { arm.goTo(q); });
+    return true;
+  }
+  if (!advice_ || !advice_->needed || advice_->motion.size() < 2) return false;
+  GuidedPath path;
+  path.duration = advice_->motion.duration();
+  path.at = [motion = advice_->motion](double t, VectorXd& q, VectorXd& dq, VectorXd& ddq) { motion.at(t, q, dq, ddq); };
+  virtualArm_->guide([&](GuidedArm& arm) { arm.follow(path); });
+  return true;
+}
+
+Recording LiveRun::poseRecording() const { return recordingOf(view_.poses, meta_); }
+
+void LiveRun::removePose(int index) {
+  if (!session_ || index < 0) return;
+  removals_.push_back(static_cast<std::size_t>(index));
+  pump();
+}
+
+QString LiveRun::stop() {
+  if (!session_) return {};
+  timer_.stop();
+  session_->stop();
+  const auto rows = session_->endRecording();
+  session_.reset();
+  virtualArm_ = nullptr;
+  QString file = file_;
+  if (!file.isEmpty() && rows < 2) {
+    QFile::remove(file);
+    QFile::remove(QString::fromStdString(metaFileOf(file.toStdString()).string()));
+    file.clear();
+  }
+  // What the first samples told about the robot belongs to the recording.
+  if (!file.isEmpty()) {
+    if (auto written = writeMeta(meta_, metaFileOf(file.toStdString())); !written)
+      emit failed(QString::fromStdString(written.error().message));
+  }
+  learning().cancel();
+  coaching().cancel();
+  emit ended();
+  return file;
+}
+
+void LiveRun::discard() {
+  const QString file = stop();
+  if (file.isEmpty()) return;
+  QFile::remove(file);
+  QFile::remove(QString::fromStdString(metaFileOf(file.toStdString()).string()));
+}
+
+}  // namespace heft

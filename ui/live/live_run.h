@@ -1,0 +1,110 @@
+#pragma once
+// One run of listening: the session with its sources, the recording that grows on disk, what was learned from it, and
+// the coach's advice. Learning and coaching are jobs; this class belongs to the GUI thread.
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/live/session.h"
+#include "core/live/virtual_source.h"
+#include "ui/jobs/job_runner.h"
+#include "ui/live/live_learner.h"
+
+namespace heft {
+
+struct LiveSetup {
+  std::vector<std::unique_ptr<LiveSource>> sources;
+  VirtualSource* virtualArm = nullptr;      ///< One of the sources, or null.
+  std::shared_ptr<const RobotModel> robot;  ///< Null: found from the first sample and the meta.
+  RecordingMeta meta;
+  std::optional<Shape> shape;
+  bool poses = false;        ///< Standing poses instead of a motion
+  QString folder, name;      ///< Of the recording; a number is added where it exists.
+};
+
+class LiveRun : public QObject {
+  Q_OBJECT
+ public:
+  explicit LiveRun(QObject* parent = nullptr);
+  ~LiveRun() override;
+
+  /// With `byClock` a virtual arm's time passes as on the wall; without it by pass() alone.
+  Result<bool> start(LiveSetup setup, bool byClock);
+  bool running() const { return session_ != nullptr; }
+  bool poses() const { return poses_; }
+  bool paused() const { return paused_; }
+  void setPaused(bool paused);
+  /// So many seconds of the virtual arm pass, in pieces of half a second, with learning and coaching between them.
+  void pass(double seconds);
+  /// Ends. The file that was recorded; empty where no complete sample came, or with standing poses.
+  QString stop();
+  /// Ends and deletes what was recorded.
+  void discard();
+
+  /// Of the newest refresh; kept after the end.
+  const LiveView& view() const { return view_; }
+  SessionStatus status() const;
+  std::shared_ptr<const LiveSession> session() const { return session_; }
+  const RecordingMeta& meta() const { return meta_; }
+  std::shared_ptr<const RobotModel> robot() const { return robot_; }
+  VirtualSource* virtualArm() const { return virtualArm_; }
+  QString file() const { return file_; }
+  /// What the coach says now; nothing while it knows nothing to say.
+  const std::optional<Advice>& advice() const { return advice_; }
+  /// The posture is so that no motion can be proposed.
+  bool outOfRoom() const { return outOfRoom_; }
+  double adviceAge() const { return view_.time - advisedAt_; }  ///< [s]
+  Recording poseRecording() const;
+  void removePose(int index);
+  /// The virtual arm makes the coach's motion, or goes to the next pose. False without one.
+  bool makeAdvised();
+  /// All sources have come to their end (replays).
+  bool finished() const;
+
+  /// Their work counts as the window being busy. By the clock there is always some: that does not count.
+  std::vector<JobRunner*> runners() { return {&learning_[0], &coaching_[0]}; }
+
+ signals:
+  void started();
+  void ended();
+  /// view() is new; at most 15 times a second.
+  void refreshed();
+  void adviceChanged();
+  void toolChanged();
+  void poseTaken();
+  void failed(const QString& sentence);
+
+ private:
+  void tick();
+  void pump();
+  bool prepare();
+  void coach();
+
+  std::shared_ptr<LiveSession> session_;
+  VirtualSource* virtualArm_ = nullptr;
+  std::shared_ptr<const RobotModel> robot_;
+  RecordingMeta meta_;
+  std::optional<Shape> shape_;
+  std::shared_ptr<LiveLearner> learner_;
+  bool poses_ = false, paused_ = false, byClock_ = true, outOfRoom_ = false;
+  QString file_;
+  LiveView view_;
+  std::optional<Advice> advice_;
+  double advisedAt_ = -1e9;
+  int tools_ = 1;
+  std::uint64_t seen_ = 0;
+  std::vector<std::size_t> removals_;  ///< Poses that the next job takes away
+  double owed_ = 0.0;  ///< [s] that are still to pass
+  quint64 run_ = 0;    ///< Results of an earlier run are dropped.
+  QTimer timer_;
+  QElapsedTimer clock_, sinceRefresh_;
+  JobRunner& learning() { return learning_[byClock_ ? 1 : 0]; }
+  JobRunner& coaching() { return coaching_[byClock_ ? 1 : 0]; }
+  JobRunner learning_[2], coaching_[2];  ///< Stepped, and by the clock
+};
+
+}  // namespace heft

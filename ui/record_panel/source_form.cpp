@@ -1,0 +1,212 @@
+#include "ui/record_panel/source_form.h"
+
+#include <QButtonGroup>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <filesystem>
+#include <tuple>
+
+#include "core/recording/csv_reader.h"
+#include "ui/widgets/basics.h"
+#include "ui/widgets/choice_card.h"
+
+namespace heft {
+namespace {
+
+using Kind = SourceForm::Kind;
+
+struct Place {
+  QString label, tip;
+};
+
+}  // namespace
+
+SourceForm::SourceForm(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(10);
+  column->addWidget(styledLabel(tr("Who measures force and torque?"), "sectionTitle", this));
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  auto* group = new QButtonGroup(this);
+  const std::tuple<Kind, QString, QString, const char*> cards[] = {
+      {Kind::netFt, tr("Net F/T sensor"), tr("ATI, Schunk"), "sourceNetFt"},
+      {Kind::foxglove, tr("ROS, Foxglove bridge"), tr("joints and wrench"), "sourceFoxglove"},
+      {Kind::rosbridge, tr("ROS, rosbridge"), tr("joints and wrench"), "sourceRosbridge"},
+      {Kind::jsonUdp, tr("Own program"), tr("JSON over UDP"), "sourceUdp"},
+      {Kind::replay, tr("A recording"), tr("played as it happened"), "sourceReplay"}};
+  int place = 0;
+  for (const auto& [kind, name, detail, object] : cards) {
+    auto* card = new ChoiceCard(name, detail, this);
+    card->setObjectName(object);
+    card->setChecked(kind == kind_);
+    group->addButton(card);
+    connect(card, &QAbstractButton::clicked, this, [this, k = kind] { setKind(k); });
+    grid->addWidget(card, place / 2, place % 2);
+    ++place;
+  }
+  column->addLayout(grid);
+  fields_ = new QWidget(this);
+  column->addWidget(fields_);
+  rebuild();
+}
+
+void SourceForm::setKind(Kind kind) {
+  if (kind == kind_) return;
+  lastAddress_[static_cast<int>(kind_)] = address_->text();
+  if (jointsAddress_) lastJoints_ = jointsAddress_->text();
+  lastRig_ = rig_->text();
+  kind_ = kind;
+  const char* names[] = {"sourceNetFt", "sourceFoxglove", "sourceRosbridge", "sourceUdp", "sourceReplay"};
+  if (auto* card = findChild<QAbstractButton*>(names[static_cast<int>(kind)])) card->setChecked(true);
+  rebuild();
+}
+
+QLineEdit* SourceForm::addField(QVBoxLayout* column, const QString& label, const QString& name, const QString& tip) {
+  auto* title = styledLabel(label, "captionBold", fields_);
+  column->addWidget(title);
+  auto* field = new QLineEdit(fields_);
+  field->setObjectName(name);
+  field->setToolTip(tip);
+  field->setAccessibleName(label);
+  title->setBuddy(field);
+  return field;
+}
+
+void SourceForm::rebuild() {
+  auto* old = fields_;
+  fields_ = new QWidget(this);
+  layout()->replaceWidget(old, fields_);
+  old->hide();
+  old->deleteLater();
+  jointsAddress_ = nullptr;
+  auto* column = new QVBoxLayout(fields_);
+  column->setContentsMargins(0, 4, 0, 0);
+  column->setSpacing(6);
+  const Place places[] = {
+      {tr("Address of the sensor, for instance 192.168.1.1"),
+       tr("As its web page has it. Heft asks it for its data and changes nothing in it.")},
+      {tr("Address of the Foxglove bridge; empty: localhost:8765"), tr("Computer and port of foxglove_bridge")},
+      {tr("Address of rosbridge; empty: localhost:9090"), tr("Computer and port of rosbridge_server")},
+      {tr("Port that your program sends to; empty: 9870"),
+       tr("Datagrams with a JSON object each: time, q1 … q7, fx … tz. Only from this computer.")},
+      {tr("Recording to play"), tr("Any recording that Heft opens")}};
+  const Place& place = places[static_cast<int>(kind_)];
+  const auto addWithChooser = [&](QLineEdit* field, const QString& title, const QString& filter) {
+    auto* row = new QHBoxLayout;
+    row->addWidget(field, 1);
+    auto* choose = new IconButton("folder", title, fields_);
+    connect(choose, &QToolButton::clicked, this, [this, field, title, filter] {
+      const QString file = QFileDialog::getOpenFileName(window(), title, field->text(), filter);
+      if (!file.isEmpty()) field->setText(file);
+    });
+    row->addWidget(choose);
+    column->addLayout(row);
+  };
+  address_ = addField(column, place.label, "sourceAddress", place.tip);
+  address_->setText(lastAddress_[static_cast<int>(kind_)]);
+  if (kind_ == Kind::replay) {
+    addWithChooser(address_, tr("Choose a recording"), {});
+  } else {
+    column->addWidget(address_);
+  }
+  if (kind_ == Kind::netFt) {
+    column->addSpacing(4);
+    column->addWidget(styledLabel(tr("Who tells how the arm stands?"), "sectionTitle", fields_));
+    auto* choices = new QWidget(fields_);
+    choices->setObjectName("choices");
+    choices->setAttribute(Qt::WA_StyledBackground);
+    auto* row = new QHBoxLayout(choices);
+    row->setContentsMargins(1, 1, 1, 1);
+    row->setSpacing(0);
+    auto* group = new QButtonGroup(choices);
+    const std::pair<Kind, QString> kinds[] = {
+        {Kind::foxglove, tr("Foxglove")}, {Kind::rosbridge, tr("rosbridge")}, {Kind::jsonUdp, tr("JSON, UDP")}};
+    for (const auto& [kind, text] : kinds) {
+      auto* button = new QPushButton(text, choices);
+      button->setCheckable(true);
+      button->setChecked(kind == joints_);
+      group->addButton(button);
+      row->addWidget(button, 1);
+      connect(button, &QPushButton::clicked, this, [this, k = kind] {
+        joints_ = k;
+        lastAddress_[0] = address_->text();
+        lastJoints_ = jointsAddress_->text();
+        lastRig_ = rig_->text();
+        rebuild();
+      });
+    }
+    column->addWidget(choices);
+    const Place& other = places[static_cast<int>(joints_)];
+    jointsAddress_ = addField(column, other.label, "jointsAddress", other.tip);
+    jointsAddress_->setText(lastJoints_);
+    column->addWidget(jointsAddress_);
+  }
+  column->addSpacing(4);
+  rig_ = addField(column, tr("Rig file (NAME.meta.json), if you have one"), "rigFile",
+                  tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
+  rig_->setText(lastRig_);
+  addWithChooser(rig_, tr("Choose a rig file"), tr("Rig files (*.json)"));
+  column->addWidget(wrappedLabel(kind_ == Kind::replay
+                                     ? tr("Without it the recording's own is used.")
+                                     : tr("Without it the arm is taken for a Franka Panda with the sensor at its flange."),
+                                 "caption", fields_));
+}
+
+QString SourceForm::rigFile() const { return rig_->text().trimmed(); }
+
+Result<std::vector<std::string>> SourceForm::addresses() const {
+  const auto one = [](Kind kind, const QString& text) -> Result<std::string> {
+    QString address = text.trimmed();
+    switch (kind) {
+      case Kind::netFt:
+        if (address.isEmpty()) return Error{tr("The sensor's address is missing.").toStdString()};
+        return "rdt:" + address.toStdString();
+      case Kind::foxglove:
+        return "foxglove:" + (address.isEmpty() ? std::string("localhost") : address.toStdString());
+      case Kind::rosbridge:
+        return "rosbridge:" + (address.isEmpty() ? std::string("localhost") : address.toStdString());
+      case Kind::jsonUdp:
+        return "udp:" + (address.isEmpty() ? std::string("9870") : address.toStdString());
+      case Kind::replay:
+        if (address.isEmpty()) return Error{tr("Which recording is to be played?").toStdString()};
+        return "replay:" + address.toStdString();
+    }
+    return Error{""};
+  };
+  std::vector<std::string> out;
+  auto first = one(kind_, address_->text());
+  if (!first) return first.error();
+  out.push_back(*first);
+  if (kind_ == Kind::netFt) {
+    auto second = one(joints_, jointsAddress_->text());
+    if (!second) return second.error();
+    out.push_back(*second);
+  }
+  return out;
+}
+
+Result<RecordingMeta> SourceForm::meta() const {
+  Findings findings;
+  std::filesystem::path file = rigFile().toStdString();
+  const std::filesystem::path replayed = address_->text().trimmed().toStdString();
+  if (file.empty() && kind_ == Kind::replay && std::filesystem::exists(metaFileOf(replayed))) file = metaFileOf(replayed);
+  RecordingMeta meta;
+  if (!file.empty()) {
+    auto read = readMeta(file, findings);
+    if (!read) return read.error();
+    meta = std::move(*read);
+  }
+  if (meta.kind == RecordingKind::poses)
+    return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
+  // A replayed recording was brought to one sign when it was read.
+  if (kind_ == Kind::replay) meta.wrenchSign = WrenchSign::sensorOnPayload;
+  meta.marks.clear();
+  return meta;
+}
+
+}  // namespace heft
