@@ -1235,14 +1235,6 @@
         <translation>%1 ist gemessen</translation>
     </message>
     <message>
-        <source>%1 lean on what you stated</source>
-        <translation>%1 stützen sich auf Ihre Angaben</translation>
-    </message>
-    <message>
-        <source>%1 leans on what you stated</source>
-        <translation>%1 stützt sich auf Ihre Angaben</translation>
-    </message>
-    <message>
         <source>%1 are not fully known from this motion</source>
         <translation>%1 sind aus dieser Bewegung nicht ganz bekannt</translation>
     </message>
@@ -1467,20 +1459,12 @@
         <translation>Prüfen Sie zuerst die Warnungen: Diese Werte können weiter daneben liegen, als sie sagen.</translation>
     </message>
     <message>
-        <source>The motion alone said %1 %3, you said %2 %3.</source>
-        <translation>Die Bewegung allein sagte %1 %3, Sie sagten %2 %3.</translation>
-    </message>
-    <message>
         <source>That moved the result by %1 σ.</source>
         <translation>Das verschob das Ergebnis um %1 σ.</translation>
     </message>
     <message>
         <source>%1 % data</source>
         <translation>%1 % Daten</translation>
-    </message>
-    <message>
-        <source>%1 % what you stated</source>
-        <translation>%1 % Ihre Angaben</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -1521,6 +1505,22 @@
     <message>
         <source>‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s origin</source>
         <translation>‖Schätzung − bekannt‖ / ‖bekannt‖, Frobenius, um den Schwerpunkt und um den Ursprung des Sensors</translation>
+    </message>
+    <message>
+        <source>%1 lean on your shape</source>
+        <translation>%1 stützen sich auf Ihre Form</translation>
+    </message>
+    <message>
+        <source>%1 leans on your shape</source>
+        <translation>%1 stützt sich auf Ihre Form</translation>
+    </message>
+    <message>
+        <source>The motion alone said %1 %3, your shape said %2 %3.</source>
+        <translation>Die Bewegung allein sagte %1 %3, Ihre Form %2 %3.</translation>
+    </message>
+    <message>
+        <source>%1 % your shape</source>
+        <translation>%1 % Ihre Form</translation>
     </message>
 </context>
 <context>
@@ -1740,6 +1740,216 @@
     <message>
         <source>Heft report</source>
         <translation>Heft-Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>ShapeText</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 in mm with x between them.</source>
+        <translation>%1 braucht %2 in mm mit x dazwischen.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Capsule</source>
+        <translation>Kapsel</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>Greifer</translation>
+    </message>
+    <message>
+        <source>Several</source>
+        <translation>Mehrere</translation>
+    </message>
+    <message>
+        <source>CAD mesh</source>
+        <translation>CAD-Netz</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>Move the tool freely</source>
+        <translation>Werkzeug frei verschieben</translation>
+    </message>
+    <message>
+        <source>Move the tool along %1</source>
+        <translation>Werkzeug entlang %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Tilt the tool about %1</source>
+        <translation>Werkzeug um %1 neigen</translation>
+    </message>
+    <message>
+        <source>Choose part %1</source>
+        <translation>Teil %1 wählen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not said yet</source>
+        <translation>noch nicht gesagt</translation>
+    </message>
+    <message>
+        <source>not known, motion alone</source>
+        <translation>unbekannt, nur Bewegung</translation>
+    </message>
+    <message>
+        <source>gripper-like, 2 boxes</source>
+        <translation>wie ein Greifer, 2 Quader</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rough: the drawing is right to about 10 %, and the material may differ from part to part.</source>
+        <translation>Grob: Die Zeichnung stimmt auf etwa 10 %, und das Material darf von Teil zu Teil anders sein.</translation>
+    </message>
+    <message>
+        <source>Rough: each length is right to about 20 %, by eye.</source>
+        <translation>Grob: Jede Länge stimmt auf etwa 20 %, nach Augenmaß.</translation>
+    </message>
+    <message>
+        <source>Good: this very tool, right to about 2 %.</source>
+        <translation>Gut: genau dieses Werkzeug, auf etwa 2 % richtig.</translation>
+    </message>
+    <message>
+        <source>Good: each length is right to about 4 %, like a ruler reading.</source>
+        <translation>Gut: Jede Länge stimmt auf etwa 4 %, wie mit dem Lineal gemessen.</translation>
+    </message>
+    <message>
+        <source>Exact: from its drawing, and the inside is one even material.</source>
+        <translation>Genau: nach der Zeichnung, und innen überall dasselbe Material.</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>The hole must be smaller than the outside, %1.</source>
+        <translation>Das Loch muss kleiner sein als das Rohr außen, %1.</translation>
+    </message>
+    <message>
+        <source>A wall of %1 leaves no hollow: it must be thinner than %2.</source>
+        <translation>Eine Wand von %1 lässt keinen Hohlraum: Sie muss dünner als %2 sein.</translation>
+    </message>
+    <message>
+        <source>this material</source>
+        <translation>diesem Material</translation>
+    </message>
+    <message>
+        <source>The parts weigh %1 together, more than the whole tool with %2.</source>
+        <translation>Die Teile wiegen zusammen %1, mehr als das ganze Werkzeug mit %2.</translation>
+    </message>
+    <message>
+        <source>In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or take another material.</source>
+        <translation>Aus %1 würde es %2 wiegen, mehr als die Waage zeigt (%3): Machen Sie es hohl, oder nehmen Sie ein anderes Material.</translation>
+    </message>
+    <message>
+        <source>shape expects box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh or unknown, not “%1”.</source>
+        <translation>shape erwartet box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh oder unknown, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>shape mesh expects a file: shape mesh tool.stl mm</source>
+        <translation>shape mesh erwartet eine Datei: shape mesh tool.stl mm</translation>
+    </message>
+    <message>
+        <source>“%1” are no sizes that fit: lengths in mm with x between them.</source>
+        <translation>„%1“ sind keine passenden Maße: Längen in mm mit x dazwischen.</translation>
+    </message>
+    <message>
+        <source>“at” expects x,y,z in mm, or with roll, pitch and yaw in degrees: at 0,0,60</source>
+        <translation>„at“ erwartet x,y,z in mm, oder mit Roll-, Nick- und Gierwinkel in Grad: at 0,0,60</translation>
+    </message>
+    <message>
+        <source>“%1” expects a number.</source>
+        <translation>„%1“ erwartet eine Zahl.</translation>
+    </message>
+    <message>
+        <source>“of” expects steel, aluminium, plastic or wood.</source>
+        <translation>„of“ erwartet steel, aluminium, plastic oder wood.</translation>
+    </message>
+    <message>
+        <source>“%1” is not understood after shape; see heft-studio --help.</source>
+        <translation>„%1“ wird nach shape nicht verstanden; siehe heft-studio --help.</translation>
     </message>
 </context>
 <context>
@@ -3520,6 +3730,89 @@
     </message>
 </context>
 <context>
+    <name>heft::MeshForm</name>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Drop the file here, or choose it. Closed solids work best (STL, OBJ, PLY, DAE, glTF).</source>
+        <translation>Ziehen Sie die Datei hierher, oder wählen Sie sie aus. Am besten sind geschlossene Körper (STL, OBJ, PLY, DAE, glTF).</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Another file …</source>
+        <translation>Andere Datei …</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The longest side is %1 in the file. Heft guessed %2, because that makes a tool of %3.</source>
+        <translation>Die längste Seite ist in der Datei %1. Heft vermutet %2, denn das ergibt ein Werkzeug von %3.</translation>
+    </message>
+    <message>
+        <source>The longest side is then %1.</source>
+        <translation>Die längste Seite ist dann %1.</translation>
+    </message>
+    <message>
+        <source>Take it as a thin shell of 2 mm</source>
+        <translation>Als dünne Schale von 2 mm nehmen</translation>
+    </message>
+    <message>
+        <source>Put it on the sensor’s face</source>
+        <translation>Auf die Sensorfläche setzen</translation>
+    </message>
+    <message>
+        <source>Its box then begins at the sensor, in the middle. Without it, the file’s own origin is the sensor’s.</source>
+        <translation>Sein Kasten beginnt dann mittig am Sensor. Sonst liegt der Ursprung der Datei im Sensor.</translation>
+    </message>
+</context>
+<context>
     <name>heft::MessageBar</name>
     <message>
         <source>Message</source>
@@ -3622,6 +3915,40 @@
     <message>
         <source>Add it</source>
         <translation>Dazunehmen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::PartsList</name>
+    <message>
+        <source>Take part %1 away</source>
+        <translation>Teil %1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>Add a part</source>
+        <translation>Teil hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>heft::PlaceForm</name>
+    <message>
+        <source>Middle of its near end, from the sensor’s face</source>
+        <translation>Mitte des nahen Endes, von der Sensorfläche aus</translation>
+    </message>
+    <message>
+        <source>Tilted about the sensor’s axes</source>
+        <translation>Geneigt um die Achsen des Sensors</translation>
+    </message>
+    <message>
+        <source>Place along %1</source>
+        <translation>Lage entlang %1</translation>
+    </message>
+    <message>
+        <source>Tilt about %1</source>
+        <translation>Neigung um %1</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>um %1</translation>
     </message>
 </context>
 <context>
@@ -4552,6 +4879,217 @@
     </message>
 </context>
 <context>
+    <name>heft::ShapePanel</name>
+    <message>
+        <source>The tool’s CAD mesh</source>
+        <translation>Das CAD-Netz des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.obj *.ply *.dae *.glb *.gltf *.3mf *.off *.fbx);;All files (*)</source>
+        <translation>Netze (*.stl *.obj *.ply *.dae *.glb *.gltf *.3mf *.off *.fbx);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>shape: %1</source>
+        <translation>Form: %1</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>What does your tool look like?</source>
+        <translation>Wie sieht Ihr Werkzeug aus?</translation>
+    </message>
+    <message>
+        <source>Pick the closest picture. It need not be perfect.</source>
+        <translation>Wählen Sie das ähnlichste Bild. Es muss nicht genau stimmen.</translation>
+    </message>
+    <message>
+        <source>A shape tells Heft how the weight is spread where the motion did not show it. The result says how much each number owes to it.</source>
+        <translation>Eine Form sagt Heft, wie das Gewicht verteilt ist, wo die Bewegung es nicht gezeigt hat. Das Ergebnis sagt, wie viel jede Zahl ihr verdankt.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Use this shape</source>
+        <translation>Diese Form verwenden</translation>
+    </message>
+    <message>
+        <source>Go on without a shape</source>
+        <translation>Ohne Form weiter</translation>
+    </message>
+    <message>
+        <source>I don’t know, go on</source>
+        <translation>Weiß ich nicht, weiter</translation>
+    </message>
+    <message>
+        <source>I don’t know</source>
+        <translation>Weiß ich nicht</translation>
+    </message>
+    <message>
+        <source>Heft uses the motion alone</source>
+        <translation>Heft nutzt nur die Bewegung</translation>
+    </message>
+    <message>
+        <source>unit of the mesh</source>
+        <translation>Einheit des Netzes</translation>
+    </message>
+    <message>
+        <source>thin shell</source>
+        <translation>dünne Schale</translation>
+    </message>
+    <message>
+        <source>move the tool</source>
+        <translation>Werkzeug verschieben</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Parts, joined to each other</source>
+        <translation>Teile, miteinander verbunden</translation>
+    </message>
+    <message>
+        <source>take a part away</source>
+        <translation>Teil wegnehmen</translation>
+    </message>
+    <message>
+        <source>add a part</source>
+        <translation>Teil hinzufügen</translation>
+    </message>
+    <message>
+        <source>Size of part %1</source>
+        <translation>Größe von Teil %1</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>How sure are you of these sizes?</source>
+        <translation>Wie sicher sind Sie bei diesen Maßen?</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Grob</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>how sure the sizes are</source>
+        <translation>wie sicher die Maße sind</translation>
+    </message>
+    <message>
+        <source>Part %1, if known</source>
+        <translation>Teil %1, falls bekannt</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>massiv</translation>
+    </message>
+    <message>
+        <source>hollow</source>
+        <translation>hohl</translation>
+    </message>
+    <message>
+        <source>wall thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>Weight of everything, from a scale</source>
+        <translation>Gewicht von allem, von einer Waage</translation>
+    </message>
+    <message>
+        <source>Weight of everything</source>
+        <translation>Gewicht von allem</translation>
+    </message>
+    <message>
+        <source>not weighed</source>
+        <translation>nicht gewogen</translation>
+    </message>
+    <message>
+        <source>tilt the tool</source>
+        <translation>Werkzeug neigen</translation>
+    </message>
+    <message>
+        <source>Where it sits: in the sensor’s middle, straight</source>
+        <translation>Wo es sitzt: mitten auf dem Sensor, gerade</translation>
+    </message>
+    <message>
+        <source>Where it sits: %1, %2, %3 mm</source>
+        <translation>Wo es sitzt: %1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>, tilted by %1°</source>
+        <translation>, geneigt um %1°</translation>
+    </message>
+    <message>
+        <source>Pick a picture, and the tool stands here</source>
+        <translation>Wählen Sie ein Bild, dann steht das Werkzeug hier</translation>
+    </message>
+    <message>
+        <source>Drag a white handle to change the size</source>
+        <translation>Ziehen Sie an einem weißen Griff, um die Größe zu ändern</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move the tool, its middle to move it freely</source>
+        <translation>Ziehen Sie an einem Pfeil, um das Werkzeug zu verschieben, an der Mitte, um es frei zu verschieben</translation>
+    </message>
+    <message>
+        <source>Drag a ring to tilt the tool</source>
+        <translation>Ziehen Sie an einem Ring, um das Werkzeug zu neigen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Lengths in mm, measured from the sensor’s tool side · Ctrl+Z undoes</source>
+        <translation>Längen in mm, von der Werkzeugseite des Sensors aus · Strg+Z nimmt zurück</translation>
+    </message>
+    <message>
+        <source>Tool from a CA&amp;D mesh …</source>
+        <translation>Werkzeug aus CA&amp;D-Netz …</translation>
+    </message>
+    <message>
+        <source>shape not known</source>
+        <translation>Form unbekannt</translation>
+    </message>
+    <message>
+        <source>change a length</source>
+        <translation>Länge ändern</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>handles expects size, move or tilt.</source>
+        <translation>handles erwartet size, move oder tilt.</translation>
+    </message>
+</context>
+<context>
     <name>heft::SourceForm</name>
     <message>
         <source>Who measures force and torque?</source>
@@ -4729,6 +5267,111 @@
     <message>
         <source>%1 (Alt+%2)</source>
         <translation>%1 (Alt+%2)</translation>
+    </message>
+</context>
+<context>
+    <name>heft::Stepper</name>
+    <message>
+        <source>%1: less</source>
+        <translation>%1: weniger</translation>
+    </message>
+    <message>
+        <source>%1: more</source>
+        <translation>%1: mehr</translation>
+    </message>
+    <message>
+        <source>%1 in %2. Arrow keys change it, Page Up and Down by ten.</source>
+        <translation>%1 in %2. Pfeiltasten ändern den Wert, Bild auf und ab um zehn.</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 %3</source>
+        <translation>zwischen %1 und %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 must be %2.</source>
+        <translation>%1 muss %2 liegen.</translation>
+    </message>
+    <message>
+        <source>“%1” is no number: %2 must be %3.</source>
+        <translation>„%1“ ist keine Zahl: %2 muss %3 liegen.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::SubstanceForm</name>
+    <message>
+        <source>Weight of this part</source>
+        <translation>Gewicht dieses Teils</translation>
+    </message>
+    <message>
+        <source>Weight from a scale, if known</source>
+        <translation>Gewicht von der Waage, falls bekannt</translation>
+    </message>
+    <message>
+        <source>found out</source>
+        <translation>wird ermittelt</translation>
+    </message>
+    <message>
+        <source>not weighed</source>
+        <translation>nicht gewogen</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Massiv</translation>
+    </message>
+    <message>
+        <source>Thin shell</source>
+        <translation>Dünne Schale</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Hohl</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>Material, if known</source>
+        <translation>Material, falls bekannt</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Only if the whole tool is made of it; may be left open.</source>
+        <translation>Nur wenn das ganze Werkzeug daraus ist; darf offen bleiben.</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 kg/m³</source>
+        <translation>%1 kg/m³</translation>
+    </message>
+    <message>
+        <source>In %1 this weighs %2.</source>
+        <translation>Aus %1 wiegt das %2.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::WeightField</name>
+    <message>
+        <source>What the scale shows for everything behind the sensor; may be left open.</source>
+        <translation>Was die Waage für alles hinter dem Sensor zeigt; darf offen bleiben.</translation>
+    </message>
+    <message>
+        <source>Unit of the weight</source>
+        <translation>Einheit des Gewichts</translation>
+    </message>
+    <message>
+        <source>“%1” is no weight: type a number such as 0.8 kg or 800 g, or leave it empty.</source>
+        <translation>„%1“ ist kein Gewicht: Schreiben Sie eine Zahl wie 0,8 kg oder 800 g, oder lassen Sie das Feld leer.</translation>
     </message>
 </context>
 <context>

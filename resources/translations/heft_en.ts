@@ -119,6 +119,16 @@
     </message>
 </context>
 <context>
+    <name>ShapeText</name>
+    <message numerus="yes">
+        <source>%n part(s)</source>
+        <translation>
+            <numerusform>%n part</numerusform>
+            <numerusform>%n parts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>heft::ExportPanel</name>
     <message numerus="yes">
         <source>%n format(s)</source>

@@ -5,6 +5,7 @@
 #include "ui/reality_panel/reality_panel.h"
 #include "ui/record_panel/record_panel.h"
 #include "ui/results/result_step.h"
+#include "ui/shape_panel/shape_panel.h"
 
 namespace heft {
 
@@ -12,6 +13,7 @@ std::vector<StepPanel*> makePanels(const StudioParts& parts) {
   return {
       new RecordPanel(parts),
       new MarkPanel(parts),
+      new ShapePanel(parts),
       new ResultStep(parts),
       new RealityPanel(parts),
       new ExportPanel(parts),

@@ -81,7 +81,7 @@ QString answerText(Source mass, Source com, Source inertia) {
                                           : names[0];
     clauses << (source == Source::data ? (several ? Words::tr("%1 are measured") : Words::tr("%1 is measured"))
                 : source == Source::prior
-                    ? (several ? Words::tr("%1 lean on what you stated") : Words::tr("%1 leans on what you stated"))
+                    ? (several ? Words::tr("%1 lean on your shape") : Words::tr("%1 leans on your shape"))
                     : (several ? Words::tr("%1 are not fully known from this motion")
                                : Words::tr("%1 is not fully known from this motion")))
                    .arg(who);
@@ -196,12 +196,12 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
       const double data = scale * report.evidence.data(k), told = scale * report.evidence.prior(k);
       const double shift = report.evidence.shift(k);
       if (!std::isfinite(data) || !std::isfinite(told)) continue;
-      lines << Words::tr("The motion alone said %1 %3, you said %2 %3.")
+      lines << Words::tr("The motion alone said %1 %3, your shape said %2 %3.")
                    .arg(numberText(data, 3), numberText(told, 3), unit);
       if (std::isfinite(shift)) lines << Words::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
     }
     rows.push_back({name, share,
-                    mostlyData ? Words::tr("%1 % data").arg(percent) : Words::tr("%1 % what you stated").arg(percent),
+                    mostlyData ? Words::tr("%1 % data").arg(percent) : Words::tr("%1 % your shape").arg(percent),
                     lines.join('\n')});
   };
   add(Words::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, Words::tr("kg"));

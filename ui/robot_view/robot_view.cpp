@@ -53,6 +53,29 @@ bool showsSensor(const RobotModel& robot, const RobotLook& look) {
   });
 }
 
+/// Turns the camera as little as is needed for none of the axes to point at the viewer: what is dragged along them must be
+/// seen from the side.
+void turnToAxes(OrbitCamera& camera, const Matrix3d& axes) {
+  constexpr double kEnough = 0.5;  // Sine of the angle between an axis and the line of sight.
+  const OrbitCamera before = camera;
+  double most = -1e9;
+  for (int a = -18; a < 18; ++a) {
+    for (const double elevation : {before.elevation, 0.2, 0.4, 0.6}) {
+      OrbitCamera tried = before;
+      tried.azimuth = before.azimuth + a * kPi / 18;
+      tried.elevation = elevation;
+      const Vector3d sight = (tried.target - tried.position()).normalized();
+      double least = kEnough;
+      for (int i = 0; i < 3; ++i) least = std::min(least, sight.cross(axes.col(i)).norm());
+      const double score = 4 * least - 0.12 * std::abs(a * kPi / 18) - 0.3 * std::abs(elevation - before.elevation);
+      if (score <= most) continue;
+      most = score;
+      camera = tried;
+    }
+  }
+  camera.azimuth = std::remainder(camera.azimuth, 2 * kPi);
+}
+
 /// Thickness of the sensor's body [m]: what the mount leaves between its parent and S, kept in a plausible range.
 double sensorBodyLength(const SensorMount& mount) { return std::clamp(mount.xyz.norm(), 0.012, 0.045); }
 
@@ -450,6 +473,10 @@ void RobotView::setHandles(HandleSet* handles) {
   overlay_->update();
 }
 
+std::optional<QPointF> RobotView::knob(int id) const {
+  return handles_ ? handles_->knob(id, viewport_->handleView()) : std::nullopt;
+}
+
 void RobotView::setDimensions(std::vector<DimensionLine> lines) {
   dimensions_ = std::move(lines);
   overlay_->update();
@@ -528,13 +555,14 @@ void RobotView::usePreset(Preset preset) {
       break;
     case Preset::tool:
       camera.elevation = std::clamp(camera.elevation, 0.0, 0.35);
+      if (editing_) turnToAxes(camera, X_BS_.linear());
       break;
   }
-  std::vector<Vector3d> points = preset == Preset::tool ? scene_->toolOutline() : scene_->outline();
+  std::vector<Vector3d> points = preset == Preset::tool ? scene_->toolOutline(editing_) : scene_->outline();
   // The whole recording shall stay in the picture, not only this instant.
   if (preset != Preset::tool) points.insert(points.end(), sweep_.begin(), sweep_.end());
   // Labels stand at the right, so the picture keeps that side free where something is labelled.
-  camera.fit(points, viewport_->aspect(), editing_ ? 0.1 : 0.05, report_ || editing_ || kept_ ? 0.2 : 0.08);
+  camera.fit(points, viewport_->aspect(), editing_ ? 0.14 : 0.05, report_ || editing_ || kept_ ? 0.2 : 0.08);
   viewport_->requestFrame();
 }
 

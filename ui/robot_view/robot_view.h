@@ -1,5 +1,6 @@
 #pragma once
 // The 3D half of the window: arm, tool and path at one instant of the recording, with labels and view tools.
+#include <QPointF>
 #include <QPointer>
 #include <QWidget>
 #include <memory>
@@ -56,6 +57,8 @@ class RobotView : public QWidget {
   void setToolEditing(bool editing);
   /// What the shown step lets one grab; null for nothing. Taken out again by the step that put it in.
   void setHandles(HandleSet* handles);
+  /// Where a handle's knob is, pixels of the viewport; for tests.
+  std::optional<QPointF> knob(int id) const;
   void setDimensions(std::vector<DimensionLine> lines);
   /// What to do here, and the step's own tools beside it, at the top left. The view does not own the tools.
   void setStepNote(const QString& text);

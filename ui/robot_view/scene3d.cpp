@@ -155,6 +155,8 @@ struct Scene3d::Impl {
     show(gravity, sensorShown && parts.arrows);
     for (auto& axis : axes) show(axis, sensorShown && parts.axes);
     tool.setShown(parts.tool);
+    // A tool that the user described stands for the one that the robot's description brought along.
+    for (auto& piece : linkPieces) show(piece.piece, !(piece.ghost && parts.tool && !tool.empty()));
     stage.setGridShown(parts.grid);
   }
 
@@ -316,6 +318,7 @@ void Scene3d::setRobot(std::shared_ptr<const RobotLook> look, const std::vector<
   std::vector<GhostArm::Part> ghost;
   for (const auto& piece : s.linkPieces) ghost.push_back({piece.link, piece.X_LV, piece.piece.mapper->GetInput()});
   s.ghost.setParts(ghost);
+  s.updateVisibility();
   s.updateShadow();
 }
 
@@ -428,8 +431,19 @@ std::vector<Vector3d> Scene3d::outline() const {
   return points;
 }
 
-std::vector<Vector3d> Scene3d::toolOutline() const {
+std::vector<Vector3d> Scene3d::toolOutline(bool alone) const {
   const Impl& s = *impl_;
+  if (alone) {
+    // A hand's breadth of the arm tells where the tool is.
+    std::vector<Vector3d> around;
+    for (const double z : {-0.10, 0.09}) {
+      for (int a = 0; a < 2; ++a) {
+        for (const double side : {-0.08, 0.08}) around.push_back(s.X_BS * Vector3d(side * Vector3d::Unit(a) + Vector3d(0, 0, z)));
+      }
+    }
+    for (const Vector3d& p : s.tool.points()) around.push_back(s.X_BS * p);
+    return around;
+  }
   const Vector3d at = s.X_BS.translation();
   const Vector3d centre = s.payload ? Vector3d(s.X_BS * s.payload->com) : at;
   std::vector<Vector3d> points{at + Vector3d(0, 0, kFullArrow), centre - Vector3d(0, 0, kGravityArrow)};

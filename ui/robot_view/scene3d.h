@@ -64,9 +64,10 @@ class Scene3d {
   void setParts(const SceneParts& parts);
   void applyCamera(const OrbitCamera& camera);
 
-  /// What a picture should hold: points of robot, path and arrows; and those about the tool alone.
+  /// What a picture should hold: points of robot, path and arrows; and those about the tool,
+  /// with its arrows or (`alone`) without.
   std::vector<Vector3d> outline() const;
-  std::vector<Vector3d> toolOutline() const;
+  std::vector<Vector3d> toolOutline(bool alone = false) const;
 
   /// Points that labels refer to; absent if not shown.
   struct Anchors {

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTurn = 6.283185307179586;
 constexpr int kSides = 64, kArcs = 12;
 constexpr double kSharp = 0.86;                  ///< Cosine of 30 degrees: edges of a mesh that are drawn
-constexpr std::size_t kMostTriangles = 400'000;  ///< Beyond that a mesh is drawn without edges.
+constexpr std::size_t kMostTriangles = 400000;  ///< Beyond that a mesh is drawn without edges.
 
 struct Outline {
   double z, r;
