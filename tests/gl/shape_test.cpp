@@ -43,10 +43,10 @@ class ShapeWindowTest : public testing::Test {
     settle();
   }
   ~ShapeWindowTest() override {
-    const QString folder = qEnvironmentVariable("HEFT_TEST_PICTURES");
-    if (!HasFailure() && folder.isEmpty()) return;
+    const QString target = qEnvironmentVariable("HEFT_TEST_PICTURES");
+    if (!HasFailure() && target.isEmpty()) return;
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    window.picture().save((folder.isEmpty() ? QDir::current() : QDir(folder)).filePath(QStringLiteral("shape_%1.png").arg(info->name())));
+    window.picture().save((target.isEmpty() ? QDir::current() : QDir(target)).filePath(QStringLiteral("shape_%1.png").arg(info->name())));
   }
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));
