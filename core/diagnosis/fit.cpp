@@ -9,6 +9,13 @@ namespace {
 
 Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
 
+/// J^T J, each product once.
+MatrixXd normalMatrix(const MatrixXd& J) {
+  MatrixXd H = MatrixXd::Zero(J.cols(), J.cols());
+  H.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
+  return H.selfadjointView<Eigen::Lower>();
+}
+
 /// Moves by `step`, kept inside bounds and, for the causes' parameters, within a few realistic sizes at once.
 Model moved(const Model& from, const VectorXd& step, double factor) {
   VectorXd all = from.packed() + factor * step;
@@ -75,7 +82,7 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   for (int round = 0; round < rounds; ++round) {
     const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
-    MatrixXd H = J.transpose() * J;
+    MatrixXd H = normalMatrix(J);
     H.diagonal() += sd.cwiseAbs2().cwiseInverse();
     const VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const VectorXd g = J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
@@ -97,7 +104,7 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
     last = fit.noise.evidence;
   }
   const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
-  fit.information = J.transpose() * J;
+  fit.information = normalMatrix(J);
   MatrixXd H = fit.information;
   H.diagonal() += sd.cwiseAbs2().cwiseInverse();
   const VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
@@ -125,7 +132,7 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
     const Wrenches residual = signals.measured - at.value;
     const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
-    MatrixXd H = J.transpose() * J;
+    MatrixXd H = normalMatrix(J);
     H.diagonal() += sd.cwiseAbs2().cwiseInverse();
     const VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
     const VectorXd g = J.transpose() * r - model.packed().cwiseQuotient(sd.cwiseAbs2());

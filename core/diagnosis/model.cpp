@@ -97,25 +97,55 @@ Linearised linearised(const Signals& signals, const Model& model) {
   out.value = averaged(signals, value);
   out.jacobian = MatrixXd::Zero(out.value.size(), model.size());
   for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
-  for (int j = 0; j < 10; ++j) {
-    Wrenches w = payloadWrench(kinematics, Vector10d::Unit(j));
-    throughSensor(signals, terms, w, true);
-    out.jacobian.col(6 + j) = flat(averaged(signals, w));
+  const bool throughChanges =
+      std::any_of(terms.begin(), terms.end(), [](const Term* t) { return t->form->cause->changesSensor(); });
+  const bool linear = std::all_of(terms.begin(), terms.end(), [](const Term* t) { return t->form->cause->linear(); });
+  if (throughChanges) {
+    for (int j = 0; j < 10; ++j) {
+      Wrenches w = payloadWrench(kinematics, Vector10d::Unit(j));
+      throughSensor(signals, terms, w, true);
+      out.jacobian.col(6 + j) = flat(averaged(signals, w));
+    }
+  } else {
+    const Eigen::Index m = signals.samplesPerBlock;
+    for (Eigen::Index n = 0; n < out.value.cols(); ++n) {
+      Regressor sum = Regressor::Zero();
+      for (Eigen::Index k = n * m; k < (n + 1) * m; ++k)
+        sum += regressor({kinematics.specificForce.col(k), kinematics.omega.col(k), kinematics.alpha.col(k)});
+      out.jacobian.block<6, 10>(6 * n, 6) = sum / static_cast<double>(m);
+    }
   }
   Model moved = model;
   Eigen::Index at = kLinear;
   for (std::size_t i = 0; i < moved.terms.size(); ++i) {
-    const Form& form = *moved.terms[i].form;
-    const bool bends = form.cause->bendsGeometry();
-    for (Eigen::Index p = 0; p < moved.terms[i].v.size(); ++p, ++at) {
-      if (!moved.terms[i].moves(p)) continue;
+    Term& term = moved.terms[i];
+    const Form& form = *term.form;
+    const Cause& cause = *form.cause;
+    const bool bends = cause.bendsGeometry(), adds = linear && !bends && !cause.changesSensor();
+    // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
+    const auto added = [&] {
+      Wrenches w = Wrenches::Zero(6, signals.size());
+      cause.force(form, term.v, signals, kinematics, w);
+      throughSensor(signals, terms, w, true);
+      cause.readings(form, term.v, signals, w);
+      return w;
+    };
+    Wrenches own;
+    if (adds) own = added();
+    for (Eigen::Index p = 0; p < term.v.size(); ++p, ++at) {
+      if (!term.moves(p)) continue;
       const double step = kStep * form.parameters[static_cast<std::size_t>(p)].size;
-      const double old = moved.terms[i].v(p);
-      moved.terms[i].v(p) = old + step;
-      const Order movedTerms = inOrder(moved.terms);
-      const Wrenches w = forwards(signals, moved, movedTerms, bends ? bent(signals, movedTerms) : kinematics);
-      moved.terms[i].v(p) = old;
-      out.jacobian.col(at) = flat(averaged(signals, w - value)) / step;
+      const double old = term.v(p);
+      term.v(p) = old + step;
+      Wrenches change;
+      if (adds) {
+        change = added() - own;
+      } else {
+        const Order movedTerms = inOrder(moved.terms);
+        change = forwards(signals, moved, movedTerms, bends ? bent(signals, movedTerms) : kinematics) - value;
+      }
+      term.v(p) = old;
+      out.jacobian.col(at) = flat(averaged(signals, change)) / step;
     }
   }
   return out;

@@ -1,5 +1,6 @@
 #include "core/diagnosis/noise.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace heft::diagnosis {
@@ -8,19 +9,36 @@ namespace {
 
 constexpr int kMaxOrder = 8;
 constexpr Eigen::Index kShortest = 12;
+/// Share of the power that innovations keep at least. A misfit that is slow and large is no noise: with a memory of any
+/// length it would cost nothing, and the fit would follow what is fast and small instead.
+constexpr double kFloor = 0.01;
 
 Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {
   Noise out;
   for (int c = 0; c < 6; ++c) {
     AutoCovariance sums(maxOrder);
+    double power = 0.0, count = 0.0;
     for (const auto& s : stretches) {
       const VectorXd part = residual.row(c).segment(s.from, s.to - s.from).transpose();
       sums.add(part, VectorXd::Ones(part.size()));
+      power += part.squaredNorm();
+      count += static_cast<double>(part.size());
     }
+    // A sample on its own adds to the power and to nothing else.
+    if (maxOrder > 0) sums.add(VectorXd::Constant(1, std::sqrt(kFloor * power)), VectorXd::Ones(1));
     ArModel model = sums.fit();
     model.sigma = std::max(model.sigma, 1e-9);
-    out.evidence -= sums.count() * 2.0 * std::log(model.sigma) + model.order() * std::log(std::max(2.0, sums.count()));
-    out.samples += sums.count();
+    double innovations = 0.0, innovationCount = 0.0;
+    for (const auto& s : stretches)
+      for (Eigen::Index n = s.from + model.order(); n < s.to; ++n) {
+        double e = residual(c, n);
+        for (Eigen::Index i = 0; i < model.order(); ++i) e -= model.coefficients(i) * residual(c, n - 1 - i);
+        innovations += e * e;
+        innovationCount += 1.0;
+      }
+    const double achieved = innovations / std::max(1.0, innovationCount) / (model.sigma * model.sigma);
+    out.evidence -= count * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, count));
+    out.samples += count;
     out.channels[static_cast<std::size_t>(c)] = model;
   }
   return out;
@@ -48,20 +66,32 @@ Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches) { r
 
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
   MatrixXd out = MatrixXd::Zero(columns.rows(), columns.cols());
+  // All six channels at once; coefficients that a channel does not have are zero.
+  Eigen::Index longest = 0;
+  Vector6d scale;
+  Eigen::Matrix<double, 6, kMaxOrder> coefficients = Eigen::Matrix<double, 6, kMaxOrder>::Zero();
   for (int c = 0; c < 6; ++c) {
     const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-    const Eigen::Index order = model.order();
-    const double scale = 1.0 / model.sigma;
+    longest = std::max<Eigen::Index>(longest, model.order());
+    scale(c) = 1.0 / model.sigma;
+    for (Eigen::Index i = 0; i < model.order(); ++i) coefficients(c, i) = model.coefficients(i) * scale(c);
+  }
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    const Eigen::Map<const Wrenches> x(columns.col(j).data(), 6, columns.rows() / 6);
+    Eigen::Map<Wrenches> e(out.col(j).data(), 6, columns.rows() / 6);
     for (const auto& s : stretches) {
-      const Eigen::Index count = s.to - s.from - order;
-      if (count <= 0) continue;
-      for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-        const auto at = [&](Eigen::Index first) {
-          return Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(columns.col(j).data() + 6 * first + c, count);
-        };
-        VectorXd e = at(s.from + order);
-        for (Eigen::Index i = 0; i < order; ++i) e -= model.coefficients(i) * at(s.from + order - 1 - i);
-        Eigen::Map<VectorXd, 0, Eigen::InnerStride<6>>(out.col(j).data() + 6 * (s.from + order) + c, count) = scale * e;
+      // A channel starts as soon as its own memory is filled.
+      for (Eigen::Index c = 0; c < 6; ++c) {
+        const Eigen::Index order = noise.channels[static_cast<std::size_t>(c)].order();
+        for (Eigen::Index n = s.from + order; n < std::min(s.to, s.from + longest); ++n) {
+          e(c, n) = scale(c) * x(c, n);
+          for (Eigen::Index i = 0; i < order; ++i) e(c, n) -= coefficients(c, i) * x(c, n - 1 - i);
+        }
+      }
+      for (Eigen::Index n = s.from + longest; n < s.to; ++n) {
+        Vector6d sum = scale.cwiseProduct(x.col(n));
+        for (Eigen::Index i = 0; i < longest; ++i) sum -= coefficients.col(i).cwiseProduct(x.col(n - 1 - i));
+        e.col(n) = sum;
       }
     }
   }

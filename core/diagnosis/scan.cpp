@@ -126,9 +126,15 @@ std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
   return bank;
 }
 
-VectorXd leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const Signature& signature, double threshold) {
+std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
+                                   double threshold) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  return std::sqrt(threshold + lnN) * Weighting(fit.noise, stretches, fit).deviations(signature.columns);
+  const Weighting weighting(fit.noise, stretches, fit);
+  std::vector<VectorXd> out(bank.size());
+  onTwoThreads(bank.size(), [&](std::size_t i) {
+    out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i].columns);
+  });
+  return out;
 }
 
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,

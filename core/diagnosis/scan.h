@@ -27,8 +27,9 @@ std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
                             const std::vector<Signature>& bank);
 
-/// The size of each scanned parameter, alone, at which the form would gain `threshold` with the fit's noise; infinite for
-/// what the motion cannot show.
-VectorXd leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const Signature& signature, double threshold);
+/// For each signature the size of each scanned parameter, alone, at which it would gain `threshold` with the fit's noise;
+/// infinite for what the motion cannot show.
+std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
+                                   double threshold);
 
 }  // namespace heft::diagnosis

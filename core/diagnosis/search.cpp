@@ -12,6 +12,8 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
+constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of another
+constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
 constexpr double kTie = 10.0;      ///< Evidence within which two causes are equal
 
@@ -75,13 +77,15 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
 }
 
 /// Full fits of the most promising causes, best first: several forms of the first few, since what sets them apart may
-/// show only when everything moves.
+/// show only when everything moves. `toBeat`: evidence of the strongest, or of the cause whose place is in question.
 std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                          const std::vector<Candidate>& ranked, std::size_t causes) {
+                          const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
   std::vector<const Candidate*> chosen;
   std::map<std::string_view, int> forms;
   for (const auto& candidate : ranked) {
-    if (candidate.score < -30.0) break;
+    // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less.
+    const bool whole = candidate.form.scan.size() == candidate.form.parameters.size();
+    if (candidate.score < (whole ? -4.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
     const auto id = candidate.form.cause->id();
     auto known = forms.find(id);
     if (known == forms.end()) {
@@ -151,29 +155,46 @@ Model without(const Model& model, std::string_view cause) {
   return out;
 }
 
+/// The trials around one model, kept since the look back may need them again.
+struct Tried {
+  Fit base;
+  std::vector<Trial> all;
+};
+
+bool sameForms(const Model& a, const Model& b) {
+  return std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(), [](const Term& s, const Term& t) {
+    return s.form->cause == t.form->cause && s.form->name == t.form->name;
+  });
+}
+
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
               const Progress& progress) {
   Search out;
   out.null = fitModel(signals, stretches, Model{});
   out.final = out.null;
   std::vector<std::string> order;
+  Tried latest, accepted;
   for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, "Trying causes");
     const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
-    auto all = trials(signals, stretches, out.final, scan(stretches, out.final, bank), kTried);
+    const auto ranked = scan(stretches, out.final, bank);
+    if (ranked.empty()) break;
+    latest = {out.final, trials(signals, stretches, out.final, ranked, kTried, ranked.front().score)};
+    const auto& all = latest.all;
     if (all.empty() || all.front().gain < options.threshold) break;
     // A richer form of what is already named comes before a second name, unless that one explains clearly more.
-    Trial* chosen = &all.front();
-    for (auto& trial : all)
+    const Trial* chosen = &all.front();
+    for (const auto& trial : all)
       if (contains(out.final.model, trial.cause) && trial.gain > options.threshold && trial.gain > 0.7 * all.front().gain) {
         chosen = &trial;
         break;
       }
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
-    out.final = prunedOf(signals, stretches, std::move(chosen->fit), options.threshold);
+    out.final = prunedOf(signals, stretches, chosen->fit, options.threshold);
+    accepted = std::move(latest);
   }
   // Each cause once more, against everything that could stand in its place now.
-  for (std::size_t pass = 0, changed = 1; pass < 3 && changed != 0 && !progress.cancelled(); ++pass) {
+  for (std::size_t pass = 0, changed = 1; pass < 2 && changed != 0 && !progress.cancelled(); ++pass) {
     changed = 0;
     out.found.clear();
     for (const auto& cause : std::vector<std::string>(order)) {
@@ -181,10 +202,19 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       progress(0.8, "Comparing what could stand in its place");
       Found found;
       found.cause = cause;
-      const Fit rest = fitModel(signals, stretches, without(out.final.model, cause));
+      // What was tried before the last cause was accepted is what stands against it now.
+      Tried now;
+      if (Model less = without(out.final.model, cause); !accepted.all.empty() && sameForms(less, accepted.base.model))
+        now = accepted;
+      else
+        now.base = fitModel(signals, stretches, std::move(less));
+      const Fit& rest = now.base;
       found.gain = out.final.evidence - rest.evidence;
-      const auto bank = kept(signaturesOf(signals, rest.model, options.hidden), rest.model);
-      const auto all = trials(signals, stretches, rest, scan(stretches, rest, bank), kTried);
+      if (now.all.empty()) {
+        const auto bank = kept(signaturesOf(signals, rest.model, options.hidden), rest.model);
+        now.all = trials(signals, stretches, rest, scan(stretches, rest, bank), kRivals, found.gain);
+      }
+      const auto& all = now.all;
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
         if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)

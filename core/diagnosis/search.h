@@ -10,7 +10,7 @@ constexpr double kThreshold = 10.0;
 
 struct SearchOptions {
   double threshold = kThreshold;
-  int maxTerms = 7;
+  int maxTerms = 6;
   std::vector<std::string> hidden;  ///< Causes that are not looked for, by ID.
 };
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
 
@@ -23,6 +26,8 @@ MatrixXd normalised(MatrixXd features) {
   }
   return features;
 }
+
+constexpr double kPlain = 40.0;  ///< Gain of a structure that nobody would call noise
 
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
@@ -90,14 +95,8 @@ std::vector<Group> groups(const Signals& signals) {
   return out;
 }
 
-/// A group's features on each of the six channels after averaging, whitened and freed of what the fit can do, one channel
-/// at a time: 6 F columns would be mostly zeros.
-struct Judged {
-  double gain = 0.0, explained = 0.0;
-};
-
-Judged judge(const MatrixXd& features, const Signals& signals, const std::vector<Stretch>& stretches, const Noise& noise,
-             const MatrixXd& basis, const VectorXd& r, double lnN) {
+/// A group's features on each of the six channels after averaging: 6N x 6F, a channel's features in its own rows only.
+MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
   const Eigen::Index count = features.rows(), blocks = signals.blocks();
   MatrixXd averagedFeatures(count, blocks);
   const int m = signals.samplesPerBlock;
@@ -107,15 +106,54 @@ Judged judge(const MatrixXd& features, const Signals& signals, const std::vector
   for (Eigen::Index c = 0; c < 6; ++c)
     for (Eigen::Index f = 0; f < count; ++f)
       for (Eigen::Index n = 0; n < blocks; ++n) columns(6 * n + c, c * count + f) = averagedFeatures(f, n);
-  MatrixXd C = whitened(columns, noise, stretches);
-  C -= basis * (basis.transpose() * C);
+  return columns;
+}
+
+struct Judged {
+  double gain = 0.0, explained = 0.0;
+};
+
+/// The residual under one noise, and what the fit could do about it.
+struct Ground {
+  const std::vector<Stretch>& stretches;
+  const Fit& fit;
+  Noise noise;
+  bool learnsAgain;  ///< The noise is no more than a weighting; gains are counted with noise refitted to what is left.
+  MatrixXd basis;
+  VectorXd r;        ///< Whitened residual, freed of what the fit can do
+  double energy = 1.0;
+
+  Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)
+      : stretches(where), fit(what), noise(with), learnsAgain(refits) {
+    Fit weighted;
+    weighted.noise = noise;
+    weighted.jacobian = fit.jacobian;
+    basis = explainedSpace(weighted, stretches);
+    r = whitened(Eigen::Map<const VectorXd>(fit.residual.data(), fit.residual.size()), noise, stretches);
+    energy = std::max(1.0, r.squaredNorm());
+    r -= basis * (basis.transpose() * r);
+  }
+
+  /// Evidence of `left` (whitened) with the noise learned from it, over that of the fit.
+  double evidence(const VectorXd& left) const {
+    Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
+    for (Eigen::Index c = 0; c < 6; ++c) residual.row(c) *= noise.channels[static_cast<std::size_t>(c)].sigma;
+    return fitNoise(residual, stretches).evidence - fit.noise.evidence;
+  }
+};
+
+/// Forward selection: the column that explains most, as long as it pays for itself and for the choice.
+Judged judge(const MatrixXd& columns, const Ground& ground, double lnN) {
+  MatrixXd C = whitened(columns, ground.noise, ground.stretches);
+  C -= ground.basis * (ground.basis.transpose() * C);
   Judged out;
-  // Forward selection: the column that explains most, as long as it pays for itself and for the choice.
-  VectorXd left = r;
+  VectorXd left = ground.r;
   std::vector<bool> gone(static_cast<std::size_t>(C.cols()), false);
   VectorXd norm = C.colwise().norm().transpose();
-  const double price = lnN;
-  for (int step = 0; step < 12; ++step) {
+  const double choice = 2.0 * std::log(static_cast<double>(C.cols()));
+  double price = 0.0, explained = 0.0, gain = 0.0;
+  int idle = 0;
+  for (int step = 0; step < 12 && idle < 3; ++step) {
     const VectorXd g = C.transpose() * left;
     Eigen::Index best = -1;
     double most = 0.0;
@@ -127,15 +165,19 @@ Judged judge(const MatrixXd& features, const Signals& signals, const std::vector
         best = i;
       }
     }
-    const double choice = 2.0 * std::log(static_cast<double>(C.cols()));
-    if (best < 0 || most < price + choice) break;
-    out.gain += most - price - choice;
-    out.explained += most;
+    if (best < 0 || most < lnN + choice) break;
+    price += lnN + choice;
+    explained += most;
     const VectorXd unit = C.col(best) / norm(best);
     left -= unit * unit.dot(left);
     C -= unit * (unit.transpose() * C);
     gone[static_cast<std::size_t>(best)] = true;
     norm = C.colwise().norm().transpose();
+    gain = (ground.learnsAgain ? ground.evidence(left) : explained) - price;
+    ++idle;
+    if (gain <= out.gain) continue;
+    out = {gain, explained / ground.energy};
+    idle = 0;
   }
   return out;
 }
@@ -169,25 +211,91 @@ Judged rhythm(const Signals& signals, const std::vector<Stretch>& stretches, con
   return out;
 }
 
+/// Where the residual's power density stands highest above that of its own fast noise, 8 to 20 Hz.
+struct Swell {
+  double excess = 0.0;  ///< Over the limit that no noise of a sensor reaches
+  double share = 0.0;   ///< Of the residual's power below 20 Hz
+  double lowHz = 0.0, highHz = 0.0;
+};
+
+Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  struct Band {
+    double low, high, limit;
+  };
+  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes.
+  constexpr std::array<Band, 3> kBands{{{0.6, 2.0, 60.0}, {2.0, 4.0, 40.0}, {8.0, 20.0, 0.0}}};
+  constexpr Eigen::Index kShortest = 100;
+  std::array<Vector6d, kBands.size()> power;
+  std::array<double, kBands.size()> count{};
+  power.fill(Vector6d::Zero());
+  Vector6d total = Vector6d::Zero();
+  for (const auto& s : stretches) {
+    const Eigen::Index length = s.to - s.from;
+    if (length < kShortest) continue;
+    Wrenches x = residual.middleCols(s.from, length);
+    x.colwise() -= Vector6d(x.rowwise().mean());
+    double weight = 0.0;
+    for (Eigen::Index n = 0; n < length; ++n) {
+      const double taper = std::sin(std::numbers::pi * (static_cast<double>(n) + 0.5) / static_cast<double>(length));
+      x.col(n) *= taper * taper;
+      weight += std::pow(taper, 4);
+    }
+    const double resolution = signals.blockRate() / static_cast<double>(length);
+    for (int k = 1; k * resolution < 20.0; ++k) {
+      const double step = 2.0 * std::numbers::pi * k / static_cast<double>(length);
+      Vector6d re = Vector6d::Zero(), im = Vector6d::Zero();
+      for (Eigen::Index n = 0; n < length; ++n) {
+        re += std::cos(step * static_cast<double>(n)) * x.col(n);
+        im += std::sin(step * static_cast<double>(n)) * x.col(n);
+      }
+      const Vector6d here = (re.cwiseAbs2() + im.cwiseAbs2()) / weight;
+      total += here;
+      for (std::size_t b = 0; b < kBands.size(); ++b)
+        if (k * resolution >= kBands[b].low && k * resolution < kBands[b].high) {
+          power[b] += here;
+          count[b] += 1.0;
+        }
+    }
+  }
+  Swell out;
+  if (count.back() < 1.0) return out;
+  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
+    if (count[b] < 1.0) continue;
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double floor = power.back()(c) / count.back();
+      const double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
+      if (excess > out.excess) out = {excess, power[b](c) / std::max(1e-300, total(c)), kBands[b].low, kBands[b].high};
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd basis = explainedSpace(fit, stretches);
-  const Eigen::Map<const VectorXd> flat(fit.residual.data(), fit.residual.size());
-  VectorXd r = whitened(flat, fit.noise, stretches);
-  const double energy = std::max(1.0, r.squaredNorm());
-  r -= basis * (basis.transpose() * r);
+  // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
+  const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
+                                      Ground(stretches, fit, white(fit.residual, stretches), true)};
+  const auto all = groups(signals);
+  std::vector<std::array<Judged, 2>> judged(all.size());
+  onTwoThreads(all.size(), [&](std::size_t i) {
+    const MatrixXd columns = columnsOf(all[i].features, signals);
+    for (std::size_t g = 0; g < 2; ++g) judged[i][g] = judge(columns, grounds[g], lnN);
+  });
   Structure best;
   best.gain = -1e300;
-  for (const auto& group : groups(signals)) {
-    const Judged judged = judge(group.features, signals, stretches, fit.noise, basis, r, lnN);
-    if (judged.gain > best.gain) best = {group.goesWith, judged.gain, judged.explained / energy, 0.0, 0.0};
-  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const Judged& each : judged[i])
+      if (each.gain > best.gain) best = {all[i].goesWith, each.gain, each.explained, 0.0, 0.0};
   double frequency = 0.0;
-  const Judged line = rhythm(signals, stretches, r, frequency);
+  const Judged line = rhythm(signals, stretches, grounds[0].r, frequency);
   if (line.gain > best.gain)
-    best = {fmt::format("a rhythm of {:.2g} Hz", frequency), line.gain, line.explained / energy, frequency, frequency};
+    best = {fmt::format("a rhythm of {:.2g} Hz", frequency), line.gain, line.explained / grounds[0].energy, frequency, frequency};
+  const Swell high = swell(signals, stretches, fit.residual);
+  if (high.excess > 1.0 && best.gain < kPlain)
+    best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,
+            high.lowHz, high.highHz};
   return best;
 }
 

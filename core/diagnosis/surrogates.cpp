@@ -1,7 +1,6 @@
 #include "core/diagnosis/surrogates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -73,8 +72,7 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
           noise(i, j) = r * std::cos(2.0 * 3.14159265358979323846 * v);
           noise(i + 1, j) = r * std::sin(2.0 * 3.14159265358979323846 * v);
         }
-    VectorXd best = VectorXd::Constant(batch, -1e300);
-    std::array<VectorXd, 2> half{best, best};
+    MatrixXd gains = MatrixXd::Constant(batch, static_cast<Eigen::Index>(directions.size()), -1e300);
     onTwoThreads(directions.size(), [&](std::size_t i) {
       const Direction& direction = directions[i];
       if (direction.Q.cols() == 0) return;
@@ -86,10 +84,10 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
           gain += direction.subset ? std::max(0.0, each) : each;
         }
         if (direction.subset && gain == -direction.penalty) continue;
-        half[i % 2](j) = std::max(half[i % 2](j), gain);
+        gains(j, static_cast<Eigen::Index>(i)) = gain;
       }
     });
-    for (Eigen::Index j = 0; j < batch; ++j) out.best.push_back(std::max(half[0](j), half[1](j)));
+    for (Eigen::Index j = 0; j < batch; ++j) out.best.push_back(gains.row(j).maxCoeff());
   }
   std::sort(out.best.begin(), out.best.end());
   if (!out.best.empty())

@@ -1,0 +1,138 @@
+#include "core/diagnosis/work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/diagnosis/two_threads.h"
+#include "core/estimation/prepare.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+/// Contiguous blocks that automatic segmentation takes for contact.
+std::vector<Stretch> contactCandidates(const Recording& recording, const Motion& motion, const Signals& signals) {
+  const auto rows = rowsOf(motion, 50.0);
+  const Segmentation segmentation = segmentRows(recording, rows, SegmentMode::automatic);
+  std::vector<Stretch> out;
+  for (const auto& segment : segmentation.segments) {
+    if (segment.kind != SegmentKind::contact) continue;
+    Stretch stretch{signals.blocks(), 0};
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      if (signals.blockTime(n) >= segment.from - 0.01 && signals.blockTime(n) <= segment.to + 0.01 &&
+          signals.usable[static_cast<std::size_t>(n)]) {
+        stretch.from = std::min(stretch.from, n);
+        stretch.to = std::max(stretch.to, n + 1);
+      }
+    if (stretch.to > stretch.from) out.push_back(stretch);
+  }
+  return out;
+}
+
+void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
+  for (const auto& hole : holes)
+    for (Eigen::Index n = std::max<Eigen::Index>(0, hole.from - 2); n < std::min(signals.blocks(), hole.to + 2); ++n)
+      signals.usable[static_cast<std::size_t>(n)] = false;
+}
+
+}  // namespace
+
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
+                          const DiagnoseOptions& options, const std::vector<bool>& badRows) {
+  MotionOptions smoothing;
+  smoothing.cutoffHz = cutoff;
+  auto motion = motionOf(cleaned, robot, smoothing);
+  if (!motion) return motion.error();
+  Way out{cutoff, signalsOf(cleaned, *motion, robot), {}};
+  Signals& signals = out.signals;
+  const double edge = std::max(0.3, 3.0 / cutoff);
+  const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
+  std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
+  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(*motion, 50.0), mode).labels;
+  Eigen::Index row = 0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+    const double t = signals.blockTime(n), half = 0.5 / signals.blockRate();
+    bool usable = t > signals.startTime + edge && t < signals.startTime + signals.duration() - edge &&
+                  labels[std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1)] == MarkLabel::free;
+    if (!badRows.empty()) {
+      while (row < recording.rows() && recording.time(row) < t - half) ++row;
+      for (Eigen::Index i = row; i < recording.rows() && recording.time(i) <= t + half; ++i)
+        usable = usable && !badRows[static_cast<std::size_t>(i)];
+    }
+    signals.usable[static_cast<std::size_t>(n)] = usable;
+  }
+  const bool mayTouch =
+      mode == SegmentMode::automatic && std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
+  if (mayTouch) out.holes = contactCandidates(cleaned, *motion, signals);
+  return out;
+}
+
+std::vector<double> nullEvidence(const std::vector<Way>& ways) {
+  Signals common = ways.front().signals;
+  for (const auto& way : ways)
+    for (std::size_t n = 0; n < common.usable.size(); ++n)
+      common.usable[n] = common.usable[n] && n < way.signals.usable.size() && way.signals.usable[n];
+  const auto everything = stretchesOf(common.usable);
+  leaveOut(common, ways.front().holes);
+  auto stretches = stretchesOf(common.usable);
+  if (stretches.empty()) stretches = everything;
+  std::vector<double> out(ways.size(), -1e300);
+  onTwoThreads(ways.size(), [&](std::size_t i) {
+    if (ways[i].signals.blocks() == common.blocks() && !stretches.empty())
+      out[i] = fitModel(ways[i].signals, stretches, Model{}).evidence;
+  });
+  return out;
+}
+
+Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress) {
+  Work work;
+  work.signals = start.signals;
+  Signals& signals = work.signals;
+  work.stretches = stretchesOf(signals.usable);
+  Eigen::Index judged = 0;
+  for (const auto& s : work.stretches) judged += s.to - s.from;
+  if (judged < 100)
+    return Error{fmt::format("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
+                             static_cast<double>(judged) / signals.blockRate())};
+  SearchOptions searching;
+  searching.hidden = options.hidden;
+  searching.threshold = threshold;
+  std::vector<Stretch> holes = start.holes;
+  Eigen::Index hidden = 0;
+  for (const auto& hole : holes) hidden += hole.to - hole.from;
+  // Whether frames and signs are right is judged where nothing touches; a push turns any sign round.
+  Signals untouched = signals;
+  if (hidden <= 7 * judged / 10) leaveOut(untouched, holes);
+  const auto quiet = stretchesOf(untouched.usable);
+  if (!quiet.empty()) {
+    work.mistake = frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
+    if (work.mistake) signals = corrected(signals, *work.mistake);
+  }
+  if (holes.empty() || hidden > 7 * judged / 10) {
+    work.search = search(signals, work.stretches, searching, progress);
+    return work;
+  }
+  // Contact first; what the causes found elsewhere account for is no contact.
+  const Signals whole = signals;
+  for (int round = 0; round < 3; ++round) {
+    signals = whole;
+    leaveOut(signals, holes);
+    work.stretches = stretchesOf(signals.usable);
+    work.search = search(signals, work.stretches, searching, progress);
+    work.contacts = contactsIn(whole, work.search.final, holes);
+    if (work.contacts.size() == holes.size() || progress.cancelled()) break;
+    holes.clear();
+    for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
+  }
+  return work;
+}
+
+double evidenceAt(const Way& other, const Work& work) {
+  if (other.signals.blocks() != work.signals.blocks()) return -1e300;
+  Signals signals = other.signals;
+  if (work.mistake) signals = corrected(signals, *work.mistake);
+  return fitModel(signals, work.stretches, work.search.final.model, 4).evidence - work.search.final.evidence;
+}
+
+}  // namespace heft::diagnosis
