@@ -104,7 +104,7 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
   y.low -= pad;
   y.high += pad;
 
-  const std::vector<double> yTicks = ticksOf(y, area.height() > 180 ? 5 : 3);
+  const std::vector<double> yTicks = ticksOf(y, area.height() > 180 ? 6 : 4);
   double widest = 0.0;
   for (const double tick : yTicks) widest = std::max(widest, metrics.horizontalAdvance(tickText(tick, yTicks, y.log)));
   const double line = metrics.height();
@@ -133,7 +133,8 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
                tickText(tick, yTicks, y.log));
   const std::vector<double> xTicks = ticksOf(x, std::max(2, static_cast<int>(plot.width() / 90)));
   for (const double tick : xTicks) {
-    const QString text = tickText(tick, xTicks, x.log);
+    QString text = tickText(tick, xTicks, x.log);
+    if (tick == xTicks.back() && !chart.xUnit.isEmpty()) text += QStringLiteral(" ") + chart.xUnit;
     const double half = 0.5 * metrics.horizontalAdvance(text) + 2;
     const double at = std::clamp(px(tick), area.left() + half, area.right() - half);
     p.drawText(QRectF(at - half, plot.bottom() + 3, 2 * half, line), Qt::AlignCenter, text);

@@ -229,7 +229,7 @@ Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   Chart chart;
   const bool torque = stretch.channel >= 3;
   chart.yTitle = Say::tr("Error in %1, unseen stretch [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
-  chart.xTitle = Say::tr("Time [s]");
+  chart.xUnit = QStringLiteral("s");
   chart.band = 2.0 * (torque ? report.noise.torque : report.noise.force);
   chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before, pointsOf(report, cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to), true});
   chart.curves.push_back({Say::tr("after"), ChartCurve::Colour::after, pointsOf(report, cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to), false});
@@ -282,7 +282,7 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
   if (!state.applied && cause.before.cols() > 0) {
     auto* chart = new ChartWidget(card.frame);
     chart->setChart(errorChart(report, cause), true);
-    chart->setFixedHeight(132);
+    chart->setFixedHeight(122);
     chart->setProperty("role", "unseen");
     chart->setAccessibleName(Say::tr("Error on an unseen stretch, before and after"));
     chart->setToolTip(Say::tr("The model was fitted without this stretch. Grey: twice the sensor’s noise."));

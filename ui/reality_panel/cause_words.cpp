@@ -344,7 +344,7 @@ QStringList couldNotBeSeen(const DiagnosisReport& report, int most) {
     for (const Smallest& s : report.smallest) {
       if (s.cause != id || out.size() >= most || !std::isfinite(s.value) || !(s.value > 0.0)) continue;
       const int decimals = std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(s.value) - 1e-9)), 0, 5);
-      out << translated(shown).arg(numberText(s.value, decimals) + QStringLiteral(" ") + (s.unit == "deg" ? QStringLiteral("°") : QString::fromStdString(s.unit)));
+      out << translated(shown).arg(numberText(s.value, decimals) + (s.unit == "deg" ? QStringLiteral("°") : QStringLiteral(" ") + QString::fromStdString(s.unit)));
     }
   };
   add("payload_change", QT_TRANSLATE_NOOP("heft::Causes", "load changes under %1"));

@@ -60,6 +60,8 @@ DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
     views_[i] = new QPushButton(names[i], segmented);
     views_[i]->setObjectName(ids[i]);
     views_[i]->setCheckable(true);
+    // The chosen one is set bolder.
+    views_[i]->setMinimumWidth(QFontMetrics(uiFont(type::kCaption, QFont::Bold)).horizontalAdvance(names[i]) + 26);
     group->addButton(views_[i]);
     choices->addWidget(views_[i]);
     connect(views_[i], &QPushButton::clicked, this, [this, i] { setView(static_cast<View>(i)); });

@@ -64,7 +64,14 @@ Result<bool> refusal(const QString& sentence) { return Error{sentence.toStdStrin
 
 }  // namespace
 
-RealityPanel::RealityPanel(const StudioParts& parts) : StepPanel(parts), pane_(new DifferencePane) {
+RealityFindings* RealityFindings::of(Workspace& workspace) {
+  for (QObject* child : workspace.children())
+    if (auto* there = dynamic_cast<RealityFindings*>(child)) return there;
+  return new RealityFindings(&workspace);
+}
+
+RealityPanel::RealityPanel(const StudioParts& parts)
+    : StepPanel(parts), pane_(new DifferencePane), found_(RealityFindings::of(*parts.workspace)->found) {
   parts.followJobs(&jobs_);
   connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString&) {
     if (bar_) bar_->setValue(static_cast<int>(1000 * fraction));
@@ -84,7 +91,8 @@ RealityPanel::RealityPanel(const StudioParts& parts) : StepPanel(parts), pane_(n
 RealityPanel::Found* RealityPanel::found() {
   const auto opened = workspace().opened();
   const auto it = opened ? found_.find(opened->path) : found_.end();
-  return it == found_.end() || !it->report ? nullptr : &*it;
+  // A file that was read again may have other contents.
+  return it == found_.end() || !it->report || it->of.lock() != opened ? nullptr : &*it;
 }
 const RealityPanel::Found* RealityPanel::found() const { return const_cast<RealityPanel*>(this)->found(); }
 
@@ -202,6 +210,7 @@ void RealityPanel::diagnose() {
       [this, now](Result<Looked> result) {
         if (result) {
           Found& entry = found_[now.opened->path];
+          entry.of = now.opened;
           entry.report = result->report;
           entry.witnesses = std::move(result->witnesses);
           entry.json = std::move(result->json);

@@ -14,6 +14,24 @@ namespace heft {
 class DifferencePane;
 struct OpenRecording;
 
+/// What was found, by path. It belongs to the workspace, so that it outlives the window (a change of language).
+class RealityFindings : public QObject {
+ public:
+  struct Found {
+    std::weak_ptr<const OpenRecording> of;
+    std::shared_ptr<const DiagnosisReport> report;
+    std::vector<diagnosis::Witness> witnesses;
+    std::string json;         ///< heft.diagnose/1
+    std::vector<Mark> marks;  ///< That it was made with.
+    std::string guess;        ///< Of a practice recording
+  };
+  static RealityFindings* of(Workspace& workspace);
+  QMap<QString, Found> found;
+
+ private:
+  using QObject::QObject;
+};
+
 class RealityPanel : public StepPanel {
   Q_OBJECT
  public:
@@ -42,13 +60,7 @@ class RealityPanel : public StepPanel {
   const std::vector<diagnosis::Witness>& witnesses() const;
 
  private:
-  struct Found {
-    std::shared_ptr<const DiagnosisReport> report;
-    std::vector<diagnosis::Witness> witnesses;
-    std::string json;                ///< heft.diagnose/1
-    std::vector<Mark> marks;         ///< That it was made with.
-    std::string guess;               ///< Of a practice recording
-  };
+  using Found = RealityFindings::Found;
   void refresh();
   void showWaiting();
   void showReport(const Found& found);
@@ -70,7 +82,7 @@ class RealityPanel : public StepPanel {
   JobRunner jobs_;
   DifferencePane* pane_;
   QProgressBar* bar_ = nullptr;  ///< While looking; of the page.
-  QMap<QString, Found> found_;   ///< By path.
+  QMap<QString, Found>& found_;
   QString failure_;
   bool details_ = false, looking_ = false, wanted_ = false, shown_ = false;
 };

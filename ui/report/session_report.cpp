@@ -153,7 +153,7 @@ QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bo
   out += table(rows);
   out += paragraph(Words::tr("Check on the rig: %1").arg(causeCheck(cause.id)));
   const StrengthText strength = strengthOf(cause, report);
-  return out + paragraph(QStringLiteral("%1: %2").arg(strength.word, strength.meaning));
+  return out + paragraph(QStringLiteral("%1: %2").arg(strength.word.left(1).toUpper() + strength.word.mid(1), strength.meaning));
 }
 
 QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report) {

@@ -13,6 +13,9 @@ struct PullMark {
   QString title, note;                 ///< "Something pulls from here", "within 3 cm"
 };
 
+/// Where the far end stands in the picture.
+QPointF pullPixel(const PullMark& mark, const Vector3d& tool, const HandleSet::View& view);
+/// Without the words, which stand among the view's labels.
 void paintPull(QPainter& painter, const PullMark& mark, const Vector3d& tool, const HandleSet::View& view);
 
 }  // namespace heft

@@ -591,6 +591,7 @@ void RobotView::updateLabels() {
     if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
     if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
   }
+  if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), viewport_->handleView()), pull_->title, pull_->note});
   overlay_->setLabels(std::move(labels));
   std::array<QPointF, 3> ends;
   bool axesShown = labelsShown_;
