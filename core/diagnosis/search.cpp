@@ -92,8 +92,8 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
       if (forms.size() >= causes) continue;
       known = forms.emplace(id, 0).first;
     }
-    // Neighbours in time, or in frequency, are the same event: the best start is enough.
-    const int most = candidate.form.local ? 1 : forms.size() <= 3 ? 4 : 2;
+    // Neighbours in time are the same event: few starts are enough.
+    const int most = candidate.form.local ? 2 : forms.size() <= 3 ? 4 : 2;
     if (known->second >= most) continue;
     ++known->second;
     chosen.push_back(&candidate);
@@ -179,7 +179,11 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
     const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
     const auto ranked = scan(stretches, out.final, bank);
     if (ranked.empty()) break;
-    latest = {out.final, trials(signals, stretches, out.final, ranked, kTried, ranked.front().score)};
+    const double promised = ranked.front().score;
+    latest = {out.final, trials(signals, stretches, out.final, ranked, kTried, promised)};
+    // What promised most may come to nothing, such as a step at an impossible place: then everything gets its chance.
+    if (latest.all.empty() || latest.all.front().gain < kHopeful * promised)
+      latest.all = trials(signals, stretches, out.final, ranked, kTried, 0.0);
     const auto& all = latest.all;
     if (all.empty() || all.front().gain < options.threshold) break;
     // A richer form of what is already named comes before a second name, unless that one explains clearly more.

