@@ -20,6 +20,7 @@ struct Parameter {
   double scale = 1.0;  ///< Reported value = scale * internal SI value
   double size = 1.0;   ///< A realistic size (SI): sets steps of differentiation and of the search
   double lower = 0.0, upper = 0.0;  ///< What is physically believable (SI); at a bound the cause is not accepted.
+  bool lowerIsFine = false;         ///< Unless it may well lie at its lower bound, such as how long a step takes.
 };
 
 class Cause;

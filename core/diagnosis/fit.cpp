@@ -119,7 +119,7 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
       const Parameter& parameter = term.form->parameters[p];
       const double value = term.v(static_cast<Eigen::Index>(p)), margin = 1e-6 * parameter.size;
       fit.atBound = fit.atBound || (term.moves(static_cast<Eigen::Index>(p)) &&
-                                    (value <= parameter.lower + margin || value >= parameter.upper - margin));
+                                    ((!parameter.lowerIsFine && value <= parameter.lower + margin) || value >= parameter.upper - margin));
     }
   return fit;
 }

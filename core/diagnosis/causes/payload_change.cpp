@@ -28,7 +28,7 @@ class PayloadChange final : public Cause {
                                     {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
                                     {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},
                                     {"moment_z", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                    {"duration", "s", 1.0, 0.1, 0.0, 2.0}});
+                                    {"duration", "s", 1.0, 0.1, 0.0, 2.0, true}});
       form.start(0) = t;
       form.start(5) = 0.05;
       form.scan = {1, 2, 3, 4};
