@@ -20,7 +20,6 @@ using namespace diagnosis;
 
 namespace {
 
-constexpr double kTie = 10.0;
 constexpr double kUnexplained = 20.0;
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
 
@@ -230,10 +229,13 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
       if (gains[i] > gains[at] + (at == 0 ? margin : 10.0)) at = i;
     return at;
   };
-  const auto alone = nullEvidence(ways);
-  std::size_t way = best(alone, 30.0);
-  
-  auto found = worked(ways[way], options, kThreshold, progress);
+  lookForContact(ways.front(), cleaned, options);
+  std::size_t way = best(nullEvidence(ways), 30.0);
+  const auto searched = [&](std::size_t i, double threshold) {
+    lookForContact(ways[i], cleaned, options);
+    return worked(ways[i], options, threshold, progress);
+  };
+  auto found = searched(way, kThreshold);
   if (!found) return found.error();
   if (!progress.cancelled()) {
     std::vector<double> gains(ways.size(), 0.0);
@@ -242,7 +244,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     });
     const auto other = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
     if (gains[other] > 30.0) {
-      auto again = worked(ways[other], options, kThreshold, progress);
+      auto again = searched(other, kThreshold);
       if (again) {
         found = std::move(again);
         way = other;
@@ -264,7 +266,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     const bool weak = std::any_of(found->search.found.begin(), found->search.found.end(),
                                   [&](const Found& f) { return f.gain < out.threshold; });
     if (weak) {
-      auto again = worked(ways[way], options, out.threshold, progress);
+      auto again = searched(way, out.threshold);
       if (again) found = std::move(again);
     }
   }
@@ -273,8 +275,9 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
 
   progress(0.85, "Measuring the gain on unseen stretches");
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
-  const bool cloudy = structureIn(work.signals, work.stretches, work.search.final).gain > kUnexplained;
-  const double needed = cloudy ? kGainBesideUnknown : 0.0;
+  out.remaining = structureIn(work.signals, work.stretches, work.search.final);
+  const double needed = out.remaining.gain > kUnexplained ? kGainBesideUnknown : 0.0;
+  bool dropped = false;
   // Nested models, in the order of acceptance.
   Wrenches before = heldOutResidual(work.signals, work.stretches, work.search.null);
   out.series.before = work.signals.measured - before;
@@ -304,6 +307,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
       nested = without(nested, accepted.cause);
       work.search.final.model = without(work.search.final.model, accepted.cause);
       work.search.final = fitModel(work.signals, work.stretches, work.search.final.model);
+      dropped = true;
       continue;
     }
     DiagnosedCause cause;
@@ -335,7 +339,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   }
   for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, cause.sentence, work.signals);
 
-  out.remaining = structureIn(work.signals, work.stretches, final);
+  if (dropped) out.remaining = structureIn(work.signals, work.stretches, final);
   if (slowWave && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = "a slow wave in time";
     out.remaining.gain = 2.0 * kUnexplained;

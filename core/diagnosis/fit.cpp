@@ -9,13 +9,6 @@ namespace {
 
 Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
 
-/// J^T J, each product once.
-MatrixXd normalMatrix(const MatrixXd& J) {
-  MatrixXd H = MatrixXd::Zero(J.cols(), J.cols());
-  H.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
-  return H.selfadjointView<Eigen::Lower>();
-}
-
 /// Moves by `step`, kept inside bounds and, for the causes' parameters, within a few realistic sizes at once.
 Model moved(const Model& from, const VectorXd& step, double factor) {
   VectorXd all = from.packed() + factor * step;
@@ -59,6 +52,21 @@ int toldDirections(const MatrixXd& information, Eigen::Index linear) {
 
 }  // namespace
 
+Normal::Normal(const MatrixXd& J, const VectorXd& sd) {
+  information = MatrixXd::Zero(J.cols(), J.cols());
+  information.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
+  information = MatrixXd(information.selfadjointView<Eigen::Lower>());
+  MatrixXd H = information;
+  H.diagonal() += sd.cwiseAbs2().cwiseInverse();
+  scale_ = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  unit_.compute(scale_.asDiagonal() * H * scale_.asDiagonal());
+}
+
+MatrixXd Normal::inverse() const {
+  const Eigen::Index n = scale_.size();
+  return scale_.asDiagonal() * unit_.solve(MatrixXd::Identity(n, n)) * scale_.asDiagonal();
+}
+
 VectorXd whisper(const Model& model) {
   VectorXd sd(model.size());
   sd.head(6).setConstant(1e4);
@@ -82,12 +90,8 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   for (int round = 0; round < rounds; ++round) {
     const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
-    MatrixXd H = normalMatrix(J);
-    H.diagonal() += sd.cwiseAbs2().cwiseInverse();
-    const VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    const VectorXd g = J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
     const VectorXd step =
-        scale.asDiagonal() * (scale.asDiagonal() * H * scale.asDiagonal()).ldlt().solve(scale.asDiagonal() * g);
+        Normal(J, sd).solve(J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
     Model next = fit.model;
     double factor = 1.0;
@@ -104,13 +108,9 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
     last = fit.noise.evidence;
   }
   const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
-  fit.information = normalMatrix(J);
-  MatrixXd H = fit.information;
-  H.diagonal() += sd.cwiseAbs2().cwiseInverse();
-  const VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
-  fit.covariance = scale.asDiagonal() *
-                   (scale.asDiagonal() * H * scale.asDiagonal()).ldlt().solve(MatrixXd::Identity(H.rows(), H.cols())) *
-                   scale.asDiagonal();
+  const Normal normal(J, sd);
+  fit.information = normal.information;
+  fit.covariance = normal.inverse();
   fit.dimensions = toldDirections(fit.information, kLinear);
   fit.evidence = fit.noise.evidence - fit.dimensions * std::log(std::max(2.0, fit.noise.samples));
   fit.jacobian = std::move(at.jacobian);
@@ -132,13 +132,8 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
     const Wrenches residual = signals.measured - at.value;
     const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
-    MatrixXd H = normalMatrix(J);
-    H.diagonal() += sd.cwiseAbs2().cwiseInverse();
-    const VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
     const VectorXd g = J.transpose() * r - model.packed().cwiseQuotient(sd.cwiseAbs2());
-    model = moved(model,
-                  scale.asDiagonal() * (scale.asDiagonal() * H * scale.asDiagonal()).ldlt().solve(scale.asDiagonal() * g),
-                  1.0);
+    model = moved(model, Normal(J, sd).solve(g), 1.0);
     if (fit.model.terms.empty()) break;
   }
   return model;

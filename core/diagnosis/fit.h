@@ -19,6 +19,20 @@ struct Fit {
   VectorXd std() const { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
 };
 
+/// Normal equations of whitened columns `J` with a prior of deviations `sd` around zero, scaled to a unit diagonal.
+class Normal {
+ public:
+  Normal(const MatrixXd& J, const VectorXd& sd);
+  VectorXd solve(const VectorXd& g) const { return scale_.asDiagonal() * unit_.solve(scale_.asDiagonal() * g); }
+  MatrixXd inverse() const;
+
+  MatrixXd information;  ///< J^T J, without the prior
+
+ private:
+  VectorXd scale_;
+  Eigen::LDLT<MatrixXd> unit_;
+};
+
 /// Gauss-Newton from `start`, the noise refitted in between, until the evidence rests. A parameter whose step is
 /// switched off (Term::active) keeps its value.
 Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds = 8);

@@ -15,6 +15,7 @@ constexpr double kFloor = 0.01;
 
 Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {
   Noise out;
+  Vector6d counts;
   for (int c = 0; c < 6; ++c) {
     AutoCovariance sums(maxOrder);
     double power = 0.0, count = 0.0;
@@ -28,18 +29,18 @@ Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, in
     if (maxOrder > 0) sums.add(VectorXd::Constant(1, std::sqrt(kFloor * power)), VectorXd::Ones(1));
     ArModel model = sums.fit();
     model.sigma = std::max(model.sigma, 1e-9);
-    double innovations = 0.0, innovationCount = 0.0;
-    for (const auto& s : stretches)
-      for (Eigen::Index n = s.from + model.order(); n < s.to; ++n) {
-        double e = residual(c, n);
-        for (Eigen::Index i = 0; i < model.order(); ++i) e -= model.coefficients(i) * residual(c, n - 1 - i);
-        innovations += e * e;
-        innovationCount += 1.0;
-      }
-    const double achieved = innovations / std::max(1.0, innovationCount) / (model.sigma * model.sigma);
-    out.evidence -= count * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, count));
     out.samples += count;
     out.channels[static_cast<std::size_t>(c)] = model;
+    counts(c) = count;
+  }
+  const VectorXd innovations = whitened(Eigen::Map<const VectorXd>(residual.data(), residual.size()), out, stretches);
+  const Vector6d squares = Eigen::Map<const Wrenches>(innovations.data(), 6, residual.cols()).rowwise().squaredNorm();
+  for (int c = 0; c < 6; ++c) {
+    const ArModel& model = out.channels[static_cast<std::size_t>(c)];
+    double judged = 0.0;
+    for (const auto& s : stretches) judged += std::max(0.0, static_cast<double>(s.to - s.from - model.order()));
+    const double achieved = squares(c) / std::max(1.0, judged);
+    out.evidence -= counts(c) * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, counts(c)));
   }
   return out;
 }

@@ -22,11 +22,7 @@ class Weighting {
       : noise_(noise), stretches_(stretches), fit_(fit) {
     J_ = whitened(fit.jacobian, noise, stretches);
     r_ = whitened(flat(fit.residual), noise, stretches);
-    MatrixXd H = J_.transpose() * J_;
-    H.diagonal() += whisper(fit.model).cwiseAbs2().cwiseInverse();
-    const VectorXd s = H.diagonal().cwiseSqrt().cwiseInverse();
-    inverse_ = s.asDiagonal() * (s.asDiagonal() * H * s.asDiagonal()).ldlt().solve(MatrixXd::Identity(H.rows(), H.cols())) *
-               s.asDiagonal();
+    inverse_ = Normal(J_, whisper(fit.model)).inverse();
     Jr_ = J_.transpose() * r_;
   }
 

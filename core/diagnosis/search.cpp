@@ -15,7 +15,6 @@ constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
 constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of another
 constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
-constexpr double kTie = 10.0;      ///< Evidence within which two causes are equal
 
 std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
 

@@ -8,6 +8,9 @@ namespace heft::diagnosis {
 /// Gain of evidence (difference of BIC) that a cause needs at least.
 constexpr double kThreshold = 10.0;
 
+/// Evidence within which two causes are equal.
+constexpr double kTie = 10.0;
+
 struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;

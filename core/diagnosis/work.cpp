@@ -39,17 +39,18 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
 }  // namespace
 
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
-                          const DiagnoseOptions& options, const std::vector<bool>& badRows) {
+                  const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   MotionOptions smoothing;
   smoothing.cutoffHz = cutoff;
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  Way out{cutoff, signalsOf(cleaned, *motion, robot), {}};
+  Way out{std::move(*motion), {}, {}};
+  out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
   const double edge = std::max(0.3, 3.0 / cutoff);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
-  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(*motion, 50.0), mode).labels;
+  if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(out.motion, 50.0), mode).labels;
   Eigen::Index row = 0;
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
     const double t = signals.blockTime(n), half = 0.5 / signals.blockRate();
@@ -62,10 +63,14 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
     }
     signals.usable[static_cast<std::size_t>(n)] = usable;
   }
-  const bool mayTouch =
-      mode == SegmentMode::automatic && std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
-  if (mayTouch) out.holes = contactCandidates(cleaned, *motion, signals);
   return out;
+}
+
+void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options) {
+  if (way.holes) return;
+  const bool mayTouch = options.segments.value_or(defaultSegmentMode(cleaned)) == SegmentMode::automatic &&
+                        std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
+  way.holes = mayTouch ? contactCandidates(cleaned, way.motion, way.signals) : std::vector<Stretch>{};
 }
 
 std::vector<double> nullEvidence(const std::vector<Way>& ways) {
@@ -74,7 +79,7 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
     for (std::size_t n = 0; n < common.usable.size(); ++n)
       common.usable[n] = common.usable[n] && n < way.signals.usable.size() && way.signals.usable[n];
   const auto everything = stretchesOf(common.usable);
-  leaveOut(common, ways.front().holes);
+  leaveOut(common, ways.front().holes.value());
   auto stretches = stretchesOf(common.usable);
   if (stretches.empty()) stretches = everything;
   std::vector<double> out(ways.size(), -1e300);
@@ -98,7 +103,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
   SearchOptions searching;
   searching.hidden = options.hidden;
   searching.threshold = threshold;
-  std::vector<Stretch> holes = start.holes;
+  std::vector<Stretch> holes = start.holes.value();
   Eigen::Index hidden = 0;
   for (const auto& hole : holes) hidden += hole.to - hole.from;
   // Whether frames and signs are right is judged where nothing touches; a push turns any sign round.

@@ -13,16 +13,20 @@ namespace heft::diagnosis {
 
 /// The recording with its motion smoothed one way, and what may be judged of it.
 struct Way {
-  double cutoff = kDefaultCutoffHz;
+  Motion motion;
   Signals signals;
-  std::vector<Stretch> holes;  ///< Blocks that automatic segmentation takes for contact
+  std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
 };
 
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not judged.
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
                   const DiagnoseOptions& options, const std::vector<bool>& badRows);
 
-/// What bias and payload alone make of each way: evidence on the blocks that all of them judge.
+/// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
+void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
+
+/// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the first
+/// way left out.
 std::vector<double> nullEvidence(const std::vector<Way>& ways);
 
 /// Everything that a search needs, and what it found.
@@ -34,6 +38,7 @@ struct Work {
   Search search;
 };
 
+/// Contact in `start` must have been looked for.
 Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress);
 
 /// Evidence of the work's final model when the motion is smoothed another way, less that with its own.
