@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/periodogram.h"
 #include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
@@ -232,27 +233,15 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   for (const auto& s : stretches) {
     const Eigen::Index length = s.to - s.from;
     if (length < kShortest) continue;
-    Wrenches x = residual.middleCols(s.from, length);
-    x.colwise() -= Vector6d(x.rowwise().mean());
-    double weight = 0.0;
-    for (Eigen::Index n = 0; n < length; ++n) {
-      const double taper = std::sin(std::numbers::pi * (static_cast<double>(n) + 0.5) / static_cast<double>(length));
-      x.col(n) *= taper * taper;
-      weight += std::pow(taper, 4);
-    }
     const double resolution = signals.blockRate() / static_cast<double>(length);
-    for (int k = 1; k * resolution < 20.0; ++k) {
-      const double step = 2.0 * std::numbers::pi * k / static_cast<double>(length);
-      Vector6d re = Vector6d::Zero(), im = Vector6d::Zero();
-      for (Eigen::Index n = 0; n < length; ++n) {
-        re += std::cos(step * static_cast<double>(n)) * x.col(n);
-        im += std::sin(step * static_cast<double>(n)) * x.col(n);
-      }
-      const Vector6d here = (re.cwiseAbs2() + im.cwiseAbs2()) / weight;
-      total += here;
+    const auto lines = static_cast<Eigen::Index>(std::ceil(20.0 / resolution)) - 1;
+    const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
+    total += here.rowwise().sum();
+    for (Eigen::Index k = 1; k <= lines; ++k) {
+      const double f = static_cast<double>(k) * resolution;
       for (std::size_t b = 0; b < kBands.size(); ++b)
-        if (k * resolution >= kBands[b].low && k * resolution < kBands[b].high) {
-          power[b] += here;
+        if (f >= kBands[b].low && f < kBands[b].high) {
+          power[b] += here.col(k - 1);
           count[b] += 1.0;
         }
     }

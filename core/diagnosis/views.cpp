@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "core/diagnosis/periodogram.h"
 
 namespace heft::diagnosis {
 
@@ -61,32 +62,19 @@ Spectrum spectrumOf(const DiagnosisSeries& series, bool torque) {
   const double rate = rateOf(series);
   const auto length = static_cast<Eigen::Index>(2.5 * rate);
   const Eigen::Index lines = length / 2;
-  VectorXd window(length);
-  for (Eigen::Index i = 0; i < length; ++i)
-    window(i) = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(length));
-  const double scale = 2.0 / (rate * window.squaredNorm());
   VectorXd before = VectorXd::Zero(lines), after = VectorXd::Zero(lines);
   double count = 0.0;
   const Wrenches was = series.measured - series.before, is = series.measured - series.after;
+  const auto powerOf = [&](const Wrenches& left, Eigen::Index from) {
+    const MatrixXd three = left.block(torque ? 3 : 0, from, 3, length);
+    return VectorXd(2.0 / rate * taperedPower(three, lines).colwise().sum().transpose());
+  };
   for (Eigen::Index from = 0; from + length <= series.time.size(); from += length / 2) {
     const auto begin = series.judged.begin() + from;
     if (!std::all_of(begin, begin + length, [](bool j) { return j; })) continue;
     count += 1.0;
-    for (Eigen::Index c = torque ? 3 : 0; c < (torque ? 6 : 3); ++c) {
-      for (const bool improved : {false, true}) {
-        VectorXd y = (improved ? is : was).row(c).segment(from, length).transpose();
-        y = (y.array() - y.mean()).matrix().cwiseProduct(window).eval();
-        for (Eigen::Index k = 1; k <= lines; ++k) {
-          double re = 0.0, im = 0.0;
-          const double step = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(length);
-          for (Eigen::Index i = 0; i < length; ++i) {
-            re += y(i) * std::cos(step * static_cast<double>(i));
-            im += y(i) * std::sin(step * static_cast<double>(i));
-          }
-          (improved ? after : before)(k - 1) += scale * (re * re + im * im);
-        }
-      }
-    }
+    before += powerOf(was, from);
+    after += powerOf(is, from);
   }
   if (count == 0.0) return out;
   out.before = (before / (3.0 * count)).cwiseSqrt();

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/gl/pictures.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/main_window.h"
 #include "ui/record_panel/flange_guide.h"
@@ -31,9 +32,7 @@ class LiveWindowTest : public testing::Test {
     viewport = window.robotView()->findChild<Viewport*>("viewport");
   }
   ~LiveWindowTest() override {
-    const QString folder = qEnvironmentVariable("HEFT_TEST_PICTURES");
-    if (!folder.isEmpty())
-      window.picture().save(folder + "/live_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".png");
+    keepPicture(window, "live");
     qunsetenv("XDG_STATE_HOME");
   }
   void settle() {

@@ -12,6 +12,7 @@
 
 #include "core/recording/csv_reader.h"
 #include "core/simulation/simulate.h"
+#include "tests/gl/pictures.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/main_window.h"
 #include "ui/robot_view/robot_view.h"
@@ -20,19 +21,6 @@
 
 namespace heft {
 namespace {
-
-/// Share of pixels that differ by more than a hair.
-double difference(const QImage& a, const QImage& b) {
-  int different = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      const QColor ca = a.pixelColor(x, y), cb = b.pixelColor(x, y);
-      different +=
-          std::abs(ca.red() - cb.red()) + std::abs(ca.green() - cb.green()) + std::abs(ca.blue() - cb.blue()) > 24;
-    }
-  }
-  return static_cast<double>(different) / (a.width() * a.height());
-}
 
 class ShapeWindowTest : public testing::Test {
  protected:
@@ -43,10 +31,7 @@ class ShapeWindowTest : public testing::Test {
     settle();
   }
   ~ShapeWindowTest() override {
-    const QString target = qEnvironmentVariable("HEFT_TEST_PICTURES");
-    if (!HasFailure() && target.isEmpty()) return;
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    window.picture().save((target.isEmpty() ? QDir::current() : QDir(target)).filePath(QStringLiteral("shape_%1.png").arg(info->name())));
+    keepPicture(window, "shape");
   }
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));

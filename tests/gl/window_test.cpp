@@ -16,6 +16,7 @@
 
 #include "core/recording/csv_reader.h"
 #include "core/simulation/simulate.h"
+#include "tests/gl/pictures.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/main_window.h"
 #include "ui/robot_view/robot_view.h"
@@ -57,20 +58,6 @@ int distinctColours(const QImage& image) {
   return static_cast<int>(colours.size());
 }
 
-/// Share of pixels that differ by more than a hair.
-double difference(const QImage& a, const QImage& b) {
-  if (a.size() != b.size()) return 1.0;
-  int different = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      const QColor ca = a.pixelColor(x, y), cb = b.pixelColor(x, y);
-      different +=
-          std::abs(ca.red() - cb.red()) + std::abs(ca.green() - cb.green()) + std::abs(ca.blue() - cb.blue()) > 24;
-    }
-  }
-  return static_cast<double>(different) / (a.width() * a.height());
-}
-
 class WindowTest : public testing::Test {
  protected:
   WindowTest() : window(&workspace, false) {
@@ -79,15 +66,7 @@ class WindowTest : public testing::Test {
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
   }
   ~WindowTest() override {
-    // HEFT_TEST_PICTURES=FOLDER keeps the picture of every test, to be looked at.
-    const QString folder = qEnvironmentVariable("HEFT_TEST_PICTURES");
-    if (HasFailure() || !folder.isEmpty()) {
-      const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-      const QDir target = folder.isEmpty() ? QDir::current() : QDir(folder);
-      const QString path = target.filePath(QStringLiteral("window_%1.png").arg(info->name()));
-      window.picture().save(path);
-      std::printf("The window as it was: %s\n", qPrintable(path));
-    }
+    keepPicture(window, "window");
   }
 
   void waitUntilSettled() {

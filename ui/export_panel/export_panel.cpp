@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QButtonGroup>
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -21,6 +20,7 @@
 #include "ui/export_panel/mounted_list.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
+#include "ui/widgets/segments.h"
 
 namespace heft {
 namespace {
@@ -157,22 +157,11 @@ void ExportPanel::addRole(QVBoxLayout* column, const ExportChoice& choice) {
   column->addSpacing(4);
   column->addWidget(
       wrappedLabel(tr("Is this the robot’s own tool, or something it picked up?"), "sectionTitle", content));
-  auto* frame = new QFrame(content);
-  frame->setObjectName("choices");
-  auto* row = new QHBoxLayout(frame);
-  row->setContentsMargins(1, 1, 1, 1);
-  row->setSpacing(0);
-  const std::pair<ExportChoice::Role, QString> roles[] = {{ExportChoice::Role::ownTool, tr("Its own tool")},
-                                                          {ExportChoice::Role::extraLoad, tr("An extra load")}};
-  for (const auto& [role, text] : roles) {
-    auto* button = new QPushButton(text, frame);
-    button->setObjectName(role == ExportChoice::Role::ownTool ? "roleOwnTool" : "roleExtraLoad");
-    button->setCheckable(true);
-    button->setChecked(choice.role == role);
-    connect(button, &QPushButton::clicked, this, [this, r = role] { chooseRole(r); });
-    row->addWidget(button, 1);
-  }
-  column->addWidget(frame);
+  using Role = ExportChoice::Role;
+  auto* roles = new Segments({tr("Its own tool"), tr("An extra load")}, {"roleOwnTool", "roleExtraLoad"}, content);
+  roles->setChosen(choice.role == Role::ownTool ? 0 : choice.role == Role::extraLoad ? 1 : -1);
+  connect(roles, &Segments::picked, this, [this](int i) { chooseRole(i == 0 ? Role::ownTool : Role::extraLoad); });
+  column->addWidget(roles);
   column->addWidget(
       wrappedLabel(tr("Never state it as both: the controller would count the weight twice."), "caption", content));
 }

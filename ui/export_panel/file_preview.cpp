@@ -15,6 +15,7 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/pane_header.h"
 
 namespace heft {
 namespace {
@@ -90,19 +91,11 @@ class NumberedText : public QPlainTextEdit {
 }  // namespace
 
 FilePreview::FilePreview(QWidget* parent) : QWidget(parent) {
-  setObjectName("plotArea");
-  setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 1, 0, 0);
-  column->setSpacing(0);
-  auto* header = new QWidget(this);
-  header->setObjectName("plotHeader");
-  header->setAttribute(Qt::WA_StyledBackground);
-  header->setFixedHeight(40);
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(12, 0, 8, 0);
+  const PaneHeader top = dressAsPane(this, tr("Preview"), 40);
+  QVBoxLayout* column = top.column;
+  QWidget* header = top.header;
+  QHBoxLayout* row = top.row;
   row->setSpacing(12);
-  row->addWidget(styledLabel(tr("Preview"), "plotTitle", header));
   name_ = styledLabel({}, "caption", header);
   row->addWidget(name_);
   tag_ = styledLabel({}, "tagQuiet", header);
@@ -115,7 +108,6 @@ FilePreview::FilePreview(QWidget* parent) : QWidget(parent) {
   copy_->setToolTip(tr("Copy the whole file to the clipboard"));
   connect(copy_, &QPushButton::clicked, this, &FilePreview::copyWanted);
   row->addWidget(copy_);
-  column->addWidget(header);
   edit_ = new NumberedText(this);
   edit_->setObjectName("filePreview");
   edit_->setReadOnly(true);

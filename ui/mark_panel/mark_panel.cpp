@@ -21,6 +21,7 @@
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/playback.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/segments.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -99,7 +100,7 @@ void MarkPanel::left() {
 void MarkPanel::refresh() {
   const int position = page()->scrollPosition();
   const auto opened = workspace().opened();
-  brushes_ = {};
+  brushes_ = nullptr;
   if (!opened) {
     page()->restart(tr("When did the tool touch nothing?"), tr("Open a recording first."))->addStretch(1);
     page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
@@ -211,28 +212,22 @@ void MarkPanel::addPainting(QVBoxLayout* column) {
   head->addStretch(1);
   head->addWidget(styledLabel(tr("drag over the marks"), "caption", content));
   column->addLayout(head);
-  auto* frame = new QFrame(content);
-  frame->setObjectName("choices");
-  auto* row = new QHBoxLayout(frame);
-  row->setContentsMargins(1, 1, 1, 1);
-  row->setSpacing(0);
   const QString names[] = {tr("Free"), tr("Contact"), tr("Ignore")};
+  QStringList texts;
+  for (std::size_t k = 0; k < kLabels.size(); ++k) texts.push_back(QStringLiteral("  %1  %2").arg(names[k]).arg(k + 1));
+  brushes_ = new Segments(texts, {"brush1", "brush2", "brush3"}, content);
   for (std::size_t k = 0; k < kLabels.size(); ++k) {
-    auto* button = new QPushButton(QStringLiteral("  %1  %2").arg(names[k]).arg(k + 1), frame);
-    button->setObjectName(QStringLiteral("brush%1").arg(k + 1));
+    auto* button = brushes_->button(static_cast<int>(k));
     button->setIcon(markSwatch(kLabels[k]));
-    button->setCheckable(true);
-    button->setChecked(kLabels[k] == brush_);
+    if (kLabels[k] == brush_) brushes_->setChosen(static_cast<int>(k));
     button->setToolTip(tr("Paint with %1 (key %2). By keys: go to the marks bar, Enter begins, arrow keys move, Enter "
                           "ends.")
                            .arg(names[k])
                            .arg(k + 1));
     button->setAccessibleName(tr("Paint as %1").arg(names[k]));
-    connect(button, &QPushButton::clicked, this, [this, k] { chooseBrush(kLabels[k]); });
-    row->addWidget(button, 1);
-    brushes_[k] = button;
   }
-  column->addWidget(frame);
+  connect(brushes_, &Segments::picked, this, [this](int i) { chooseBrush(kLabels[static_cast<std::size_t>(i)]); });
+  column->addWidget(brushes_);
 }
 
 void MarkPanel::addSummary(QVBoxLayout* column, const MarkSummary& summary) {
@@ -256,8 +251,7 @@ void MarkPanel::addSummary(QVBoxLayout* column, const MarkSummary& summary) {
 
 void MarkPanel::chooseBrush(MarkLabel label) {
   brush_ = label;
-  for (std::size_t k = 0; k < brushes_.size(); ++k)
-    if (brushes_[k]) brushes_[k]->setChecked(kLabels[k] == label);
+  if (brushes_) brushes_->setChosen(static_cast<int>(std::find(kLabels.begin(), kLabels.end(), label) - kLabels.begin()));
   if (here_ && parts().plots) parts().plots->setBrush(label);
 }
 

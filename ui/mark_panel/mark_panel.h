@@ -1,6 +1,5 @@
 #pragma once
 // The step "Mark": which stretches touched nothing. Heft proposes, the user decides or paints over it.
-#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -9,10 +8,11 @@
 #include "ui/mark_panel/mark_text.h"
 #include "ui/steps/step_panel.h"
 
-class QPushButton;
 class QVBoxLayout;
 
 namespace heft {
+
+class Segments;
 
 class MarkPanel : public StepPanel {
   Q_OBJECT
@@ -48,7 +48,7 @@ class MarkPanel : public StepPanel {
 
   MarkLabel brush_ = MarkLabel::contact;
   bool here_ = false;
-  std::array<QPushButton*, 3> brushes_{};
+  Segments* brushes_ = nullptr;
 };
 
 }  // namespace heft

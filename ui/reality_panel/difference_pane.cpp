@@ -13,6 +13,7 @@
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/pane_header.h"
 
 namespace heft {
 
@@ -35,19 +36,11 @@ QString witnessText(const std::string& id) {
 }
 
 DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
-  setObjectName("plotArea");
-  setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 1, 0, 0);
-  column->setSpacing(0);
-  auto* header = new QWidget(this);
-  header->setObjectName("plotHeader");
-  header->setAttribute(Qt::WA_StyledBackground);
-  header->setFixedHeight(40);
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(12, 0, 8, 0);
+  const PaneHeader top = dressAsPane(this, tr("The difference"), 40);
+  QVBoxLayout* column = top.column;
+  QWidget* header = top.header;
+  QHBoxLayout* row = top.row;
   row->setSpacing(8);
-  row->addWidget(styledLabel(tr("The difference"), "plotTitle", header));
   auto* segmented = new QFrame(header);
   segmented->setObjectName("segmented");
   auto* choices = new QHBoxLayout(segmented);
@@ -82,7 +75,6 @@ DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
   close->setObjectName("closeDifference");
   connect(close, &QToolButton::clicked, this, &DifferencePane::closeWanted);
   row->addWidget(close);
-  column->addWidget(header);
   says_ = styledLabel({}, "caption", this);
   says_->setContentsMargins(12, 8, 12, 0);
   column->addWidget(says_);

@@ -28,6 +28,7 @@
 #include "ui/timeline/playback.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
+#include "ui/widgets/segments.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -190,27 +191,17 @@ void RecordPanel::refresh() {
 }
 
 void RecordPanel::addWays(QVBoxLayout* column) {
-  auto* choices = new QWidget(page()->content());
-  choices->setObjectName("choices");
-  choices->setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(choices);
-  row->setContentsMargins(1, 1, 1, 1);
-  row->setSpacing(0);
-  auto* group = new QButtonGroup(choices);
-  const std::tuple<Way, QString, const char*, const char*> ways[] = {
-      {Way::live, tr("Live robot"), "hand", "wayLive"},
-      {Way::files, tr("Open files"), "folder", "wayFiles"},
-      {Way::virtualArm, tr("Virtual arm"), "tool", "wayVirtual"}};
-  for (const auto& [way, text, icon, object] : ways) {
-    auto* button = new QPushButton(themedIcon(icon), QStringLiteral(" ") + text, choices);
-    button->setObjectName(object);
-    button->setCheckable(true);
-    button->setChecked(way == way_);
-    group->addButton(button);
-    row->addWidget(button, 1);
-    connect(button, &QPushButton::clicked, this, [this, w = way] { setWay(w); });
+  static constexpr std::pair<Way, const char*> kWays[] = {
+      {Way::live, "hand"}, {Way::files, "folder"}, {Way::virtualArm, "tool"}};
+  const auto spaced = [](const QString& text) { return QStringLiteral(" ") + text; };
+  auto* ways = new Segments({spaced(tr("Live robot")), spaced(tr("Open files")), spaced(tr("Virtual arm"))},
+                            {"wayLive", "wayFiles", "wayVirtual"}, page()->content());
+  for (int i = 0; i < 3; ++i) {
+    ways->button(i)->setIcon(themedIcon(kWays[i].second));
+    if (kWays[i].first == way_) ways->setChosen(i);
   }
-  column->addWidget(choices);
+  connect(ways, &Segments::picked, this, [this](int i) { setWay(kWays[i].first); });
+  column->addWidget(ways);
 }
 
 void RecordPanel::addFiles(QVBoxLayout* column) {

@@ -7,12 +7,14 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <filesystem>
 #include <tuple>
 
 #include "core/recording/csv_reader.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
+#include "ui/widgets/segments.h"
 
 namespace heft {
 namespace {
@@ -117,29 +119,16 @@ void SourceForm::rebuild() {
   if (kind_ == Kind::netFt) {
     column->addSpacing(4);
     column->addWidget(styledLabel(tr("Who tells how the arm stands?"), "sectionTitle", fields_));
-    auto* choices = new QWidget(fields_);
-    choices->setObjectName("choices");
-    choices->setAttribute(Qt::WA_StyledBackground);
-    auto* row = new QHBoxLayout(choices);
-    row->setContentsMargins(1, 1, 1, 1);
-    row->setSpacing(0);
-    auto* group = new QButtonGroup(choices);
-    const std::pair<Kind, QString> kinds[] = {
-        {Kind::foxglove, tr("Foxglove")}, {Kind::rosbridge, tr("rosbridge")}, {Kind::jsonUdp, tr("JSON, UDP")}};
-    for (const auto& [kind, text] : kinds) {
-      auto* button = new QPushButton(text, choices);
-      button->setCheckable(true);
-      button->setChecked(kind == joints_);
-      group->addButton(button);
-      row->addWidget(button, 1);
-      connect(button, &QPushButton::clicked, this, [this, k = kind] {
-        joints_ = k;
-        lastAddress_[0] = address_->text();
-        lastJoints_ = jointsAddress_->text();
-        lastRig_ = rig_->text();
-        rebuild();
-      });
-    }
+    auto* choices = new Segments({tr("Foxglove"), tr("rosbridge"), tr("JSON, UDP")}, {}, fields_);
+    static constexpr Kind kKinds[] = {Kind::foxglove, Kind::rosbridge, Kind::jsonUdp};
+    choices->setChosen(static_cast<int>(std::find(std::begin(kKinds), std::end(kKinds), joints_) - std::begin(kKinds)));
+    connect(choices, &Segments::picked, this, [this](int i) {
+      joints_ = kKinds[i];
+      lastAddress_[0] = address_->text();
+      lastJoints_ = jointsAddress_->text();
+      lastRig_ = rig_->text();
+      rebuild();
+    });
     column->addWidget(choices);
     const Place& other = places[static_cast<int>(joints_)];
     jointsAddress_ = addField(column, other.label, "jointsAddress", other.tip);

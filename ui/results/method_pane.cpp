@@ -8,28 +8,20 @@
 
 #include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/pane_header.h"
 
 namespace heft {
 
 MethodPane::MethodPane(QWidget* parent) : QWidget(parent) {
-  setObjectName("plotArea");
-  setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 1, 0, 0);
-  column->setSpacing(0);
-  auto* header = new QWidget(this);
-  header->setObjectName("plotHeader");
-  header->setAttribute(Qt::WA_StyledBackground);
-  header->setFixedHeight(36);
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(12, 0, 8, 0);
-  row->addWidget(styledLabel(tr("All methods side by side"), "plotTitle", header));
+  const PaneHeader top = dressAsPane(this, tr("All methods side by side"));
+  QVBoxLayout* column = top.column;
+  QWidget* header = top.header;
+  QHBoxLayout* row = top.row;
   row->addStretch(1);
   auto* close = new IconButton("close", tr("Back to the plots"), header);
   close->setObjectName("closeMethods");
   connect(close, &QToolButton::clicked, this, &MethodPane::closeWanted);
   row->addWidget(close);
-  column->addWidget(header);
   working_ = styledLabel(tr("Every method weighs the tool in turn …"), "caption", this);
   working_->setContentsMargins(12, 12, 12, 12);
   column->addWidget(working_, 0, Qt::AlignTop);

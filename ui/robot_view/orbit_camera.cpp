@@ -77,4 +77,25 @@ void OrbitCamera::fit(const std::vector<Vector3d>& points, double aspect, double
   }
 }
 
+void turnToAxes(OrbitCamera& camera, const Matrix3d& axes) {
+  constexpr double kEnough = 0.5;  // Sine of the angle between an axis and the line of sight.
+  const OrbitCamera before = camera;
+  double most = -1e9;
+  for (int a = -18; a < 18; ++a) {
+    for (const double elevation : {before.elevation, 0.2, 0.4, 0.6}) {
+      OrbitCamera tried = before;
+      tried.azimuth = before.azimuth + a * kPi / 18;
+      tried.elevation = elevation;
+      const Vector3d sight = (tried.target - tried.position()).normalized();
+      double least = kEnough;
+      for (int i = 0; i < 3; ++i) least = std::min(least, sight.cross(axes.col(i)).norm());
+      const double score = 4 * least - 0.12 * std::abs(a * kPi / 18) - 0.3 * std::abs(elevation - before.elevation);
+      if (score <= most) continue;
+      most = score;
+      camera = tried;
+    }
+  }
+  camera.azimuth = std::remainder(camera.azimuth, 2 * kPi);
+}
+
 }  // namespace heft

@@ -53,29 +53,6 @@ bool showsSensor(const RobotModel& robot, const RobotLook& look) {
   });
 }
 
-/// Turns the camera as little as is needed for none of the axes to point at the viewer: what is dragged along them must be
-/// seen from the side.
-void turnToAxes(OrbitCamera& camera, const Matrix3d& axes) {
-  constexpr double kEnough = 0.5;  // Sine of the angle between an axis and the line of sight.
-  const OrbitCamera before = camera;
-  double most = -1e9;
-  for (int a = -18; a < 18; ++a) {
-    for (const double elevation : {before.elevation, 0.2, 0.4, 0.6}) {
-      OrbitCamera tried = before;
-      tried.azimuth = before.azimuth + a * kPi / 18;
-      tried.elevation = elevation;
-      const Vector3d sight = (tried.target - tried.position()).normalized();
-      double least = kEnough;
-      for (int i = 0; i < 3; ++i) least = std::min(least, sight.cross(axes.col(i)).norm());
-      const double score = 4 * least - 0.12 * std::abs(a * kPi / 18) - 0.3 * std::abs(elevation - before.elevation);
-      if (score <= most) continue;
-      most = score;
-      camera = tried;
-    }
-  }
-  camera.azimuth = std::remainder(camera.azimuth, 2 * kPi);
-}
-
 /// Thickness of the sensor's body [m]: what the mount leaves between its parent and S, kept in a plausible range.
 double sensorBodyLength(const SensorMount& mount) { return std::clamp(mount.xyz.norm(), 0.012, 0.045); }
 
@@ -94,41 +71,6 @@ struct RobotView::Kept {
   std::shared_ptr<const EstimateReport> report;
   double time = 0.0;
 };
-
-PayloadLook payloadLook(const EstimateReport& report) {
-  PayloadLook look;
-  look.com = report.payload.com;
-  // 95 % of a three-dimensional normal distribution lie within 2.80 standard deviations.
-  look.region = 2.7955 * report.std.com.cwiseAbs();
-  const double largest = look.region.maxCoeff();
-  if (!std::isfinite(largest) || largest <= 0) {
-    look.region.setZero();
-  } else {
-    // Flatter than this it would be drawn as a disc without a body.
-    look.region = look.region.cwiseMax(0.08 * largest);
-    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
-      look.enlargement = factor;
-      if (2.0 * factor * largest > 0.036) break;
-    }
-    // A region so small that even enlarged the ball would hide it is said, not drawn.
-    if (look.enlargement * largest < 0.015) look.region.setZero();
-  }
-  bool inertiaKnown = report.physicallyConsistent && report.payload.mass > 0;
-  for (int i = 0; i < 3; ++i) inertiaKnown = inertiaKnown && report.identifiability.inertia[i][i] != Source::none;
-  if (inertiaKnown) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(report.payload.inertiaCom);
-    const Vector3d moments = solver.eigenvalues();
-    Vector3d edges;
-    for (int i = 0; i < 3; ++i) {
-      const double squared = 6.0 / report.payload.mass * (moments.sum() - 2.0 * moments(i));
-      edges(i) = std::sqrt(std::max(0.0, squared));
-    }
-    look.boxEdges = edges;
-    look.R_SBox = solver.eigenvectors();
-    if (look.R_SBox.determinant() < 0) look.R_SBox.col(0) *= -1.0;
-  }
-  return look;
-}
 
 RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<SceneParts>()) {
   setObjectName("robotView");
@@ -225,10 +167,7 @@ void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_p
 }
 
 void RobotView::dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount) {
-  report_.reset();
-  enlargement_.reset();
-  scene_->setPayload(std::nullopt);
-  scene_->setWrench(std::nullopt, 1, 1);
+  clearEstimate();
   look_ = robot_ ? std::move(look) : nullptr;
   const bool ownSensor = look_ && showsSensor(*robot_, *look_);
   scene_->setRobot(look_, robot_ ? linksBeyond(*robot_, mount.parent) : std::vector<bool>{});
@@ -287,9 +226,7 @@ void RobotView::showLive(const LiveMoment& moment) {
   }
   report_ = moment.report;
   if (report_) {
-    const PayloadLook look = payloadLook(*report_);
-    scene_->setPayload(look);
-    enlargement_ = look.region.minCoeff() > 0 ? std::optional(look.enlargement) : std::nullopt;
+    showPayload();
     showWrench(moment.X_BS, moment.wrench);
   }
   placeSensor(moment.X_BS);
@@ -313,11 +250,8 @@ void RobotView::endLive() {
     showTime(kept->time);
     return;
   }
-  report_.reset();
-  enlargement_.reset();
+  clearEstimate();
   sweep_.clear();
-  scene_->setPayload(std::nullopt);
-  scene_->setWrench(std::nullopt, 1, 1);
   scene_->setPath({});
   if (kept->robot && kept->look) showRobot(kept->robot, kept->look);
   updateNote();
@@ -329,21 +263,27 @@ void RobotView::setGhostLabel(const QString& title, const QString& note) {
   viewport_->requestFrame();
 }
 
+void RobotView::showPayload() {
+  std::optional<PayloadLook> look;
+  if (report_ && (recording_ || kept_)) look = payloadLook(*report_);
+  scene_->setPayload(look);
+  enlargement_ = look && look->region.minCoeff() > 0 ? std::optional(look->enlargement) : std::nullopt;
+}
+
+void RobotView::clearEstimate() {
+  report_.reset();
+  showPayload();
+  scene_->setWrench(std::nullopt, 1, 1);
+}
+
 void RobotView::showReport(std::shared_ptr<const EstimateReport> report) {
   if (kept_) {
     kept_->report = std::move(report);
     return;
   }
   report_ = std::move(report);
-  if (report_ && recording_) {
-    const PayloadLook look = payloadLook(*report_);
-    scene_->setPayload(look);
-    enlargement_ = look.region.minCoeff() > 0 ? std::optional(look.enlargement) : std::nullopt;
-    rebuildPath();
-  } else {
-    scene_->setPayload(std::nullopt);
-    enlargement_.reset();
-  }
+  showPayload();
+  if (report_ && recording_) rebuildPath();
   updateInstant();
   // The labels that come with an estimate need room at the right.
   if (!cameraTouched_) usePreset(preset_);

@@ -105,6 +105,9 @@ class RobotView : public QWidget {
   void updateInstant();
   void updateLabels();
   void updateNote();
+  /// What report_ tells of centre and inertia; nothing without one.
+  void showPayload();
+  void clearEstimate();
   void applyParts();
   void placeSensor(const Isometry3d& X_BS);
   void showWrench(const Isometry3d& X_BS, Vector6d wrench);

@@ -10,6 +10,7 @@
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_cursor.h"
 #include "ui/widgets/basics.h"
+#include "ui/widgets/pane_header.h"
 #include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/legend.h"
 #include "ui/wrench_plots/visible_csv.h"
@@ -18,21 +19,12 @@
 namespace heft {
 
 RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(parent), playback_(playback) {
-  setObjectName("plotArea");
-  setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 1, 0, 0);
-  column->setSpacing(0);
-
-  auto* header = new QWidget(this);
+  const PaneHeader top = dressAsPane(this, tr("Force and torque at the sensor"));
+  QVBoxLayout* column = top.column;
+  QWidget* header = top.header;
+  QHBoxLayout* row = top.row;
   header_ = header;
-  header->setObjectName("plotHeader");
-  header->setAttribute(Qt::WA_StyledBackground);
-  header->setFixedHeight(36);
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(12, 0, 8, 0);
   row->setSpacing(2);
-  row->addWidget(styledLabel(tr("Force and torque at the sensor"), "plotTitle", header));
   row->addSpacing(8);
 
   auto* body = new QWidget(this);
@@ -82,7 +74,6 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   csv->setObjectName("csvButton");
   row->addWidget(csv);
   connect(csv, &QToolButton::clicked, this, &RecordingPane::csvWanted);
-  column->addWidget(header);
   foldedHeader_ = new QWidget(this);
   foldedHeader_->setObjectName("plotHeader");
   foldedHeader_->setAttribute(Qt::WA_StyledBackground);

@@ -14,7 +14,27 @@ Vector3d velocityAt(const Signals& signals, Eigen::Index k, const Vector3d& r) {
          signals.R_BS[static_cast<std::size_t>(k)] * Vector3d(signals.kinematics.omega.col(k)).cross(r);
 }
 
-class ViscousDrag final : public Cause {
+/// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a place
+/// away from the sensor, 4 the cause's own richer form.
+class Resistance : public Cause {
+ protected:
+  std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
+    std::vector<Form> out;
+    add(out, 1, "turning", {angular});
+    if (!signals.positionKnown) return out;
+    add(out, 0, "", {linear});
+    add(out, 2, "moving and turning", {linear, angular});
+    add(out, 3, "away from the sensor", withPlace({linear}));
+    out.back().scan = {0};
+    return out;
+  }
+  void add(std::vector<Form>& out, int kind, const char* name, std::vector<Parameter> parameters) const {
+    out.push_back(formOf(this, name, std::move(parameters)));
+    out.back().choice = {kind};
+  }
+};
+
+class ViscousDrag final : public Resistance {
  public:
   std::string_view id() const override { return "viscous_drag"; }
   Words words() const override {
@@ -29,19 +49,10 @@ class ViscousDrag final : public Cause {
     return fmt::format("Something resists the tool's movement by {} N per metre per second.", plusMinus(v(0), std(0)));
   }
   std::vector<Form> forms(const Signals& signals) const override {
-    std::vector<Form> out;
-    const Parameter linear{"drag", "N s/m", 1.0, 0.3, 0.0, 200.0}, angular{"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0};
-    const auto add = [&](int kind, const char* name, std::vector<Parameter> parameters) {
-      out.push_back(formOf(this, name, std::move(parameters)));
-      out.back().choice = {kind};
-    };
-    add(1, "turning", {angular});
+    auto out = common(signals, {"drag", "N s/m", 1.0, 0.3, 0.0, 200.0}, {"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0});
     if (!signals.positionKnown) return out;
-    add(0, "", {linear});
-    add(2, "moving and turning", {linear, angular});
-    add(3, "away from the sensor", withPlace({linear}));
-    out.back().scan = {0};
-    add(4, "different along each axis", {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
+    add(out, 4, "different along each axis",
+        {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
     return out;
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
@@ -60,7 +71,7 @@ class ViscousDrag final : public Cause {
   }
 };
 
-class CoulombFriction final : public Cause {
+class CoulombFriction final : public Resistance {
  public:
   std::string_view id() const override { return "coulomb_friction"; }
   Words words() const override {
@@ -75,20 +86,11 @@ class CoulombFriction final : public Cause {
                        form.choice[0] == 4 ? ", and gives way slowly after each turn" : "");
   }
   std::vector<Form> forms(const Signals& signals) const override {
-    std::vector<Form> out;
-    const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0}, angular{"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0};
-    const auto add = [&](int kind, const char* name, std::vector<Parameter> parameters) {
-      out.push_back(formOf(this, name, std::move(parameters)));
-      out.back().choice = {kind};
-    };
-    add(1, "turning", {angular});
+    const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0};
+    auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
-    add(0, "", {linear});
-    add(2, "moving and turning", {linear, angular});
-    add(3, "away from the sensor", withPlace({linear}));
-    out.back().scan = {0};
     for (const double way : {0.003, 0.015, 0.06}) {
-      add(4, "giving way", {linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}});
+      add(out, 4, "giving way", {linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}});
       out.back().start(1) = way;
       out.back().scan = {0};
     }
