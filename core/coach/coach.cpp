@@ -17,30 +17,51 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kStep = 0.02;          // [s] between samples of a proposed motion
 constexpr double kMinimumScale = 0.05;  // of a candidate's size; less is not worth proposing
 constexpr double kFill = 0.97;          // of the limits
+constexpr std::array kAll{CoachGoal::mass, CoachGoal::com, CoachGoal::inertia};
 // Standard deviations with which nothing more need be done.
 constexpr Uncertainty kEnough{0.002, 0.0005, 0.02};
 
-/// A turn about axes of the tool: 0 sideways, 1 forwards, 2 long axis. A circle turns about 0 and 1 in quadrature.
+/// A turn about axes of the tool, 0 sideways, 1 forwards, 2 long axis, or of the last three joints, counted from the
+/// one next to the tool. Where two of the frequencies are the same, the second wave is a quarter behind: a circle.
 struct Kind {
   const char* id;
   const char* sentence;
-  int axis;
-  bool circle;
-  double amplitude;  // [rad]
-  double hz;
+  std::array<double, 3> amplitude;  // [rad]
+  std::array<double, 3> hz;
+  bool wrist = false;  // joints; the point that stays where it is is then the wrist, and not the centre of mass
 };
 constexpr std::array kKinds{
-    Kind{"tilt-sideways", "Tilt the tool sideways and back, slowly.", 0, false, 0.9, 0.2},
-    Kind{"tilt-forwards", "Tilt the tool forwards and back, slowly.", 1, false, 0.9, 0.2},
-    Kind{"tilt-round", "Tilt the tool round in a slow circle, as if stirring.", 0, true, 0.7, 0.2},
-    Kind{"turn-slowly", "Turn the tool about its long axis, slowly and far.", 2, false, 1.5, 0.2},
-    Kind{"turn-fast", "Turn the tool to and fro about its long axis, faster.", 2, false, 0.6, 1.2},
-    Kind{"swing-sideways", "Swing the tool sideways to and fro, once a second.", 0, false, 0.4, 1.0},
-    Kind{"swing-forwards", "Swing the tool forwards and back, once a second.", 1, false, 0.4, 1.0},
-    Kind{"swing-round", "Swing the tool round in a circle, once a second.", 0, true, 0.3, 1.0},
-    Kind{"shake-sideways", "Shake the tool sideways, about three times a second.", 0, false, 0.12, 3.0},
-    Kind{"shake-forwards", "Shake the tool forwards and back, about three times a second.", 1, false, 0.12, 3.0},
-    Kind{"shake-about", "Shake the tool about its long axis, two to three times a second.", 2, false, 0.2, 2.5},
+    Kind{"tilt-sideways", "Tilt the tool sideways and back, slowly.", {0.9, 0.0, 0.0}, {0.2, 0.0, 0.0}},
+    Kind{"tilt-forwards", "Tilt the tool forwards and back, slowly.", {0.0, 0.9, 0.0}, {0.0, 0.2, 0.0}},
+    Kind{"tilt-round", "Tilt the tool round in a slow circle, as if stirring.", {0.7, 0.7, 0.0}, {0.2, 0.2, 0.0}},
+    Kind{"turn-slowly", "Turn the tool about its long axis, slowly and far.", {0.0, 0.0, 1.5}, {0.0, 0.0, 0.2}},
+    Kind{"turn-fast", "Turn the tool to and fro about its long axis, faster.", {0.0, 0.0, 0.6}, {0.0, 0.0, 1.2}},
+    Kind{"swing-sideways", "Swing the tool sideways to and fro, once a second.", {0.4, 0.0, 0.0}, {1.0, 0.0, 0.0}},
+    Kind{"swing-forwards", "Swing the tool forwards and back, once a second.", {0.0, 0.4, 0.0}, {0.0, 1.0, 0.0}},
+    Kind{"swing-round", "Swing the tool round in a circle, once a second.", {0.3, 0.3, 0.0}, {1.0, 1.0, 0.0}},
+    Kind{"shake-sideways", "Shake the tool sideways, about three times a second.", {0.12, 0.0, 0.0}, {3.0, 0.0, 0.0}},
+    Kind{"shake-forwards",
+         "Shake the tool forwards and back, about three times a second.",
+         {0.0, 0.12, 0.0},
+         {0.0, 3.0, 0.0}},
+    Kind{"shake-about",
+         "Shake the tool about its long axis, two to three times a second.",
+         {0.0, 0.0, 0.2},
+         {0.0, 0.0, 2.5}},
+    Kind{"wobble",
+         "Wobble the tool: tip it to all sides and twist it at once, about twice a second.",
+         {0.12, 0.12, 0.15},
+         {1.8, 2.2, 2.6}},
+    Kind{"shake-wrist",
+         "Shake the tool from the wrist, two to three times a second: tip it to all sides and twist it at once.",
+         {0.12, 0.09, 0.09},
+         {2.8, 2.4, 2.0},
+         true},
+    Kind{"swing-wrist",
+         "Swing the tool from the wrist, once a second: tip it to all sides and twist it at once.",
+         {0.4, 0.2, 0.2},
+         {1.4, 1.0, 0.8},
+         true},
 };
 
 /// The tool's axes in S: sideways, forwards, long. The long axis is that of the least moment of inertia where the body
@@ -79,13 +100,32 @@ Jet envelopedWave(double t, double duration, double omega, double phase, double 
   return {grip.value * wave.value, grip.rate * wave.value + grip.value * wave.rate, 0.0};
 }
 
+/// How long it takes, in whole periods of its slowest wave where there is room for that.
+double durationOf(const Kind& kind, double longest) {
+  double hz = INFINITY;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (kind.amplitude[i] > 0.0) hz = std::min(hz, kind.hz[i]);
+  return std::min(longest, std::max(1.0, std::floor(longest * hz)) / hz);
+}
+
+/// Rates of the kind's three angles.
+Vector3d rates(const Kind& kind, double scale, double t, double duration) {
+  Vector3d out = Vector3d::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(kind.amplitude[i] > 0.0)) continue;
+    const bool quarter = i > 0 && kind.hz[i] == kind.hz[i - 1];
+    out(static_cast<Eigen::Index>(i)) = envelopedWave(t, duration, kTwoPi * kind.hz[i],
+                                                      quarter ? 0.5 * std::numbers::pi : 0.0, scale * kind.amplitude[i])
+                                            .rate;
+  }
+  return out;
+}
+
 /// Joint motion that turns S with the kind's angular velocity about the point `pivot` of the tool, which stays where it
-/// is as far as the arm can do both.
+/// is as far as the arm can do both; or that of the wrist's joints alone.
 JointMotion motionFor(const Kind& kind, double scale, const GuidedTool& tool, const Matrix3d& axes,
                       const Vector3d& pivot, const VectorXd& start, double longest) {
-  // Whole periods, so that it ends where it began.
-  const double periods = std::max(1.0, std::floor(longest * kind.hz));
-  const double duration = std::min(longest, periods / kind.hz);
+  const double duration = durationOf(kind, longest);
   const auto n = static_cast<Eigen::Index>(std::lround(duration / kStep)) + 1;
   const Eigen::Index dof = start.size();
   JointMotion motion;
@@ -94,13 +134,16 @@ JointMotion motionFor(const Kind& kind, double scale, const GuidedTool& tool, co
   motion.dq.resize(n, dof);
   const Isometry3d X_LP = tool.X_LS * Eigen::Translation3d(pivot);
   const auto velocity = [&](double t, const VectorXd& q) -> VectorXd {
-    const double omega = kTwoPi * kind.hz, size = scale * kind.amplitude;
-    Vector3d w_S = axes.col(kind.axis) * envelopedWave(t, duration, omega, 0.0, size).rate;
-    if (kind.circle) w_S += axes.col(1) * envelopedWave(t, duration, omega, 0.5 * std::numbers::pi, size).rate;
+    const Vector3d rate = rates(kind, scale, t, duration);
+    if (kind.wrist) {
+      VectorXd dq = VectorXd::Zero(dof);
+      for (Eigen::Index i = 0; i < std::min<Eigen::Index>(3, dof); ++i) dq(dof - 1 - i) = rate(i);
+      return dq;
+    }
     const MatrixXd J = tool.robot->jacobian(tool.link, X_LP, q);
     const Matrix3d R = (tool.robot->linkPose(q, tool.link) * X_LP).linear();
     Vector6d twist;
-    twist << Vector3d::Zero(), R * w_S;
+    twist << Vector3d::Zero(), R * axes * rate;
     // Damped: near a singular posture the arm turns less instead of jumping.
     const Matrix6d JJ = J * J.transpose() + 1e-4 * Matrix6d::Identity();
     return J.transpose() * JJ.ldlt().solve(twist);
@@ -150,6 +193,38 @@ std::optional<Advice> fitted(const Kind& kind, const GuidedTool& tool, const Mat
   return std::nullopt;
 }
 
+struct Candidate {
+  Advice advice;
+  Triangle rows;  ///< What it would add
+};
+
+/// How much less is unknown: of what is wanted, and of the rest to decide between equals.
+double score(const Uncertainty& before, const Uncertainty& after, CoachGoal want) {
+  double out = 0.0;
+  for (const CoachGoal quantity : kAll)
+    out += (quantity == want ? 1.0 : 0.1) * std::log(before.of(quantity) / after.of(quantity));
+  return out;
+}
+
+/// The candidate to begin with. Looks two motions ahead: turns about one axis tell nothing of the others, so that the
+/// worst known moment may take two of them; the one that alone does more comes first.
+std::size_t mostUseful(const std::vector<Candidate>& candidates, const OnlineInformation& information,
+                       const Uncertainty& before, CoachGoal want) {
+  const auto alone = [&](std::size_t i) { return score(before, candidates[i].advice.after, want); };
+  std::size_t best = 0;
+  double most = -INFINITY;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const OnlineInformation first = informationWith(information, candidates[i].rows);
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double both = score(before, uncertaintyOf(informationWith(first, candidates[j].rows)), want);
+      if (both <= most) continue;
+      most = both;
+      best = alone(j) > alone(i) ? j : i;
+    }
+  }
+  return best;
+}
+
 VectorXd furthest(const GuidedTool& tool, const JointMotion& motion) {
   const Matrix3d start = tool.robot->linkPose(motion.q.row(0).transpose(), tool.link).linear();
   Eigen::Index best = 0;
@@ -185,7 +260,6 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
       tool.points.push_back(com);
     }
   }
-  const std::array kAll{CoachGoal::mass, CoachGoal::com, CoachGoal::inertia};
   const auto lack = [&](CoachGoal quantity) { return before.of(quantity) / kEnough.of(quantity); };
   CoachGoal want = options.want.value_or(CoachGoal::com);
   if (information && !options.want)
@@ -200,26 +274,22 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
   }
 
   const Matrix3d axes = toolAxes(information);
-  std::optional<Advice> best;
-  double bestScore = 0.0;
+  std::vector<Candidate> candidates;
   for (const Kind& kind : kKinds) {
     auto advice = fitted(kind, tool, axes, pivot, q, options);
     if (!advice) continue;
-    if (!information) {
-      // Nothing to compare by: the first slow tilt that the arm can make.
-      best = std::move(advice);
-      break;
+    Triangle rows = Triangle::Zero();
+    if (information) {
+      rows = rowsOfMotion(*information, tool, gravity, advice->motion);
+      advice->after = uncertaintyOf(informationWith(*information, rows));
     }
-    advice->after = uncertaintyOf(predicted(*information, tool, gravity, advice->motion));
-    // What it does for the others decides between equals.
-    double score = 0.0;
-    for (const CoachGoal quantity : kAll)
-      score += (quantity == want ? 1.0 : 0.1) * std::log(before.of(quantity) / advice->after.of(quantity));
-    if (!best || score > bestScore) {
-      bestScore = score;
-      best = std::move(advice);
-    }
+    candidates.push_back({std::move(*advice), rows});
+    // Nothing to compare by: the first slow tilt that the arm can make.
+    if (!information) break;
   }
+  std::optional<Advice> best;
+  if (!candidates.empty())
+    best = std::move(candidates[information ? mostUseful(candidates, *information, before, want) : 0].advice);
   if (!best)
     return Error{
         "No motion from this posture keeps all limits. Bring the arm into the middle of its joints' ranges first."};

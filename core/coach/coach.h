@@ -9,9 +9,9 @@
 namespace heft {
 
 struct Advice {
-  bool needed = true;              ///< False: everything is well known, `sentence` says so and the rest is empty.
-  std::string id;                  ///< Stable name of the motion, "tilt-sideways"
-  std::string sentence;            ///< "Tilt the tool sideways, slowly."
+  bool needed = true;                ///< False: everything is well known, `sentence` says so and the rest is empty.
+  std::string id;                    ///< Stable name of the motion, "tilt-sideways"
+  std::string sentence;              ///< "Tilt the tool sideways, slowly."
   CoachGoal about = CoachGoal::com;  ///< What it helps.
   std::string gain;  ///< "centre of mass ± 4.0 mm -> ± 1.0 mm"; empty while there is no estimate to promise from
   Uncertainty before, after;

@@ -169,9 +169,10 @@ Uncertainty afterReplay(OnlineInformation information, const GuidedTool& tool, c
     const auto to = std::lower_bound(begin, begin + motion.size(), part.to) - begin;
     if (to - from < 2) continue;
     const VectorXd time = motion.time.segment(from, to - from).array() - motion.time(from);
-    information = predicted(information, tool, gravity,
-                            {time, motion.q.middleRows(from, to - from), motion.dq.middleRows(from, to - from),
-                             motion.ddq.middleRows(from, to - from)});
+    information = informationWith(
+        information, rowsOfMotion(information, tool, gravity,
+                                  {time, motion.q.middleRows(from, to - from), motion.dq.middleRows(from, to - from),
+                                   motion.ddq.middleRows(from, to - from)}));
   }
   return uncertaintyOf(information);
 }

@@ -36,7 +36,7 @@ struct PoseResult {
   Vector3d com = Vector3d::Zero(), comStd = Vector3d::Zero();  ///< [m]
   Vector6d bias = Vector6d::Zero();
   ExcitationLight spread = ExcitationLight::none;  ///< Of the orientations
-  std::string spreadWords;     ///< "Gravity has pulled along two directions only: tilt the tool about another axis."
+  std::string spreadWords;  ///< "Gravity has pulled along two directions only: tilt the tool about another axis."
 };
 
 struct NextPose {

@@ -54,13 +54,12 @@ Uncertainty uncertaintyOf(const OnlineInformation& information) {
   return out;
 }
 
-OnlineInformation predicted(const OnlineInformation& information, const GuidedTool& tool, const Vector3d& gravity,
-                            const JointMotion& motion) {
-  OnlineInformation out = information;
+Triangle rowsOfMotion(const OnlineInformation& information, const GuidedTool& tool, const Vector3d& gravity,
+                      const JointMotion& motion) {
   WrenchRows rows;
   rows.rateHz = information.blockRateHz;
   const auto blocks = static_cast<Eigen::Index>(std::floor(motion.duration() * rows.rateHz));
-  if (blocks <= kMaxArOrder + 4) return out;
+  if (blocks <= kMaxArOrder + 4) return Triangle::Zero();
   rows.wrench.resize(6, blocks);
   VectorXd q, dq, ddq;
   for (Eigen::Index b = 0; b < blocks; ++b) {
@@ -75,8 +74,12 @@ OnlineInformation predicted(const OnlineInformation& information, const GuidedTo
     rows.wrench.col(b) = rows.Y.back() * information.solution.phi + information.solution.bias;
   }
   const Eigen::Matrix<double, 6, Eigen::Dynamic> weights = Eigen::Matrix<double, 6, Eigen::Dynamic>::Ones(6, blocks);
-  out.whitened = merged(
-      {information.whitened, honestTriangle(rows, information.noise, information.weighting, weights, {{0, blocks}})});
+  return honestTriangle(rows, information.noise, information.weighting, weights, {{0, blocks}});
+}
+
+OnlineInformation informationWith(const OnlineInformation& information, const Triangle& rows) {
+  OnlineInformation out = information;
+  out.whitened = merged({information.whitened, rows});
   return out;
 }
 

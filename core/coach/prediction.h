@@ -20,10 +20,12 @@ struct Uncertainty {
 /// Of the information itself (Laplace approximation at its estimate).
 Uncertainty uncertaintyOf(const OnlineInformation& information);
 
-/// The information with what `motion` would add: its regressor rows whitened by the noise model, as if the sensor went
-/// on as before and the present estimate were right. Fails nowhere: a motion that is too short adds nothing.
-OnlineInformation predicted(const OnlineInformation& information, const GuidedTool& tool, const Vector3d& gravity,
-                            const JointMotion& motion);
+/// What `motion` would add: its regressor rows whitened by the noise model, as if the sensor went on as before and the
+/// present estimate were right. Fails nowhere: a motion that is too short adds nothing.
+Triangle rowsOfMotion(const OnlineInformation& information, const GuidedTool& tool, const Vector3d& gravity,
+                      const JointMotion& motion);
+/// The information with such rows added.
+OnlineInformation informationWith(const OnlineInformation& information, const Triangle& rows);
 
 /// "centre of mass ± 4.0 mm -> ± 1.0 mm" (95 %).
 std::string gainWords(CoachGoal quantity, const Uncertainty& before, const Uncertainty& after);

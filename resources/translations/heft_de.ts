@@ -698,6 +698,30 @@
         <source>played to its end</source>
         <translation>bis zum Ende abgespielt</translation>
     </message>
+    <message>
+        <source>Wobble the tool: tip it to all sides and twist it at once, about twice a second</source>
+        <translation>Das Werkzeug wackeln: nach allen Seiten kippen und zugleich drehen, etwa zweimal je Sekunde</translation>
+    </message>
+    <message>
+        <source>wobble: tip and twist at once</source>
+        <translation>wackeln: kippen und drehen zugleich</translation>
+    </message>
+    <message>
+        <source>Shake the tool from the wrist, two to three times a second: tip it to all sides and twist it at once</source>
+        <translation>Das Werkzeug aus dem Handgelenk schütteln, zwei- bis dreimal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
+    </message>
+    <message>
+        <source>shake from the wrist</source>
+        <translation>aus dem Handgelenk schütteln</translation>
+    </message>
+    <message>
+        <source>Swing the tool from the wrist, once a second: tip it to all sides and twist it at once</source>
+        <translation>Das Werkzeug aus dem Handgelenk schwenken, einmal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
+    </message>
+    <message>
+        <source>swing from the wrist</source>
+        <translation>aus dem Handgelenk schwenken</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>

@@ -44,6 +44,18 @@ constexpr CoachWords kCoach[] = {
     {"shake-about",
      QT_TRANSLATE_NOOP("LiveWords", "Shake the tool about its long axis, two to three times a second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake about its axis")},
+    {"wobble",
+     QT_TRANSLATE_NOOP("LiveWords", "Wobble the tool: tip it to all sides and twist it at once, about twice a second"),
+     QT_TRANSLATE_NOOP("LiveWords", "wobble: tip and twist at once")},
+    {"shake-wrist",
+     QT_TRANSLATE_NOOP("LiveWords",
+                       "Shake the tool from the wrist, two to three times a second: tip it to all sides and twist it "
+                       "at once"),
+     QT_TRANSLATE_NOOP("LiveWords", "shake from the wrist")},
+    {"swing-wrist",
+     QT_TRANSLATE_NOOP("LiveWords",
+                       "Swing the tool from the wrist, once a second: tip it to all sides and twist it at once"),
+     QT_TRANSLATE_NOOP("LiveWords", "swing from the wrist")},
 };
 
 const CoachWords* coachWords(const Advice& advice) {
