@@ -42,7 +42,7 @@ struct SessionStatus {
 /// All functions may be called from any thread.
 class LiveSession {
  public:
-  explicit LiveSession(std::size_t ringCapacity = 120'000);  ///< Two minutes at 1 kHz
+  explicit LiveSession(std::size_t ringCapacity = 120000);  ///< Two minutes at 1 kHz
   ~LiveSession();
 
   void addSource(std::unique_ptr<LiveSource> source);

@@ -719,8 +719,16 @@
         <translation>Das Werkzeug aus dem Handgelenk schwenken, einmal je Sekunde: nach allen Seiten kippen und zugleich drehen</translation>
     </message>
     <message>
+        <source>under ± 0.1 g</source>
+        <translation>unter ± 0,1 g</translation>
+    </message>
+    <message>
+        <source>under ± 0.1 mm</source>
+        <translation>unter ± 0,1 mm</translation>
+    </message>
+    <message>
         <source>swing from the wrist</source>
-        <translation>aus dem Handgelenk schwenken</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3431,6 +3439,18 @@
         <source>Mass and centre of mass are not known yet.</source>
         <translation>Masse und Schwerpunkt sind noch nicht bekannt.</translation>
     </message>
+    <message>
+        <source>ONE MOMENT</source>
+        <translation>EINEN MOMENT</translation>
+    </message>
+    <message>
+        <source>YOU CAN STOP</source>
+        <translation>SIE KÖNNEN AUFHÖREN</translation>
+    </message>
+    <message>
+        <source>Press “Stop and keep” to see the result.</source>
+        <translation>Drücken Sie „Beenden und behalten“, um das Ergebnis zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::LiveRun</name>
@@ -4533,6 +4553,18 @@
     <message>
         <source>live expects virtual, poses, replay, pass, guide, show, change, stop or discard.</source>
         <translation>live erwartet virtual, poses, replay, pass, guide, show, change, stop oder discard.</translation>
+    </message>
+    <message>
+        <source>Move the arm as the coach says, then press “Stop and keep”</source>
+        <translation>Bewegen Sie den Arm, wie der Trainer sagt, und drücken Sie dann „Beenden und behalten“</translation>
+    </message>
+    <message>
+        <source>%1, paused</source>
+        <translation>%1, angehalten</translation>
+    </message>
+    <message>
+        <source>%1, recording</source>
+        <translation>%1, Aufnahme läuft</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -311,6 +312,37 @@ TEST(LivePanel, TheVirtualArmIsRecordedAndTheResultHoldsTheHiddenTool) {
   EXPECT_FALSE(panel.obey({"live", "pass", "1"})->ok());
   EXPECT_FALSE(panel.obey({"live", "dance"})->ok());
   EXPECT_FALSE(panel.obey({"mark", "0", "1"}));
+  qunsetenv("XDG_STATE_HOME");
+}
+
+TEST(LivePanel, TheRecordingGoesOnWhenTheWindowIsReplacedForAnotherLanguage) {
+  const QTemporaryDir state;
+  qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  {
+    Workspace workspace;
+    StudioParts parts;
+    parts.workspace = &workspace;
+    auto before = std::make_unique<RecordPanel>(parts);
+    EXPECT_EQ(before->facts(), "");
+    ASSERT_TRUE(before->obey({"live", "virtual", "3", "3"})->ok());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return before->run()->view().time > 2.99; }, kPatience));
+    const QString file = before->run()->file();
+    RecordPanel after(parts);
+    before.reset();
+    ASSERT_TRUE(after.run()->running());
+    EXPECT_EQ(after.run()->file(), file);
+    EXPECT_EQ(after.state().line, "3.0 s, recording");
+    EXPECT_EQ(after.facts(), "Virtual arm, recording");
+    EXPECT_NE(after.findChild<QPushButton*>("wanderButton"), nullptr) << "the board of the run, not the choice of ways";
+    ASSERT_TRUE(after.obey({"live", "pass", "9"})->ok());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return after.run()->view().time > 11.99; }, kPatience));
+    // Another way begins anew with the same hidden tool.
+    const std::uint64_t tool = after.run()->origin().tool;
+    QTest::mouseClick(after.findChild<QPushButton*>("posesButton"), Qt::LeftButton);
+    EXPECT_TRUE(after.run()->poses());
+    EXPECT_EQ(after.run()->origin().tool, tool);
+    EXPECT_FALSE(QFileInfo::exists(file)) << "discarded with the run";
+  }
   qunsetenv("XDG_STATE_HOME");
 }
 

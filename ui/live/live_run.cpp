@@ -28,6 +28,12 @@ LiveRun::LiveRun(QObject* parent) : QObject(parent) {
 
 LiveRun::~LiveRun() { stop(); }
 
+LiveRun* LiveRun::of(QObject& owner) {
+  for (QObject* child : owner.children())
+    if (auto* there = qobject_cast<LiveRun*>(child)) return there;
+  return new LiveRun(&owner);
+}
+
 Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   stop();
   auto session = std::make_shared<LiveSession>(30000);
@@ -56,6 +62,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   robot_ = setup.robot;
   meta_ = setup.meta;
   shape_ = setup.shape;
+  origin_ = setup.origin;
   poses_ = setup.poses;
   paused_ = false;
   byClock_ = byClock;

@@ -16,6 +16,13 @@
 
 namespace heft {
 
+/// What it takes to begin the same run anew.
+struct LiveOrigin {
+  std::uint64_t tool = 0;              ///< Seed of the virtual arm's hidden tool
+  std::vector<std::string> addresses;  ///< Of the sources; empty for the virtual arm
+  RecordingMeta meta;                  ///< As the rig file says
+};
+
 struct LiveSetup {
   std::vector<std::unique_ptr<LiveSource>> sources;
   VirtualSource* virtualArm = nullptr;      ///< One of the sources, or null.
@@ -24,6 +31,7 @@ struct LiveSetup {
   std::optional<Shape> shape;
   bool poses = false;        ///< Standing poses instead of a motion
   QString folder, name;      ///< Of the recording; a number is added where it exists.
+  LiveOrigin origin;
 };
 
 class LiveRun : public QObject {
@@ -31,12 +39,16 @@ class LiveRun : public QObject {
  public:
   explicit LiveRun(QObject* parent = nullptr);
   ~LiveRun() override;
+  /// The one run that belongs to `owner`: it outlives the window, which is replaced when the language changes.
+  static LiveRun* of(QObject& owner);
 
   /// With `byClock` a virtual arm's time passes as on the wall; without it by pass() alone.
   Result<bool> start(LiveSetup setup, bool byClock);
   bool running() const { return session_ != nullptr; }
   bool poses() const { return poses_; }
   bool paused() const { return paused_; }
+  bool byClock() const { return byClock_; }
+  const LiveOrigin& origin() const { return origin_; }
   void setPaused(bool paused);
   /// So many seconds of the virtual arm pass, in pieces of half a second, with learning and coaching between them.
   void pass(double seconds);
@@ -89,6 +101,7 @@ class LiveRun : public QObject {
   std::shared_ptr<const RobotModel> robot_;
   RecordingMeta meta_;
   std::optional<Shape> shape_;
+  LiveOrigin origin_;
   std::shared_ptr<LiveLearner> learner_;
   bool poses_ = false, paused_ = false, byClock_ = true, outOfRoom_ = false;
   QString file_;

@@ -68,9 +68,11 @@ const CoachWords* coachWords(const Advice& advice) {
 QString sizeOf(CoachGoal what, double halfWidth) {
   switch (what) {
     case CoachGoal::mass:
+      if (halfWidth < 5e-5) return Words::tr("under ± 0.1 g");
       return halfWidth < 0.0995 ? Words::tr("± %1 g").arg(numberText(1e3 * halfWidth, halfWidth < 0.00995 ? 1 : 0))
                                 : Words::tr("± %1 kg").arg(numberText(halfWidth, 1));
     case CoachGoal::com:
+      if (halfWidth < 5e-5) return Words::tr("under ± 0.1 mm");
       return Words::tr("± %1 mm").arg(numberText(1e3 * halfWidth, halfWidth < 0.00995 ? 1 : 0));
     case CoachGoal::inertia:
       return halfWidth > 9.99 ? Words::tr("over ± 999 %") : Words::tr("± %1 %").arg(numberText(100 * halfWidth, 0));

@@ -119,7 +119,11 @@ void MainWindow::addPanels(const StudioMenus& menus) {
     if (QWidget* own = panel->ownPane()) below_->addWidget(own);
     steps_->addStep(panel->step());
     steps_->setState(panel->step(), panel->state());
-    connect(panel, &StepPanel::stateChanged, this, [this, panel] { steps_->setState(panel->step(), panel->state()); });
+    connect(panel, &StepPanel::stateChanged, this, [this, panel] {
+      steps_->setState(panel->step(), panel->state());
+      if (panel == panels_.value(step_)) status_->setHint(panel->hint());
+      showFacts();
+    });
     connect(panel, &StepPanel::arrangementChanged, this, [this, panel] {
       if (panel == panels_.value(step_)) arrangeFor(panel);
     });
@@ -279,14 +283,7 @@ void MainWindow::showOpened() {
   setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
   view_->showRecording(shared, opened->robot, opened->look);
   pane_->setRecording(&recording);
-  QStringList facts{QFileInfo(opened->path).fileName()};
-  if (recording.meta.kind == RecordingKind::poses) {
-    facts << tr("%1 standing poses").arg(recording.rows());
-  } else {
-    facts << tr("%1 s").arg(numberText(recording.duration(), 1)) << tr("%1 Hz").arg(numberText(recording.rateHz(), 0));
-  }
-  if (!recording.meta.sensorModel.empty()) facts << QString::fromStdString(recording.meta.sensorModel);
-  status_->setFacts(facts.join(QStringLiteral(" · ")));
+  showFacts();
   files_->remember(opened->path);
   if (step_ == Step::record) {
     // A session comes back where it was left.
@@ -298,10 +295,30 @@ void MainWindow::showOpened() {
   showReport();
 }
 
+void MainWindow::showFacts() {
+  QStringList facts;
+  for (const StepPanel* panel : panels_) facts << panel->facts();
+  facts.removeAll({});
+  const auto opened = workspace_->opened();
+  if (opened) {
+    const Recording& recording = opened->recording;
+    facts << QFileInfo(opened->path).fileName();
+    if (recording.meta.kind == RecordingKind::poses) {
+      facts << tr("%1 standing poses").arg(recording.rows());
+    } else {
+      facts << tr("%1 s").arg(numberText(recording.duration(), 1)) << tr("%1 Hz").arg(numberText(recording.rateHz(), 0));
+    }
+    if (!recording.meta.sensorModel.empty()) facts << QString::fromStdString(recording.meta.sensorModel);
+  } else if (facts.isEmpty()) {
+    facts << tr("No recording open");
+  }
+  status_->setFacts(facts.join(QStringLiteral(" · ")));
+}
+
 void MainWindow::showNothing() {
   header_->setFileName({}, {});
   setWindowTitle(tr("Heft Studio"));
-  status_->setFacts(tr("No recording open"));
+  showFacts();
   pane_->setRecording(nullptr);
   showStep(Step::record);
   arrangeFor(panels_[step_]);

@@ -86,6 +86,7 @@ class MainWindow : public QMainWindow {
   void showReport();
   void showMarks();
   void showSaved();
+  void showFacts();
   void loadArm();
   void arrangeFor(StepPanel* panel);
 

@@ -70,9 +70,13 @@ void StatusBar::follow(JobRunner* jobs) {
   });
 }
 
-void StatusBar::setFacts(const QString& text) { facts_->setText(text); }
+void StatusBar::setFacts(const QString& text) {
+  if (text != facts_->text()) facts_->setText(text);
+}
 
-void StatusBar::setHint(const QString& text) { hint_->setText(text); }
+void StatusBar::setHint(const QString& text) {
+  if (text != hint_->text()) hint_->setText(text);
+}
 
 void StatusBar::setSaved(const QString& text) { saved_->setText(text); }
 

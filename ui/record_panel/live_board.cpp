@@ -47,7 +47,7 @@ LiveBoard::LiveBoard(LiveRun* run, QWidget* parent) : QWidget(parent), run_(run)
 void LiveBoard::buildCard(QVBoxLayout* column) {
   const Card card = makeCard("cardSuggested", this);
   card_ = card.frame;
-  kicker_ = styledLabel(run_->poses() ? tr("NEXT POSE") : tr("DO THIS NOW"), "kicker", this);
+  kicker_ = styledLabel({}, "kicker", this);
   card.layout->addWidget(kicker_);
   sentence_ = wrappedLabel({}, "coachSentence", this);
   card.layout->addWidget(sentence_);
@@ -178,6 +178,10 @@ void LiveBoard::refreshCard() {
   progress_->setVisible(false);
   more_->setVisible(false);
   if (show_) show_->setVisible(false);
+  kicker_->setText(!view.any                                    ? tr("ONE MOMENT")
+                   : run_->poses()                              ? tr("NEXT POSE")
+                   : run_->advice() && !run_->advice()->needed ? tr("YOU CAN STOP")
+                                                                : tr("DO THIS NOW"));
   if (!view.any) {
     sentence_->setText(tr("Waiting for the first data"));
     gain_->setText(tr("Motion and force are both needed."));
@@ -207,7 +211,10 @@ void LiveBoard::refreshCard() {
   }
   sentence_->setText(coachSentence(*advice));
   gain_->setText(coachGain(*advice));
-  if (!advice->needed) return;
+  if (!advice->needed) {
+    gain_->setText(tr("Press “Stop and keep” to see the result."));
+    return;
+  }
   double share = std::clamp(run_->adviceAge() / std::max(0.1, advice->motion.duration()), 0.0, 1.0);
   if (run_->virtualArm()) {
     run_->virtualArm()->guide([&](GuidedArm& arm) {

@@ -49,7 +49,7 @@ QString nameNow(const char* what) {
 
 }  // namespace
 
-RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(new LiveRun(this)) {
+RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(LiveRun::of(*parts.workspace)) {
   if (parts.view) {
     auto* playback = new Playback(this);
     ownPane_ = new RecordingPane(playback);
@@ -70,7 +70,11 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(new 
   for (JobRunner* runner : run_->runners()) parts.followJobs(runner);
   parts.followJobs(&looking_);
   parts.followJobs(&waiting_);
-  refresh();
+  if (run_->running()) {
+    follow();
+  } else {
+    refresh();
+  }
 }
 
 QWidget* RecordPanel::ownPane() { return ownPane_; }
@@ -80,7 +84,6 @@ RecordPanel::~RecordPanel() {
   waiting_.cancel();
   delete stage_;
   delete guide_;
-  if (run_->running()) run_->stop();
 }
 
 StepState RecordPanel::state() const {
@@ -101,15 +104,22 @@ StepState RecordPanel::state() const {
 }
 
 QString RecordPanel::hint() const {
-  if (run_->running() && virtualRun_) return tr("Drag the tool, or use arrow keys; with Shift they turn it");
-  return {};
+  if (!run_->running()) return {};
+  return virtualRun() ? tr("Drag the tool, or use arrow keys; with Shift they turn it")
+                      : tr("Move the arm as the coach says, then press “Stop and keep”");
+}
+
+QString RecordPanel::facts() const {
+  if (!run_->running()) return {};
+  const QString what = virtualRun() ? tr("Virtual arm") : tr("Live robot");
+  return run_->paused() ? tr("%1, paused").arg(what) : tr("%1, recording").arg(what);
 }
 
 void RecordPanel::entered() {
   here_ = true;
   if (run_->running()) {
     if (stage_) stage_->enter();
-    if (guide_ && virtualRun_) guide_->attach();
+    if (guide_ && virtualRun()) guide_->attach();
     if (board_) board_->refresh();
   } else {
     refresh();
@@ -122,7 +132,7 @@ void RecordPanel::left() {
   if (guide_) guide_->detach();
 }
 
-bool RecordPanel::keyPressed(QKeyEvent* event) { return guide_ && run_->running() && virtualRun_ && guide_->key(event); }
+bool RecordPanel::keyPressed(QKeyEvent* event) { return guide_ && run_->running() && virtualRun() && guide_->key(event); }
 
 void RecordPanel::setWay(Way way) {
   if (way == way_ && (way != Way::live || form_)) return;
@@ -166,7 +176,7 @@ void RecordPanel::refresh() {
       form_ = new SourceForm(page()->content());
       column->addWidget(form_);
       page()->setSecondButton({});
-      page()->setMainButton(tr("Connect and record"), [this] { startListening(false); });
+      page()->setMainButton(tr("Connect and record"), [this] { startListening(); });
       break;
     }
     case Way::virtualArm:
@@ -303,28 +313,28 @@ void RecordPanel::startVirtual(std::uint64_t seed, bool poses, bool byClock) {
   setup.robot = std::shared_ptr<const RobotModel>(std::shared_ptr<void>(), &RobotModel::panda());
   setup.poses = poses;
   setup.name = nameNow("virtual");
-  virtualRun_ = true;
-  tool_ = seed;
+  setup.origin.tool = seed;
   way_ = Way::virtualArm;
   begin(std::move(setup), byClock);
 }
 
-void RecordPanel::startListening(bool poses) {
-  if (form_) {
-    auto addresses = form_->addresses();
-    if (!addresses) return fail(QString::fromStdString(addresses.error().message));
-    auto meta = form_->meta();
-    if (!meta) return fail(QString::fromStdString(meta.error().message));
-    addresses_ = std::move(*addresses);
-    listenedMeta_ = std::move(*meta);
-  }
+void RecordPanel::startListening() {
+  if (!form_) return;
+  auto addresses = form_->addresses();
+  if (!addresses) return fail(QString::fromStdString(addresses.error().message));
+  auto meta = form_->meta();
+  if (!meta) return fail(QString::fromStdString(meta.error().message));
+  listenTo({0, std::move(*addresses), std::move(*meta)}, false);
+}
+
+void RecordPanel::listenTo(LiveOrigin origin, bool poses) {
   LiveSetup setup;
-  for (const std::string& address : addresses_) {
+  for (const std::string& address : origin.addresses) {
     auto source = makeLiveSource(address);
     if (!source) return fail(QString::fromStdString(source.error().message));
     setup.sources.push_back(std::move(*source));
   }
-  setup.meta = listenedMeta_;
+  setup.meta = origin.meta;
   if (setup.meta.robot && *setup.meta.robot != "panda") {
     Findings findings;
     auto robot = robotFor(setup.meta, findings);
@@ -333,41 +343,45 @@ void RecordPanel::startListening(bool poses) {
   }
   setup.poses = poses;
   setup.name = nameNow("live");
-  virtualRun_ = false;
+  setup.origin = std::move(origin);
   begin(std::move(setup), true);
 }
 
 void RecordPanel::begin(LiveSetup setup, bool byClock) {
-  byClock_ = byClock;
   setup.folder = recordedFolder();
   setup.shape = estimateOptions(workspace().session()).shape;
   delete stage_;
   stage_ = nullptr;
   board_ = nullptr;
-  const auto robot = setup.robot;
   if (auto started = run_->start(std::move(setup), byClock); !started)
     return fail(QString::fromStdString(started.error().message));
+  follow();
+  emit arrangementChanged();
+  emit stateChanged();
+}
+
+/// Shows the run that goes on.
+void RecordPanel::follow() {
+  way_ = virtualRun() ? Way::virtualArm : Way::live;
   form_ = nullptr;
   plotted_ = 0;
   if (ownPane_) ownPane_->setRecording(nullptr);
   if (parts().view) {
-    stage_ = new LiveStage(run_, parts().view, byClock, this);
+    stage_ = new LiveStage(run_, parts().view, run_->byClock(), this);
     if (here_) stage_->enter();
-    if (here_ && virtualRun_ && guide_) guide_->attach();
+    if (here_ && virtualRun() && guide_) guide_->attach();
     looking_.start(
         QString(),
-        [robot, virtualRun = virtualRun_](const Progress& progress) -> Result<std::shared_ptr<const RobotLook>> {
+        [robot = run_->robot(), virtualRun = virtualRun()](const Progress& progress) -> Result<std::shared_ptr<const RobotLook>> {
           Findings findings;
           if (!robot || virtualRun) return pandaLook(findings, progress);
           return std::make_shared<const RobotLook>(heft::loadLook(*robot, findings, progress));
         },
-        [this](Result<std::shared_ptr<const RobotLook>> look) {
+        [this](const Result<std::shared_ptr<const RobotLook>>& look) {
           if (look && stage_ && run_->running()) stage_->setLook(*look);
         });
   }
   showLive();
-  emit arrangementChanged();
-  emit stateChanged();
 }
 
 void RecordPanel::showLive() {
@@ -378,14 +392,7 @@ void RecordPanel::showLive() {
             : page()->restart(tr("Move the arm. Heft listens."),
                               tr("Guide it as you always do. Touch nothing with the tool."));
   board_ = new LiveBoard(run_, page()->content());
-  connect(board_, &LiveBoard::posesWanted, this, [this](bool wanted) {
-    run_->discard();
-    if (virtualRun_) {
-      startVirtual(tool_, wanted, byClock_);
-    } else {
-      startListening(wanted);
-    }
-  });
+  connect(board_, &LiveBoard::posesWanted, this, &RecordPanel::changeWay);
   connect(board_, &LiveBoard::anotherToolWanted, this, &RecordPanel::changeTool);
   column->addWidget(board_);
   column->addStretch(1);
@@ -397,6 +404,7 @@ void RecordPanel::showLive() {
         [this] {
           run_->setPaused(!run_->paused());
           page()->secondButton()->setText(run_->paused() ? tr("Go on") : tr("Pause"));
+          emit stateChanged();
         },
         "pause");
   }
@@ -412,9 +420,20 @@ void RecordPanel::liveRefreshed() {
   if (enough != page()->mainButton()->isEnabled())
     page()->setMainEnabled(enough, run_->poses() ? tr("Two poses at least are needed.") : tr("Nothing has come yet."));
   // Plots cost more than numbers: every other time is enough for the eye.
-  if (ownPane_ && here_ && (plotted_++ % 2 == 0 || !byClock_))
+  if (ownPane_ && here_ && (plotted_++ % 2 == 0 || !run_->byClock()))
     ownPane_->showLive(now.traces, now.touched, now.time);
   emit stateChanged();
+}
+
+void RecordPanel::changeWay(bool poses) {
+  const LiveOrigin origin = run_->origin();
+  const bool virtualArm = virtualRun(), byClock = run_->byClock();
+  run_->discard();
+  if (virtualArm) {
+    startVirtual(origin.tool, poses, byClock);
+  } else {
+    listenTo(origin, poses);
+  }
 }
 
 void RecordPanel::changeTool() {
@@ -472,16 +491,15 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
   if (what == "replay" && words.size() >= 3) {
     way_ = Way::live;
     form_ = nullptr;
-    addresses_ = {"replay:" + words[2].toStdString() + "?speed=20"};
+    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}};
     Findings findings;
-    listenedMeta_ = {};
     if (QFileInfo::exists(QString::fromStdString(metaFileOf(words[2].toStdString()).string()))) {
       auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);
       if (!meta) return Result<bool>(meta.error());
-      listenedMeta_ = std::move(*meta);
-      listenedMeta_.wrenchSign = WrenchSign::sensorOnPayload;
+      origin.meta = std::move(*meta);
+      origin.meta.wrenchSign = WrenchSign::sensorOnPayload;
     }
-    startListening(false);
+    listenTo(std::move(origin), false);
     if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));
     // The script goes on when all has come and has been learned.
     waiting_.start(

@@ -32,6 +32,7 @@ class RecordPanel : public StepPanel {
   Below below() const override { return run_->running() && ownPane_ ? Below::own : Below::plots; }
   QWidget* ownPane() override;
   QString hint() const override;
+  QString facts() const override;
   bool keyPressed(QKeyEvent* event) override;
   /// live virtual SECONDS [TOOL] | live poses SECONDS [TOOL] | live pass SECONDS | live replay FILE |
   /// live guide DX DY DZ [RX RY RZ] | live show | live form | live stop | live discard
@@ -42,7 +43,7 @@ class RecordPanel : public StepPanel {
   /// The virtual arm with a tool that the seed chooses. With `byClock` its time passes by itself.
   void startVirtual(std::uint64_t seed, bool poses, bool byClock);
   /// What the form says.
-  void startListening(bool poses);
+  void startListening();
   void stopAndKeep();
   LiveRun* run() { return run_; }
   FlangeGuide* guide() { return guide_; }
@@ -55,26 +56,27 @@ class RecordPanel : public StepPanel {
   void addVirtual(QVBoxLayout* column);
   void addOpened(QVBoxLayout* column);
   void addRecent(QVBoxLayout* column);
+  void listenTo(LiveOrigin origin, bool poses);
+  bool virtualRun() const { return run_->virtualArm() != nullptr; }
   void begin(LiveSetup setup, bool byClock);
+  void follow();
+  void changeWay(bool poses);
   void showNoLive();
   void liveRefreshed();
   void changeTool();
   void fail(const QString& sentence);
 
   QPointer<RecordingPane> ownPane_;  ///< Plots of the live run; the window places it.
-  LiveRun* run_;
+  LiveRun* run_;  ///< The workspace's: it goes on when the window is replaced.
   JobRunner looking_;  ///< Loads what the robot looks like.
   JobRunner waiting_;  ///< In scripts: until a replay has come to its end.
   Way way_ = Way::files;
   bool here_ = false;
-  std::uint64_t tool_ = 0;  ///< Seed of the virtual tool
-  bool virtualRun_ = false, byClock_ = true;
+  std::uint64_t tool_ = 0;  ///< Seed of the virtual tool that is offered
   SourceForm* form_ = nullptr;
   LiveBoard* board_ = nullptr;
   LiveStage* stage_ = nullptr;
   FlangeGuide* guide_ = nullptr;
-  std::vector<std::string> addresses_;  ///< Of the present run, to begin anew.
-  RecordingMeta listenedMeta_;
   int plotted_ = 0;
 };
 

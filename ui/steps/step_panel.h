@@ -48,6 +48,8 @@ class StepPanel : public QWidget {
 
   /// What may be done here, for the line at the bottom: "Drag an edge to move it · Ctrl+Z undoes".
   virtual QString hint() const { return {}; }
+  /// What is under way in this step, in place of the open recording's facts; empty: nothing.
+  virtual QString facts() const { return {}; }
 
   /// A key that no control wanted while this step is shown; true if it was used.
   virtual bool keyPressed(QKeyEvent*) { return false; }
