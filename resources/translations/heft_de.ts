@@ -728,7 +728,7 @@
     </message>
     <message>
         <source>swing from the wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>aus dem Handgelenk schwingen</translation>
     </message>
 </context>
 <context>
