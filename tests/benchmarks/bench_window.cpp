@@ -1,0 +1,331 @@
+// The whole window under software rendering, on a private X server:
+//   bench_window frames [MINUTES]    a recording of ten minutes at 1 kHz, opened as a user opens it: what one frame of
+//                                    zooming, panning and playing takes with plots, marks and the 3D view together
+//   bench_window start PROGRAM       from the start of heft-studio until its window, and its arm, stand on the screen
+//   bench_window live [MINUTES]      a robot that sends 1 kHz over UDP: once a minute what came, what was drawn, how long
+//                                    the window was deaf at most, and the memory held
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QLineEdit>
+#include <QLocale>
+#include <QProcess>
+#include <QScreen>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <atomic>
+#include <clocale>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <thread>
+
+#include "core/recording/csv_reader.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/virtual_rig.h"
+#include "ui/controller/workspace.h"
+#include "ui/main_window/main_window.h"
+#include "ui/offscreen/private_display.h"
+#include "ui/record_panel/record_panel.h"
+#include "ui/record_panel/source_form.h"
+#include "ui/robot_view/graphics_setup.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/theme/theme.h"
+#include "ui/timeline/playback.h"
+#include "ui/wrench_plots/recording_pane.h"
+
+namespace heft {
+namespace {
+
+constexpr QSize kWindow(1440, 900);
+
+/// Knows how long the window was busy with one event, that is deaf to the user.
+class TimedApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (depth_ > 0) return QApplication::notify(receiver, event);
+    ++depth_;
+    QElapsedTimer clock;
+    clock.start();
+    const bool done = QApplication::notify(receiver, event);
+    --depth_;
+    const double milliseconds = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    longest = std::max(longest, milliseconds);
+    if (milliseconds > 30.0) ++over30;
+    return done;
+  }
+  double longest = 0.0;  ///< [ms]
+  int over30 = 0;
+
+ private:
+  int depth_ = 0;
+};
+
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double residentMegabytes() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0, resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+double machineLoad() {
+  std::ifstream file("/proc/loadavg");
+  double load = 0;
+  file >> load;
+  return load;
+}
+
+void turnUntil(const std::function<bool()>& done) {
+  while (!done()) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+}
+
+void turnFor(int milliseconds) {
+  QElapsedTimer clock;
+  for (clock.start(); clock.elapsed() < milliseconds;) QApplication::processEvents(QEventLoop::AllEvents, 5);
+}
+
+/// `act` and everything that it causes, drawn: until two turns of the event loop in a row had nothing to do.
+void measure(const char* what, int frames, const std::function<void(int)>& act) {
+  std::vector<double> wall, processor;
+  for (int k = 0; k < frames; ++k) {
+    QElapsedTimer clock;
+    clock.start();
+    const double before = processorSeconds();
+    act(k);
+    QApplication::processEvents();
+    QApplication::processEvents();
+    wall.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+    processor.push_back(1000 * (processorSeconds() - before));
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(processor.begin(), processor.end());
+  const auto share = [](const std::vector<double>& sorted, double part) {
+    return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
+  };
+  fmt::print("{:34}  {:8.1f}  {:8.1f}  {:8.1f}  {:14.1f}\n", what, share(wall, 0.5), share(wall, 0.95), wall.back(),
+             share(processor, 0.5));
+  std::fflush(stdout);
+}
+
+int frames(double minutes) {
+  const QTemporaryDir folder;
+  const std::string file = folder.filePath("long.csv").toStdString();
+  {
+    Payload payload;
+    payload.mass = 0.9;
+    payload.com = {0.005, -0.01, 0.06};
+    payload.inertiaCom = Vector3d(0.0021, 0.0019, 0.0012).asDiagonal();
+    SimulateOptions options;
+    options.duration = 60 * minutes;
+    const auto simulated = simulate(RobotModel::panda(), payload, options);
+    if (!simulated) return fmt::print(stderr, "{}\n", simulated.error().message), 1;
+    if (auto written = writeRecording(simulated->recording, file); !written)
+      return fmt::print(stderr, "{}\n", written.error().message), 1;
+  }
+  Workspace workspace;
+  MainWindow window(&workspace, false);
+  window.resize(kWindow);
+  window.show();
+  turnUntil([&] { return window.settled(); });
+  auto& application = *static_cast<TimedApplication*>(QApplication::instance());
+  application.longest = 0;
+  application.over30 = 0;
+  QElapsedTimer opening;
+  opening.start();
+  workspace.open(QString::fromStdString(file));
+  turnUntil([&] { return window.settled(); });
+  turnFor(500);
+  if (!workspace.report()) return fmt::print(stderr, "no result\n"), 1;
+  fmt::print("{} samples opened and estimated in {:.1f} s; meanwhile the window was deaf for {:.0f} ms at most, {} times "
+             "over 30 ms; {:.0f} MB; load of the machine {:.1f}\n\n",
+             workspace.opened()->recording.rows(), static_cast<double>(opening.elapsed()) / 1000, application.longest,
+             application.over30, residentMegabytes(), machineLoad());
+  fmt::print("{:34}  {:>8}  {:>8}  {:>8}  {:>14}\n", "wall time of a frame [ms]", "median", "95 %", "longest",
+             "processor, ms");
+  TimeAxis* axis = window.recordingPane()->timeAxis();
+  const double end = axis->fullUpper();
+  for (const Step step : {Step::result, Step::mark}) {
+    window.showStep(step);
+    turnFor(800);
+    fmt::print("step {}\n", stepId(step));
+    measure("zoom, nearly all", 100, [&](int k) { axis->show(0.0 + k % 7, end - 1.0); });
+    measure("zoom in by steps", 100, [&](int k) {
+      const double half = 0.5 * end * std::pow(0.9, k % 60);
+      axis->show(0.5 * end - half, 0.5 * end + half);
+    });
+    measure("pan, a minute shown", 100, [&](int k) { axis->show(0.3 * end + k, 0.3 * end + k + 60); });
+    measure("pan, a second shown", 100, [&](int k) { axis->show(0.3 * end + 0.01 * k, 0.3 * end + 0.01 * k + 1); });
+    axis->show(0.0, end);
+    turnFor(800);
+    measure("time moves: cursor, arm, arrows", 100, [&](int k) { window.playback()->setTime(10 + 0.033 * k); });
+    measure("pan while the arm moves", 100, [&](int k) {
+      window.playback()->setTime(10 + 0.033 * k);
+      axis->show(5 + 0.033 * k, 15 + 0.033 * k);
+    });
+    // What follows a moment after the last quick frame: the smooth ones. Their parts are events of their own.
+    application.longest = 0;
+    for (int k = 0; k < 8; ++k) {
+      axis->show(k, end - k);
+      turnFor(400);
+    }
+    fmt::print("{:34}  {:>8}  {:>8}  {:8.1f}\n", "smooth frame of the plots at rest", "", "", application.longest);
+    application.longest = 0;
+    for (int k = 0; k < 8; ++k) {
+      window.playback()->setTime(20 + k);
+      turnFor(600);
+    }
+    fmt::print("{:34}  {:>8}  {:>8}  {:8.1f}\n", "smooth frame of the 3D view at rest", "", "", application.longest);
+  }
+  fmt::print("load of the machine {:.1f}\n", machineLoad());
+  return 0;
+}
+
+/// Colours of every fourth pixel of the screen.
+std::size_t coloursOnScreen() {
+  const QImage image = QGuiApplication::primaryScreen()->grabWindow(0).toImage().convertToFormat(QImage::Format_RGB32);
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); y += 4)
+    for (int x = 0; x < image.width(); x += 4) colours.insert(image.pixel(x, y));
+  return colours.size();
+}
+
+int start(const QString& program) {
+  const QTemporaryDir home;
+  for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+    qputenv(name, home.path().toLocal8Bit());
+  fmt::print("start  window [s]  arm in 3D [s]  load of the machine\n");
+  for (int round = 1; round <= 5; ++round) {
+    turnUntil([] { return coloursOnScreen() < 5; });
+    QProcess studio;
+    QElapsedTimer clock;
+    clock.start();
+    studio.start(program, QStringList());
+    double windowAt = 0.0, armAt = 0.0;
+    while (armAt <= 0.0 && clock.elapsed() < 60000) {
+      const std::size_t colours = coloursOnScreen();
+      const double now = static_cast<double>(clock.elapsed()) / 1000;
+      if (windowAt <= 0.0 && colours > 20) windowAt = now;
+      if (colours > 600) armAt = now;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    fmt::print("{:5}  {:10.2f}  {:13.2f}  {:.1f}\n", round, windowAt, armAt, machineLoad());
+    std::fflush(stdout);
+    studio.terminate();
+    studio.waitForFinished();
+  }
+  return 0;
+}
+
+/// A robot of its own: what it measures goes to 127.0.0.1, a datagram each sample, at the machine's clock.
+class SendingRobot {
+ public:
+  explicit SendingRobot(std::uint16_t port) : thread_([this, port](const std::stop_token& stopping) { run(stopping, port); }) {}
+  std::uint64_t sent() const { return sent_; }
+
+ private:
+  void run(const std::stop_token& stopping, std::uint16_t port) {
+    VirtualRigOptions options;
+    options.payload = practiceTool(1);
+    auto rig = VirtualRig::create(RobotModel::panda(), options).value();
+    rig.arm().wander();
+    const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(port);
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    auto next = std::chrono::steady_clock::now();
+    std::string text;
+    while (!stopping.stop_requested()) {
+      const VirtualSample& s = rig.next();
+      text = fmt::format(R"({{"time":{:.6f},"fx":{:.5f},"fy":{:.5f},"fz":{:.5f},"tx":{:.6f},"ty":{:.6f},"tz":{:.6f})", s.time,
+                         s.wrench(0), s.wrench(1), s.wrench(2), s.wrench(3), s.wrench(4), s.wrench(5));
+      for (int j = 0; j < 7; ++j) text += fmt::format(R"(,"q{}":{:.7f},"dq{}":{:.5f})", j + 1, s.q(j), j + 1, s.dq(j));
+      text += '}';
+      if (::sendto(socket, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to) > 0) ++sent_;
+      next += std::chrono::milliseconds(1);
+      std::this_thread::sleep_until(next);
+    }
+    ::close(socket);
+  }
+
+  std::atomic<std::uint64_t> sent_ = 0;
+  std::jthread thread_;
+};
+
+int live(int minutes) {
+  constexpr std::uint16_t kPort = 9871;
+  const QTemporaryDir state;
+  qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  Workspace workspace;
+  MainWindow window(&workspace, false);
+  window.resize(kWindow);
+  window.show();
+  turnUntil([&] { return window.settled(); });
+  auto* panel = dynamic_cast<RecordPanel*>(window.panel(Step::record));
+  panel->setWay(RecordPanel::Way::live);
+  auto* form = panel->findChild<SourceForm*>();
+  form->setKind(SourceForm::Kind::jsonUdp);
+  form->findChildren<QLineEdit*>("sourceAddress").back()->setText(QString::number(kPort));
+  panel->startListening();
+  if (!panel->run()->running()) return fmt::print(stderr, "does not listen\n"), 1;
+  const SendingRobot robot(kPort);
+  auto& application = *static_cast<TimedApplication*>(QApplication::instance());
+  int refreshes = 0;
+  QObject::connect(panel->run(), &LiveRun::refreshed, [&] { ++refreshes; });
+  fmt::print("minute   sent  received  on disk  refreshes/s  longest deaf ms  over 30 ms  processor %  memory MB  load  kg\n");
+  QElapsedTimer clock;
+  clock.start();
+  for (int minute = 1; minute <= minutes && panel->run()->running(); ++minute) {
+    refreshes = 0;
+    application.longest = 0;
+    application.over30 = 0;
+    const double before = processorSeconds();
+    turnUntil([&] { return clock.elapsed() >= 60000LL * minute; });
+    const auto status = panel->run()->status();
+    fmt::print("{:6}  {:7}  {:7}  {:7}  {:11.1f}  {:15.0f}  {:10}  {:11.1f}  {:9.0f}  {:4.1f}  {:.4f}\n", minute, robot.sent(),
+               status.samples, status.recorded, refreshes / 60.0, application.longest, application.over30,
+               100 * (processorSeconds() - before) / 60, residentMegabytes(), machineLoad(),
+               panel->run()->view().state.payload.mass);
+    std::fflush(stdout);
+  }
+  const QString file = panel->run()->stop();
+  const auto read = readRecording(file.toStdString());
+  fmt::print("the recording holds {} samples; hidden mass {:.4f} kg\n", read ? read->recording.rows() : 0,
+             practiceTool(1).mass);
+  return 0;
+}
+
+}  // namespace
+}  // namespace heft
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  const double number = argc > 2 ? std::atof(argv[2]) : 0.0;
+  if ((what != "frames" && what != "start" && what != "live") || (what == "start" && argc < 3)) {
+    fmt::print(stderr, "bench_window frames [MINUTES] | start PROGRAM | live [MINUTES]\n");
+    return 2;
+  }
+  auto display = heft::PrivateDisplay::start(heft::kWindow.width(), heft::kWindow.height());
+  if (!display) return fmt::print(stderr, "{}\n", display.error().message), 1;
+  QStandardPaths::setTestModeEnabled(true);
+  heft::prepareGraphics();
+  heft::TimedApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+  heft::applyTheme(application, heft::ThemeKind::light);
+  if (what == "frames") return heft::frames(number > 0 ? number : 10.0);
+  if (what == "start") return heft::start(QString::fromLocal8Bit(argv[2]));
+  return heft::live(number > 0 ? static_cast<int>(number) : 30);
+}
