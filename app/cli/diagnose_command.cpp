@@ -40,7 +40,7 @@ void run(const Options& options) {
   settings.seed = options.seed;
   requireRange("--surrogates", options.surrogates, 0, 5000, "");
   for (const auto& id : options.hidden) {
-    std::vector<std::string> known{"contact", "saturation", "spikes", "dropouts"};
+    std::vector<std::string> known{"contact", "saturation", "spikes", "dropouts", "jitter", "quantisation"};
     for (const auto& cause : diagnosis::catalogue()) known.emplace_back(cause->id());
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }

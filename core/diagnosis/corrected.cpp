@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/diagnosis/time_stamps.h"
+
 namespace heft {
 
 using namespace diagnosis;
@@ -135,7 +137,7 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
                        [&](const Term& term) { return term.form->cause->id() == cause.id; });
   if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
   if (cause.id == "contact") return !cause.when.empty();
-  return cause.id == "motion_lag" || cause.id == "derivative_noise";
+  return cause.id == "jitter" || cause.id == "motion_lag" || cause.id == "derivative_noise";
 }
 
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,
@@ -155,6 +157,8 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
       out = undone(std::move(out), *mistake);
     } else if (id == "contact") {
       for (const auto& [from, to] : cause->when) out.meta.marks.push_back({from, to, MarkLabel::contact});
+    } else if (id == "jitter") {
+      if (auto stamps = unevenStamps(out)) out.time = std::move(stamps->even);
     } else if (id == "motion_lag" || id == "derivative_noise") {
       out.dq.resize(0, out.dq.cols());
     }

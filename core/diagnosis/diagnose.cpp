@@ -9,6 +9,7 @@
 
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/surrogates.h"
+#include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
 #include "core/diagnosis/work.h"
@@ -20,7 +21,7 @@ using namespace diagnosis;
 
 namespace {
 
-constexpr double kUnexplained = 20.0;
+constexpr double kUnexplained = 12.0;
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
 
 WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual) {
@@ -195,6 +196,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   Eigen::Index spikes = 0;
   Recording cleaned = recording;
   cleaned.wrench = withoutSpikes(recording.wrench, spikes);
+  const bool evened = std::ranges::find(options.hidden, "jitter") == options.hidden.end();
+  if (auto stamps = evened ? unevenStamps(recording) : std::nullopt) cleaned.time = std::move(stamps->even);
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
   const auto motion = motionOf(cleaned, robot, smoothing);
@@ -319,8 +322,12 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     cause.deltaBic = accepted.gain;
     cause.pValue = chance.best.empty() ? std::exp(-0.5 * accepted.gain) : chance.pValue(accepted.gain);
     cause.gain = gain;
-    for (const auto& rival : accepted.rivals)
-      if (rival.behind < kTie) cause.alternatives.push_back(rival.cause);
+    for (const auto& rival : accepted.rivals) {
+      // To whoever mends the rig a wandering zero is one that drifts.
+      const std::string other = rival.cause == kWandering ? "bias_drift" : rival.cause;
+      if (other != cause.id && std::ranges::find(cause.alternatives, other) == cause.alternatives.end())
+        cause.alternatives.push_back(other);
+    }
     // A jump is a drift that took no time.
     if (cause.id == "sensor_bias" && std::ranges::find(cause.alternatives, "bias_drift") == cause.alternatives.end())
       cause.alternatives.push_back("bias_drift");
@@ -330,9 +337,9 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     before = after;
   }
   const Fit& final = work.search.final;
-  bool slowWave = false;
-  if (Model steady = without(final.model, kWandering); steady.terms.size() < final.model.terms.size()) {
-    slowWave = moreThanAWalk(work.signals, work.stretches, fitModel(work.signals, work.stretches, std::move(steady)), final);
+  Wrenches steady = final.residual;
+  if (Model still = without(final.model, kWandering); still.terms.size() < final.model.terms.size()) {
+    steady = fitModel(work.signals, work.stretches, std::move(still)).residual;
     out.findings.push_back({Severity::info, "zero_wanders",
                               "The sensor's zero wanders slowly during the recording; this is allowed for.",
                               "Let the sensor warm up, and keep recordings short.", {}});
@@ -340,9 +347,10 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, cause.sentence, work.signals);
 
   if (dropped) out.remaining = structureIn(work.signals, work.stretches, final);
-  if (slowWave && out.remaining.gain < 2.0 * kUnexplained) {
+  if (const double excess = slowWave(work.signals, work.stretches, steady);
+      excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = "a slow wave in time";
-    out.remaining.gain = 2.0 * kUnexplained;
+    out.remaining.gain = 2.0 * kUnexplained * excess;
   }
   out.noise = rmsOf(work.stretches, final.residual);
   const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));

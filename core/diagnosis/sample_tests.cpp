@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/diagnosis/time_stamps.h"
 #include "core/estimation/prepare.h"
 
 namespace heft::diagnosis {
@@ -79,8 +80,60 @@ std::optional<Direct> spikes(const Recording& recording) {
   return out;
 }
 
-/// Readings that were held, zeroed or left out.
-std::optional<Direct> dropouts(const Recording& recording) {
+/// Readings that only take values a few steps apart, so coarse that they stand still while the load changes.
+std::optional<Direct> quantisation(const Recording& recording) {
+  constexpr double kStill = 0.5;  // of a channel's readings: finer steps drown in noise
+  Direct out;
+  const Eigen::Index n = recording.rows();
+  double coarsest[2] = {0.0, 0.0};
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const auto y = recording.wrench.col(c);
+    Eigen::Index fresh = 0, still = 0;
+    for (Eigen::Index i = 1; i < n; ++i) {
+      if (sameRow(recording, i)) continue;
+      ++fresh;
+      still += y(i) == y(i - 1) ? 1 : 0;
+    }
+    std::vector<double> levels(y.data(), y.data() + n);
+    std::sort(levels.begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    if (levels.size() < 4 || static_cast<double>(still) < kStill * static_cast<double>(fresh)) continue;
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < levels.size(); ++i) steps.push_back(levels[i] - levels[i - 1]);
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+    const double step = steps[steps.size() / 2];
+    // Every level is a whole number of steps away from the lowest, but for the digits of the file.
+    const bool regular = std::all_of(levels.begin(), levels.end(), [&](double level) {
+      const double count = (level - levels.front()) / step;
+      return std::abs(count - std::nearbyint(count)) < 0.02;
+    });
+    if (!regular) continue;
+    coarsest[c / 3] = std::max(coarsest[c / 3], step);
+  }
+  if (coarsest[0] > 0.0) out.parameters.push_back({"step_force", "N", coarsest[0], 0.0});
+  if (coarsest[1] > 0.0) out.parameters.push_back({"step_torque", "N m", coarsest[1], 0.0});
+  if (out.parameters.empty()) return std::nullopt;
+  out.cause = "quantisation";
+  out.sentence = fmt::format("The readings come in steps of {:.2g} {}, coarser than the sensor's noise.",
+                             out.parameters.front().value, out.parameters.front().unit);
+  out.words = {"Coarse readings", "Choose a finer measuring range, or a file format with more digits.",
+               "None is needed: the readings show it.", {}};
+  return out;
+}
+
+Direct jitter(const UnevenStamps& stamps) {
+  Direct out;
+  out.cause = "jitter";
+  out.parameters = {{"spread", "ms", 1e3 * stamps.spread, 0.0}};
+  out.sentence = fmt::format("The time stamps come up to {:.2g} ms early or late; Heft takes the rows as evenly spaced.",
+                             500.0 * stamps.spread);
+  out.words = {"Uneven time stamps", "Let the sensor or the robot stamp the readings, not a busy computer.",
+               "None is needed: the time stamps show it.", {"time_offset"}};
+  return out;
+}
+
+/// Readings that were held, zeroed or left out. `stamped`: the stamps tell how long a step took.
+std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
   const Eigen::Index n = recording.rows();
   Eigen::Index held = 0, zeros = 0, missing = 0;
   for (Eigen::Index i = 1; i < n;) {
@@ -96,7 +149,7 @@ std::optional<Direct> dropouts(const Recording& recording) {
   }
   for (Eigen::Index i = 0; i < n; ++i)
     if ((recording.wrench.row(i).array() == 0.0).all()) ++zeros;
-  const double step = recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
+  const double step = stamped && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i) {
     const double gap = (recording.time(i) - recording.time(i - 1)) / step;
     if (gap > 1.7) missing += static_cast<Eigen::Index>(std::lround(gap)) - 1;
@@ -168,7 +221,10 @@ std::vector<Direct> velocities(const Recording& recording, const Motion& motion)
 std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion) {
   std::vector<Direct> out;
   if (auto found = saturation(recording)) out.push_back(std::move(*found));
-  if (auto found = dropouts(recording)) out.push_back(std::move(*found));
+  const auto stamps = unevenStamps(recording);
+  if (stamps) out.push_back(jitter(*stamps));
+  if (auto found = dropouts(recording, !stamps)) out.push_back(std::move(*found));
+  if (auto found = quantisation(recording)) out.push_back(std::move(*found));
   if (auto found = spikes(recording)) out.push_back(std::move(*found));
   for (auto& found : velocities(recording, motion)) out.push_back(std::move(found));
   return out;

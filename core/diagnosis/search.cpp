@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
 constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of another
 constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
+constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
+constexpr double kBesideWandering = 10.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
+constexpr double kFaint = 50.0;      ///< Evidence below which simplicity alone does not name a cause
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
 
 std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
@@ -154,6 +157,14 @@ Model without(const Model& model, std::string_view cause) {
   return out;
 }
 
+bool tied(const Found& found, const Rival& rival) {
+  if (rival.behind < kTie) return true;
+  if (rival.worse > kSame) return false;
+  const auto alike = findCause(found.cause)->words().lookAlikes;
+  const bool faint = found.gain < kFaint, explains = rival.behind < found.gain;
+  return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
+}
+
 /// The trials around one model, kept since the look back may need them again.
 struct Tried {
   Fit base;
@@ -171,6 +182,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
   Search out;
   out.null = fitModel(signals, stretches, Model{});
   out.final = out.null;
+  const double lnN = std::log(std::max(2.0, out.null.noise.samples));
   std::vector<std::string> order;
   Tried latest, accepted;
   for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
@@ -184,11 +196,12 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
     if (latest.all.empty() || latest.all.front().gain < kHopeful * promised)
       latest.all = trials(signals, stretches, out.final, ranked, kTried, 0.0);
     const auto& all = latest.all;
-    if (all.empty() || all.front().gain < options.threshold) break;
+    const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering : 0.0);
+    if (all.empty() || all.front().gain < needed) break;
     // A richer form of what is already named comes before a second name, unless that one explains clearly more.
     const Trial* chosen = &all.front();
     for (const auto& trial : all)
-      if (contains(out.final.model, trial.cause) && trial.gain > options.threshold && trial.gain > 0.7 * all.front().gain) {
+      if (contains(out.final.model, trial.cause) && trial.gain > needed && trial.gain > 0.7 * all.front().gain) {
         chosen = &trial;
         break;
       }
@@ -221,7 +234,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
         if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)
-          found.rivals.push_back({trial.cause, found.gain - trial.gain});
+          found.rivals.push_back({trial.cause, found.gain - trial.gain,
+                                  found.gain - trial.gain - lnN * (trial.fit.dimensions - out.final.dimensions) - trial.penalty});
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
       if (!found.rivals.empty() && found.rivals.front().behind < -2.0) {
@@ -230,7 +244,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
         changed = 1;
         break;
       }
-      std::erase_if(found.rivals, [](const Rival& r) { return r.behind > 3.0 * kTie; });
+      std::erase_if(found.rivals, [&](const Rival& r) { return !tied(found, r); });
       out.found.push_back(std::move(found));
     }
   }

@@ -21,6 +21,7 @@ struct SearchOptions {
 struct Rival {
   std::string cause;
   double behind = 0.0;  ///< Evidence that it lacks against the accepted one
+  double worse = 0.0;   ///< The same without the price of parameters: by how much it fits worse
 };
 
 struct Found {
@@ -28,6 +29,10 @@ struct Found {
   double gain = 0.0;  ///< Evidence lost if it is taken out of the final model again
   std::vector<Rival> rivals;  ///< Tried in its place, best first
 };
+
+/// Whether the recording leaves it open which of the two it is. Where only its price sets a rival back, simplicity
+/// decides; not, though, between look-alikes, nor where there is little evidence at all.
+bool tied(const Found& found, const Rival& rival);
 
 struct Search {
   Fit null;   ///< Bias and payload alone

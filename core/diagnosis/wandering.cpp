@@ -80,18 +80,35 @@ bool beyondWandering(const Signals& signals, const std::vector<Stretch>& stretch
                                              : driftStandsOut(signals, stretches, without, with);
 }
 
-bool moreThanAWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
+double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  constexpr int kAll = 3 * kWaves;
+  constexpr double kBelow = 0.6;   // [Hz]; faster ones are looked for elsewhere
+  constexpr double kLimit = 40.0;  // squared deviations of one wave
+  double excess = 0.0;
   for (Eigen::Index c = 0; c < 6; ++c) {
-    const VectorXd slow = waves(signals, stretches, without.residual, c, 3 * kWaves);
-    const VectorXd rest = waves(signals, stretches, with.residual, c, 3 * kWaves);
-    const double floor = std::max(1e-18, rest.tail(kWaves).squaredNorm() / kWaves);
-    std::vector<double> scaled;
-    for (Eigen::Index k = 1; k < kWaves; ++k)
-      scaled.push_back(std::sqrt(slow(k) * slow(k) / (1.0 + floor / std::max(1e-18, slow(k) * slow(k)))) * static_cast<double>(k + 1));
-    const double middle = std::max(median(scaled), std::sqrt(floor) * 2.0);
-    if (*std::max_element(scaled.begin(), scaled.end()) > 8.0 * middle) return true;
+    const VectorXd power = waves(signals, stretches, residual, c, kAll).cwiseAbs2();
+    // A walk on top of noise, fitted so that single waves that stand out count little (Student's t, three degrees).
+    const auto spectrum = [](double floor, double walk, int k) { return floor * (1.0 + walk / (k * k)); };
+    double best = -1e300, floor = 0.0, walk = 0.0;
+    const double lowest = std::max(1e-18, 0.1 * power.tail(2 * kWaves).mean());
+    for (double f = lowest; f < 20.0 * lowest; f *= 1.3)
+      for (double a = 0.0; a < 1e6; a = a == 0.0 ? 0.3 : 1.6 * a) {
+        double sum = 0.0;
+        for (int k = 1; k <= kAll; ++k) {
+          const double variance = spectrum(f, a, k);
+          sum -= std::log(variance) + 4.0 * std::log1p(power(k - 1) / (3.0 * variance));
+        }
+        if (sum > best) {
+          best = sum;
+          floor = f;
+          walk = a;
+        }
+      }
+    // Half a wave over the recording is what a drift looks like.
+    for (int k = 2; k <= kAll && 0.5 * k < kBelow * signals.duration(); ++k)
+      excess = std::max(excess, power(k - 1) / spectrum(floor, walk, k) / kLimit);
   }
-  return false;
+  return excess;
 }
 
 }  // namespace heft::diagnosis

@@ -9,8 +9,8 @@ namespace heft::diagnosis {
 /// from the steps that the zero makes at other times.
 bool beyondWandering(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with);
 
-/// True if what a wandering zero was taken for in `with` is no random walk but a slow wave: one of its amplitudes towers
-/// above what a walk through the others would have.
-bool moreThanAWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with);
+/// How far a single slow wave in time (below 0.6 Hz) of `residual` stands out from a random walk on top of noise: above 1
+/// no walk does that. Judged against the other waves, since a noise with a long memory would swallow it.
+double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 }  // namespace heft::diagnosis

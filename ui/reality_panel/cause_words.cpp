@@ -117,6 +117,14 @@ const std::map<std::string, Words>& words() {
        {QT_TRANSLATE_NOOP("heft::Causes", "Readings lost or repeated"), QT_TRANSLATE_NOOP("heft::Causes", "check the connection, and record at the sensor’s own rate."),
         QT_TRANSLATE_NOOP("heft::Causes", "None is needed: the readings show it."),
         QT_TRANSLATE_NOOP("heft::Causes", "The measured curve has flat steps or holes where it should run on.")}},
+      {"jitter",
+       {QT_TRANSLATE_NOOP("heft::Causes", "Uneven time stamps"), QT_TRANSLATE_NOOP("heft::Causes", "let the sensor or the robot stamp the readings, not a busy computer."),
+        QT_TRANSLATE_NOOP("heft::Causes", "None is needed: the time stamps show it."),
+        QT_TRANSLATE_NOOP("heft::Causes", "In fast motion the measured curve trembles forth and back in time.")}},
+      {"quantisation",
+       {QT_TRANSLATE_NOOP("heft::Causes", "Coarse readings"), QT_TRANSLATE_NOOP("heft::Causes", "choose a finer measuring range, or a file format with more digits."),
+        QT_TRANSLATE_NOOP("heft::Causes", "None is needed: the readings show it."),
+        QT_TRANSLATE_NOOP("heft::Causes", "The measured curve climbs in stairs where the simulated one is smooth.")}},
   };
   return kWords;
 }
@@ -313,6 +321,12 @@ QString causeSentence(const DiagnosedCause& cause, const DiagnosisReport& report
   if (id == "hysteresis" && v.strongest())
     return QCoreApplication::translate("heft::Causes", "The sensor remembers %1 of its load: it reads differently going up and coming down.").arg(parameterText(*v.strongest()));
   if (id == "dropouts") return dropoutSentence(v);
+  if (id == "jitter")
+    return QCoreApplication::translate("heft::Causes", "The time stamps come up to %1 ms early or late; Heft takes the rows as evenly spaced.")
+        .arg(numberText(0.5 * v.value("spread"), 1));
+  if (id == "quantisation")
+    return v.find("step_force") ? QCoreApplication::translate("heft::Causes", "The force readings come in steps of %1.").arg(parameterText(*v.find("step_force")))
+                                : QCoreApplication::translate("heft::Causes", "The torque readings come in steps of %1.").arg(parameterText(*v.find("step_torque")));
   return QString::fromStdString(cause.sentence);
 }
 

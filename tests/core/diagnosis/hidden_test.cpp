@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/diagnosis/corrected.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -55,6 +56,27 @@ TEST(Diagnose, TwoAtOnce) {
   for (const char* id : {"time_offset", "gravity_tilt"})
     EXPECT_TRUE(std::any_of(report.causes.begin(), report.causes.end(), [&](const auto& c) { return c.id == id; }))
         << id << ": " << said(report);
+}
+
+TEST(Diagnose, ATiltMayAlwaysBeAPullAtTheCentreOfMass) {
+  const auto report = diagnosed(aRecording(MotionKind::free, 302, {{"gravity_tilt", "", 2.0}}));
+  ASSERT_FALSE(report.causes.empty());
+  EXPECT_EQ(report.causes.front().id, "gravity_tilt") << said(report);
+  EXPECT_EQ(report.causes.front().alternatives, std::vector<std::string>{"constant_pull"}) << said(report);
+  EXPECT_EQ(report.verdict, Verdict::ambiguous);
+}
+
+TEST(Diagnose, UnevenStampsAreSetRightAndNothingElseIsNamed) {
+  const Recording recording = aRecording(MotionKind::excitation, 303, {{"jitter", "", 2.0}});
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "jitter");
+  EXPECT_EQ(report.verdict, Verdict::explained);
+  EXPECT_TRUE(canApply(report, report.causes.front()));
+  const auto even = corrected(recording, &RobotModel::panda(), toJson(report), {"jitter"});
+  ASSERT_TRUE(even.ok());
+  const VectorXd steps = even->time.tail(even->rows() - 1) - even->time.head(even->rows() - 1);
+  EXPECT_LT(steps.maxCoeff() - steps.minCoeff(), 1e-9);
 }
 
 TEST(Diagnose, WhatTheCatalogueLacksIsNotGivenAWrongName) {

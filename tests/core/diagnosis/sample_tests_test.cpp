@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/time_stamps.h"
+#include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -30,10 +32,41 @@ TEST(SampleTests, EachNamesItsOwn) {
            {{"spikes", "", 0.5}, "spikes"},
            {{"dropouts", "", 6.0}, "dropouts"},
            {{"dropouts", "zeros", 4.0}, "dropouts"},
+           {{"jitter", "", 0.8}, "jitter"},
+           {{"quantisation", "", 0.5}, "quantisation"},
            {{"motion_lag", "", 30.0}, "motion_lag"}}) {
     const auto found = directCauses(aRecording(MotionKind::free, 12, {effect}));
     EXPECT_NE(std::find(found.begin(), found.end(), cause), found.end()) << effect.id << "/" << effect.form;
   }
+}
+
+TEST(SampleTests, UnevenStampsAreNoLostReadings) {
+  EXPECT_EQ(directCauses(aRecording(MotionKind::free, 13, {{"jitter", "", 0.8}})), std::vector<std::string>{"jitter"});
+}
+
+TEST(SampleTests, StampsOfAMotionTakenUnevenlyAreRight) {
+  Recording recording = aRecording(MotionKind::free, 14);
+  // Every row is where its stamp says; which rows there are is up to chance.
+  RandomStream random(14, RandomPurpose::effect);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    if (random.chance(0.5)) kept.push_back(i);
+  recording.time = VectorXd(recording.time(kept));
+  recording.q = MatrixXd(recording.q(kept, Eigen::all));
+  if (recording.dq.rows() > 0) recording.dq = MatrixXd(recording.dq(kept, Eigen::all));
+  recording.wrench = decltype(recording.wrench)(recording.wrench(kept, Eigen::all));
+  EXPECT_FALSE(diagnosis::unevenStamps(recording));
+}
+
+TEST(SampleTests, EvenStampsAreThoseOfTheRows) {
+  const Recording exact = aRecording(MotionKind::free, 15);
+  const Recording late = aRecording(MotionKind::free, 15, {{"jitter", "", 1.5}});
+  const auto found = diagnosis::unevenStamps(late);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->spread, 1.5e-3, 0.3e-3);
+  // All of them are late by the mean of the lateness; nothing else is left.
+  const VectorXd left = found->even - exact.time;
+  EXPECT_LT((left.array() - left.mean()).abs().maxCoeff(), 5e-5);
 }
 
 }  // namespace
