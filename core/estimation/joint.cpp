@@ -107,9 +107,9 @@ Result<std::vector<std::size_t>> propose(const Joiner& joiner, std::vector<std::
     std::size_t next = rest.size();
     Told nextTold;
     for (std::size_t r = 0; r < rest.size(); ++r) {
-      auto trial = chosen;
-      trial.push_back(rest[r]);
-      const auto told = joiner.told(trial);
+      chosen.push_back(rest[r]);
+      const auto told = joiner.told(chosen);
+      chosen.pop_back();
       if (!told) return told.error();
       if (next == rest.size() || volume(sizesOf(*told)) < volume(sizesOf(nextTold))) {
         next = r;

@@ -14,7 +14,8 @@ constexpr double kFineStep = 0.004;    ///< [s]
 constexpr double kSmoothing = 0.1;     ///< [s] Both are averaged over it: what interpolation takes away is then gone.
 constexpr double kLeastOverlap = 0.5;  ///< Of the shorter recording.
 constexpr double kFarAway = 0.5;       ///< [s] Another peak, not the same one's flank.
-constexpr double kLeastSpan = 8.0;     ///< [s] In less any two smooth motions look alike.
+constexpr double kLeftUnexplained = 5.0;  ///< So many times more at every other offset
+constexpr double kLeastSpan = 8.0;        ///< [s] In less any two smooth motions look alike.
 
 /// Uniform samples of three channels.
 struct Track {
@@ -178,8 +179,10 @@ OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForc
   for (const double part : parts) squares += (part - mean) * (part - mean);
   out.std = std::sqrt(squares / 3.0 / 4.0);
   const bool inside = out.seconds > from + kCoarseStep && out.seconds < to - kCoarseStep;
-  out.sure = last - first > kLeastSpan && inside && out.explained > 0.5 && out.explained - out.runnerUp > 0.1 &&
-             out.std < 0.03;
+  // Slow tilting looks alike at many offsets; what is left unexplained then tells the right one.
+  const bool alone =
+      out.explained - out.runnerUp > 0.1 || 1.0 - out.runnerUp > kLeftUnexplained * (1.0 - out.explained);
+  out.sure = last - first > kLeastSpan && inside && out.explained > 0.5 && alone && out.std < 0.03;
   return out;
 }
 

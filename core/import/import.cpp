@@ -39,6 +39,7 @@ TimeChoice timeChoice(const MappingWishes& wishes) {
 
 Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& progress) {
   opened.streams.clear();
+  Findings findings;
   for (std::size_t i = 0; i < opened.files.size(); ++i) {
     const auto& [path, kind] = opened.files[i];
     // A column chosen for the time may stand in one of several files.
@@ -50,8 +51,11 @@ Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& 
     }
     if (!set) return set.error();
     for (auto& stream : set->streams) opened.streams.push_back(std::move(stream));
-    if (filter) opened.findings.insert(opened.findings.end(), set->findings.begin(), set->findings.end());
+    findings.insert(findings.end(), set->findings.begin(), set->findings.end());
   }
+  // Without a filter it is a first look, and all is read once more if there is anything.
+  if (filter || opened.streams.empty())
+    opened.findings.insert(opened.findings.end(), findings.begin(), findings.end());
   return true;
 }
 
@@ -179,7 +183,9 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
     if (bytes.size() > offset && bytes.substr(offset).starts_with(kHdf5Magic)) return FileKind::hdf5;
   if (looksLikeZstd(bytes)) {
     const auto inner = unpack(bytes, Compression::zstd, 64u << 20);
-    if (inner.bytes.starts_with("SQLite format 3")) return FileKind::sqliteBag;
+    // One that is cut off before its first block's end tells by its name alone.
+    const bool named = path.stem().extension() == ".db3";
+    if (inner.bytes.starts_with("SQLite format 3") || (named && inner.bytes.empty())) return FileKind::sqliteBag;
     return FileKind::contractCsv;  // its reader says what to do with the archive
   }
   const auto content = bytes.find_first_not_of(" \t\r\n");
@@ -251,9 +257,16 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   auto opened = openAll(path, *kind, options, progress);
   if (!opened) return opened.error();
   const auto listed = std::move(opened->streams);
+  const auto cutOff = [](const Finding& finding) {
+    return finding.code == "file_cut_off" || finding.code == "chunk_damaged";
+  };
+  if (listed.empty() && std::any_of(opened->findings.begin(), opened->findings.end(), cutOff))
+    return errorAt({displayName(path), 0, 0}, "it is cut off or damaged before the first message that could be read.",
+                   "Copy it again from where it was recorded.");
   if (listed.empty())
-    return errorAt({displayName(path), 0, 0}, "nothing that Heft can read is in it.",
-                   "Record the sensor's wrench and the joints or the pose; 'heft convert IN --list' shows what there is.");
+    return errorAt(
+        {displayName(path), 0, 0}, "nothing that Heft can read is in it.",
+        "Record the sensor's wrench and the joints or the pose; 'heft convert IN --list' shows what there is.");
   const auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
   if (!columns) return columns.error();
 

@@ -2,7 +2,9 @@
 // (sequence of the transfer, sequence of the sensor, status), then six counts of 32 bits with sign.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "core/base/text.h"
 #include "core/import/bytes.h"
@@ -15,7 +17,8 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kRecordBytes = 36;
-constexpr double kSilence = 1.0;  ///< [s] after which the stream is asked for again
+constexpr double kSilence = 1.0;             ///< [s] after which the stream is asked for again
+constexpr std::uint32_t kRemembered = 1000;  ///< Missing numbers that may still come late
 enum Command : unsigned char { kStop = 0, kRealTime = 2 };
 
 std::string request(Command command) {
@@ -110,15 +113,23 @@ class RdtSource : public ThreadedSource {
       // The difference modulo 2^32, with sign, tells later from earlier over the wrap.
       const auto step = static_cast<std::int32_t>(number - number_);
       if (step <= 0) {
-        count([](SourceStatus& status) { ++status.reordered; });
+        const bool missed = missing_.erase(number) > 0;
+        count([missed](SourceStatus& status) {
+          ++status.reordered;
+          if (missed) --status.lost;
+        });
         // A sensor that was switched off and on counts from the start.
         if (step < -100000 || ++old_ > 100) started_ = false;
         return;
       }
       if (step > 1) count([&](SourceStatus& status) { status.lost += static_cast<std::uint64_t>(step - 1); });
+      for (std::uint32_t n = number - std::min(static_cast<std::uint32_t>(step) - 1, kRemembered); n != number; ++n)
+        missing_.insert(n);
+      while (missing_.size() > kRemembered) missing_.erase(missing_.begin());
       sequence_ += step;
     } else {
       started_ = true;
+      missing_.clear();
       ++sequence_;
     }
     old_ = 0;
@@ -139,6 +150,7 @@ class RdtSource : public ThreadedSource {
   SequenceClock clock_;
   bool started_ = false;
   std::uint32_t number_ = 0;
+  std::set<std::uint32_t> missing_;  ///< Counted as lost
   std::int64_t sequence_ = 0;
   int old_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <utility>
 
@@ -25,7 +26,10 @@ constexpr Eigen::Index kFewest = 25;    // new blocks before learning again
 constexpr double kGrowth = 0.2;         // or this share of those learned from
 constexpr double kChoiceGrowth = 1.5;   // how much more data before the smoothing is chosen again
 constexpr Eigen::Index kFirstChoice = 100;
-constexpr Eigen::Index kSuspicious = 50;  // blocks of contact after which nothing is learned until it is over
+constexpr Eigen::Index kAtOnce = 150;       // blocks that are learned from within a step,
+constexpr Eigen::Index kLearningTime = 10;  // and how many blocks later the result is taken over where there are more;
+constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the smoothing
+constexpr Eigen::Index kSuspicious = 50;    // blocks of contact after which nothing is learned until it is over
 
 }  // namespace
 
@@ -46,8 +50,18 @@ struct OnlineEstimator::Impl {
   BlockLearner learner;
   std::optional<Tool> other;  ///< The tool before.
   Eigen::Index nextChoice = kFirstChoice;
-  std::vector<MarkLabel> choiceLabels;        ///< Not empty: the smoothing is to be chosen in the next step.
-  std::optional<std::size_t> choice;          ///< What was chosen, and is to be learned from in the next step.
+  /// What takes some ten milliseconds goes on beside the samples, with copies of what there was, and is taken over a
+  /// fixed number of blocks later: no step is long, and what comes out depends on the samples alone. At most one of the
+  /// two is under way.
+  struct Learned {
+    BlockLearner learner;
+    std::vector<MarkLabel> labels;  ///< Empty: too little was free.
+    bool dropped = false;           ///< The first kDropped blocks are in the learner's memory.
+  };
+  std::future<Learned> learning;
+  std::future<std::size_t> choosing;
+  std::size_t learningLane = 0;
+  Eigen::Index due = 0;  ///< Blocks at which it is taken over
   Eigen::Index sinceStep = 0;
   std::uint64_t samples = 0, dropped = 0;
   int gaps = 0, tools = 1;
@@ -80,8 +94,7 @@ struct OnlineEstimator::Impl {
     learner = freshLearner();
     other.reset();
     nextChoice = kFirstChoice;
-    choiceLabels.clear();
-    choice.reset();
+    discard();
     tools = 1;
     toolChanged.reset();
     events.clear();
@@ -95,9 +108,13 @@ struct OnlineEstimator::Impl {
     sinceStep = 0;
     stream.removeSpikes();
     const RobotModel* model = robot ? &*robot : nullptr;
-    bool news = false;
-    for (std::size_t i = 0; i < lanes.size(); ++i)
-      news = (lanes[i].advance(stream, model, i == chosen, last) && i == chosen) || news;
+    bool news = false, busy = false;
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      // Those that stand by do so one a step.
+      if (i != chosen && busy && !last) continue;
+      const bool advanced = lanes[i].advance(stream, model, i == chosen, last);
+      (i == chosen ? news : busy) |= advanced;
+    }
     if (!last) {
       Eigen::Index needed = stream.size();
       for (const auto& lane : lanes) needed = std::min(needed, lane.needed());
@@ -114,81 +131,106 @@ struct OnlineEstimator::Impl {
     return std::count(judged.end() - kSuspicious, judged.end(), Judged::contact) > 0.6 * kSuspicious;
   }
 
+  void discard() {
+    learning = {};
+    choosing = {};
+  }
+
+  /// The blocks of all lanes that `count` labels are for, as far as a lane has them.
+  std::vector<Blocks> blocksOfLanes(std::size_t count) const {
+    std::vector<Blocks> out(lanes.size());
+    for (std::size_t i = 0; i < lanes.size(); ++i)
+      out[i].append(lanes[i].blocks, 0, std::min(lanes[i].blocks.size(), static_cast<Eigen::Index>(count)));
+    return out;
+  }
+
   /// Which lane's blocks are predicted best; the labels are those of the lane chosen so far.
-  std::size_t bestLane(const std::vector<MarkLabel>& labels) const {
+  static std::size_t bestLane(const std::vector<Blocks>& blocks, const std::vector<MarkLabel>& labels) {
     std::vector<Prepared> prepared;
-    for (const auto& lane : lanes) {
-      const auto n = std::min(static_cast<std::size_t>(lane.blocks.size()), labels.size());
-      Blocks common;
-      common.append(lane.blocks, 0, static_cast<Eigen::Index>(n));
-      prepared.push_back(learnedWith(common, {labels.begin(), labels.begin() + static_cast<std::ptrdiff_t>(n)}));
-    }
+    for (const auto& lane : blocks)
+      prepared.push_back(learnedWith(lane, {labels.begin(), labels.begin() + lane.size()}));
     std::size_t best = 0;
-    for (std::size_t i = 1; i < lanes.size(); ++i)
+    for (std::size_t i = 1; i < prepared.size(); ++i)
       if (!prepared[i].runs.empty() && !prepared[best].runs.empty() &&
           advantage(prepared[best], prepared[i]) >= kWorthSmoothing)
         best = i;
     return best;
   }
 
-  void use(std::size_t lane) {
-    if (lane == chosen) return;
-    learner = freshLearner();
-    chosen = lane;
+  static Learned learned(BlockLearner learner, const Blocks& blocks) {
+    Prepared prepared = learnedFrom(blocks);
+    Learned out{std::move(learner), {}, blocks.size() > kMost};
+    if (!prepared.runs.empty()) out.labels = prepared.labels;
+    if (out.dropped) {
+      out.learner.freeze(prepared, kDropped);
+      prepared = withoutFirst(prepared, kDropped);
+    }
+    out.learner.learn(prepared);
+    return out;
   }
 
-  void learn(bool last) {
-    if (last) {
-      choiceLabels.clear();
-      choice.reset();
-    }
-    Prepared prepared = learnedFrom(blocks());
-    const Eigen::Index n = blocks().size();
-    if (lanes.size() > 1 && !prepared.runs.empty() && (last || n >= nextChoice)) {
-      nextChoice = std::max(nextChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(n)));
-      if (last) {
-        const std::size_t before = chosen;
-        use(bestLane(prepared.labels));
-        if (chosen != before) prepared = learnedFrom(blocks());
-      } else {
-        // Not in this step: whoever reads the sensor meanwhile would have to wait for both.
-        choiceLabels = prepared.labels;
-      }
-    }
-    if (blocks().size() > kMost) {
+  void learn(std::size_t lane) {
+    BlockLearner from = lane == chosen ? learner : freshLearner();
+    if (lanes[lane].blocks.size() <= kAtOnce) return takeOver(learned(std::move(from), lanes[lane].blocks), lane);
+    learningLane = lane;
+    due = blocks().size() + kLearningTime;
+    learning = std::async(std::launch::async,
+                          [from = std::move(from), copy = lanes[lane].blocks] { return learned(from, copy); });
+  }
+
+  void takeOver(Learned result, std::size_t lane) {
+    const Eigen::Index n = result.learner.learnedBlocks() + (result.dropped ? kDropped : 0);
+    learner = std::move(result.learner);
+    chosen = lane;
+    if (result.dropped) {
       // The choice of the smoothing is made by now; the other lanes would only keep the machine warm.
       if (lanes.size() > 1) {
         Lane kept = std::move(lanes[chosen]);
         lanes.clear();
         lanes.push_back(std::move(kept));
         chosen = 0;
-        choiceLabels.clear();
         other.reset();
       }
-      learner.freeze(prepared, kDropped);
       blocks().keep(kDropped, blocks().size());
-      prepared = withoutFirst(prepared, kDropped);
     }
-    learner.learn(prepared);
+    learner.follow(blocks());
+    if (lanes.size() < 2 || result.labels.empty() || n < nextChoice) return;
+    nextChoice = std::max(nextChoice, static_cast<Eigen::Index>(kChoiceGrowth * static_cast<double>(n)));
+    due = blocks().size() + kChoosingTime;
+    choosing = std::async(std::launch::async, [all = blocksOfLanes(result.labels.size()),
+                                               labels = std::move(result.labels)] { return bestLane(all, labels); });
+  }
+
+  /// At the end of the data: all at once.
+  void learnLast() {
+    discard();
+    if (lanes.size() > 1) {
+      const Prepared prepared = learnedFrom(blocks());
+      if (!prepared.runs.empty()) {
+        const std::size_t best = bestLane(blocksOfLanes(prepared.labels.size()), prepared.labels);
+        if (best != chosen) {
+          learner = freshLearner();
+          chosen = best;
+        }
+      }
+    }
+    takeOver(learned(learner, blocks()), chosen);
+    discard();
   }
 
   void take() {
     learner.follow(blocks());
     if (options.startAnew && learner.estimated()) lookForOtherTool();
-    if (choice) {
-      use(*std::exchange(choice, std::nullopt));
-      return learn(false);
-    }
-    if (!choiceLabels.empty()) {
-      const std::size_t best = bestLane(std::exchange(choiceLabels, {}));
-      if (best != chosen) choice = best;
-      return;
-    }
     const Eigen::Index n = blocks().size();
-    const Eigen::Index due =
+    if (learning.valid() || choosing.valid()) {
+      if (n < due) return;
+      if (learning.valid()) return takeOver(learning.get(), learningLane);
+      if (const std::size_t best = choosing.get(); best != chosen) return learn(best);
+    }
+    const Eigen::Index next =
         learner.learnedBlocks() +
         std::max(kFewest, static_cast<Eigen::Index>(kGrowth * static_cast<double>(learner.learnedBlocks())));
-    if (n >= kFirst && n >= due && (!suspicious() || n > kMost)) learn(false);
+    if (n >= kFirst && n >= next && (!suspicious() || n > kMost)) learn(chosen);
   }
 
   void lookForOtherTool() {
@@ -247,8 +289,7 @@ struct OnlineEstimator::Impl {
   }
 
   void changed(double time) {
-    choiceLabels.clear();
-    choice.reset();
+    discard();
     toolChanged = time;
     if (events.size() > 20) events.erase(events.begin());
     nextChoice =
@@ -260,10 +301,11 @@ struct OnlineEstimator::Impl {
     return std::lower_bound(blocks.time.begin(), blocks.time.end(), time - 1e-9) - blocks.time.begin();
   }
 
-  void endStretch() {
+  /// `finished`: nothing more comes soon.
+  void endStretch(bool finished) {
     const bool news = advance(true);
     if (news) take();
-    if (blocks().size() >= kFirst / 2) learn(true);
+    if (blocks().size() >= kFirst / 2 && (finished || !learner.estimated())) learnLast();
     stream.clear();
     for (auto& lane : lanes) lane.beginStretch();
   }
@@ -357,7 +399,7 @@ bool OnlineEstimator::add(const OnlineSample& sample) {
   Took took = self.stream.add(sample);
   if (took == Took::gap) {
     ++self.gaps;
-    self.endStretch();
+    self.endStretch(false);
     took = self.stream.add(sample);
   }
   if (took == Took::dropped) {
@@ -373,7 +415,7 @@ bool OnlineEstimator::add(const OnlineSample& sample) {
   return true;
 }
 
-void OnlineEstimator::finish() { impl_->endStretch(); }
+void OnlineEstimator::finish() { impl_->endStretch(true); }
 
 void OnlineEstimator::restart() {
   impl_->begin();

@@ -4,8 +4,9 @@
 // The same steps as the batch estimate, in constant memory: samples are smoothed in overlapping windows by the batch's
 // own zero-phase filter, which makes them blocks of 20 ms with a delay of about 0.6 s; the blocks are whitened and
 // merged into one triangle. Whenever a fifth more blocks have come, the labels (free or contact) and the noise model
-// are learned afresh from the blocks kept (the newest 30 s; what is older stays in a triangle of its own), which takes
-// some ten milliseconds; in between the newest blocks are judged by the model learned last.
+// are learned afresh from the blocks kept (the newest 30 s; what is older stays in a triangle of its own). That takes
+// some ten milliseconds, so a thread beside does it and what it learned counts 0.2 s later, however fast it was; in
+// between the newest blocks are judged by the model learned last.
 #include <array>
 #include <cstdint>
 #include <memory>

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <random>
 
 #include "core/motion/motion.h"
@@ -48,6 +49,42 @@ TEST(Offset, IsFoundWithNoiseAnyMountingAndBias) {
     EXPECT_NEAR(found.seconds, truth, 0.01);
     EXPECT_GT(found.explained, 0.9);
   }
+}
+
+/// The force of a tool of 0.8 kg on that motion, `truth` seconds late, over 16 s.
+OffsetEstimate foundFor(const Eigen::Matrix3Xd& motion, double truth, double noiseSize) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, noiseSize);
+  VectorXd time(1600);
+  Eigen::MatrixX3d force(1600, 3);
+  for (Eigen::Index k = 0; k < 1600; ++k) {
+    time(k) = 2.0 + 0.01 * static_cast<double>(k) - truth;
+    force.row(k) = 0.8 * motion.col(200 + k).transpose();
+    for (int a = 0; a < 3; ++a) force(k, a) += noise(random);
+  }
+  return findOffset(motion, 0.0, 100.0, time, force, -10.0, 10.0);
+}
+
+TEST(Offset, IsFoundWhereSlowTiltingLooksAlikeElsewhere) {
+  Eigen::Matrix3Xd slow(3, 2000);
+  for (Eigen::Index k = 0; k < 2000; ++k) {
+    const double t = 0.01 * static_cast<double>(k);
+    const double roll = 0.4 * std::sin(0.25 * t) + 0.03 * std::sin(1.9 * t), pitch = 0.3 * std::sin(0.33 * t + 0.5);
+    slow.col(k) = 9.81 * Vector3d(std::sin(pitch), std::cos(pitch) * std::sin(roll), std::cos(pitch) * std::cos(roll));
+  }
+  const auto found = foundFor(slow, 1.5, 0.05);
+  EXPECT_GT(found.runnerUp, 0.9);
+  EXPECT_TRUE(found.sure);
+  EXPECT_NEAR(found.seconds, 1.5, 0.02);
+}
+
+TEST(Offset, IsUnsureWhereTheMotionRepeatsItself) {
+  Eigen::Matrix3Xd same(3, 2000);
+  for (Eigen::Index k = 0; k < 2000; ++k) {
+    const double phase = 2.0 * std::numbers::pi * 0.01 * static_cast<double>(k) / 4.0;
+    same.col(k) = 9.81 * Vector3d(0.3 * std::sin(phase), 0.3 * std::cos(2.0 * phase), 0.9 + 0.05 * std::sin(phase));
+  }
+  EXPECT_FALSE(foundFor(same, 1.5, 0.05).sure);
 }
 
 TEST(Offset, IsUnsureWhereTheForceKnowsNothingOfTheMotion) {

@@ -23,6 +23,20 @@ TEST_P(Damage, CutOffFilesGiveWhatTheyHold) {
   expectFormula(result->recording);
 }
 
+using CutOff = InFolder;
+
+TEST_F(CutOff, BeforeAnythingIsCompleteItSaysThat) {
+  // The first chunk, and the archive's only block, end after the cut.
+  for (const char* const name : {"zstd.mcap", "lz4.mcap", "ros2_compressed.db3.zstd"}) {
+    const auto bytes = read(fixture(name));
+    const auto result = openRecording(
+        write(std::filesystem::path(name).filename(), std::string_view(bytes).substr(0, bytes.size() / 5)));
+    ASSERT_FALSE(result.ok()) << name;
+    EXPECT_THAT(result.error().message, testing::HasSubstr("damaged")) << name;
+    EXPECT_THAT(result.error().message, testing::Not(testing::HasSubstr("not CSV"))) << name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Fixtures, Damage,
                          ::testing::Values("ros1_none.bag", "ros1_lz4.bag", "ros1_bz2.bag", "plain.mcap", "zstd.mcap",
                                            "lz4.mcap", "ros2_bag/ros2_bag_0.db3"),

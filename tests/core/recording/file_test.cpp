@@ -45,6 +45,11 @@ TEST_F(RecordingFile, BinaryAndOtherFormats) {
   auto text = goodTable(Form::joints).text();
   text[5000] = '\0';
   EXPECT_THAT(failure(write("nul.csv", text)), AllOf(HasSubstr("nul.csv:"), HasSubstr("byte 5001 is zero")));
+  // Recordings that Heft opens whole: the remedy leads there and not to another program.
+  const std::string sqlite("SQLite format 3\0xxx", 19);
+  for (const std::string& bytes : {std::string("#ROSBAG V2.0\nxxx"), std::string("\x89MCAP0\r\nxxx"), sqlite})
+    EXPECT_THAT(failure(write("a.csv", bytes)), AllOf(HasSubstr("not CSV"), HasSubstr("as the recording itself"),
+                                                      HasSubstr("heft convert IN OUT.csv")));
   EXPECT_THAT(failure(write("a.csv", "#ROSBAG V2.0\nxxx")), HasSubstr("ROS 1 bag"));
   EXPECT_THAT(failure(write("b.csv", "\x89MCAP0\r\n")), HasSubstr("MCAP"));
   EXPECT_THAT(failure(write("c.csv", std::string("PK\x03\x04\0\0", 6))), HasSubstr("ZIP"));
