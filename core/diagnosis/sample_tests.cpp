@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/diagnosis/time_stamps.h"
+#include "core/diagnosis/velocities.h"
 #include "core/estimation/prepare.h"
 
 namespace heft::diagnosis {
@@ -178,44 +179,6 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
   return out;
 }
 
-/// Reported joint velocities against the derivative of the reported angles.
-std::vector<Direct> velocities(const Recording& recording, const Motion& motion) {
-  std::vector<Direct> out;
-  if (recording.dq.rows() == 0 || motion.q.cols() != motion.size() || motion.size() < 50) return out;
-  const MatrixXd slope = rateOf(motion.q, motion.rateHz), bend = rateOf(slope, motion.rateHz);
-  Eigen::Index row = 0;
-  double energy = 0, cross = 0, speed = 0, along = 0;
-  for (Eigen::Index k = 0; k < motion.size(); ++k) {
-    while (row + 1 < recording.rows() && recording.time(row) < motion.time(k)) ++row;
-    const VectorXd reported = recording.dq.row(row).transpose(), dq = slope.col(k), ddq = bend.col(k);
-    energy += ddq.squaredNorm();
-    cross += (reported - dq).dot(ddq);
-    speed += dq.squaredNorm();
-    along += reported.dot(dq);
-  }
-  if (!(energy > 0.0) || !(speed > 0.0)) return out;
-  const double lag = -cross / energy, scale = along / speed;
-  if (lag > 0.003) {
-    Direct late;
-    late.cause = "motion_lag";
-    late.parameters = {{"lag", "ms", lag * 1e3, 1.0}};
-    late.sentence = fmt::format("The reported joint velocities lag behind the joint angles by {:.0f} ms; Heft uses the angles.",
-                                lag * 1e3);
-    late.words = findCause("motion_lag")->words();
-    out.push_back(late);
-  }
-  if (std::abs(scale - 1.0) > 0.03) {
-    Direct wrong;
-    wrong.cause = "derivative_noise";
-    wrong.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
-    wrong.sentence = fmt::format("The reported joint velocities are {:.0f} % off the slope of the joint angles; Heft uses the "
-                                 "angles.", 100.0 * (scale - 1.0));
-    wrong.words = findCause("derivative_noise")->words();
-    out.push_back(wrong);
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion) {
@@ -226,7 +189,7 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   if (auto found = dropouts(recording, !stamps)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));
   if (auto found = spikes(recording)) out.push_back(std::move(*found));
-  for (auto& found : velocities(recording, motion)) out.push_back(std::move(found));
+  for (auto& found : reportedVelocities(recording, motion)) out.push_back(std::move(found));
   return out;
 }
 

@@ -71,7 +71,10 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   if (candidate.form.local && candidate.score > 0.0) model = timed(signals, stretches, std::move(model));
   out.penalty = candidate.choicePenalty;
   out.fit = fitModel(signals, stretches, std::move(model), 3);
-  if (out.fit.model.terms.size() > base.model.terms.size() && (out.cause == "bias_drift" || out.cause == "sensor_bias") &&
+  // A walk makes steps of its own, too: a jump of the zero, or of the load where the zero is known to walk, is more.
+  const bool maybeWalk = out.cause == "bias_drift" || out.cause == "sensor_bias" ||
+                         (out.cause == "payload_change" && contains(base.model, kWandering));
+  if (maybeWalk && out.fit.model.terms.size() > base.model.terms.size() &&
       !beyondWandering(signals, stretches, base, out.fit))
     return out;
   if (believable(out.fit)) out.gain = out.fit.evidence - base.evidence - candidate.choicePenalty;
@@ -157,11 +160,23 @@ Model without(const Model& model, std::string_view cause) {
   return out;
 }
 
+namespace {
+
+Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted, double lnN) {
+  const int extra = trial.fit.dimensions - accepted.dimensions;
+  const double behind = found.gain - trial.gain;
+  return {trial.cause, behind, behind - lnN * extra - trial.penalty, extra};
+}
+
+}  // namespace
+
 bool tied(const Found& found, const Rival& rival) {
   if (rival.behind < kTie) return true;
+  const bool explains = rival.behind < found.gain;
+  if (explains && rival.worse + 2.0 * rival.extra < 0.0) return true;
   if (rival.worse > kSame) return false;
   const auto alike = findCause(found.cause)->words().lookAlikes;
-  const bool faint = found.gain < kFaint, explains = rival.behind < found.gain;
+  const bool faint = found.gain < kFaint;
   return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
 }
 
@@ -234,8 +249,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
         if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)
-          found.rivals.push_back({trial.cause, found.gain - trial.gain,
-                                  found.gain - trial.gain - lnN * (trial.fit.dimensions - out.final.dimensions) - trial.penalty});
+          found.rivals.push_back(rivalOf(found, trial, out.final, lnN));
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
       if (!found.rivals.empty() && found.rivals.front().behind < -2.0) {

@@ -22,6 +22,7 @@ struct Rival {
   std::string cause;
   double behind = 0.0;  ///< Evidence that it lacks against the accepted one
   double worse = 0.0;   ///< The same without the price of parameters: by how much it fits worse
+  int extra = 0;        ///< Parameters that it has more
 };
 
 struct Found {
@@ -31,7 +32,8 @@ struct Found {
 };
 
 /// Whether the recording leaves it open which of the two it is. Where only its price sets a rival back, simplicity
-/// decides; not, though, between look-alikes, nor where there is little evidence at all.
+/// decides; not, though, between look-alikes, nor where there is little evidence at all, nor where the rival fits so much
+/// better that Akaike's criterion would take it.
 bool tied(const Found& found, const Rival& rival);
 
 struct Search {

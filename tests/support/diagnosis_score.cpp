@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/math/statistics.h"
+#include "tests/support/parameter_errors.h"
 
 namespace heft::test {
 namespace {
@@ -126,7 +127,7 @@ Judgement judge(const HiddenTruth& truth, const json& answer) {
 
 void DiagnosisScore::add(const HiddenTruth& truth, const json& answer, double seconds) {
   const std::vector<Cause> causes = causesOf(answer);
-  Entry entry{truth.kind, truth.multiple, truth.noise, "", "", judge(truth, answer), 0, 0, 0, 0, 0, seconds};
+  Entry entry{truth.kind, truth.multiple, truth.noise, "", "", judge(truth, answer), 0, 0, 0, 0, 0, {}, seconds};
   entry.hidden = truth.ids.empty() ? "(nothing)" : fmt::format("{}", fmt::join(truth.ids, " + "));
   entry.named = causes.empty() ? fmt::format("({})", answer.value("verdict", std::string("?"))) : causes.front().id;
   const Payload& payload = truth.simulation.payload;
@@ -136,6 +137,10 @@ void DiagnosisScore::add(const HiddenTruth& truth, const json& answer, double se
   if (!causes.empty())
     entry.residualOverNoise =
         number(answer["causes"].back().value("gain", json::object()), "force_rms_after_n") / noise;
+  for (const json& cause : answer.value("causes", json::array()))
+    for (const EffectTruth& hidden : truth.simulation.effects)
+      if (cause.value("cause", std::string()) == hidden.id)
+        for (const double error : parameterErrors(hidden, cause)) entry.errors.push_back(error);
   entries_.push_back(std::move(entry));
 }
 
@@ -197,6 +202,18 @@ std::string DiagnosisScore::text() const {
                        medianOf(values[0]), medianOf(values[1]), medianOf(values[2]), medianOf(values[3]),
                        medianOf(values[4]), medianOf(values[5]));
   }
+
+  std::size_t stated = 0, within = 0, named = 0, quiet = 0;
+  for (const Entry& e : entries_) {
+    if (e.kind == HiddenCase::unlisted) continue;
+    stated += e.errors.size();
+    within += static_cast<std::size_t>(std::count_if(e.errors.begin(), e.errors.end(), [](double z) { return std::abs(z) < 3.0; }));
+    if (e.residualOverNoise <= 0.0) continue;
+    ++named;
+    quiet += e.residualOverNoise < 1.15 ? 1 : 0;
+  }
+  out += fmt::format("\nParameters within 3 of their deviations: {} of {}. Unseen residual within 15 % of the noise: {} of {}.\n",
+                     within, stated, quiet, named);
   return out;
 }
 

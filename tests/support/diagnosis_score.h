@@ -40,6 +40,7 @@ class DiagnosisScore {
     double massBefore, massAfter;      ///< relative errors
     double centreBefore, centreAfter;  ///< [m]
     double residualOverNoise;          ///< Held-out force residual after the last cause, over the noise; 0: unknown
+    std::vector<double> errors;        ///< Of parameters, in their deviations
     double seconds;
   };
   std::vector<Entry> entries_;

@@ -304,7 +304,15 @@ Result<HiddenTruth> hiddenTruthFromJson(const nlohmann::json& json, const std::s
     truth.noise = json.at("noise").get<std::string>();
     truth.multiple = json.at("multiple_of_visible").get<double>();
     truth.relatives = json.at("relatives").get<std::vector<std::string>>();
-    for (const auto& effect : json.at("effects")) truth.ids.push_back(effect.at("effect").get<std::string>());
+    for (const auto& effect : json.at("effects")) {
+      EffectTruth hidden{effect.at("effect").get<std::string>(), effect.at("form").get<std::string>(),
+                         effect.at("size").get<double>(), effect.at("unit").get<std::string>(), {}, {}};
+      for (const auto& [key, value] : effect.at("parameters").items())
+        hidden.parameters.push_back(
+            {key, value.is_array() ? value.get<std::vector<double>>() : std::vector<double>{value.get<double>()}});
+      truth.ids.push_back(hidden.id);
+      truth.simulation.effects.push_back(std::move(hidden));
+    }
   } catch (const nlohmann::json::exception& error) {
     return Error{where + " is no truth of a hidden effect: " + error.what()};
   }

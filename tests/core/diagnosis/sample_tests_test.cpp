@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/diagnosis/time_stamps.h"
+#include "core/diagnosis/velocities.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 
@@ -38,6 +39,20 @@ TEST(SampleTests, EachNamesItsOwn) {
     const auto found = directCauses(aRecording(MotionKind::free, 12, {effect}));
     EXPECT_NE(std::find(found.begin(), found.end(), cause), found.end()) << effect.id << "/" << effect.form;
   }
+}
+
+TEST(SampleTests, TheLagOfReportedVelocitiesIsWithinItsDeviations) {
+  for (const char* form : {"late", "filter", "average"})
+    for (const double lag : {15.0, 60.0}) {
+      const Recording recording = aRecording(MotionKind::free, 16, {{"motion_lag", form, lag}});
+      MotionOptions options;
+      options.cutoffHz = 25.0;
+      const auto found = diagnosis::reportedVelocities(recording, *motionOf(recording, &RobotModel::panda(), options));
+      ASSERT_EQ(found.size(), 1u) << form << " " << lag;
+      const auto& value = found.front().parameters.front();
+      EXPECT_NEAR(value.value, lag, 3.0 * value.std + 0.02 * lag) << form;
+      EXPECT_LT(value.std, 0.1 * lag) << form;
+    }
 }
 
 TEST(SampleTests, UnevenStampsAreNoLostReadings) {

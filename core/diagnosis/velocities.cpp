@@ -1,0 +1,144 @@
+#include "core/diagnosis/velocities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/diagnosis/signals.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kEdge = 0.5;        ///< [s] left out at either end, where filters settle
+constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
+constexpr double kLagNamed = 0.003;  ///< [s]
+constexpr double kLossNamed = 0.03;
+constexpr double kMemory = 0.05;     ///< [s] over which what is left over does not change
+
+/// Slope of the angles `q` (dof x K) as it would be reported with a lag [s].
+using Reporting = std::function<MatrixXd(const MatrixXd& q, const MatrixXd& slope, double lag, double rateHz)>;
+
+struct Match {
+  double lag = 0.0;    ///< [s]
+  double scale = 1.0;  ///< Reported velocity over that of the angles, at this lag
+  double left = 1e300;  ///< Sum of squares left over
+};
+
+class Comparison {
+ public:
+  Comparison(const Motion& motion, MatrixXd reported)
+      : q_(motion.q), slope_(rateOf(motion.q, motion.rateHz)), reported_(std::move(reported)), rateHz_(motion.rateHz) {
+    edge_ = static_cast<Eigen::Index>(kEdge * rateHz_);
+    count_ = q_.cols() - 2 * edge_;
+  }
+
+  Match at(const Reporting& reporting, double lag) const {
+    const MatrixXd said = reporting(q_, slope_, lag, rateHz_);
+    const auto x = said.middleCols(edge_, count_), r = reported_.middleCols(edge_, count_);
+    Match out;
+    out.lag = lag;
+    const double energy = x.squaredNorm();
+    out.scale = energy > 0.0 ? (x.array() * r.array()).sum() / energy : 1.0;
+    out.left = (r - out.scale * x).squaredNorm();
+    return out;
+  }
+
+  /// The lag that fits best: on a coarse grid first, then by golden sections.
+  Match best(const Reporting& reporting) const {
+    constexpr double kStart = 0.001, kGrowth = 1.35, kGolden = 0.618;
+    Match out = at(reporting, kStart);
+    for (double lag = kStart * kGrowth; lag < kLongest; lag *= kGrowth)
+      if (const Match trial = at(reporting, lag); trial.left < out.left) out = trial;
+    double low = out.lag / kGrowth, high = std::min(kLongest, out.lag * kGrowth);
+    while (high - low > std::max(1e-4, 0.01 * low)) {
+      const Match left = at(reporting, high - kGolden * (high - low)), right = at(reporting, low + kGolden * (high - low));
+      (left.left < right.left ? high : low) = left.left < right.left ? right.lag : left.lag;
+      for (const Match& trial : {left, right})
+        if (trial.left < out.left) out = trial;
+    }
+    return out;
+  }
+
+  /// Deviation of the lag [s], from how fast the misfit grows around it.
+  double deviation(const Reporting& reporting, const Match& match) const {
+    const double h = std::max(1e-3, 0.05 * match.lag);
+    const double bend = (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) / (h * h);
+    const double independent = static_cast<double>(count_ * q_.rows()) / std::max(1.0, kMemory * rateHz_);
+    return std::max(1e-4, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
+  }
+
+ private:
+  MatrixXd q_, slope_, reported_;
+  double rateHz_;
+  Eigen::Index edge_ = 0, count_ = 0;
+};
+
+/// Passed on late, through a low-pass, or as the mean since a while ago.
+const std::array<Reporting, 3>& reportings() {
+  static const std::array<Reporting, 3> kAll{
+      [](const MatrixXd&, const MatrixXd& slope, double lag, double rateHz) { return delayed(slope, lag, rateHz); },
+      [](const MatrixXd&, const MatrixXd& slope, double lag, double rateHz) { return onePole(slope, lag, rateHz); },
+      [](const MatrixXd& q, const MatrixXd&, double lag, double rateHz) -> MatrixXd {
+        return (q - delayed(q, 2.0 * lag, rateHz)) / (2.0 * lag);
+      }};
+  return kAll;
+}
+
+/// The reported velocities at the motion's instants, dof x K.
+MatrixXd reportedAt(const Recording& recording, const Motion& motion) {
+  MatrixXd out(recording.dq.cols(), motion.size());
+  Eigen::Index row = 0;
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    while (row + 2 < recording.rows() && recording.time(row + 1) < motion.time(k)) ++row;
+    const double step = recording.time(row + 1) - recording.time(row);
+    const double share = step > 0.0 ? std::clamp((motion.time(k) - recording.time(row)) / step, 0.0, 1.0) : 0.0;
+    out.col(k) = ((1.0 - share) * recording.dq.row(row) + share * recording.dq.row(row + 1)).transpose();
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion) {
+  std::vector<Direct> out;
+  if (recording.dq.rows() < 2 || motion.q.cols() != motion.size() ||
+      static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0)
+    return out;
+  const Comparison comparison(motion, reportedAt(recording, motion));
+  const Match plain = comparison.at(reportings()[0], 0.0);
+  Match late;
+  const Reporting* way = nullptr;
+  for (const Reporting& reporting : reportings())
+    if (const Match match = comparison.best(reporting); match.left < late.left) {
+      late = match;
+      way = &reporting;
+    }
+  // Less than a lag would gain by chance is none.
+  const bool lags = late.lag > kLagNamed && late.left < 0.98 * plain.left;
+  if (lags) {
+    Direct found;
+    found.cause = "motion_lag";
+    found.parameters = {{"lag", "ms", late.lag * 1e3, 1e3 * comparison.deviation(*way, late)}};
+    found.sentence = fmt::format("The reported joint velocities lag behind the joint angles by {:.0f} ms; Heft uses the angles.",
+                                 late.lag * 1e3);
+    found.words = findCause("motion_lag")->words();
+    out.push_back(std::move(found));
+  }
+  const double scale = lags ? late.scale : plain.scale;
+  if (std::abs(scale - 1.0) > kLossNamed) {
+    Direct found;
+    found.cause = "derivative_noise";
+    found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
+    found.sentence = fmt::format("The reported joint velocities are {:.0f} % off the slope of the joint angles; Heft uses the "
+                                 "angles.", 100.0 * (scale - 1.0));
+    found.words = findCause("derivative_noise")->words();
+    out.push_back(std::move(found));
+  }
+  return out;
+}
+
+}  // namespace heft::diagnosis
