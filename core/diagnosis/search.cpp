@@ -16,6 +16,7 @@ constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of an
 constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
 constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
 constexpr double kBesideWandering = 10.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
+constexpr double kChance = 3.0;      ///< Twice the log-likelihood that an idle parameter hardly ever gains
 constexpr double kFaint = 50.0;      ///< Evidence below which simplicity alone does not name a cause
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
 
@@ -173,7 +174,7 @@ Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted, doubl
 bool tied(const Found& found, const Rival& rival) {
   if (rival.behind < kTie) return true;
   const bool explains = rival.behind < found.gain;
-  if (explains && rival.worse + 2.0 * rival.extra < 0.0) return true;
+  if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
   if (rival.worse > kSame) return false;
   const auto alike = findCause(found.cause)->words().lookAlikes;
   const bool faint = found.gain < kFaint;

@@ -32,8 +32,8 @@ struct Found {
 };
 
 /// Whether the recording leaves it open which of the two it is. Where only its price sets a rival back, simplicity
-/// decides; not, though, between look-alikes, nor where there is little evidence at all, nor where the rival fits so much
-/// better that Akaike's criterion would take it.
+/// decides; not, though, between look-alikes, nor where there is little evidence at all, nor where the rival fits better
+/// by more than idle parameters would.
 bool tied(const Found& found, const Rival& rival);
 
 struct Search {
