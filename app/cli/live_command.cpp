@@ -212,6 +212,8 @@ class LiveRun {
         takeNew();
         const auto status = session_.status();
         if (!status.recordingProblem.empty()) throw Failed(status.recordingProblem);
+        for (const auto& source : status.sources)
+          if (source.state == LinkState::failed) throw Failed(source.text);
         if (running_)
           for (const auto& news : running_->news()) line.say(news);
         line.show((running_ ? running_->line() : std::string("waiting for motion and wrench")) + troubleLine(status));

@@ -18,17 +18,12 @@ class ReplaySource : public ThreadedSource {
   ~ReplaySource() override { ReplaySource::stop(); }
 
  protected:
-  Result<bool> prepare() override {
-    auto read = openRecording(file_);
-    if (!read) return read.error();
-    recording_ = std::move(read->recording);
-    if (recording_.hasJoints() && recording_.q.cols() > 7)
-      return Error{
-          fmt::format("{} has {} joints; live samples have seven at most.", displayName(file_), recording_.q.cols())};
-    return true;
-  }
+  /// What is read takes its time, and whoever starts a source may be a window: only what is not there is told at once.
+  Result<bool> prepare() override { return std::filesystem::exists(file_) ? true : read(); }
 
   void run(const std::stop_token& stopping) override {
+    setState(LinkState::connecting);
+    if (const auto there = read(); !there) return setState(LinkState::failed, there.error().message);
     setState(LinkState::live);
     const double start = hostNow();
     for (Eigen::Index k = 0; k < recording_.rows() && !stopping.stop_requested(); ++k) {
@@ -46,6 +41,16 @@ class ReplaySource : public ThreadedSource {
   }
 
  private:
+  Result<bool> read() {
+    auto opened = openRecording(file_);
+    if (!opened) return opened.error();
+    recording_ = std::move(opened->recording);
+    if (recording_.hasJoints() && recording_.q.cols() > 7)
+      return Error{
+          fmt::format("{} has {} joints; live samples have seven at most.", displayName(file_), recording_.q.cols())};
+    return true;
+  }
+
   LiveSample sampleAt(Eigen::Index k) const {
     LiveSample sample;
     const auto row = [&](const auto& values) {

@@ -919,6 +919,10 @@
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
     </message>
+    <message>
+        <source>&amp;Robot from a URDF …</source>
+        <translation>&amp;Roboter aus einer URDF …</translation>
+    </message>
 </context>
 <context>
     <name>MethodTable</name>
@@ -1553,6 +1557,21 @@
     <message>
         <source>%1 % your shape</source>
         <translation>%1 % Ihre Form</translation>
+    </message>
+</context>
+<context>
+    <name>RobotChoice</name>
+    <message>
+        <source>%1 has %2 joints, the recording %3: choose the description of the robot that was recorded.</source>
+        <translation>%1 hat %2 Gelenke, die Aufnahme %3: Wählen Sie die Beschreibung des Roboters, der aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>%1 is no meta file.</source>
+        <translation>%1 ist keine Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>%1 has no link &quot;%2&quot;, where the sensor is mounted: set sensor.mount.parent in %3 to the right one.</source>
+        <translation>%1 hat kein Glied „%2“, an dem der Sensor sitzt: Setzen Sie sensor.mount.parent in %3 auf das richtige.</translation>
     </message>
 </context>
 <context>
@@ -2872,6 +2891,17 @@
     </message>
 </context>
 <context>
+    <name>heft::DimensionEditor</name>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>A length in mm, or with its unit: 64, 6.4 cm. Enter takes it, Esc leaves it as it was.</source>
+        <translation>Eine Länge in mm oder mit ihrer Einheit: 64, 6,4 cm. Die Eingabetaste übernimmt sie, Esc lässt sie, wie sie war.</translation>
+    </message>
+</context>
+<context>
     <name>heft::ExportPanel</name>
     <message>
         <source>saved as %1</source>
@@ -3129,6 +3159,26 @@
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Open a recording first: the robot belongs to it.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme: Der Roboter gehört zu ihr.</translation>
+    </message>
+    <message>
+        <source>Choose the description of the robot that was recorded</source>
+        <translation>Beschreibung des aufgenommenen Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Robot descriptions (*.urdf);;All files (*)</source>
+        <translation>Roboterbeschreibungen (*.urdf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Robot of this recording</source>
+        <translation>Roboter dieser Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1 is written as the robot into %2; all else in it stays.</source>
+        <translation>%1 wird als Roboter in %2 geschrieben; alles andere darin bleibt.</translation>
     </message>
 </context>
 <context>
@@ -3451,6 +3501,26 @@
         <source>Press “Stop and keep” to see the result.</source>
         <translation>Drücken Sie „Beenden und behalten“, um das Ergebnis zu sehen.</translation>
     </message>
+    <message>
+        <source>NO DATA</source>
+        <translation>KEINE DATEN</translation>
+    </message>
+    <message>
+        <source>The connection is lost. Heft tries again by itself.</source>
+        <translation>Die Verbindung ist unterbrochen. Heft versucht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Nothing answers yet. Heft goes on trying.</source>
+        <translation>Noch antwortet nichts. Heft versucht es weiter.</translation>
+    </message>
+    <message>
+        <source>What came so far is kept. Look at cable, network and the program at the other end.</source>
+        <translation>Was bisher kam, bleibt erhalten. Sehen Sie nach Kabel, Netzwerk und dem Programm am anderen Ende.</translation>
+    </message>
+    <message>
+        <source>Is it switched on, and is its address right?</source>
+        <translation>Ist es eingeschaltet, und stimmt die Adresse?</translation>
+    </message>
 </context>
 <context>
     <name>heft::LiveRun</name>
@@ -3539,6 +3609,14 @@
     <message>
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Heft Studio ended in the middle of a recording. What came until then was kept.</source>
+        <translation>Heft Studio endete mitten in einer Aufnahme. Was bis dahin kam, blieb erhalten.</translation>
+    </message>
+    <message>
+        <source>Open the recording</source>
+        <translation>Aufnahme öffnen</translation>
     </message>
 </context>
 <context>
@@ -4933,6 +5011,10 @@
         <source>&quot;%1&quot; is no command of a script, or its words are wrong; see heft-studio --help.</source>
         <translation>„%1“ ist kein Befehl eines Skripts, oder seine Wörter stimmen nicht; siehe heft-studio --help.</translation>
     </message>
+    <message>
+        <source>robot needs an open recording.</source>
+        <translation>robot braucht eine offene Aufnahme.</translation>
+    </message>
 </context>
 <context>
     <name>heft::ShapePanel</name>
@@ -5143,6 +5225,10 @@
     <message>
         <source>handles expects size, move or tilt.</source>
         <translation>handles erwartet size, move oder tilt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no length here: a number from %2 to %3 mm is.</source>
+        <translation>„%1“ ist hier keine Länge: Gefragt ist eine Zahl von %2 bis %3 mm.</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/shape_panel/shape_panel.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/widgets/stepper.h"
 
 namespace heft {
@@ -122,6 +123,49 @@ TEST_F(ShapeWindowTest, AHandleIsDraggedWithTheMouseInOneUndoStep) {
   send(QEvent::MouseMove, {140, 320}, Qt::LeftButton);
   send(QEvent::MouseButtonRelease, {140, 320}, Qt::NoButton);
   EXPECT_GT(difference(still, viewPicture()), 0.02);
+}
+
+TEST_F(ShapeWindowTest, ALengthIsTypedWhereItStandsInThePicture) {
+  click("step_shape");
+  click("picture_box");
+  const double before = shape().bodies[0].dims[2];
+  const int edits = workspace.undoStack()->count();
+  auto* field = viewport()->findChild<QLineEdit*>("dimensionField");
+  ASSERT_TRUE(field && !field->isVisible());
+  const auto label = window.robotView()->dimensionLabel(2);
+  ASSERT_TRUE(label);
+  send(QEvent::MouseMove, *label, Qt::NoButton);
+  EXPECT_EQ(viewport()->cursor().shape(), Qt::IBeamCursor);
+  QTest::mouseClick(viewport(), Qt::LeftButton, {}, label->toPoint());
+  ASSERT_TRUE(field->isVisible());
+  EXPECT_TRUE(field->geometry().contains(label->toPoint()));
+  QTest::keyClicks(field, "17.5 cm");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_FALSE(field->isVisible());
+  EXPECT_NEAR(shape().bodies[0].dims[2], 0.175, 1e-12);
+  EXPECT_EQ(workspace.undoStack()->count(), edits + 1);
+  EXPECT_NEAR(window.findChild<Stepper*>("size_0_2")->value(), 175, 1e-9);
+  workspace.undoStack()->undo();
+  EXPECT_EQ(shape().bodies[0].dims[2], before);
+  // The handle itself, pressed and let go without dragging.
+  const auto knob = window.robotView()->knob(0);
+  ASSERT_TRUE(knob);
+  send(QEvent::MouseMove, *knob, Qt::NoButton);
+  QTest::mouseClick(viewport(), Qt::LeftButton, {}, knob->toPoint());
+  QApplication::processEvents();
+  ASSERT_TRUE(field->isVisible());
+  QTest::keyClicks(field, "123");
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_FALSE(field->isVisible());
+  EXPECT_EQ(workspace.undoStack()->index(), edits) << "Esc leaves it as it was";
+  // What is no length is said, and changes nothing.
+  QTest::mouseClick(viewport(), Qt::LeftButton, {}, window.robotView()->dimensionLabel(2)->toPoint());
+  ASSERT_TRUE(field->isVisible());
+  QTest::keyClicks(field, "wide");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(shape().bodies[0].dims[2], before);
+  EXPECT_TRUE(window.messageBar()->isVisible());
+  EXPECT_TRUE(window.messageBar()->text().contains("wide"));
 }
 
 TEST_F(ShapeWindowTest, EscapePutsBackWhatADragChanged) {

@@ -4,12 +4,14 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/recording/csv_reader.h"
+#include "ui/controller/unfinished.h"
 #include "ui/controller/workspace.h"
 #include "ui/live/live_run.h"
 #include "ui/live/live_words.h"
@@ -266,6 +268,76 @@ TEST_F(LiveRunTest, WhatCannotBeginLeavesNothingBehind) {
   EXPECT_FALSE(run.start(std::move(broken), true).ok());
   EXPECT_FALSE(run.running());
   EXPECT_TRUE(QDir(folder.filePath("recordings")).isEmpty());
+}
+
+/// What the test below starts and kills; by itself it does nothing.
+TEST(RecordingVictim, DISABLED_RecordsUntilItIsKilled) {
+  const QString folder = qEnvironmentVariable("HEFT_TEST_STATE");
+  ASSERT_FALSE(folder.isEmpty());
+  VirtualRigOptions options;
+  options.payload = practiceTool(2);
+  LiveSetup setup;
+  auto source = VirtualSource::create(RobotModel::panda(), options, VirtualSource::Pace::stepped);
+  setup.virtualArm = source->get();
+  setup.sources.push_back(std::move(*source));
+  setup.meta = VirtualRig::metaFor(options);
+  setup.folder = folder;
+  setup.name = "run";
+  LiveRun run;
+  ASSERT_TRUE(run.start(std::move(setup), true).ok());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return run.status().recorded > 2500; }, kPatience));
+  std::printf("recorded %d\n", static_cast<int>(run.status().recorded));
+  std::fflush(stdout);
+  QTest::qWait(60000);
+}
+
+TEST(UnfinishedRecording, AKillLosesASecondAtMostAndTheNextStartFindsIt) {
+  QTemporaryDir folder;
+  QProcess victim;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("HEFT_TEST_STATE", folder.path());
+  victim.setProcessEnvironment(environment);
+  victim.start(QCoreApplication::applicationFilePath(),
+               {"--gtest_also_run_disabled_tests", "--gtest_filter=RecordingVictim.*"});
+  QByteArray said;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        said += victim.readAllStandardOutput();
+        return said.contains("recorded ") && said.endsWith('\n');
+      },
+      kPatience))
+      << said.toStdString();
+  EXPECT_TRUE(unfinishedRecordings(folder.path()).isEmpty()) << "a living program's recording is its own";
+  victim.kill();  // SIGKILL
+  ASSERT_TRUE(victim.waitForFinished());
+  const int recorded = said.mid(said.indexOf("recorded ") + 9).trimmed().toInt();
+  ASSERT_GT(recorded, 2500);
+  const QStringList found = unfinishedRecordings(folder.path());
+  ASSERT_EQ(found, QStringList{folder.filePath("run.csv")});
+  EXPECT_EQ(unfinishedRecordings(folder.path()), found) << "offered until somebody decides";
+  const auto read = readRecording(found.first().toStdString());
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_GE(read->recording.rows(), recorded - 1000);
+  EXPECT_EQ(read->recording.meta.robot, "panda");
+  forgetUnfinished(found.first());
+  EXPECT_TRUE(unfinishedRecordings(folder.path()).isEmpty());
+  EXPECT_TRUE(QFile::exists(found.first()));
+}
+
+TEST(UnfinishedRecording, NothingIsOfferedAfterANormalEndAndEmptyOnesGo) {
+  QTemporaryDir folder;
+  const QString csv = folder.filePath("a.csv");
+  {
+    const UnderWay making(csv);
+    EXPECT_FALSE(QDir(folder.path()).isEmpty());
+  }
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+  for (const char* name : {"b.csv", "b.csv.unfinished"}) {
+    QFile file(folder.filePath(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  }
+  EXPECT_TRUE(unfinishedRecordings(folder.path()).isEmpty());
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
 TEST(SourceForm, AsksInPlainWordsAndSaysWhatIsMissing) {

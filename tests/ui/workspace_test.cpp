@@ -8,9 +8,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/json_file.h"
 #include "core/recording/csv_reader.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/virtual_rig.h"
 #include "tests/ui/fixtures.h"
 #include "ui/controller/autosave.h"
+#include "ui/controller/robot_choice.h"
 #include "ui/controller/workspace.h"
 
 namespace heft {
@@ -156,6 +160,44 @@ TEST_F(WorkspaceTest, RecordingsMadeHereGetAFreeName) {
   EXPECT_TRUE(QFile::exists(made + "/virtual.csv"));
   EXPECT_TRUE(QFile::exists(made + "/virtual-2.csv"));
   EXPECT_EQ(workspace.session().recordings.size(), 2u);
+}
+
+TEST_F(WorkspaceTest, AnotherRobotIsNamedInTheMetaFileAndOnlyIfItFits) {
+  const QString file = folder.filePath("robot.csv");
+  SimulateOptions options;
+  options.duration = 4.0;
+  const auto simulated = simulate(RobotModel::panda(), practiceTool(1), options);
+  ASSERT_TRUE(simulated.ok() && writeRecording(simulated->recording, file.toStdString()).ok());
+  workspace.open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && workspace.opened(); }, kPatience));
+  const auto before = readTextFile(metaFileBeside(*workspace.opened()).toStdString());
+  const auto write = [&](const char* name, int joints, const char* last) {
+    QString text = QStringLiteral("<robot name=\"own\"><link name=\"l0\"/>");
+    for (int j = 1; j <= joints; ++j)
+      text += QStringLiteral("<link name=\"%1\"/><joint name=\"j%2\" type=\"revolute\"><parent link=\"%3\"/><child link=\"%1\"/>"
+                             "<origin xyz=\"0 0 0.1\" rpy=\"0 %4 0\"/><axis xyz=\"0 0 1\"/>"
+                             "<limit lower=\"-3\" upper=\"3\" effort=\"50\" velocity=\"2\"/></joint>")
+                  .arg(j == joints ? QString(last) : QStringLiteral("l%1").arg(j))
+                  .arg(j)
+                  .arg(QStringLiteral("l%1").arg(j - 1))
+                  .arg(0.3 * j);
+    QFile urdf(folder.filePath(name));
+    EXPECT_TRUE(urdf.open(QIODevice::WriteOnly));
+    urdf.write((text + "</robot>").toUtf8());
+    return folder.filePath(name);
+  };
+  for (const QString& wrong : {write("six.urdf", 6, "panda_link8"), write("nowhere.urdf", 7, "tip"), folder.filePath("none.urdf")}) {
+    const auto named = nameRobot(*workspace.opened(), wrong);
+    ASSERT_FALSE(named.ok()) << wrong.toStdString();
+    EXPECT_FALSE(named.error().message.empty());
+  }
+  const auto still = readTextFile(metaFileBeside(*workspace.opened()).toStdString());
+  EXPECT_EQ(still ? *still : "", before ? *before : "") << "nothing was written";
+  ASSERT_TRUE(nameRobot(*workspace.opened(), write("own.urdf", 7, "panda_link8")).ok());
+  workspace.open(file);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return !workspace.busy() && workspace.opened()->robot && workspace.opened()->robot->name() == "own"; }, kPatience));
+  EXPECT_EQ(workspace.session().recordings.size(), 1u);
 }
 
 /// What the test below starts and kills; by itself it does nothing.

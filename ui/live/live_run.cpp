@@ -67,6 +67,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   paused_ = false;
   byClock_ = byClock;
   file_ = file;
+  underWay_ = file.isEmpty() ? nullptr : std::make_unique<UnderWay>(file);
   learner_.reset();
   view_ = {};
   advice_.reset();
@@ -123,6 +124,8 @@ bool LiveRun::prepare() {
     auto robot = robotFor(meta_, findings);
     if (!robot) return stop(), emit failed(QString::fromStdString(robot.error().message)), false;
     robot_ = std::make_shared<const RobotModel>(std::move(*robot));
+    // At once: a recording that is cut off has to tell it, too.
+    if (!file_.isEmpty()) (void)writeMeta(meta_, metaFileOf(file_.toStdString()));
   }
   if (samples.front().q && samples.front().joints != robot_->dof()) {
     stop();
@@ -147,8 +150,17 @@ void LiveRun::pump() {
     owed_ = owed_ - piece < 1e-9 ? 0.0 : owed_ - piece;
     virtualArm_->advance(piece);
   }
-  if (!prepare()) return;
   sinceRefresh_.restart();
+  for (const SourceStatus& source : session_->status().sources) {
+    if (source.state != LinkState::failed) continue;
+    stop();
+    return emit failed(QString::fromStdString(source.text));
+  }
+  if (!prepare()) {
+    // Whoever waits for the first sample is told how the sources are.
+    if (session_) emit refreshed();
+    return;
+  }
   auto fresh = std::make_shared<std::vector<LiveSample>>();
   seen_ = session_->since(seen_, *fresh);
   if (fresh->empty() && view_.any && removals_.empty()) return emit refreshed();
@@ -236,6 +248,7 @@ QString LiveRun::stop() {
   session_->stop();
   const auto rows = session_->endRecording();
   session_.reset();
+  underWay_.reset();
   virtualArm_ = nullptr;
   QString file = file_;
   if (!file.isEmpty() && rows < 2) {

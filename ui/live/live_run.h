@@ -11,6 +11,7 @@
 
 #include "core/live/session.h"
 #include "core/live/virtual_source.h"
+#include "ui/controller/unfinished.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/live/live_learner.h"
 
@@ -105,6 +106,7 @@ class LiveRun : public QObject {
   std::shared_ptr<LiveLearner> learner_;
   bool poses_ = false, paused_ = false, byClock_ = true, outOfRoom_ = false;
   QString file_;
+  std::unique_ptr<UnderWay> underWay_;  ///< Lets the next start find the file if this program is killed.
   LiveView view_;
   std::optional<Advice> advice_;
   double advisedAt_ = -1e9;

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "core/base/json_file.h"
+#include "ui/controller/robot_choice.h"
 #include "ui/controller/workspace.h"
 
 namespace heft {
@@ -41,6 +42,24 @@ void Files::open(const QStringList& paths) {
   if (paths.isEmpty()) return;
   emit opening();
   workspace_->open(paths);
+}
+
+void Files::chooseRobot() {
+  const auto opened = workspace_->opened();
+  if (!opened) return emit said(Severity::info, tr("Open a recording first: the robot belongs to it."));
+  const QString urdf =
+      QFileDialog::getOpenFileName(window_, tr("Choose the description of the robot that was recorded"),
+                                   QFileInfo(opened->path).absolutePath(), tr("Robot descriptions (*.urdf);;All files (*)"));
+  if (urdf.isEmpty()) return;
+  const QString meta = metaFileBeside(*opened);
+  if (QMessageBox::question(window_, tr("Robot of this recording"),
+                            tr("%1 is written as the robot into %2; all else in it stays.")
+                                .arg(QFileInfo(urdf).fileName(), QFileInfo(meta).fileName()),
+                            QMessageBox::Ok | QMessageBox::Cancel) != QMessageBox::Ok)
+    return;
+  if (const auto named = nameRobot(*opened, urdf); !named)
+    return emit said(Severity::error, QString::fromStdString(named.error().message));
+  open({opened->path});
 }
 
 void Files::startAfresh() {

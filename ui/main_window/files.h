@@ -31,6 +31,8 @@ class Files : public QObject {
   /// True if the session may be closed: saved, unchanged, or given up by the user.
   bool mayClose();
   void open(const QStringList& paths);
+  /// The description of the robot that was recorded: asks for it, and before it goes into the recording's meta file.
+  void chooseRobot();
   QStringList recent() const;
   void remember(const QString& path);
   /// Fills `menu` with the recent files whenever it opens.

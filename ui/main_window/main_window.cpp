@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "ui/controller/autosave.h"
+#include "ui/controller/unfinished.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/files.h"
 #include "ui/main_window/header_bar.h"
@@ -263,14 +264,26 @@ void MainWindow::useAutosave(Autosave* autosave) {
   autosave_ = autosave;
   connect(autosave_, &Autosave::saved, this, &MainWindow::showSaved);
   showSaved();
-  const QStringList orphans = autosave_->leftBehind();
-  if (orphans.isEmpty()) return;
+  if (autosave_->leftBehind().isEmpty()) return offerUnfinished();
   message_->showMessage(Severity::warning,
                         tr("Heft Studio ended without closing last time. What you had open was kept."),
                         tr("Open it again"), [this] {
                           if (!autosave_->recover()) {
                             message_->showMessage(Severity::error, tr("What was kept could not be read."));
+                          } else {
+                            offerUnfinished();
                           }
+                        });
+}
+
+void MainWindow::offerUnfinished() {
+  const QStringList recordings = unfinishedRecordings(recordedFolder());
+  if (recordings.isEmpty()) return;
+  message_->showMessage(Severity::warning,
+                        tr("Heft Studio ended in the middle of a recording. What came until then was kept."),
+                        tr("Open the recording"), [this, recordings] {
+                          for (const QString& recording : recordings) forgetUnfinished(recording);
+                          workspace_->open(recordings);
                         });
 }
 

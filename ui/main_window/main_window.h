@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow {
   void showMarks();
   void showSaved();
   void showFacts();
+  void offerUnfinished();
   void loadArm();
   void arrangeFor(StepPanel* panel);
 

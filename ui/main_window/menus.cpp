@@ -99,8 +99,10 @@ void MenuBuilder::buildTools(QMenu* menu) {
   QAction* again = menu->addAction(tr("&Estimate again"), w_->workspace_, &Workspace::estimate);
   again->setShortcut(QKeySequence("Ctrl+R"));
   QAction* stop = menu->addAction(tr("&Stop the work under way"), w_->workspace_, &Workspace::cancel);
-  QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop] {
+  QAction* robot = menu->addAction(tr("&Robot from a URDF …"), w_->files_, &Files::chooseRobot);
+  QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop, robot] {
     again->setEnabled(w->workspace_->opened() != nullptr);
+    robot->setEnabled(w->workspace_->opened() != nullptr);
     stop->setEnabled(w->workspace_->busy());
   });
 }

@@ -178,10 +178,22 @@ void LiveBoard::refreshCard() {
   progress_->setVisible(false);
   more_->setVisible(false);
   if (show_) show_->setVisible(false);
-  kicker_->setText(!view.any                                    ? tr("ONE MOMENT")
+  const SessionStatus status = run_->status();
+  const auto gone = std::find_if(status.sources.begin(), status.sources.end(), [](const SourceStatus& source) {
+    return source.state == LinkState::lost || (source.state == LinkState::connecting && !source.text.empty());
+  });
+  kicker_->setText(gone != status.sources.end()                 ? tr("NO DATA")
+                   : !view.any                                  ? tr("ONE MOMENT")
                    : run_->poses()                              ? tr("NEXT POSE")
                    : run_->advice() && !run_->advice()->needed ? tr("YOU CAN STOP")
                                                                 : tr("DO THIS NOW"));
+  if (gone != status.sources.end()) {
+    sentence_->setText(gone->state == LinkState::lost ? tr("The connection is lost. Heft tries again by itself.")
+                                                      : tr("Nothing answers yet. Heft goes on trying."));
+    gain_->setText(view.any ? tr("What came so far is kept. Look at cable, network and the program at the other end.")
+                            : tr("Is it switched on, and is its address right?"));
+    return;
+  }
   if (!view.any) {
     sentence_->setText(tr("Waiting for the first data"));
     gain_->setText(tr("Motion and force are both needed."));

@@ -505,7 +505,8 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     waiting_.start(
         QString(),
         [session = run_->session()](const Progress& progress) -> Result<bool> {
-          while (!progress.cancelled() && session->status().sources.front().state == LinkState::live)
+          const auto under = [&](LinkState state) { return state == LinkState::connecting || state == LinkState::live; };
+          while (!progress.cancelled() && under(session->status().sources.front().state))
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
           std::this_thread::sleep_for(std::chrono::milliseconds(300));
           return true;

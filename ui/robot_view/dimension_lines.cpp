@@ -12,27 +12,25 @@ namespace {
 
 constexpr double kAway = 36, kBeyond = 8, kShortest = 18, kTick = 4;  // [px]
 
-struct Placed {
-  QPointF from, to;      ///< The edge.
-  QPointF away;          ///< Unit vector from the body.
-  QRectF label;
-};
+QFont labelFont() { return uiFont(type::kCaption, QFont::DemiBold); }
 
 }  // namespace
 
-void paintDimensions(QPainter& painter, const std::vector<DimensionLine>& lines, const Isometry3d& X_BS,
-                     const Vector3d& centre, const HandleSet::View& view) {
-  const Theme& t = theme();
-  const QFont font = uiFont(type::kCaption, QFont::DemiBold);
-  const QFontMetricsF metrics(font);
-  const QPointF middle = view.pixelOf(X_BS * centre);
+std::vector<PlacedDimension> placeDimensions(const std::vector<DimensionLine>& lines, const Isometry3d& X_BS,
+                                             const HandleSet::View& view) {
+  const QFontMetricsF metrics(labelFont());
+  Vector3d centre = Vector3d::Zero();
+  int ends = 0;
+  for (const DimensionLine& line : lines)
+    for (const auto& [a, b] : line.edges) centre += a + b, ends += 2;
+  const QPointF middle = view.pixelOf(X_BS * Vector3d(centre / std::max(1, ends)));
   const QRectF picture(QPointF(8, 8), view.size - QSizeF(16, 16));
-  std::vector<std::pair<const DimensionLine*, Placed>> placed;
+  std::vector<PlacedDimension> placed;
   for (const DimensionLine& line : lines) {
-    Placed best;
+    PlacedDimension best;
     double most = -1e9;
     for (const auto& [a, b] : line.edges) {
-      Placed here{view.pixelOf(X_BS * a), view.pixelOf(X_BS * b), {}, {}};
+      PlacedDimension here{&line, view.pixelOf(X_BS * a), view.pixelOf(X_BS * b), {}, {}};
       const QLineF edge(here.from, here.to);
       if (edge.length() < kShortest) continue;
       const QPointF along = (here.to - here.from) / edge.length();
@@ -42,20 +40,24 @@ void paintDimensions(QPainter& painter, const std::vector<DimensionLine>& lines,
       const QSizeF size(metrics.horizontalAdvance(line.text) + 14, metrics.height() + 7);
       here.label = QRectF(edge.center() + kAway * here.away - QPointF(size.width() / 2, size.height() / 2), size);
       double score = std::abs(side);
-      for (const auto& [other, taken] : placed) {
-        Q_UNUSED(other);
+      for (const auto& taken : placed)
         if (taken.label.adjusted(-4, -4, 4, 4).intersects(here.label)) score -= 400;
-      }
       if (!picture.contains(here.label)) score -= 800;
       if (score <= most) continue;
       most = score;
       best = here;
     }
-    if (most > -1e9) placed.emplace_back(&line, best);
+    if (most > -1e9) placed.push_back(best);
   }
+  return placed;
+}
+
+void paintDimensions(QPainter& painter, const std::vector<PlacedDimension>& placed) {
+  const Theme& t = theme();
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const auto& [line, at] : placed) {
+  for (const PlacedDimension& at : placed) {
+    const DimensionLine* line = at.line;
     const QColor colour = line->tone >= 0 && line->tone < 3 ? t.axis[static_cast<std::size_t>(line->tone)] : t.text2;
     const QPointF from = at.from + kAway * at.away, to = at.to + kAway * at.away;
     painter.setPen(QPen(t.text2, 1));
@@ -67,8 +69,9 @@ void paintDimensions(QPainter& painter, const std::vector<DimensionLine>& lines,
     for (const QPointF& end : {from, to})
       painter.drawLine(end - kTick * (at.away + along), end + kTick * (at.away + along));
   }
-  painter.setFont(font);
-  for (const auto& [line, at] : placed) {
+  painter.setFont(labelFont());
+  for (const PlacedDimension& at : placed) {
+    const DimensionLine* line = at.line;
     const QColor colour = line->tone >= 0 && line->tone < 3 ? t.axis[static_cast<std::size_t>(line->tone)] : t.text2;
     painter.setPen(QPen(colour, line->strong ? 2.2 : 1.2));
     painter.setBrush(t.panel);

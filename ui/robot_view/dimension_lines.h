@@ -1,5 +1,6 @@
 #pragma once
 // Lengths of a body written beside it in the 3D view, as in a drawing.
+#include <QRectF>
 #include <QString>
 #include <utility>
 #include <vector>
@@ -16,9 +17,20 @@ struct DimensionLine {
   QString text;       ///< "64 mm"
   int tone = -1;      ///< 0, 1, 2: colour of an axis
   bool strong = false;
+  int id = -1;        ///< Of the handle that changes this length; the number can then be typed in the picture.
 };
 
-void paintDimensions(QPainter& painter, const std::vector<DimensionLine>& lines, const Isometry3d& X_BS,
-                     const Vector3d& centre, const HandleSet::View& view);
+/// Where a line lies in the picture [px].
+struct PlacedDimension {
+  const DimensionLine* line = nullptr;
+  QPointF from, to;  ///< The edge
+  QPointF away;      ///< Unit vector from the body
+  QRectF label;
+};
+
+/// Labels stand free of each other where they can. Points into `lines`.
+std::vector<PlacedDimension> placeDimensions(const std::vector<DimensionLine>& lines, const Isometry3d& X_BS,
+                                             const HandleSet::View& view);
+void paintDimensions(QPainter& painter, const std::vector<PlacedDimension>& placed);
 
 }  // namespace heft

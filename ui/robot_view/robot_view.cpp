@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/models/numbers.h"
+#include "ui/robot_view/dimension_editor.h"
 #include "ui/robot_view/label_overlay.h"
 #include "ui/robot_view/scene3d.h"
 #include "ui/robot_view/scene_track.h"
@@ -75,6 +76,10 @@ struct RobotView::Kept {
 RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<SceneParts>()) {
   setObjectName("robotView");
   setMinimumSize(240, 180);
+  // A window of its own for the window system: else Qt would draw all of the program through OpenGL for each change of a
+  // plot or a label, which costs more than the plot where OpenGL is done in software.
+  setAttribute(Qt::WA_DontCreateNativeAncestors);
+  setAttribute(Qt::WA_NativeWindow);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   viewport_ = new Viewport(this);
@@ -88,6 +93,10 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
   note_ = styledLabel({}, "viewNote", viewport_);
   note_->hide();
   buildTools();
+  editor_ = new DimensionEditor(
+      viewport_, [this] { return placedDimensions(); },
+      [this] { return handles_ ? handles_->current() : std::nullopt; });
+  connect(editor_, &DimensionEditor::typed, this, &RobotView::dimensionTyped);
   connect(viewport_, &Viewport::aboutToRender, this, [this] { scene_->applyCamera(viewport_->camera()); });
   connect(viewport_, &Viewport::rendered, this, &RobotView::updateLabels);
   connect(viewport_, &Viewport::cameraMoved, this, [this] { cameraTouched_ = true; });
@@ -419,19 +428,23 @@ std::optional<QPointF> RobotView::knob(int id) const {
 
 void RobotView::setDimensions(std::vector<DimensionLine> lines) {
   dimensions_ = std::move(lines);
+  if (dimensions_.empty()) editor_->close();
   overlay_->update();
+}
+
+std::vector<PlacedDimension> RobotView::placedDimensions() const {
+  return placeDimensions(dimensions_, X_BS_, viewport_->handleView());
+}
+
+std::optional<QPointF> RobotView::dimensionLabel(int id) const {
+  for (const PlacedDimension& each : placedDimensions())
+    if (each.line->id == id) return each.label.center();
+  return std::nullopt;
 }
 
 void RobotView::paintOver(QPainter& painter) const {
   const HandleSet::View view = viewport_->handleView();
-  if (!dimensions_.empty()) {
-    Vector3d centre = Vector3d::Zero();
-    int ends = 0;
-    for (const DimensionLine& line : dimensions_) {
-      for (const auto& [a, b] : line.edges) centre += a + b, ends += 2;
-    }
-    paintDimensions(painter, dimensions_, X_BS_, centre / std::max(1, ends), view);
-  }
+  if (!dimensions_.empty()) paintDimensions(painter, placedDimensions());
   if (pull_) paintPull(painter, *pull_, X_BS_.translation(), view);
   if (handles_) handles_->paint(painter, view);
 }

@@ -21,6 +21,7 @@ class QPainter;
 
 namespace heft {
 
+class DimensionEditor;
 class LabelOverlay;
 class SceneTrack;
 class Viewport;
@@ -60,6 +61,8 @@ class RobotView : public QWidget {
   /// Where a handle's knob is, pixels of the viewport; for tests.
   std::optional<QPointF> knob(int id) const;
   void setDimensions(std::vector<DimensionLine> lines);
+  /// Where the label of a handle's length is, pixels of the viewport; for tests.
+  std::optional<QPointF> dimensionLabel(int id) const;
   /// What to do here, and the step's own tools beside it, at the top left. The view does not own the tools.
   void setStepNote(const QString& text);
   void setStepTools(QWidget* tools);
@@ -93,6 +96,8 @@ class RobotView : public QWidget {
 
  signals:
   void pictureWanted();
+  /// A length was typed where it stands in the picture: its handle's id, and what was typed.
+  void dimensionTyped(int id, const QString& text);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -113,6 +118,7 @@ class RobotView : public QWidget {
   void showWrench(const Isometry3d& X_BS, Vector6d wrench);
   void dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount);
   void paintOver(QPainter& painter) const;
+  std::vector<PlacedDimension> placedDimensions() const;
 
   Viewport* viewport_;
   LabelOverlay* overlay_;
@@ -137,6 +143,7 @@ class RobotView : public QWidget {
   std::unique_ptr<LookBefore> before_;  ///< Camera before editing.
   QPointer<HandleSet> handles_;
   std::vector<DimensionLine> dimensions_;
+  DimensionEditor* editor_;
   std::optional<PullMark> pull_;
   struct Kept;
   std::unique_ptr<Kept> kept_;  ///< What was shown before something live; null otherwise.

@@ -14,6 +14,12 @@
 #include <cmath>
 
 namespace heft {
+namespace {
+
+constexpr int kRest = 160;     ///< [ms] without a frame: what moved is at rest, and worth a smooth frame.
+constexpr int kSlowest = 700;  ///< [ms] Frames further apart do not belong to one motion.
+
+}  // namespace
 
 Viewport::Viewport(QWidget* parent) : QVTKOpenGLNativeWidget(parent), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
   auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
@@ -28,7 +34,7 @@ Viewport::Viewport(QWidget* parent) : QVTKOpenGLNativeWidget(parent), renderer_(
   frame_.setInterval(0);
   connect(&frame_, &QTimer::timeout, this, [this] { renderNow(false); });
   settle_.setSingleShot(true);
-  settle_.setInterval(160);
+  sinceFrame_.start();
   connect(&settle_, &QTimer::timeout, this, [this] { renderNow(true); });
 }
 
@@ -90,7 +96,9 @@ void Viewport::renderNow(bool smooth) {
   if (smooth) {
     settle_.stop();
   } else {
-    settle_.start();
+    // Where frames come slowly one after another, things have not come to rest between two of them.
+    const auto gap = static_cast<int>(std::min<qint64>(sinceFrame_.restart(), kSlowest));
+    settle_.start(gap < kSlowest ? std::max(kRest, 3 * gap) : kRest);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <QElapsedTimer>
 #include <QPoint>
 #include <QPointer>
 #include <QTimer>
@@ -62,6 +63,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   QPointer<HandleSet> handles_;
   QTimer frame_;                   ///< Gathers requests.
   QTimer settle_;                  ///< After the last quick frame: one smooth one.
+  QElapsedTimer sinceFrame_;       ///< Since the last quick one
   bool softwareRendering_ = true;  ///< Then smoothing costs too much while things move.
   bool asked_ = false;
   QPoint last_;

@@ -18,10 +18,15 @@
 #include "ui/shape_panel/mesh_form.h"
 #include "ui/shape_panel/substance_form.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/stepper.h"
 
 namespace heft {
 
 using Answer = ShapeChoice::Answer;
+
+namespace {
+constexpr double kLeastLength = 0.5, kMostLength = 5000.0;  ///< [mm]
+}
 
 ShapePanel::ShapePanel(const StudioParts& parts) : StepPanel(parts), handles_(HandleSet::Frame::sensor) {
   setAcceptDrops(true);
@@ -46,6 +51,7 @@ ShapePanel::ShapePanel(const StudioParts& parts) : StepPanel(parts), handles_(Ha
     modes_->setChosen(0);
     connect(modes_, &Segments::picked, this, [this](int index) { setMode(static_cast<ToolMode>(index)); });
     parts.view->installEventFilter(this);
+    connect(parts.view, &RobotView::dimensionTyped, this, &ShapePanel::typeLength);
   }
   refresh();
 }
@@ -216,6 +222,20 @@ void ShapePanel::setLength(int body, int measure, double metres) {
   const Shape next = resized(choice().shape, picture(), static_cast<std::size_t>(body), static_cast<std::size_t>(measure), metres);
   const QString why = change(next, tr("change a length"), editKey_);
   if (!why.isEmpty() && bodies_.count(body)) bodies_[body]->setProblem(measure, why);
+}
+
+void ShapePanel::typeLength(int handle, const QString& text) {
+  const int measure = measureOfHandle(handle), body = bodyOfHandle(handle);
+  if (!here_ || measure < 0 || body >= static_cast<int>(choice().shape.bodies.size())) return;
+  const auto millimetres = parseMeasure(text, QStringLiteral("mm"));
+  if (!millimetres || *millimetres < kLeastLength || *millimetres > kMostLength) {
+    return parts().say(Severity::warning, tr("\"%1\" is no length here: a number from %2 to %3 mm is.")
+                                              .arg(text)
+                                              .arg(kLeastLength)
+                                              .arg(kMostLength));
+  }
+  editKey_ = workspace().newMergeKey();
+  setLength(body, measure, 1e-3 * *millimetres);
 }
 
 void ShapePanel::setWall(std::optional<double> wall, const QString& text, int key) {

@@ -76,6 +76,8 @@ class ShapePanel : public StepPanel {
   QString change(Shape next, const QString& text, int key);
   void setChoice(const ShapeChoice& next, const QString& text, int key = 0);
   void setLength(int body, int measure, double metres);
+  /// A length that was typed in the 3D view.
+  void typeLength(int handle, const QString& text);
   void setWall(std::optional<double> wall, const QString& text, int key);
   void setMaterial(std::optional<double> density);
   void setMode(ToolMode mode);

@@ -134,6 +134,7 @@ Shape turned(const Shape& shape, int body, const Matrix3d& R) {
 }
 
 int bodyOfHandle(int id) { return id / kIds; }
+int measureOfHandle(int id) { return id % kIds < kMove ? id % kIds : -1; }
 bool choosesBody(int id) { return id % kIds == kChoose; }
 
 std::vector<Handle> toolHandles(const Shape& shape, ToolPicture picture, int selected, ToolMode mode) {
@@ -215,6 +216,7 @@ std::vector<DimensionLine> toolDimensions(const Shape& shape, ToolPicture pictur
       DimensionLine line;
       line.tone = axis;
       line.strong = strong;
+      line.id = static_cast<int>(b) * kIds + static_cast<int>(m);
       line.text = millimetres(measures[m].value);
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
       const auto add = [&](const Vector3d& middle, const Vector3d& half) {

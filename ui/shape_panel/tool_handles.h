@@ -27,6 +27,8 @@ Shape turned(const Shape& shape, int body, const Matrix3d& R);
 std::vector<Handle> toolHandles(const Shape& shape, ToolPicture picture, int selected, ToolMode mode);
 /// The body that a handle belongs to.
 int bodyOfHandle(int id);
+/// Index of the measure that a handle changes; -1 for other handles.
+int measureOfHandle(int id);
 /// A handle that only chooses its body.
 bool choosesBody(int id);
 /// What dragging makes of the shape as it was when the drag began; in whole millimetres and degrees, a tenth if fine.

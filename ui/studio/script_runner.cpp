@@ -6,6 +6,7 @@
 #include <QUndoStack>
 
 #include "core/base/json_file.h"
+#include "ui/controller/robot_choice.h"
 #include "ui/main_window/main_window.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/studio/studio.h"
@@ -25,6 +26,7 @@ Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 std::string ScriptRunner::help() {
   return "  open FILE ...                     recordings, or a session (.heft)\n"
+         "  robot FILE                        the robot that was recorded (URDF); goes into the recording's meta file\n"
          "  step NAME                         record, mark, shape, result, reality-check, export\n"
          "  estimate                          estimate again\n"
          "  compare                           all methods side by side\n"
@@ -121,6 +123,13 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
   };
   if (verb == "open" && words.size() > 1) {
     workspace.open(words.mid(1));
+    return true;
+  }
+  if (verb == "robot" && words.size() == 2) {
+    const auto opened = workspace.opened();
+    if (!opened) return wrong(tr("robot needs an open recording."));
+    if (auto named = nameRobot(*opened, words[1]); !named) return named;
+    workspace.open(opened->path);
     return true;
   }
   if (verb == "step") {

@@ -1,0 +1,54 @@
+#include "ui/controller/robot_choice.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <nlohmann/json.hpp>
+
+#include "core/base/json_file.h"
+#include "core/motion/motion.h"
+#include "core/recording/csv_reader.h"
+
+namespace heft {
+namespace {
+
+struct RobotChoice {
+  Q_DECLARE_TR_FUNCTIONS(RobotChoice)
+};
+
+}  // namespace
+
+QString metaFileBeside(const OpenRecording& opened) {
+  return QString::fromStdString(metaFileOf(std::filesystem::path(opened.path.toStdString())).string());
+}
+
+Result<bool> nameRobot(const OpenRecording& opened, const QString& urdf) {
+  RecordingMeta meta = opened.recording.meta;
+  meta.robot = QFileInfo(urdf).absoluteFilePath().toStdString();
+  Findings findings;
+  const auto robot = robotFor(meta, findings);
+  if (!robot) return robot.error();
+  if (opened.recording.hasJoints()) {
+    if (robot->dof() != opened.recording.q.cols())
+      return Error{RobotChoice::tr("%1 has %2 joints, the recording %3: choose the description of the robot that was recorded.")
+                       .arg(QFileInfo(urdf).fileName())
+                       .arg(robot->dof())
+                       .arg(opened.recording.q.cols())
+                       .toStdString()};
+    if (!robot->findLink(meta.mount.parent))
+      return Error{RobotChoice::tr("%1 has no link \"%2\", where the sensor is mounted: set sensor.mount.parent in %3 to the right one.")
+                       .arg(QFileInfo(urdf).fileName(), QString::fromStdString(meta.mount.parent), metaFileBeside(opened))
+                       .toStdString()};
+  }
+  const std::filesystem::path file = metaFileBeside(opened).toStdString();
+  nlohmann::json object = nlohmann::json::object();
+  if (std::filesystem::exists(file)) {
+    auto there = readJsonFile(file);
+    if (!there) return there.error();
+    object = std::move(*there);
+    if (!object.is_object()) return Error{RobotChoice::tr("%1 is no meta file.").arg(metaFileBeside(opened)).toStdString()};
+  }
+  object["robot"] = *meta.robot;
+  return writeTextFile(file, object.dump(2) + "\n");
+}
+
+}  // namespace heft
