@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
 #include "core/compensation/phases.h"
 #include "core/math/statistics.h"
 #include "core/wrench/regressor.h"
@@ -87,14 +88,13 @@ void chooseBias(const CompensateOptions& options, Compensated& out) {
     out.ownBias = true;
     for (int c = 0; c < 6; ++c) out.bias(c) = median(free[static_cast<std::size_t>(c)]);
   } else {
-    out.findings.push_back(
-        {Severity::warning,
-         "bias_of_result",
-         fmt::format("Only {:.1f} s touch nothing, so the result's bias is taken off; it may be that "
-                     "of another day.",
-                     seconds),
-         "Record a second of free motion before the contact.",
-         {}});
+    out.findings.push_back({Severity::warning,
+                            "bias_of_result",
+                            heft::say("Only {:.1f} s touch nothing, so the result's bias is taken off; it may be that "
+                                      "of another day.",
+                                      seconds),
+                            heft::say("Record a second of free motion before the contact."),
+                            {}});
   }
 }
 
@@ -147,10 +147,10 @@ Result<Compensated> compensate(const Recording& recording, const RobotModel* rob
     out.findings.push_back(
         {Severity::warning,
          "above_noise",
-         fmt::format("In free motion {:.2g} N remain, where the sensor's own scatter is {:.2g} N: the payload is not "
-                     "that of this recording, or something else is at work.",
-                     out.freeForceRms, out.noiseForce),
-         "Estimate the payload from this recording, or diagnose it.",
+         heft::say("In free motion {:.2g} N remain, where the sensor's own scatter is {:.2g} N: the payload is not "
+                   "that of this recording, or something else is at work.",
+                   out.freeForceRms, out.noiseForce),
+         heft::say("Estimate the payload from this recording, or diagnose it."),
          {}});
   return out;
 }

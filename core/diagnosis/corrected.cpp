@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/base/say.h"
 #include "core/diagnosis/time_stamps.h"
 
 namespace heft {
@@ -197,8 +198,8 @@ Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel
   widen(*report, found);
   addBack(report->series, recording, *cleaned);
   report->findings.push_back({Severity::info, "causes_taken_out",
-                              fmt::format("The reality check's corrections are part of these numbers: {}.", fmt::join(causes, ", ")),
-                              "", {}});
+                              heft::say("The reality check's corrections are part of these numbers: {}.", fmt::join(causes, ", ")),
+                              {}, {}});
   return report;
 }
 

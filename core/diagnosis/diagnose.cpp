@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
@@ -341,8 +342,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (Model still = without(final.model, kWandering); still.terms.size() < final.model.terms.size()) {
     steady = fitModel(work.signals, work.stretches, std::move(still)).residual;
     out.findings.push_back({Severity::info, "zero_wanders",
-                              "The sensor's zero wanders slowly during the recording; this is allowed for.",
-                              "Let the sensor warm up, and keep recordings short.", {}});
+                              heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
+                              heft::say("Let the sensor warm up, and keep recordings short."), {}});
   }
   for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, cause.sentence, work.signals);
 
@@ -426,13 +427,13 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
         out.after = out.before;
         out.verdict = Verdict::unexplained;
         out.findings.push_back({Severity::warning, "causes_not_believable",
-                                "With these causes taken out the payload would be impossible, so it is left as it was.",
-                                "Repeat the recording without touching anything.", {}});
+                                heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
+                                heft::say("Repeat the recording without touching anything."), {}});
       } else if (out.verdict == Verdict::unexplained && !predictsBetter(out.after, out.before)) {
         out.after = out.before;
         out.findings.push_back({Severity::warning, "payload_left_as_it_was",
-                                "Taking these causes out does not help to predict unseen stretches, so the payload is left as it was.",
-                                "Find what is unknown first: record the motion once more, more slowly.", {}});
+                                heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
+                                heft::say("Find what is unknown first: record the motion once more, more slowly."), {}});
       }
     }
   }

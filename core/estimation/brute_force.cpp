@@ -3,6 +3,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/base/say.h"
 #include "core/estimation/solvers.h"
 
 namespace heft {
@@ -127,7 +128,7 @@ SolverSolution solveBruteForce(const SolverProblem& problem) {
   solution.bias = x.head<6>();
   solution.phi = x.tail<10>();
   solution.usable = x.allFinite();
-  solution.why = "The searched region shrank to nothing.";
+  solution.why = heft::say("The searched region shrank to nothing.");
   return solution;
 }
 

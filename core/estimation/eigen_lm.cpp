@@ -1,6 +1,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "core/base/say.h"
 #include "core/estimation/physical_parameters.h"
 
 namespace heft {
@@ -40,17 +41,17 @@ std::string reasonOf(int status) {
     case RelativeReductionTooSmall:
     case RelativeErrorTooSmall:
     case RelativeErrorAndReductionTooSmall:
-      return "Converged: steps no longer change the result.";
+      return heft::say("Converged: steps no longer change the result.");
     case CosinusTooSmall:
-      return "Converged: the residual is orthogonal to every direction.";
+      return heft::say("Converged: the residual is orthogonal to every direction.");
     case TooManyFunctionEvaluation:
-      return "Stopped after the largest number of evaluations.";
+      return heft::say("Stopped after the largest number of evaluations.");
     case FtolTooSmall:
     case XtolTooSmall:
     case GtolTooSmall:
-      return "Converged to rounding.";
+      return heft::say("Converged to rounding.");
     default:
-      return "Stopped with improper input.";
+      return heft::say("Stopped with improper input.");
   }
 }
 

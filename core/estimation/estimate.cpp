@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/say.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/inside_shape.h"
 #include "core/estimation/judgement.h"
@@ -140,12 +141,12 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
         {inside.moved > 3.0 ? Severity::warning : Severity::info,
          "held_inside_shape",
          inside.moved > 0.05
-             ? fmt::format(
-                   "Without the bound some mass would lie outside the shape; holding it inside moved the result "
-                   "by {:.1f} standard deviations.",
-                   inside.moved)
-             : "The mass lies inside the shape even without the bound.",
-         inside.moved > 3.0 ? "The shape seems too small or misplaced: check it, or leave the bound out." : "",
+             ? heft::say("Without the bound some mass would lie outside the shape; holding it inside moved the result "
+                         "by {:.1f} standard deviations.",
+                         inside.moved)
+             : heft::say("The mass lies inside the shape even without the bound."),
+         inside.moved > 3.0 ? heft::say("The shape seems too small or misplaced: check it, or leave the bound out.")
+                            : std::string(),
          {}});
   }
   const Payload mapPayload = fromParameters(map.phi);
@@ -156,18 +157,20 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   // such.
   if (options.parameters == ParameterSet::mass && !known.com) {
     options.parameters = ParameterSet::massCom;
-    report.findings.push_back({Severity::info,
-                               "com_estimated_along",
-                               "The centre of mass is not given, so it was estimated together with the mass.",
-                               "Give it with --known to hold it fixed.",
-                               {}});
+    report.findings.push_back(
+        {Severity::info,
+         "com_estimated_along",
+         heft::say("The centre of mass is not given, so it was estimated together with the mass."),
+         heft::say("Give it with --known to hold it fixed."),
+         {}});
   }
   if (options.parameters != ParameterSet::full && !known.inertiaCom && !told.inertia && !poses)
-    report.findings.push_back({Severity::info,
-                               "inertia_assumed",
-                               "The inertia is neither estimated nor given; a tool of usual size was assumed for it.",
-                               "Give it with --known, or a shape with --shape.",
-                               {}});
+    report.findings.push_back(
+        {Severity::info,
+         "inertia_assumed",
+         heft::say("The inertia is neither estimated nor given; a tool of usual size was assumed for it."),
+         heft::say("Give it with --known, or a shape with --shape."),
+         {}});
 
   SolverSolution solution;
   Vector6d weights = Vector6d::Ones();

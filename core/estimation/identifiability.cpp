@@ -1,12 +1,11 @@
 #include "core/estimation/identifiability.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/base/say.h"
 #include "core/estimation/uncertainty.h"
 
 namespace heft {
@@ -28,17 +27,18 @@ NamedAxes namedAxes(const Payload& payload) {
   const Vector3d moments = eigen.eigenvalues();  // rising
   const bool isLong = moments(1) > kDistinct * moments(0), isFlat = moments(2) > kDistinct * moments(1);
   if (!isLong && !isFlat)
-    return {Matrix3d::Identity(), {"the sensor's x axis", "the sensor's y axis", "the sensor's z axis"}};
+    return {Matrix3d::Identity(),
+            {heft::say("the sensor's x axis"), heft::say("the sensor's y axis"), heft::say("the sensor's z axis")}};
   const auto near = [&](int i) {
     Eigen::Index axis = 0;
     eigen.eigenvectors().col(i).cwiseAbs().maxCoeff(&axis);
-    return fmt::format(" (near the sensor's {})", kAxes[axis]);
+    return " " + heft::say("(near the sensor's {})", kAxes[axis]);
   };
-  const std::string crosswise = "an axis across the tool";
+  const std::string crosswise = heft::say("an axis across the tool"),
+                    flat = heft::say("an axis in the tool's flat side");
   return {eigen.eigenvectors(),
-          {(isLong ? "the tool's long axis" : "an axis in the tool's flat side") + near(0),
-           (isLong ? crosswise : "an axis in the tool's flat side") + near(1),
-           (isFlat && !isLong ? "the axis square to the tool's flat side" : crosswise) + near(2)}};
+          {(isLong ? heft::say("the tool's long axis") : flat) + near(0), (isLong ? crosswise : flat) + near(1),
+           (isFlat && !isLong ? heft::say("the axis square to the tool's flat side") : crosswise) + near(2)}};
 }
 
 /// What a small change of the parameters mostly is.
@@ -48,19 +48,21 @@ std::string aboutWhat(const Vector10d& components, const Payload& payload, const
   const Matrix3d inertia = axes.R.transpose() * payload.inertiaCom * axes.R;
   const Vector3d shift = axes.R.transpose() * components.segment<3>(1) / size;
   double largest = std::abs(components(0)) / payload.mass;
-  std::string about = "mass";
+  std::string about = heft::say("mass");
   const auto consider = [&](double value, const std::string& words) {
     if (std::abs(value) <= largest) return;
     largest = std::abs(value);
     about = words;
   };
-  for (int i = 0; i < 3; ++i) consider(shift(i), "centre of mass along " + axes.names[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < 3; ++i)
+    consider(shift(i), heft::say("centre of mass along {}", axes.names[static_cast<std::size_t>(i)]));
   for (int r = 0; r < 3; ++r)
     for (int c = r; c < 3; ++c) {
-      const auto& row = axes.names[static_cast<std::size_t>(r)];
+      const std::string& row = axes.names[static_cast<std::size_t>(r)];
       consider(change(r, c) / std::sqrt(inertia(r, r) * inertia(c, c)),
-               r == c ? "rotation about " + row
-                      : "coupling of rotations about " + row + " and " + axes.names[static_cast<std::size_t>(c)]);
+               r == c
+                   ? heft::say("rotation about {}", row)
+                   : heft::say("coupling of rotations about {} and {}", row, axes.names[static_cast<std::size_t>(c)]));
     }
   return about;
 }
@@ -153,14 +155,14 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
       std::any_of(identifiability.com.begin(), identifiability.com.end(), [](Source s) { return s != Source::data; });
   if (identifiability.mass != Source::data)
     words.push_back(
-        fmt::format("The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be "
-                    "told from the sensor's bias.",
-                    spread));
+        heft::say("The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be "
+                  "told from the sensor's bias.",
+                  spread));
   if (comWeak) {
     std::string axes;
     for (std::size_t i = 0; i < 3; ++i)
       if (identifiability.com[i] != Source::data) axes += (axes.empty() ? "" : ", ") + std::string(kAxes[i]);
-    words.push_back(fmt::format(
+    words.push_back(heft::say(
         "The tool was not tilted into enough directions to tell where its centre of mass lies along {}.", axes));
   }
   // The moment about an axis is told by turning to and fro about it, and weak in the sensor's axes where one of the
@@ -175,7 +177,7 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
     if (axis.cwiseAbs2().dot(weak) < 0.5) continue;
     const double alpha = std::sqrt((axis.transpose() * motion.alpha).squaredNorm() /
                                    std::max<double>(1.0, static_cast<double>(motion.size())));
-    words.push_back(fmt::format(
+    words.push_back(heft::say(
         "Rotation about {} was never fast enough (it sped up by {:.1f} rad/s2 on average): turn the tool to and fro "
         "about it.",
         axes.names[static_cast<std::size_t>(i)], alpha));

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/prior.h"
@@ -228,13 +229,14 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
       out.pieces[out.first].report.findings.push_back(
           {Severity::warning,
            "different_tool",
-           fmt::format(
+           heft::say(
                "Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. "
                "It was left out.",
                i + 1, out.pieces[i].alone.mass, all->components(0),
                1e3 * (out.pieces[i].alone.com - Vector3d(all->components.segment<3>(1))).norm()),
-           out.pieces.size() == 2 ? "With two recordings nobody can tell which is of the right tool: check both."
-                                  : "Estimate it by itself.",
+           out.pieces.size() == 2
+               ? heft::say("With two recordings nobody can tell which is of the right tool: check both.")
+               : heft::say("Estimate it by itself."),
            {}});
   return out;
 }

@@ -1,11 +1,10 @@
 #include "core/estimation/judgement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/math/statistics.h"
 
 namespace heft {
@@ -32,24 +31,24 @@ Residuals residualsOver(const Prepared& prepared,
 
 void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report) {
   double contact = 0.0;
-  std::string where;
+  std::vector<std::string> stretches;
   int listed = 0;
   for (const auto& segment : report.segments) {
     if (segment.label != MarkLabel::contact) continue;
     contact += segment.to - segment.from;
     if (++listed > 6) continue;
-    where += fmt::format("{}{:.1f} to {:.1f} s", where.empty() ? "" : ", ", std::max(0.0, segment.from), segment.to);
+    stretches.push_back(heft::say("{:.1f} to {:.1f} s", std::max(0.0, segment.from), segment.to));
   }
-  if (listed > 6) where += fmt::format(" and {} more", listed - 6);
+  const std::string where = listed > 6 ? heft::say("{} and {} more", joined(stretches), listed - 6) : joined(stretches);
   const bool mostlyContact = contact > 0.3 * report.duration;
   if (contact > 0.0)
     report.findings.push_back(
         {mostlyContact ? Severity::warning : Severity::info,
          "contact_left_out",
-         fmt::format("{:.1f} s of {:.1f} s looked like contact and were left out: {}.", contact, report.duration,
-                     where),
-         mostlyContact ? "Trust is low with so little free motion: check the marks, or record a longer free part."
-                       : "Mark them by hand if that is wrong.",
+         heft::say("{:.1f} s of {:.1f} s looked like contact and were left out: {}.", contact, report.duration, where),
+         mostlyContact
+             ? heft::say("Trust is low with so little free motion: check the marks, or record a longer free part.")
+             : heft::say("Mark them by hand if that is wrong."),
          {}});
 
   // What is slow and strong in the residual is no sensor noise. Long memory of a channel shows it, and so does a
@@ -72,12 +71,13 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
     report.findings.push_back(
         {Severity::warning,
          "misfit",
-         fmt::format(
+         heft::say(
              "On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the "
              "sensor's own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a "
              "cable, a poorly calibrated sensor).",
              heldout.force, forceFloor),
-         "Trust is low: the true values may lie outside the intervals. Look at where the difference is large.",
+         heft::say(
+             "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
          {}});
 
   // A clearly negative mass is the other sign of the wrench. Linear fits say it; the map estimate cannot.
@@ -95,26 +95,32 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
       report.findings.push_back(
           {Severity::warning,
            "wrench_sign",
-           fmt::format("A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.", mass),
-           "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or "
-           "payload_on_sensor).",
+           heft::say("A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.", mass),
+           heft::say("Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or "
+                     "payload_on_sensor)."),
            {}});
   }
 
   // Soft information that the data contradict. What the shape's material leaves open is judged with the shape.
   const auto& disagreement = report.evidence.disagreement;
-  std::string parts;
-  constexpr const char* kNames[] = {"mass",       "centre along x", "centre along y", "centre along z", "inertia xx",
-                                    "inertia xy", "inertia xz",     "inertia yy",     "inertia yz",     "inertia zz"};
+  std::vector<std::string> parts;
+  constexpr const char* kAxes[] = {"x", "y", "z"};
+  constexpr const char* kEntries[] = {"xx", "xy", "xz", "yy", "yz", "zz"};
+  const auto nameOf = [&](int i) {
+    return i == 0  ? heft::say("mass")
+           : i < 4 ? heft::say("centre along {}", kAxes[i - 1])
+                   : heft::say("inertia {}", kEntries[i - 4]);
+  };
   for (int i = 0; i < 10; ++i)
     if (std::abs(disagreement(i)) > 4.0)
-      parts += fmt::format("{}{} ({:.0f} sigma)", parts.empty() ? "" : ", ", kNames[i], std::abs(disagreement(i)));
+      parts.push_back(heft::say("{} ({:.0f} sigma)", nameOf(i), std::abs(disagreement(i))));
   if (!parts.empty())
     report.findings.push_back(
         {Severity::warning,
          "prior_contradicts_data",
-         "What you gave and what the motion says disagree about: " + parts + ".",
-         "Either the given values are of another tool or place, or the sensor's calibration is off: trust is low.",
+         heft::say("What you gave and what the motion says disagree about: {}.", joined(parts)),
+         heft::say(
+             "Either the given values are of another tool or place, or the sensor's calibration is off: trust is low."),
          {}});
 
   // Values that the user gave and the data contradict.
@@ -123,9 +129,9 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
     report.findings.push_back(
         {Severity::warning,
          "known_disagrees",
-         fmt::format("The estimated mass is {:.0f} % away from the known one, far outside its interval.",
-                     100.0 * report.relativeError->mass),
-         "Either the known value is of another tool, or the sensor's calibration is off: trust is low.",
+         heft::say("The estimated mass is {:.0f} % away from the known one, far outside its interval.",
+                   100.0 * report.relativeError->mass),
+         heft::say("Either the known value is of another tool, or the sensor's calibration is off: trust is low."),
          {}});
 }
 
@@ -137,15 +143,15 @@ void addFindings(EstimateReport& report) {
   if (id.mass == Source::none)
     report.findings.push_back({Severity::warning,
                                "mass_not_known",
-                               "This motion cannot tell the mass; the number is a placeholder.",
-                               "Tilt the tool into several directions.",
+                               heft::say("This motion cannot tell the mass; the number is a placeholder."),
+                               heft::say("Tilt the tool into several directions."),
                                {}});
   if (count(id.com, Source::none) > 0)
     report.findings.push_back(
         {Severity::warning,
          "com_not_known",
-         "This motion cannot tell the whole centre of mass; what is marked \"none\" is a placeholder.",
-         "Tilt the tool about more axes.",
+         heft::say("This motion cannot tell the whole centre of mass; what is marked \"none\" is a placeholder."),
+         heft::say("Tilt the tool about more axes."),
          {}});
   int unknown = 0;
   for (std::size_t i = 0; i < 3; ++i) unknown += id.inertia[i][i] == Source::none ? 1 : 0;
@@ -153,42 +159,43 @@ void addFindings(EstimateReport& report) {
     report.findings.push_back(
         {Severity::warning,
          "inertia_not_known",
-         fmt::format("This motion cannot tell {} of the three moments of inertia; they are placeholders with wide "
-                     "intervals.",
-                     unknown),
-         "Turn the tool faster, or give its shape.",
+         heft::say("This motion cannot tell {} of the three moments of inertia; they are placeholders with wide "
+                   "intervals.",
+                   unknown),
+         heft::say("Turn the tool faster, or give its shape."),
          {}});
-  std::string given;
-  const auto lean = [&](bool part, const char* name) {
-    if (part) given += fmt::format("{}{}", given.empty() ? "" : ", ", name);
+  std::vector<std::string> given;
+  const auto lean = [&](bool part, std::string name) {
+    if (part) given.push_back(std::move(name));
   };
   if (report.parameters == ParameterSet::full && report.evidence.hasPrior) {
-    lean(id.mass == Source::prior, "mass");
-    lean(count(id.com, Source::prior) > 0, "centre of mass");
+    lean(id.mass == Source::prior, heft::say("mass"));
+    lean(count(id.com, Source::prior) > 0, heft::say("centre of mass"));
     lean(id.inertia[0][0] == Source::prior || id.inertia[1][1] == Source::prior || id.inertia[2][2] == Source::prior,
-         "inertia");
+         heft::say("inertia"));
   }
   if (!given.empty())
     report.findings.push_back(
         {Severity::info,
          "from_what_you_gave",
-         "The motion tells less than what you gave about: " + given + ". These numbers are mainly yours.",
-         "",
+         heft::say("The motion tells less than what you gave about: {}. These numbers are mainly yours.",
+                   joined(given)),
+         {},
          {}});
   if (!report.physicallyConsistent)
     report.findings.push_back({Severity::warning,
                                "not_physical",
-                               "No real body has these numbers: " + checkPhysical(report.payload).reason,
-                               "Use the method map, which always gives a possible payload.",
+                               heft::say("No real body has these numbers: {}", checkPhysical(report.payload).reason),
+                               heft::say("Use the method map, which always gives a possible payload."),
                                {}});
   if (!report.termination.usable)
     report.findings.push_back({Severity::warning,
                                "solver_not_usable",
-                               "The solver did not reach a trustworthy solution: " + report.termination.why,
-                               "Use the method map.",
+                               heft::say("The solver did not reach a trustworthy solution: {}", report.termination.why),
+                               heft::say("Use the method map."),
                                {}});
   for (const auto& words : id.weakDirections)
-    report.findings.push_back({Severity::info, "weak_direction", words, "", {}});
+    report.findings.push_back({Severity::info, "weak_direction", words, {}, {}});
 }
 
 }  // namespace heft

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/estimation/solvers.h"
 
 namespace heft {
@@ -43,7 +44,8 @@ SolverSolution solveLeastSquares(const SolverProblem& problem) {
   const VectorXd z = qr.solve(problem.y - problem.A * offset);
   const bool fullRank = qr.rank() == map.cols();
   return fromFull(offset + map * z, 1, fullRank,
-                  fullRank ? "Solved in one step." : "This motion leaves some parameters without any information.");
+                  fullRank ? heft::say("Solved in one step.")
+                           : heft::say("This motion leaves some parameters without any information."));
 }
 
 SolverSolution solveTls(const SolverProblem& problem, SvdKind kind) {

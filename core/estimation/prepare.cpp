@@ -7,6 +7,7 @@
 #include <cmath>
 #include <future>
 
+#include "core/base/say.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
 
@@ -124,10 +125,10 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
       segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
       out.findings.push_back({Severity::info,
                               "swing_assumed",
-                              fmt::format("The forces fit a sensor that swings about a point {:.2g} m away, so its "
-                                          "acceleration was taken from that instead of zero.",
-                                          point->norm()),
-                              "",
+                              heft::say("The forces fit a sensor that swings about a point {:.2g} m away, so its "
+                                        "acceleration was taken from that instead of zero.",
+                                        point->norm()),
+                              {},
                               {}});
     }
   }
@@ -156,10 +157,10 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
     if (out.usedBlocks > before)
       out.findings.push_back({Severity::info,
                               "trim_lifted",
-                              fmt::format("Contact leaves only {:.1f} s inside the trimmed range, so the free parts at "
-                                          "the recording's ends are used too.",
-                                          static_cast<double>(before) / out.blocks.rateHz),
-                              "Give --trim to keep them out.",
+                              heft::say("Contact leaves only {:.1f} s inside the trimmed range, so the free parts at "
+                                        "the recording's ends are used too.",
+                                        static_cast<double>(before) / out.blocks.rateHz),
+                              heft::say("Give --trim to keep them out."),
                               {}});
   }
   out.usedDuration = static_cast<double>(out.usedBlocks) / out.blocks.rateHz;
@@ -171,11 +172,12 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                     span, out.usedDuration)};
   calm(out);
   if (out.still)
-    out.findings.push_back({Severity::info,
-                            "stood_still",
-                            "The tool stood still all the time.",
-                            "Tilt it into several directions: at rest its weight and the sensor's bias look alike.",
-                            {}});
+    out.findings.push_back(
+        {Severity::info,
+         "stood_still",
+         heft::say("The tool stood still all the time."),
+         heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
+         {}});
   learnNoise(out, false);
   return out;
 }
@@ -303,18 +305,17 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     best->findings.push_back(
         {Severity::info,
          "spikes_removed",
-         fmt::format(
+         heft::say(
              "{} samples ({:.2g} %) held isolated spikes in the wrench and were replaced by their neighbours' median.",
              spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
-         "",
+         {},
          {}});
   if (best->cutoffHz > 0.0 && best->cutoffHz < kDefaultCutoffHz && choose)
-    best->findings.push_back(
-        {Severity::info,
-         "motion_smoothed",
-         fmt::format("The recorded motion is noisy; it was smoothed to {:.0f} Hz.", best->cutoffHz),
-         "",
-         {}});
+    best->findings.push_back({Severity::info,
+                              "motion_smoothed",
+                              heft::say("The recorded motion is noisy; it was smoothed to {:.0f} Hz.", best->cutoffHz),
+                              {},
+                              {}});
   return finish(std::move(*best));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/payload/shape_bound.h"
 #include "core/payload/shape_prior.h"
 
@@ -75,17 +76,17 @@ Result<ChosenPrior> fromShape(const EstimateOptions& options, const Triangle& wh
   if (!fit.converged)
     findings.push_back({Severity::warning,
                         "shape_not_converged",
-                        "The search for the shape's material did not settle.",
-                        "Check the shape's size and place.",
+                        heft::say("The search for the shape's material did not settle."),
+                        heft::say("Check the shape's size and place."),
                         {}});
   if (fit.conflict > 30.0)
     findings.push_back(
         {Severity::warning,
          "shape_contradicts_data",
-         "The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
-         "the sensor differently.",
-         options.shape->certainty == Certainty::rough ? "Check the shape's size and where it sits, or leave it away."
-                                                      : "Check the shape's size and where it sits, or choose \"rough\".",
+         heft::say("The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
+         "the sensor differently."),
+         options.shape->certainty == Certainty::rough ? heft::say("Check the shape's size and where it sits, or leave it away.")
+                                                      : heft::say("Check the shape's size and where it sits, or choose \"rough\"."),
          {}});
   chosen.prior.U0 = fit.U0;
   chosen.prior.mean = fit.mean;

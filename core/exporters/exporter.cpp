@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/exporters/writing.h"
 
 namespace heft {
@@ -55,34 +56,35 @@ void addFormatFindings(const ExportFormat& format, const ExportInput& input, Fin
   const Payload& payload = input.payload;
   if (format.heaviest > 0.0 && payload.mass > format.heaviest)
     addWarning(findings, "payload_limit",
-               fmt::format("The payload weighs {:.3f} kg; the robot is made for {} kg.", payload.mass, format.heaviest),
-               "Check the recording's frame and sign, or use a lighter tool.");
+               heft::say("The payload weighs {:.3f} kg; the robot is made for {} kg.", payload.mass, format.heaviest),
+               heft::say("Check the recording's frame and sign, or use a lighter tool."));
   if (format.write == writeUr && payload.inertiaCom.cwiseAbs().maxCoeff() > kUrInertiaLimit)
     addWarning(findings, "inertia_limit",
-               fmt::format("An entry of the inertia is {:.4g} kg m2; set_target_payload takes at most {} kg m2.",
-                           payload.inertiaCom.cwiseAbs().maxCoeff(), kUrInertiaLimit),
-               "Check the units of the inertia.");
+               heft::say("An entry of the inertia is {:.4g} kg m2; set_target_payload takes at most {} kg m2.",
+                         payload.inertiaCom.cwiseAbs().maxCoeff(), kUrInertiaLimit),
+               heft::say("Check the units of the inertia."));
   if (format.write == writeFanuc) {
     const Matrix3d& I = payload.inertiaCom;
     const double lost = std::max({std::abs(I(0, 1)), std::abs(I(0, 2)), std::abs(I(1, 2))});
     if (lost > 0.02 * I.diagonal().maxCoeff())
       addWarning(findings, "products_of_inertia_lost",
-                 fmt::format("This format has no products of inertia; up to {:.3g} kg m2 are left out.", lost), "");
+                 heft::say("This format has no products of inertia; up to {:.3g} kg m2 are left out.", lost), {});
   }
   const bool carriesTool = format.write == writeFrankaDesk || format.write == writeFrankaProfile;
   if (carriesTool && input.X_FE.matrix().isIdentity(1e-12))
     findings.push_back({Severity::info,
                         "tool_centre_unset",
-                        "The tool centre point is written at the flange.",
-                        "Set it in Desk, or state it before exporting.",
+                        heft::say("The tool centre point is written at the flange."),
+                        heft::say("Set it in Desk, or state it before exporting."),
                         {}});
   if (format.write == writeFrankaProfile && !input.X_FE.linear().isIdentity(1e-9))
     addWarning(findings, "tool_rotation_lost",
-               "The tool's rotation is left out: this format's angle unit is not known.", "Set the rotation in Desk.");
+               heft::say("The tool's rotation is left out: this format's angle unit is not known."),
+               heft::say("Set the rotation in Desk."));
   if (!format.unverified.empty())
     addWarning(findings, "format_unverified",
-               fmt::format("Not checked against a primary source: {}.", format.unverified),
-               "Compare the file with one that your controller wrote.");
+               heft::say("Not checked against a primary source: {}.", heft::say(fmt::runtime(format.unverified))),
+               heft::say("Compare the file with one that your controller wrote."));
 }
 
 }  // namespace
@@ -91,18 +93,20 @@ const std::vector<ExportFormat>& exportFormats() {
   static const std::vector<ExportFormat> formats = {
       {"franka-desk", "Franka Desk end effector (JSON)", ".json", writeFrankaDesk, {}, kPandaPayload},
       {"franka-profile", "Franka end-effector profile (JSON)", ".endeffector-profile.json", writeFrankaProfile,
-       "the form of the profile and the unit of its angles (zeros are written)", kPandaPayload},
+       heft::toSay("the form of the profile and the unit of its angles (zeros are written)"), kPandaPayload},
       {"libfranka", "libfranka setLoad (C++)", ".h", writeLibfranka, {}, kPandaPayload},
       {"franka-ros", "franka_ros set_load request (YAML)", ".yaml", writeFrankaRos, {}, kPandaPayload},
       {"franka-ros2", "franka_ros2 set_load request (YAML)", ".yaml", writeFrankaRos2,
-       "the name of the service, /service_server/set_load", kPandaPayload},
+       heft::toSay("the name of the service, /service_server/set_load"), kPandaPayload},
       {"urdf", "URDF link", ".urdf", writeUrdf},
       {"sdf", "SDFormat model, principal axes", ".sdf", writeSdf},
       {"mjcf", "MuJoCo body", ".xml", writeMjcf},
       {"ur", "Universal Robots set_target_payload (URScript)", ".script", writeUr},
-      {"kuka", "KUKA LOAD_DATA (KRL)", ".dat", writeKuka, "the syntax of the line (its units and angles are)"},
+      {"kuka", "KUKA LOAD_DATA (KRL)", ".dat", writeKuka,
+       heft::toSay("the syntax of the line (its units and angles are)")},
       {"abb", "ABB loaddata (RAPID)", ".mod", writeAbb},
-      {"fanuc", "FANUC payload schedule, to type in", ".txt", writeFanuc, "the unit of the inertia, kgf cm s2"},
+      {"fanuc", "FANUC payload schedule, to type in", ".txt", writeFanuc,
+       heft::toSay("the unit of the inertia, kgf cm s2")},
       {"json", "Heft payload (JSON)", ".json", writeJson},
   };
   return formats;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/payload/inertial_parameters.h"
 #include "core/robot/robot_model.h"
@@ -63,8 +64,8 @@ Result<Isometry3d> parentInFlange(const std::string& parent, Findings& findings)
   findings.push_back(
       {Severity::warning,
        "flange_assumed",
-       fmt::format("The sensor's parent link {} is not known as a flange and was taken for it.", printable(parent)),
-       "State the sensor's pose on the flange if it is not.",
+       heft::say("The sensor's parent link {} is not known as a flange and was taken for it.", printable(parent)),
+       heft::say("State the sensor's pose on the flange if it is not."),
        {}});
   return Isometry3d(Isometry3d::Identity());
 }
@@ -85,25 +86,24 @@ void reportSources(const json& identifiability, Findings& findings) {
     if (source == "prior") fromPrior.push_back(std::move(name));
     if (source == "none") unknown.push_back(std::move(name));
   };
-  if (const json* mass = member(identifiability, "mass")) sort(sourceAt(mass, {}), "mass");
+  if (const json* mass = member(identifiability, "mass")) sort(sourceAt(mass, {}), heft::say("mass"));
   const json* com = member(identifiability, "com");
-  for (std::size_t i = 0; i < 3; ++i) sort(sourceAt(com, {i}), fmt::format("centre of mass {}", kAxes[i]));
+  for (std::size_t i = 0; i < 3; ++i) sort(sourceAt(com, {i}), heft::say("centre of mass {}", kAxes[i]));
   const json* inertia = member(identifiability, "inertia");
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i; j < 3; ++j)
-      sort(sourceAt(inertia, {i, j}), fmt::format("inertia {}{}", kAxes[i], kAxes[j]));
+    for (std::size_t j = i; j < 3; ++j) sort(sourceAt(inertia, {i, j}), heft::say("inertia {}{}", kAxes[i], kAxes[j]));
   if (!unknown.empty())
     findings.push_back(
         {Severity::warning,
          "not_known",
-         fmt::format("Not known from this motion, so only a guess: {}.", fmt::join(unknown, ", ")),
-         "Record a motion that turns the tool faster, or tell its shape, before you trust these numbers.",
+         heft::say("Not known from this motion, so only a guess: {}.", joined(unknown)),
+         heft::say("Record a motion that turns the tool faster, or tell its shape, before you trust these numbers."),
          {}});
   if (!fromPrior.empty())
     findings.push_back({Severity::warning,
                         "rests_on_prior",
-                        fmt::format("From the shape or values you gave, not measured: {}.", fmt::join(fromPrior, ", ")),
-                        "Check them before the robot relies on them.",
+                        heft::say("From the shape or values you gave, not measured: {}.", joined(fromPrior)),
+                        heft::say("Check them before the robot relies on them."),
                         {}});
 }
 
@@ -176,11 +176,12 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
     if (!read) return read.error();
     mount = *read;
   } else if (member(result, "identifiability") && !options.xyz) {
-    out.findings.push_back({Severity::warning,
-                            "mount_unknown",
-                            "The result does not say where the sensor sits; its frame was taken for the flange's.",
-                            "State the sensor's pose on the flange.",
-                            {}});
+    out.findings.push_back(
+        {Severity::warning,
+         "mount_unknown",
+         heft::say("The result does not say where the sensor sits; its frame was taken for the flange's."),
+         heft::say("State the sensor's pose on the flange."),
+         {}});
   }
   if (!options.xyz || !options.rpy) {
     const auto X_FL = parentInFlange(mount.parent, out.findings);
@@ -196,8 +197,8 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
   if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
     out.findings.push_back({Severity::warning,
                             "not_consistent",
-                            "The estimate itself says that it is not physically possible.",
-                            "Use the method map, or a longer recording that turns the tool faster.",
+                            heft::say("The estimate itself says that it is not physically possible."),
+                            heft::say("Use the method map, or a longer recording that turns the tool faster."),
                             {}});
   out.input.X_FE = options.X_FE;
   out.input.name = options.name;

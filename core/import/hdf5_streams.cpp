@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/streams.h"
 #include "core/import/time_column.h"
@@ -167,8 +168,8 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   if (H5Ovisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &collectPath, &paths) < 0)
     set.findings.push_back({Severity::warning,
                             "file_cut_off",
-                            "The HDF5 file is damaged; the datasets that can be reached were read.",
-                            "",
+                            heft::say("The HDF5 file is damaged; the datasets that can be reached were read."),
+                            {},
                             {set.file, 0, 0}});
   // No filter packs numbers to less than a thousandth: larger sizes are damage.
   std::error_code code;
@@ -189,14 +190,14 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
       odd.push_back(fmt::format("{} more", count - 5));
     }
     const auto names = fmt::format("{}", fmt::join(odd, ", "));
-    constexpr const char* kRemedy = "Write each quantity as a dataset of numbers with one row a sample.";
+    const std::string remedy = heft::say("Write each quantity as a dataset of numbers with one row a sample.");
     if (all.empty())
       return errorAt({set.file, 0, 0}, fmt::format("no dataset of this HDF5 file is a table of numbers: {}.", names),
-                     kRemedy);
+                     remedy);
     set.findings.push_back({Severity::info,
                             "dataset_odd",
-                            fmt::format("Left out, as they are no tables of numbers: {}.", names),
-                            kRemedy,
+                            heft::say("Left out, as they are no tables of numbers: {}.", names),
+                            remedy,
                             {set.file, 0, 0}});
   }
 
@@ -212,10 +213,10 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
     if (times == nullptr) {
       set.findings.push_back({Severity::info,
                               "no_time",
-                              fmt::format("The datasets of {} rows in /{} have no dataset of times beside them and "
-                                          "were left out.",
-                                          key.second, printable(key.first)),
-                              "Name one time, or choose it with --use time=PATH.",
+                              heft::say("The datasets of {} rows in /{} have no dataset of times beside them and "
+                                        "were left out.",
+                                        key.second, printable(key.first)),
+                              heft::say("Name one time, or choose it with --use time=PATH."),
                               {set.file, 0, 0}});
       continue;
     }
@@ -261,16 +262,16 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   if (numbers > kMaxStreamNumbers)
     set.findings.push_back({Severity::warning,
                             "file_too_large",
-                            fmt::format("The selected datasets hold more than {} million numbers; the rest was not "
-                                        "read.",
-                                        kMaxStreamNumbers / 1'000'000),
-                            "",
+                            heft::say("The selected datasets hold more than {} million numbers; the rest was not "
+                                      "read.",
+                                      kMaxStreamNumbers / 1'000'000),
+                            {},
                             {set.file, 0, 0}});
   for (const auto& each : damaged)
     set.findings.push_back({Severity::warning,
                             "dataset_damaged",
-                            fmt::format("The dataset /{} is damaged or cut off.", printable(each)),
-                            "",
+                            heft::say("The dataset /{} is damaged or cut off.", printable(each)),
+                            {},
                             {set.file, 0, 0}});
   return set;
 }

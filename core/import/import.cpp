@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/import/compression.h"
@@ -85,10 +86,10 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
     opened.findings.push_back(
         {Severity::info,
          "no_meta",
-         fmt::format("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, gravity "
+         heft::say("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, gravity "
                      "(0, 0, -9.81) m/s2.",
                      displayName(metaFileOf(path).filename())),
-         "",
+         {},
          {displayName(path), 0, 0}});
   } else {
     auto read = readMeta(metaFile, opened.findings);

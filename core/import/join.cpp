@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/align.h"
 #include "core/math/statistics.h"
@@ -121,7 +122,7 @@ class Joiner {
     if (!allStamped) {
       if (!delays.empty())
         note(Severity::info, "clock_received",
-             "Not every topic stamps its messages, so the recorder's times are used for all.");
+             heft::say("Not every topic stamps its messages, so the recorder's times are used for all."));
       return;
     }
     for (const auto& [s, delay] : delays) useStamps_[s] = true;
@@ -131,9 +132,9 @@ class Joiner {
     for (const auto& [s, delay] : delays) {
       clockShift_[s] = nanoseconds(delay);
       note(Severity::warning, "clock_shifted",
-           fmt::format("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
+           heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
                        nameOf(s), delay),
-           "The transport's delay is not known; state offset_s in a map file if you know better.");
+           heft::say("The transport's delay is not known; state offset_s in a map file if you know better."));
     }
   }
 
@@ -170,11 +171,11 @@ class Joiner {
     }
     if (missing > 0)
       note(Severity::warning, "values_missing",
-           fmt::format("{} of {} samples of {} lack a value and were left out.", missing, rows, nameOf(out.stream)));
+           heft::say("{} of {} samples of {} lack a value and were left out.", missing, rows, nameOf(out.stream)));
     if (backwards > 0) {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       note(Severity::warning, "time_sorted",
-           fmt::format("{} samples of {} were not in the order of their times and were sorted.", backwards,
+           heft::say("{} samples of {} were not in the order of their times and were sorted.", backwards,
                        nameOf(out.stream)));
     }
     const auto before = order.size();
@@ -183,7 +184,7 @@ class Joiner {
         order.end());
     if (order.size() < before)
       note(Severity::warning, "time_repeated",
-           fmt::format("{} of {} samples of {} repeat a time and were left out.", before - order.size(), before,
+           heft::say("{} of {} samples of {} repeat a time and were left out.", before - order.size(), before,
                        nameOf(out.stream)));
     out.values.resize(static_cast<Eigen::Index>(order.size()), static_cast<Eigen::Index>(sources.size()));
     for (std::size_t r = 0; r < order.size(); ++r) {
@@ -318,14 +319,14 @@ class Joiner {
       wrench_.time.array() += offset.seconds;
       wrenchShift_ = offset.seconds;
       note(Severity::warning, "clock_offset",
-           fmt::format("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
+           heft::say("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
                        nameOf(wrench_.stream), figures),
-           "Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too.");
+           heft::say("Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too."));
     } else if (offset.sure) {
       note(
           std::abs(offset.seconds) > std::max(0.02, 4.0 * offset.std) ? Severity::warning : Severity::info,
           "time_offset_estimated",
-          fmt::format("On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing "
+          heft::say("On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing "
                       "was shifted.",
                       nameOf(wrench_.stream), nameOf(motion().stream), figures),
           how);
@@ -375,19 +376,19 @@ class Joiner {
     if (!together) {
       const Signal& other = wrenchSlower ? moving : wrench_;
       note(Severity::info, "streams_joined",
-           fmt::format("{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.", nameOf(moving.stream),
+           heft::say("{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.", nameOf(moving.stream),
                        1.0 / moving.step, nameOf(wrench_.stream), 1.0 / wrench_.step, nameOf(base.stream),
-                       other.step < 0.67 * base.step ? "the faster one is averaged over each step"
-                                                     : "the other one is interpolated"));
+                       other.step < 0.67 * base.step ? heft::say("the faster one is averaged over each step")
+                                                     : heft::say("the other one is interpolated")));
     }
     if (inGaps > 0)
       note(Severity::warning, "stream_gaps",
-           fmt::format("At {} of {} times one of the streams has a gap; they were left out.", inGaps,
+           heft::say("At {} of {} times one of the streams has a gap; they were left out.", inGaps,
                        inGaps + times.size()));
     if (moving.step > 0.0201 && moving.step > 2.0 * wrench_.step)
       note(Severity::warning, "motion_rate_low",
-           fmt::format("The motion comes at {:.3g} Hz only; inertia needs about 100 Hz or more.", 1.0 / moving.step),
-           "Panda's ROS driver publishes at 30 Hz by default: raise its publish rate to 1000 Hz.");
+           heft::say("The motion comes at {:.3g} Hz only; inertia needs about 100 Hz or more.", 1.0 / moving.step),
+           heft::say("Panda's ROS driver publishes at 30 Hz by default: raise its publish rate to 1000 Hz."));
     return std::nullopt;
   }
 
@@ -441,7 +442,7 @@ class Joiner {
       const Quaterniond turned = q * Quaterniond(X_FS.linear());
       recording_.quaternion.row(k) = turned.coeffs().transpose();
     }
-    note(Severity::info, "pose_of_flange", "The poses are the flange's; the sensor's follow by its mount.");
+    note(Severity::info, "pose_of_flange", heft::say("The poses are the flange's; the sensor's follow by its mount."));
   }
 
   const std::vector<Stream>& streams_;

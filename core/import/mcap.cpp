@@ -1,9 +1,8 @@
 // MCAP (mcap.dev/spec): records of an opcode, a length of 64 bits and content, little-endian, between two magics. A
 // scan from the front that stops at DataEnd needs no index, so that files without a summary are read, too.
-#include <fmt/format.h>
-
 #include <map>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/import/compression.h"
@@ -65,11 +64,11 @@ class McapScan {
     }
     if (badChunks_ > 0)
       note("chunk_damaged",
-           fmt::format("{} chunks of the file are damaged; what could be unpacked was read.", badChunks_));
+           heft::say("{} chunks of the file are damaged; what could be unpacked was read.", badChunks_));
     if (!unknownCompression_.empty())
       note("compression_unknown",
-           fmt::format("Chunks compressed as \"{}\" cannot be unpacked and were left out.", unknownCompression_),
-           "Convert them with the program 'mcap' to zstd or lz4.");
+           heft::say("Chunks compressed as \"{}\" cannot be unpacked and were left out.", unknownCompression_),
+           heft::say("Convert them with the program 'mcap' to zstd or lz4."));
     return true;
   }
 
@@ -79,8 +78,8 @@ class McapScan {
   }
 
   void cutOff(std::uint64_t at) {
-    note("file_cut_off", fmt::format("The file is cut off or damaged at byte {} of {}; what stands before was read.",
-                                     at, file_.size()));
+    note("file_cut_off",
+         heft::say("The file is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()));
   }
 
   void chunk(std::string_view content) {

@@ -193,7 +193,7 @@ struct MessageDecoder::Walk {
     const auto seconds = cdr ? static_cast<std::int64_t>(reader.read<std::int32_t>())
                              : static_cast<std::int64_t>(reader.read<std::uint32_t>());
     const auto nanoseconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
-    const std::int64_t stamp = seconds * 1'000'000'000 + nanoseconds;
+    const std::int64_t stamp = seconds * 1000000000 + nanoseconds;
     if (ownHeader && !stampFound) {
       out.stamp_ = stamp;
       stampFound = true;

@@ -1,11 +1,10 @@
 // From messages to streams of numbers.
-#include <fmt/format.h>
-
 #include <limits>
 #include <map>
 #include <optional>
 #include <unordered_map>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/container.h"
 #include "core/import/json_numbers.h"
@@ -157,25 +156,25 @@ class Collector : public MessageListener {
       if (stream.samples == 0) continue;
       if (reader.malformed() > 0)
         note(set, Severity::warning, "message_damaged",
-             fmt::format("{} of {} messages on {} do not fit their definition and were left out.", reader.malformed(),
-                         stream.samples, stream.name));
+             heft::say("{} of {} messages on {} do not fit their definition and were left out.", reader.malformed(),
+                       stream.samples, stream.name));
       if (!reader.problem().empty())
         note(set, Severity::info, "topic_unreadable",
-             fmt::format("Topic {} of type {} cannot be read: {}.", stream.name, stream.type, reader.problem()));
+             heft::say("Topic {} of type {} cannot be read: {}.", stream.name, stream.type, reader.problem()));
       set.streams.push_back(std::move(stream));
     }
     if (homeless_ > 0)
       note(set, Severity::warning, "topic_unknown",
-           fmt::format("{} messages belong to topics that the file does not describe; they were left out.", homeless_));
+           heft::say("{} messages belong to topics that the file does not describe; they were left out.", homeless_));
     if (numbers_ > kMaxStreamNumbers)
       note(set, Severity::warning, "file_too_large",
-           fmt::format("The selected topics hold more than {} million numbers; the rest was not read.",
-                       kMaxStreamNumbers / 1'000'000));
+           heft::say("The selected topics hold more than {} million numbers; the rest was not read.",
+                     kMaxStreamNumbers / 1'000'000));
   }
 
  private:
   void note(StreamSet& set, Severity severity, const char* code, std::string text) const {
-    set.findings.push_back({severity, code, std::move(text), "", {file_, 0, 0}});
+    set.findings.push_back({severity, code, std::move(text), {}, {file_, 0, 0}});
   }
 
   const FieldFilter& filter_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/import/compression.h"
@@ -89,15 +90,15 @@ class SqliteScan {
     if (damaged > 0)
       findings_.push_back({Severity::warning,
                            "message_damaged",
-                           fmt::format("{} of {} messages cannot be unpacked and were left out.", damaged, count),
-                           "",
+                           heft::say("{} of {} messages cannot be unpacked and were left out.", damaged, count),
+                           {},
                            {name_, 0, 0}});
     if (state != SQLITE_DONE)
       findings_.push_back({Severity::warning,
                            "file_cut_off",
-                           fmt::format("The database is damaged ({}) after {} messages; these were read.",
-                                       printable(sqlite3_errmsg(database)), count),
-                           "The recorder was probably killed; \"sqlite3 BAG .recover\" may find more.",
+                           heft::say("The database is damaged ({}) after {} messages; these were read.",
+                                     printable(sqlite3_errmsg(database)), count),
+                           heft::say("The recorder was probably killed; \"sqlite3 BAG .recover\" may find more."),
                            {name_, 0, 0}});
     return true;
   }
@@ -235,8 +236,8 @@ Result<bool> scanSqliteBag(const std::filesystem::path& file, MessageListener& l
   if (!content.complete)
     findings.push_back({Severity::warning,
                         "file_cut_off",
-                        "The compressed file is cut off or damaged; what could be unpacked was read.",
-                        "",
+                        heft::say("The compressed file is cut off or damaged; what could be unpacked was read."),
+                        {},
                         {name, 0, 0}});
   const auto database = databaseIn(content.bytes);
   if (!database)
@@ -266,12 +267,15 @@ Result<bool> scanRos2Folder(const std::filesystem::path& folder, MessageListener
     if (files.empty())
       findings.push_back({Severity::warning,
                           "metadata_odd",
-                          "metadata.yaml names no file that is there; the folder's own bag files were read.",
-                          "",
+                          heft::say("metadata.yaml names no file that is there; the folder's own bag files were read."),
+                          {},
                           {displayName(metadata), 0, 0}});
   } else {
-    findings.push_back(
-        {Severity::info, "no_metadata", "The folder has no metadata.yaml; its bag files were read.", "", {name, 0, 0}});
+    findings.push_back({Severity::info,
+                        "no_metadata",
+                        heft::say("The folder has no metadata.yaml; its bag files were read."),
+                        {},
+                        {name, 0, 0}});
   }
   if (files.empty()) {
     for (const auto& entry : std::filesystem::directory_iterator(folder, code)) {

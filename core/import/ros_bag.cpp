@@ -155,7 +155,7 @@ class BagScan {
       ByteReader reader(time);
       const auto seconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
       const auto nanoseconds = static_cast<std::int64_t>(reader.read<std::uint32_t>());
-      stopped_ = !listener_.message(*connection, seconds * 1'000'000'000 + nanoseconds, data);
+      stopped_ = !listener_.message(*connection, seconds * 1000000000 + nanoseconds, data);
     }
   }
 

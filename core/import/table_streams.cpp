@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/json_numbers.h"
 #include "core/import/streams.h"
@@ -132,9 +133,9 @@ std::vector<double> toLabels(const std::vector<std::string>& cells, StreamSet& s
   if (unknown > 0)
     set.findings.push_back({Severity::warning,
                             "label_unknown",
-                            fmt::format("\"{}\" is no label ({} such rows, read as not labelled).",
+                            heft::say("\"{}\" is no label ({} such rows, read as not labelled).",
                                         printable(cells[first]), unknown),
-                            "Labels are free, contact or ignore.",
+                            heft::say("Labels are free, contact or ignore."),
                             {set.file, 0, 0}});
   return out;
 }
@@ -199,8 +200,8 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   if (rows->cutLine > 0)
     set.findings.push_back({Severity::warning,
                             "line_cut_off",
-                            "The last line ends in the middle and was left out.",
-                            "",
+                            heft::say("The last line ends in the middle and was left out."),
+                            {},
                             {set.file, rows->cutLine, 0}});
   Table table;
   table.names = header->names;
@@ -265,8 +266,8 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
   if (bad > 0)
     set.findings.push_back({Severity::warning,
                             "line_damaged",
-                            fmt::format("{} of {} lines are no JSON objects and were left out.", bad, rows + bad),
-                            "",
+                            heft::say("{} of {} lines are no JSON objects and were left out.", bad, rows + bad),
+                            {},
                             {set.file, firstBad, 0}});
   const auto done = table.toStreams(set, time);
   if (!done) return done.error();

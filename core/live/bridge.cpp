@@ -76,7 +76,7 @@ void BridgeSource::take(const std::string& topic, const std::string& type, const
   if (stamp != 0) {
     auto& last = lastStamp_[topic];
     // Seconds back is a sender that began anew; less is a message that came late.
-    if (stamp <= last && last - stamp < 5'000'000'000) {
+    if (stamp <= last && last - stamp < 5000000000) {
       count([](SourceStatus& status) { ++status.reordered; });
       return;
     }

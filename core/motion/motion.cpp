@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/say.h"
 #include "core/math/statistics.h"
 #include "core/motion/resample.h"
 #include "core/motion/savitzky_golay.h"
@@ -122,7 +123,7 @@ double sampleNoise(const Channels& signal, Eigen::Index column) {
 /// Derivatives of positions, helped by reported velocities where these are the less noisy source of acceleration and
 /// agree in time. A lag of more than two milliseconds disqualifies them.
 Derivatives withReportedVelocity(const Smoother& smoother, const Channels& positions, const Channels& velocities,
-                                 std::string_view what, Findings& findings) {
+                                 const std::string& what, Findings& findings) {
   Derivatives fromPositions = smoother.run(positions, 2);
   if (velocities.rows() == 0) return fromPositions;
   Derivatives fromVelocities = smoother.run(velocities, 1);
@@ -134,10 +135,10 @@ Derivatives withReportedVelocity(const Smoother& smoother, const Channels& posit
     findings.push_back(
         {Severity::info,
          "velocity_lag",
-         fmt::format("The reported {} velocities lag the positions by {:.0f} ms; velocities and accelerations "
-                     "are taken from the positions.",
-                     what, lag * 1e3),
-         "",
+         heft::say("The reported {} velocities lag the positions by {:.0f} ms; velocities and accelerations "
+                   "are taken from the positions.",
+                   what, lag * 1e3),
+         {},
          {}});
     return fromPositions;
   }
@@ -199,7 +200,7 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, con
   const Channels q = onGrid(grid, recording.time, recording.q, false);
   const Channels dq =
       recording.dq.rows() > 0 ? onGrid(grid, recording.time, recording.dq, false) : Channels(0, recording.q.cols());
-  const Derivatives d = withReportedVelocity(smoother, q, dq, "joint", motion.findings);
+  const Derivatives d = withReportedVelocity(smoother, q, dq, heft::say("joint"), motion.findings);
   motion.q = d.value.transpose();
   motion.dq = d.first.transpose();
   motion.ddq = d.second.transpose();
@@ -226,7 +227,7 @@ void fromPoses(const Recording& recording, const Smoother& smoother, const Unifo
     const Channels velocity = recording.twist.rows() > 0
                                   ? onGrid(grid, recording.time, recording.twist.leftCols<3>(), false)
                                   : Channels(0, 3);
-    translation = withReportedVelocity(smoother, position, velocity, "linear", motion.findings);
+    translation = withReportedVelocity(smoother, position, velocity, heft::say("linear"), motion.findings);
   }
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
     FrameMotion frame;
@@ -250,9 +251,9 @@ void fromPoses(const Recording& recording, const Smoother& smoother, const Unifo
     motion.findings.push_back(
         {Severity::warning,
          "origin_acceleration_unknown",
-         "The recording has the sensor's orientation but not its position, so the acceleration of its "
-         "origin is unknown and taken as zero.",
-         "Record px, py, pz or the joint angles for trustworthy numbers.",
+         heft::say("The recording has the sensor's orientation but not its position, so the acceleration of its "
+                   "origin is unknown and taken as zero."),
+         heft::say("Record px, py, pz or the joint angles for trustworthy numbers."),
          {}});
 }
 

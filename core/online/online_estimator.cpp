@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/say.h"
 #include "core/estimation/prepare.h"
 #include "core/motion/motion.h"
 #include "core/online/block_learner.h"
@@ -245,10 +246,10 @@ struct OnlineEstimator::Impl {
     const double time = blocks().time[static_cast<std::size_t>(change->from)];
     events.push_back({Severity::warning,
                       "tool_changed",
-                      fmt::format("The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew "
+                      heft::say("The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew "
                                   "with what came after.",
                                   time, learner.solution().phi(0), change->mass),
-                      "Estimate before and after apart.",
+                      heft::say("Estimate before and after apart."),
                       {}});
     Tool before{learner, {}};
     for (auto& lane : lanes) {
@@ -267,9 +268,9 @@ struct OnlineEstimator::Impl {
     const double time = blocks().time[static_cast<std::size_t>(from)];
     events.push_back({Severity::warning,
                       "tool_back",
-                      fmt::format("From {:.1f} s on the tool is the one from before, of {:.2f} kg.", time,
+                      heft::say("From {:.1f} s on the tool is the one from before, of {:.2f} kg.", time,
                                   other->learner.solution().phi(0)),
-                      "",
+                      {},
                       {}});
     Tool now{learner, {}};
     for (std::size_t i = 0; i < lanes.size(); ++i) {
@@ -323,14 +324,14 @@ void OnlineEstimator::Impl::fillState() const {
   state.cutoffHz = lanes[chosen].cutoffHz();
   state.findings = events;
   const Blocks& all = lanes[chosen].blocks;
-  if (gaps > 0) state.findings.push_back({Severity::info, "gaps", fmt::format("The data had {} gaps.", gaps), "", {}});
+  if (gaps > 0) state.findings.push_back({Severity::info, "gaps", heft::say("The data had {} gaps.", gaps), {}, {}});
   if (dropped > 0)
     state.findings.push_back(
         {Severity::warning,
          "samples_dropped",
-         fmt::format("{} samples were not usable: not finite, without motion, or with a time that does not rise.",
+         heft::say("{} samples were not usable: not finite, without motion, or with a time that does not rise.",
                      dropped),
-         "Check the source.",
+         heft::say("Check the source."),
          {}});
   for (const auto& finding : lanes[chosen].findings) state.findings.push_back(finding);
   state.estimated = learner.estimated();
@@ -350,10 +351,10 @@ void OnlineEstimator::Impl::fillState() const {
     if (state.contactDuration > state.usedDuration)
       state.findings.push_back({Severity::warning,
                                 "mostly_contact",
-                                fmt::format("{:.1f} s looked like contact and were left out, {:.1f} s were free: trust "
+                                heft::say("{:.1f} s looked like contact and were left out, {:.1f} s were free: trust "
                                             "is low.",
                                             state.contactDuration, state.usedDuration),
-                                "Move the tool without touching anything.",
+                                heft::say("Move the tool without touching anything."),
                                 {}});
     const Blocks& newest = lanes.front().newest;
     if (newest.size() > 0) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
+
 namespace heft {
 
 using nlohmann::json;
@@ -56,20 +58,21 @@ Vector10d parametersFromPseudoInertia(const Matrix4d& P) {
 
 Consistency checkPhysical(const Payload& payload) {
   if (!std::isfinite(payload.mass) || !payload.com.allFinite() || !payload.inertiaCom.allFinite())
-    return {false, "A number is not finite."};
-  if (payload.mass <= 0.0) return {false, fmt::format("The mass is {:.6g} kg; it must be above zero.", payload.mass)};
+    return {false, heft::say("A number is not finite.")};
+  if (payload.mass <= 0.0) return {false, heft::say("The mass is {:.6g} kg; it must be above zero.", payload.mass)};
   const Matrix3d& I = payload.inertiaCom;
   const double scale = I.cwiseAbs().maxCoeff();
-  if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale) return {false, "The inertia tensor is not symmetric."};
+  if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
+    return {false, heft::say("The inertia tensor is not symmetric.")};
   const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
   if (moments(0) <= 0.0)
-    return {false, fmt::format("The inertia tensor has a principal moment of {:.6g} kg m2; all must be above zero.",
-                               moments(0))};
+    return {false, heft::say("The inertia tensor has a principal moment of {:.6g} kg m2; all must be above zero.",
+                             moments(0))};
   if (moments(0) + moments(1) < moments(2) * (1.0 - 1e-9))
-    return {false, fmt::format("The principal moments {:.6g}, {:.6g}, {:.6g} kg m2 violate the triangle inequality: "
-                               "no body has more about one axis than about the other two together.",
-                               moments(0), moments(1), moments(2))};
-  return {true, ""};
+    return {false, heft::say("The principal moments {:.6g}, {:.6g}, {:.6g} kg m2 violate the triangle inequality: "
+                             "no body has more about one axis than about the other two together.",
+                             moments(0), moments(1), moments(2))};
+  return {true, {}};
 }
 
 Payload transformed(const Payload& payload, const Isometry3d& X_NS) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/payload/mesh_volume.h"
 #include "core/payload/shape_moments.h"
@@ -48,16 +49,16 @@ std::optional<Error> checkSize(const ShapeBody& body, double length, Findings& f
   if (body.kind == BodyKind::mesh) {
     const std::string unit = betterUnit(length, body.unit);
     if (unit == "mm")
-      remedy = "If the file is in millimetres set unit to mm.";
+      remedy = heft::say("If the file is in millimetres set unit to mm.");
     else
-      remedy = unit.empty()
-                   ? "Check the unit of the file."
-                   : fmt::format("If the file is in {} set unit to {}.", unit == "m" ? "metres" : "centimetres", unit);
+      remedy = unit.empty()  ? heft::say("Check the unit of the file.")
+               : unit == "m" ? heft::say("If the file is in metres set unit to m.")
+                             : heft::say("If the file is in centimetres set unit to cm.");
   } else {
-    remedy = "Dimensions are in metres.";
+    remedy = heft::say("Dimensions are in metres.");
   }
-  const std::string text = fmt::format("{} is {} long.", name, lengthText(length));
-  if (length > kImpossible) return Error{fmt::format("{} {}", text, remedy)};
+  const std::string text = heft::say("{} is {} long.", name, lengthText(length));
+  if (length > kImpossible) return Error{text + " " + remedy};
   findings.push_back({Severity::warning, "shape_size", text, remedy, {displayName(body.file), 0, 0}});
   return std::nullopt;
 }
@@ -68,24 +69,24 @@ void reportRepairs(const SurfaceReport& report, const Location& where, const std
   };
   if (report.turnedTriangles > 0)
     add(Severity::warning, "mesh_orientation",
-        fmt::format("{}: {} triangles pointed the other way than their neighbours and were turned.", name,
-                    report.turnedTriangles),
-        "Recompute the normals in the program that wrote the mesh.");
+        heft::say("{}: {} triangles pointed the other way than their neighbours and were turned.", name,
+                  report.turnedTriangles),
+        heft::say("Recompute the normals in the program that wrote the mesh."));
   if (report.turnedBodies > 0)
     add(Severity::warning, "mesh_inside_out",
-        fmt::format("{} is inside-out ({} of {} closed pieces); it was turned round.", name, report.turnedBodies,
-                    report.bodies),
-        "Flip the normals in the program that wrote the mesh if this is not wanted.");
+        heft::say("{} is inside-out ({} of {} closed pieces); it was turned round.", name, report.turnedBodies,
+                  report.bodies),
+        heft::say("Flip the normals in the program that wrote the mesh if this is not wanted."));
   if (report.openEdges > 0)
     add(Severity::warning, "mesh_open",
-        fmt::format("{} is not closed: {} open edges; the holes were covered ({:.1f} % of the surface).", name,
-                    report.openEdges, 100.0 * report.holeArea / (report.area + report.holeArea)),
-        "Export a closed solid, or give a wall thickness if the tool is a thin shell.");
+        heft::say("{} is not closed: {} open edges; the holes were covered ({:.1f} % of the surface).", name,
+                  report.openEdges, 100.0 * report.holeArea / (report.area + report.holeArea)),
+        heft::say("Export a closed solid, or give a wall thickness if the tool is a thin shell."));
   if (report.sharedEdges > 0)
     add(Severity::info, "mesh_non_manifold",
-        fmt::format("{}: {} edges belong to more than two triangles (parts that touch along an edge).", name,
-                    report.sharedEdges),
-        "");
+        heft::say("{}: {} edges belong to more than two triangles (parts that touch along an edge).", name,
+                  report.sharedEdges),
+        {});
 }
 
 /// Few pieces with most of the volume; each small one (a screw, a sliver) joins the piece whose box is nearest.
@@ -176,8 +177,8 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
   Surface surface = weld(*mesh, body.unit, &dropped);
   if (dropped > 0)
     findings.push_back({Severity::warning, "mesh_bad_triangles",
-                        fmt::format("{}: {} triangles have a vertex that is missing or not a number.", name, dropped),
-                        "They were left out.", where});
+                        heft::say("{}: {} triangles have a vertex that is missing or not a number.", name, dropped),
+                        heft::say("They were left out."), where});
   if (surface.triangles.empty()) return Error{fmt::format("{} has no triangles: a shape needs a surface.", name)};
   if (auto error = checkSize(body, extentOf(surface).maxCoeff(), findings, name)) return *error;
 
@@ -198,8 +199,10 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
   reportRepairs(report, where, name, findings);
   if (const double overlap = overlapShare(whole, moments); overlap > 0.02)
     findings.push_back(
-        {Severity::info, "mesh_overlap",
-         fmt::format("{}: {:.0f} % of the volume is counted again because parts overlap.", name, 100.0 * overlap), "",
+        {Severity::info,
+         "mesh_overlap",
+         heft::say("{}: {:.0f} % of the volume is counted again because parts overlap.", name, 100.0 * overlap),
+         {},
          where});
   auto result = samplePieces(mainPieces(std::move(closed.pieces), moments(3, 3)), moments);
   if (!result)
@@ -248,11 +251,12 @@ Result<std::vector<BodySamples>> sampleShape(const Shape& shape, Findings& findi
     if (body.density) {
       samples->mass = *body.density * samples->volume;
       if (*body.density < 20.0 || *body.density > 25000.0)
-        findings.push_back({Severity::warning,
-                            "shape_density",
-                            fmt::format("{} has a density of {:.4g} kg/m3.", name, *body.density),
-                            *body.density < 20.0 ? "If it is in g/cm3, multiply it by 1000." : "Check it.",
-                            {}});
+        findings.push_back(
+            {Severity::warning,
+             "shape_density",
+             heft::say("{} has a density of {:.4g} kg/m3.", name, *body.density),
+             *body.density < 20.0 ? heft::say("If it is in g/cm3, multiply it by 1000.") : heft::say("Check it."),
+             {}});
     }
     result.push_back(std::move(*samples));
   }

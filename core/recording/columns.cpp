@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -168,7 +169,7 @@ class Mapper {
       normalised.push_back(fmt::format("\"{}\" as {}", printable(names_[f]), columnName(meaning.role, meaning.index)));
     }
     if (!normalised.empty())
-      note(Severity::info, "names_normalised", 0, fmt::format("Read {}.", fmt::join(normalised, ", ")));
+      note(Severity::info, "names_normalised", 0, heft::say("Read {}.", fmt::join(normalised, ", ")));
     return std::nullopt;
   }
 
@@ -267,22 +268,23 @@ class Mapper {
 
     if (anyOf(map_.joints) && !joints)
       setAside(Role::joint,
-               fmt::format("Column {} is missing, so the joints are set aside and the sensor's pose is used.",
-                           fmt::join(noJoints, ", ")));
+               heft::say("Column {} is missing, so the joints are set aside and the sensor's pose is used.",
+                         fmt::join(noJoints, ", ")));
     if (anyOf(map_.quaternion) && !orientation)
       setAside(Role::quaternion,
-               fmt::format("Column {} is missing, so the sensor's pose is set aside and the joints are used.",
-                           fmt::join(noQuaternion, ", ")));
+               heft::say("Column {} is missing, so the sensor's pose is set aside and the joints are used.",
+                         fmt::join(noQuaternion, ", ")));
     if (anyOf(map_.position) && (halfPosition || !orientation))
       setAside(Role::position,
-               orientation ? fmt::format("Column {} is missing, so the position is set aside and the joints are used.",
-                                         fmt::join(noPosition, ", "))
-                           : "A position without an orientation is set aside.");
+               orientation ? heft::say("Column {} is missing, so the position is set aside and the joints are used.",
+                                       fmt::join(noPosition, ", "))
+                           : heft::say("A position without an orientation is set aside."));
     if (!map_.velocities.empty() &&
         (map_.velocities.size() != map_.joints.size() || !missingOf(Role::jointVelocity, map_.velocities).empty()))
-      setAside(Role::jointVelocity, "The joint velocities do not match the joints one by one and are set aside.");
+      setAside(Role::jointVelocity,
+               heft::say("The joint velocities do not match the joints one by one and are set aside."));
     if (anyOf(map_.twist) && (!missingOf(Role::twist, map_.twist).empty() || !orientation))
-      setAside(Role::twist, "The twist is incomplete or without an orientation and is set aside.");
+      setAside(Role::twist, heft::say("The twist is incomplete or without an orientation and is set aside."));
     return std::nullopt;
   }
 
@@ -313,8 +315,9 @@ class Mapper {
     }
     if (count == 0) return;
     note(Severity::info, "unknown_columns", first,
-         fmt::format("{} {} kept aside unused: {}{}.", count, count == 1 ? "column is" : "columns are",
-                     fmt::join(unknown, ", "), count > unknown.size() ? ", ..." : ""));
+         count == 1 ? heft::say("{} column is kept aside unused: {}.", count, unknown.front())
+                    : heft::say("{} columns are kept aside unused: {}{}.", count, fmt::join(unknown, ", "),
+                                count > unknown.size() ? ", ..." : ""));
   }
 
   const std::vector<std::string>& names_;

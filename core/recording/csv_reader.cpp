@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/checks.h"
 #include "core/recording/columns.h"
@@ -54,9 +55,11 @@ class RecordingParser {
     if (!rows) return rows.error();
     lines_ = std::move(rows->lines);
     if (rows->cutLine > 0)
-      note(Severity::warning, "line_cut_off", rows->cutLine, "The last line ends in the middle and was left out.");
+      note(Severity::warning, "line_cut_off", rows->cutLine,
+           heft::say("The last line ends in the middle and was left out."));
     if (rows->firstBlankLine > 0)
-      note(Severity::info, "blank_lines", rows->firstBlankLine, "Blank lines between the rows were skipped.");
+      note(Severity::info, "blank_lines", rows->firstBlankLine,
+           heft::say("Blank lines between the rows were skipped."));
     if (lines_.empty())
       return errorAt({name_, header_.line, 0}, "there is a header but no row of data below it.",
                      "Record again, or check the export.");
@@ -91,7 +94,7 @@ class RecordingParser {
       recording_.extra.reserve(unknown);  // the fields point into it
     else
       note(Severity::warning, "extra_not_kept", header_.line,
-           fmt::format("{} unknown columns of {} rows are too many to keep.", unknown, rows));
+           heft::say("{} unknown columns of {} rows are too many to keep.", unknown, rows));
     for (std::size_t f = 0; f < fields_.size(); ++f) {
       const auto [role, index] = map_.columns[f];
       if (role == Role::label) {
@@ -163,9 +166,8 @@ class RecordingParser {
 
   void clear(Role role, const Missing& missing, const std::string& what) {
     note(Severity::warning, "columns_set_aside", missing.line,
-         fmt::format("{} {} missing in {} of {} rows and left aside.", what, what.back() == 's' ? "are" : "is",
-                     missing.rows, lines_.size()),
-         {}, missing.field);
+         heft::say("{} missing in {} of {} rows and left aside.", what, missing.rows, lines_.size()), {},
+         missing.field);
     map_.setAside(role);
     switch (role) {
       case Role::joint:
@@ -198,18 +200,19 @@ class RecordingParser {
       return tooMany(missing.rows) ? missing : Missing{};
     };
     if (const auto missing = sparse(Role::jointVelocity); missing.rows > 0)
-      clear(Role::jointVelocity, missing, "The joint velocities");
-    if (const auto missing = sparse(Role::twist); missing.rows > 0) clear(Role::twist, missing, "The twist");
+      clear(Role::jointVelocity, missing, heft::say("The joint velocities are"));
+    if (const auto missing = sparse(Role::twist); missing.rows > 0)
+      clear(Role::twist, missing, heft::say("The twist is"));
     if (map_.hasJoints() && map_.hasOrientation()) {
       const auto joints = sparse(Role::joint);
       const auto quaternion = sparse(Role::quaternion);
       const auto position = sparse(Role::position);
       const auto& pose = quaternion.rows >= position.rows ? quaternion : position;
       if (joints.rows > 0 && pose.rows == 0) {
-        clear(Role::joint, joints, "The joint angles");
-        if (map_.hasVelocities()) clear(Role::jointVelocity, joints, "The joint velocities");
+        clear(Role::joint, joints, heft::say("The joint angles are"));
+        if (map_.hasVelocities()) clear(Role::jointVelocity, joints, heft::say("The joint velocities are"));
       } else if (pose.rows > 0 && joints.rows == 0) {
-        clear(Role::quaternion, pose, "The sensor's pose");
+        clear(Role::quaternion, pose, heft::say("The sensor's pose is"));
         map_.setAside(Role::position);
         map_.setAside(Role::twist);
         recording_.position.resize(0, 3);
@@ -234,8 +237,8 @@ class RecordingParser {
                                  lines_.size(), column),
                      "Merge streams of different rates onto one clock, or delete the rows without values.");
     note(Severity::warning, "values_missing", first.line,
-         fmt::format("{} of {} rows lack a value (blank, NaN or infinite) and were left out, the first in column {}.",
-                     dropped, lines_.size(), column),
+         heft::say("{} of {} rows lack a value (blank, NaN or infinite) and were left out, the first in column {}.",
+                   dropped, lines_.size(), column),
          {}, first.field);
     keepRows(recording_, lines_, keep);
     return std::nullopt;
@@ -251,10 +254,10 @@ class RecordingParser {
       if (!recording_.labels.back() && !labelCells_[k].empty() && unknown++ == 0) first = k;
     }
     if (unknown > 0)
-      note(Severity::warning, "label_unknown", lines_[first],
-           fmt::format("\"{}\" is no label ({} such rows, read as not labelled).", printable(labelCells_[first]),
-                       unknown),
-           "Labels are free, contact or ignore.", map_.label);
+      note(
+          Severity::warning, "label_unknown", lines_[first],
+          heft::say("\"{}\" is no label ({} such rows, read as not labelled).", printable(labelCells_[first]), unknown),
+          heft::say("Labels are free, contact or ignore."), map_.label);
     labelCells_.clear();
   }
 
@@ -323,10 +326,10 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
     findings.push_back(
         {Severity::info,
          "no_meta",
-         fmt::format("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, "
-                     "gravity (0, 0, -9.81) m/s2.",
-                     displayName(metaFileOf(csv).filename())),
-         "",
+         heft::say("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, "
+                   "gravity (0, 0, -9.81) m/s2.",
+                   displayName(metaFileOf(csv).filename())),
+         {},
          {name, 0, 0}});
   } else {
     auto read = readMeta(metaFile, findings);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
 
@@ -42,7 +43,7 @@ class MetaReader {
   }
   void note(Severity severity, const char* code, const std::string& path, const std::string& text,
             const std::string& remedy = {}) {
-    findings_.push_back({severity, code, path + ": " + text + ".", remedy, {name_, 0, 0}});
+    findings_.push_back({severity, code, heft::say("{}: {}.", path, text), remedy, {name_, 0, 0}});
   }
 
   static std::string shown(const Json& value) {
@@ -55,7 +56,8 @@ class MetaReader {
   void noteUnknown(const Json& object, const std::string& path, std::initializer_list<const char*> known) {
     for (const auto& [key, value] : object.items())
       if (std::find(known.begin(), known.end(), key) == known.end())
-        note(Severity::info, "unknown_key", join(path, printable(key)), "this key is not known and has no effect");
+        note(Severity::info, "unknown_key", join(path, printable(key)),
+             heft::say("this key is not known and has no effect"));
   }
 
   /// The member, or null if it is absent or null.
@@ -162,11 +164,11 @@ class MetaReader {
       return fail(key, fmt::format("{:.6g} m/s2 is no gravity on any planet", size),
                   "Give m/s2; on earth about [0, 0, -9.81].");
     if (size < 9.7 || size > 9.9)
-      note(Severity::warning, "gravity_unusual", key, fmt::format("{:.6g} m/s2 is not the gravity on earth", size),
-           "Mass and centre of mass follow this value; on earth it is 9.76 to 9.83.");
+      note(Severity::warning, "gravity_unusual", key, heft::say("{:.6g} m/s2 is not the gravity on earth", size),
+           heft::say("Mass and centre of mass follow this value; on earth it is 9.76 to 9.83."));
     else if (meta_.gravity.z() > 0.5 * size)
-      note(Severity::warning, "gravity_points_up", key, "it points up in the robot's base",
-           "That is right only if the robot hangs from the ceiling; otherwise write [0, 0, -9.81].");
+      note(Severity::warning, "gravity_points_up", key, heft::say("it points up in the robot's base"),
+           heft::say("That is right only if the robot hangs from the ceiling; otherwise write [0, 0, -9.81]."));
     return std::nullopt;
   }
 
@@ -181,7 +183,7 @@ class MetaReader {
     meta_.knownPayload = *known;
     if (known->mass && *known->mass > 500.0)
       note(Severity::warning, "known_mass_large", path + ".mass_kg",
-           fmt::format("{:.6g} kg is more than any arm carries", *known->mass), "Give kilograms, not grams.");
+           heft::say("{:.6g} kg is more than any arm carries", *known->mass), heft::say("Give kilograms, not grams."));
     if (known->com && known->com->norm() > 5.0)
       return fail(path + ".com_m",
                   fmt::format("a centre of mass {:.6g} m from the sensor cannot be", known->com->norm()),
@@ -190,14 +192,11 @@ class MetaReader {
       const auto check = checkPhysical({*known->mass, *known->com, *known->inertiaCom});
       if (!check.physical)
         note(Severity::warning, "known_payload_unphysical", path,
-             "no rigid body has these values: " + withoutStop(check.reason),
-             "Check which point and which axes the inertia refers to; Heft wants it about the centre of mass.");
+             heft::say("no rigid body has these values ({})", check.reason),
+             heft::say(
+                 "Check which point and which axes the inertia refers to; Heft wants it about the centre of mass."));
     }
     return std::nullopt;
-  }
-  static std::string withoutStop(std::string text) {
-    if (text.ends_with('.')) text.pop_back();
-    return text;
   }
 
   Failure readMarks(const Json& root) {
@@ -234,8 +233,8 @@ class MetaReader {
       mark.label = *known;
       for (std::size_t k = 0; k < meta_.marks.size(); ++k)
         if (meta_.marks[k].label != mark.label && mark.from < meta_.marks[k].to && meta_.marks[k].from < mark.to)
-          note(Severity::warning, "marks_overlap", path, fmt::format("overlaps marks[{}], which has another label", k),
-               "The later mark counts; correct their limits.");
+          note(Severity::warning, "marks_overlap", path, heft::say("overlaps marks[{}], which has another label", k),
+               heft::say("The later mark counts; correct their limits."));
       meta_.marks.push_back(mark);
     }
     return std::nullopt;

@@ -5,6 +5,8 @@
 
 #include "core/recording/checks.h"
 
+#include "core/base/say.h"
+
 namespace heft {
 
 namespace {
@@ -72,9 +74,9 @@ std::optional<Error> judgeRates(const Examined& examined, const RateFit& fit, co
     return std::nullopt;  // rough or late, as velocities of many controllers are
   }
   examined.note(Severity::warning, "velocity_disagrees", where,
-                fmt::format("{} do not fit the positions: factor {:.3g}, correlation {:.2f}.", columns, fit.factor,
-                            fit.correlation),
-                "Check their unit, order and axes" + axes + ".");
+                heft::say("{} do not fit the positions: factor {:.3g}, correlation {:.2f}.", columns, fit.factor,
+                          fit.correlation),
+                heft::say("Check their unit, order and axes{}.", axes));
   return std::nullopt;
 }
 
@@ -95,9 +97,9 @@ std::optional<Error> checkJointAngles(const Examined& examined) {
                    fmt::format("If the joints are in degrees, convert {} to radians.",
                                q.cols() == 1 ? "q1" : fmt::format("q1..q{}", q.cols())));
   examined.note(Severity::warning, "joint_angle_large", examined.at(row, field),
-                fmt::format("{} reaches {:.6g} rad, more than a turn.",
-                            columnName(Role::joint, static_cast<int>(joint)), q(row, joint)),
-                "Check that joints are in radians.");
+                heft::say("{} reaches {:.6g} rad, more than a turn.", columnName(Role::joint, static_cast<int>(joint)),
+                          q(row, joint)),
+                heft::say("Check that joints are in radians."));
   return std::nullopt;
 }
 
@@ -130,7 +132,8 @@ std::optional<Error> checkRates(const Examined& examined) {
           return (recording.q.row(n) - recording.q.row(k)).transpose();
         },
         [&](Eigen::Index k) { return recording.dq.row(k).transpose(); });
-    if (auto failure = judgeRates(examined, fit, "the joint velocities", examined.map.velocities.front(), true, ""))
+    if (auto failure =
+            judgeRates(examined, fit, heft::say("the joint velocities"), examined.map.velocities.front(), true, {}))
       return failure;
   }
   if (recording.twist.rows() == 0) return std::nullopt;
@@ -152,7 +155,7 @@ std::optional<Error> checkRates(const Examined& examined) {
         return turn.angle() * turn.axis();
       },
       [&](Eigen::Index k) { return recording.twist.row(k).tail<3>().transpose(); });
-  return judgeRates(examined, fit, "wx, wy, wz", examined.map.twist[3], true, " (base axes)");
+  return judgeRates(examined, fit, "wx, wy, wz", examined.map.twist[3], true, heft::say(" (base axes)"));
 }
 
 }  // namespace
@@ -187,7 +190,7 @@ std::optional<Error> checkQuaternions(const Examined& examined) {
     examined.note(
         worst > 0.01 ? Severity::warning : Severity::info, "quaternion_not_unit",
         examined.at(worstRow, examined.map.quaternion[0]),
-        fmt::format("{} quaternions are not of length 1, at worst by {:.2g}; all were normalised.", odd, worst));
+        heft::say("{} quaternions are not of length 1, at worst by {:.2g}; all were normalised.", odd, worst));
   if (examined.recording.meta.kind == RecordingKind::poses) return std::nullopt;
   for (Eigen::Index k = 1; k < quaternions.rows(); ++k)
     if (quaternions.row(k).dot(quaternions.row(k - 1)) < 0.0) quaternions.row(k) *= -1.0;

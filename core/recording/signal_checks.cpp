@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/recording/checks.h"
+
+#include "core/base/say.h"
 
 namespace heft {
 
@@ -102,16 +102,17 @@ class SignalChecker {
     const bool motionLives = everChanges(motionChanges_);
     if (!wrenchLives && !motionLives) {
       examined_.note(Severity::warning, "nothing_changes", {examined_.file, 0, 0},
-                     fmt::format("All {} rows hold the same wrench and the same posture.", rows_),
-                     "Check that the logger received new data; move the arm while recording.");
+                     heft::say("All {} rows hold the same wrench and the same posture.", rows_),
+                     heft::say("Check that the logger received new data; move the arm while recording."));
       return true;
     }
     for (const auto& channel : wrench_)
       if (!everChanges(channel.changes)) noteFrozen(channel.name(), channel.field, recording_.wrench(0, channel.index));
     if (!motionLives) {
-      examined_.note(Severity::warning, "motion_frozen", {examined_.file, 0, 0},
-                     "The posture never changes while the wrench does.",
-                     "Check that the robot's state was logged; with one posture only the weight's direction is seen.");
+      examined_.note(
+          Severity::warning, "motion_frozen", {examined_.file, 0, 0},
+          heft::say("The posture never changes while the wrench does."),
+          heft::say("Check that the robot's state was logged; with one posture only the weight's direction is seen."));
       return false;
     }
     for (Eigen::Index j = 0; j < recording_.q.cols(); ++j)
@@ -136,29 +137,33 @@ class SignalChecker {
   void noteGroup(const char* names, long field, const Matrix& values) {
     if (values.rows() == 0 || everChanges(changesOf(values))) return;
     examined_.note(Severity::warning, "channel_frozen", examined_.column(field),
-                   fmt::format("{} never change while others do.", names), "Check that they were logged.");
+                   heft::say("{} never change while others do.", names), heft::say("Check that they were logged."));
   }
   void noteFrozen(const std::string& name, long field, double value) {
     examined_.note(Severity::warning, "channel_frozen", examined_.column(field),
-                   fmt::format("{} is {} in every row while others change.", name, value), "Check that it was logged.");
+                   heft::say("{} is {} in every row while others change.", name, value),
+                   heft::say("Check that it was logged."));
   }
 
   void noteRepeats() {
     const auto repeats = [&](const Changes& changes) { return rows_ - 1 - countIn(changes, 1, rows_); };
-    const auto say = [&](const char* what, const char* code, Eigen::Index count, const Changes& changes, double loud) {
+    const auto report = [&](const std::string& what, const char* code, Eigen::Index count, const Changes& changes,
+                            double loud) {
       const double share = static_cast<double>(count) / static_cast<double>(rows_ - 1);
       if (share < 0.02) return;
       const auto first = std::find(changes.begin() + 1, changes.end(), char{0}) - changes.begin();
       examined_.note(share > loud ? Severity::warning : Severity::info, code, examined_.at(first),
-                     fmt::format("{} of the rows repeat the {} of the row before: new values come at about "
-                                 "{:.3g} Hz, rows at {:.4g} Hz.",
-                                 percent(share), what, recording_.rateHz() * (1.0 - share), recording_.rateHz()),
-                     share > loud ? "Log each source at its own rate, or only when it has a new value." : "");
+                     heft::say("{} of the rows repeat the {} of the row before: new values come at about "
+                               "{:.3g} Hz, rows at {:.4g} Hz.",
+                               percent(share), what, recording_.rateHz() * (1.0 - share), recording_.rateHz()),
+                     share > loud ? heft::say("Log each source at its own rate, or only when it has a new value.")
+                                  : std::string());
     };
     const auto wrench = repeats(wrenchChanges_);
-    if (everChanges(wrenchChanges_)) say("wrench", "wrench_repeated", wrench, wrenchChanges_, 0.2);
+    if (everChanges(wrenchChanges_)) report(heft::say("wrench"), "wrench_repeated", wrench, wrenchChanges_, 0.2);
     // An arm at rest repeats its posture honestly, so this is no warning until it is most of the recording.
-    if (everChanges(motionChanges_)) say("posture", "posture_repeated", repeats(motionChanges_), motionChanges_, 0.5);
+    if (everChanges(motionChanges_))
+      report(heft::say("posture"), "posture_repeated", repeats(motionChanges_), motionChanges_, 0.5);
   }
 
   void noteFrozenWrench() {
@@ -167,8 +172,8 @@ class SignalChecker {
       for (const auto& stretch : frozenStretches(time_, wrenchChanges_, 0.1))
         if (countIn(motionChanges_, stretch.from + 1, stretch.to) > 0) whole.push_back(stretch);
     if (!whole.empty())
-      noteStretches("The wrench", examined_.map.wrench[0], whole,
-                    "The sensor's data stopped there; mark it as \"ignore\".");
+      noteStretches(heft::say("The wrench"), examined_.map.wrench[0], whole,
+                    heft::say("The sensor's data stopped there; mark it as \"ignore\"."));
     for (const auto& channel : wrench_) {
       if (!everChanges(channel.changes)) continue;
       std::vector<Stretch> own;
@@ -177,19 +182,21 @@ class SignalChecker {
         if (othersLive) own.push_back(stretch);
       }
       if (!own.empty())
-        noteStretches(channel.name(), channel.field, own,
-                      "The channel was not measured there, or the sensor was saturated; mark it as \"ignore\".");
+        noteStretches(
+            channel.name(), channel.field, own,
+            heft::say("The channel was not measured there, or the sensor was saturated; mark it as \"ignore\"."));
     }
   }
 
-  void noteStretches(const std::string& what, long field, const std::vector<Stretch>& stretches, const char* remedy) {
+  void noteStretches(const std::string& what, long field, const std::vector<Stretch>& stretches,
+                     const std::string& remedy) {
     const auto& longest = *std::max_element(stretches.begin(), stretches.end(),
                                             [](const Stretch& a, const Stretch& b) { return a.length() < b.length(); });
     examined_.note(
         Severity::warning, "stretch_frozen", examined_.at(longest.from, field),
-        fmt::format("{} stays the same from {:.6g} to {:.6g} s ({} rows){}.", what, time_(longest.from),
-                    time_(longest.to - 1), longest.length(),
-                    stretches.size() > 1 ? fmt::format(", and in {} more stretches", stretches.size() - 1) : ""),
+        heft::say("{} stays the same from {:.6g} to {:.6g} s ({} rows){}.", what, time_(longest.from),
+                  time_(longest.to - 1), longest.length(),
+                  stretches.size() > 1 ? heft::say(", and in {} more stretches", stretches.size() - 1) : std::string()),
         remedy);
   }
 
@@ -214,8 +221,8 @@ class SignalChecker {
       if (stretch.to < rows_ && (values.row(stretch.to) - values.row(stretch.to - 1)).norm() > 10.0 * *ninth)
         hangs.push_back(stretch);
     if (!hangs.empty())
-      noteStretches("The posture", field, hangs,
-                    "It jumps afterwards: the robot's data stopped there; mark it as \"ignore\".");
+      noteStretches(heft::say("The posture"), field, hangs,
+                    heft::say("It jumps afterwards: the robot's data stopped there; mark it as \"ignore\"."));
   }
 
   void noteJumps() {
@@ -230,15 +237,15 @@ class SignalChecker {
       }
       return countAndFirst;
     };
-    const auto say = [&](const std::pair<Eigen::Index, Eigen::Index>& found, long field, const std::string& what,
-                         double size, const char* unit) {
+    const auto report = [&](const std::pair<Eigen::Index, Eigen::Index>& found, long field, const std::string& what,
+                            double size, const char* unit) {
       if (found.first == 0) return;
       const bool turn = std::abs(size - 2.0 * std::numbers::pi) < 0.2 && recording_.q.rows() > 0;
       examined_.note(Severity::warning, "motion_jump", examined_.at(found.second, field),
-                     fmt::format("{} jumps by {:.3g} {} within one row{}.", what, size, unit,
-                                 found.first > 1 ? fmt::format(", and {} times more", found.first - 1) : ""),
-                     turn ? "The angle wraps around; write it without turns of 2 pi taken off."
-                          : "Mark that place as \"ignore\" or split the recording there.");
+                     heft::say("{} jumps by {:.3g} {} within one row{}.", what, size, unit,
+                               found.first > 1 ? heft::say(", and {} times more", found.first - 1) : std::string()),
+                     turn ? heft::say("The angle wraps around; write it without turns of 2 pi taken off.")
+                          : heft::say("Mark that place as \"ignore\" or split the recording there."));
     };
     if (recording_.q.rows() > 0) {
       const auto step = [&](Eigen::Index k) {
@@ -249,23 +256,24 @@ class SignalChecker {
       double size = 0.0;
       if (found.first > 0)
         size = (recording_.q.row(found.second) - recording_.q.row(found.second - 1)).cwiseAbs().maxCoeff(&joint);
-      say(found, examined_.map.joints[static_cast<std::size_t>(joint)],
-          columnName(Role::joint, static_cast<int>(joint)), size, "rad");
+      report(found, examined_.map.joints[static_cast<std::size_t>(joint)],
+             columnName(Role::joint, static_cast<int>(joint)), size, "rad");
     }
     if (recording_.quaternion.rows() > 0) {
       const auto step = [&](Eigen::Index k) {
         return 2.0 * (recording_.quaternion.row(k) - recording_.quaternion.row(k - 1)).norm();
       };
       const auto found = find(step, kFastest, 0.2);
-      say(found, examined_.map.quaternion[0], "The orientation", found.first > 0 ? step(found.second) : 0.0,
-          "rad (about)");
+      report(found, examined_.map.quaternion[0], heft::say("The orientation"),
+             found.first > 0 ? step(found.second) : 0.0, "rad (about)");
     }
     if (recording_.position.rows() > 0) {
       const auto step = [&](Eigen::Index k) {
         return (recording_.position.row(k) - recording_.position.row(k - 1)).norm();
       };
       const auto found = find(step, kFastestLinear, 0.1);
-      say(found, examined_.map.position[0], "The position", found.first > 0 ? step(found.second) : 0.0, "m");
+      report(found, examined_.map.position[0], heft::say("The position"), found.first > 0 ? step(found.second) : 0.0,
+             "m");
     }
   }
 
@@ -279,10 +287,10 @@ class SignalChecker {
     const double range = (force.colwise().maxCoeff() - force.colwise().minCoeff()).norm();
     if (range < 2.0 || start > 0.02 * range) return;
     examined_.note(Severity::info, "wrench_tared", examined_.column(examined_.map.wrench[0]),
-                   fmt::format("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "
-                               "with the payload on.",
-                               start, range),
-                   "The estimated bias then holds the weight at that posture.");
+                   heft::say("The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed "
+                             "with the payload on.",
+                             start, range),
+                   heft::say("The estimated bias then holds the weight at that posture."));
   }
 
   void noteTorqueUnit() {
@@ -291,9 +299,9 @@ class SignalChecker {
     const double torque = spread(recording_.wrench.rightCols<3>());
     if (torque <= 5.0 * force || torque < 1e-9) return;
     examined_.note(Severity::warning, "torque_unit", examined_.column(examined_.map.wrench[3]),
-                   fmt::format("Torques vary {:.3g} times as much as forces, as if the payload sat {:.3g} m away.",
-                               torque / force, torque / force),
-                   "Check that tx, ty, tz are in N m, not N mm, and forces in N.");
+                   heft::say("Torques vary {:.3g} times as much as forces, as if the payload sat {:.3g} m away.",
+                             torque / force, torque / force),
+                   heft::say("Check that tx, ty, tz are in N m, not N mm, and forces in N."));
   }
 
   const Examined& examined_;

@@ -5,6 +5,8 @@
 
 #include "core/recording/checks.h"
 
+#include "core/base/say.h"
+
 namespace heft {
 
 namespace {
@@ -47,9 +49,9 @@ std::optional<Error> makeRise(const Examined& examined) {
                    "Write the time of each sample in seconds, or say \"kind\": \"poses\" in the meta file.");
   const double share = static_cast<double>(repeated) / static_cast<double>(rows);
   examined.note(Severity::warning, "time_repeated", examined.at(first, field),
-                fmt::format("{} of {} rows ({}) repeat the time of the row before and were left out.", repeated, rows,
-                            percent(share)),
-                share > 0.2 ? "The time seems to be written with too few digits." : "");
+                heft::say("{} of {} rows ({}) repeat the time of the row before and were left out.", repeated, rows,
+                          percent(share)),
+                share > 0.2 ? heft::say("The time seems to be written with too few digits.") : std::string());
   keepRows(examined.recording, examined.lines, keep);
   return std::nullopt;
 }
@@ -76,12 +78,12 @@ std::optional<Error> checkSteps(const Examined& examined) {
                                median >= 1e5 ? ", not nanoseconds or microseconds" : ", not milliseconds"));
   if (median < 2e-5)
     examined.note(Severity::warning, "time_unit", examined.column(field),
-                  fmt::format("The rate would be {:.4g} Hz, more than wrist sensors give.", 1.0 / median),
-                  "Check that time is in seconds.");
+                  heft::say("The rate would be {:.4g} Hz, more than wrist sensors give.", 1.0 / median),
+                  heft::say("Check that time is in seconds."));
   if (median > 1.0 / kLowestRate * 1.001)
     examined.note(Severity::warning, "rate_low", examined.column(field),
-                  fmt::format("The rate is {:.3g} Hz (median); inertia needs about 100 Hz or more.", 1.0 / median),
-                  "Mass and centre of mass can still be had; record faster for the inertia.");
+                  heft::say("The rate is {:.3g} Hz (median); inertia needs about 100 Hz or more.", 1.0 / median),
+                  heft::say("Mass and centre of mass can still be had; record faster for the inertia."));
 
   Eigen::Index gaps = 0;
   Eigen::Index longest = 0;
@@ -95,18 +97,21 @@ std::optional<Error> checkSteps(const Examined& examined) {
   if (gaps > 0) {
     examined.note(
         Severity::warning, "time_gap", examined.at(longest + 1, field),
-        fmt::format("{} {} in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).", gaps,
-                    gaps == 1 ? "gap" : "gaps", seconds(lost), seconds(steps(longest)), time(longest), seconds(median)),
-        "Samples were lost there; the motion is bridged by interpolation.");
+        gaps == 1
+            ? heft::say("{} gap in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).",
+                        gaps, seconds(lost), seconds(steps(longest)), time(longest), seconds(median))
+            : heft::say("{} gaps in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).",
+                        gaps, seconds(lost), seconds(steps(longest)), time(longest), seconds(median)),
+        heft::say("Samples were lost there; the motion is bridged by interpolation."));
   }
 
   const double spread = (high - low) / median;
   if (spread > 0.1)
     examined.note(spread > 1.0 ? Severity::warning : Severity::info, spread > 1.0 ? "time_irregular" : "time_jitter",
                   examined.column(field),
-                  fmt::format("Time steps vary: nine in ten lie between {} and {}, median {} ({:.4g} Hz).",
-                              seconds(low), seconds(high), seconds(median), 1.0 / median),
-                  "The recording is resampled on a uniform clock.");
+                  heft::say("Time steps vary: nine in ten lie between {} and {}, median {} ({:.4g} Hz).", seconds(low),
+                            seconds(high), seconds(median), 1.0 / median),
+                  heft::say("The recording is resampled on a uniform clock."));
   return std::nullopt;
 }
 
@@ -121,7 +126,8 @@ std::optional<Error> checkTime(const Examined& examined) {
     time = VectorXd::LinSpaced(time.size(), 0.0, static_cast<double>(time.size() - 1));
     examined.note(
         Severity::info, "time_replaced", examined.column(examined.map.time),
-        "The time of the standing poses is missing or does not rise; they are numbered 0, 1, 2, ... instead.");
+        heft::say(
+            "The time of the standing poses is missing or does not rise; they are numbered 0, 1, 2, ... instead."));
     return std::nullopt;
   }
   if (auto failure = makeRise(examined)) return failure;

@@ -5,6 +5,8 @@
 
 #include "core/robot/urdf_reader.h"
 
+#include "core/base/say.h"
+
 namespace heft {
 namespace {
 
@@ -126,9 +128,9 @@ void holdOthers(UrdfTree& tree, const std::string& file, Findings& findings) {
   }
   if (held.empty()) return;
   findings.push_back(findingAt(first->where, file, Severity::info, "joints_held",
-                               fmt::format("{} joint(s) are not on the arm's main chain and are held still: {}",
-                                           held.size(), fmt::join(held, ", ")),
-                               "Recordings need no column for them"));
+                               heft::say("{} joint(s) are not on the arm's main chain and are held still: {}",
+                                         held.size(), fmt::join(held, ", ")),
+                               heft::say("Recordings need no column for them")));
 }
 
 }  // namespace heft

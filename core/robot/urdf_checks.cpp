@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <set>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
 
@@ -31,7 +30,7 @@ class Checker {
     for (const XmlElement& element : robot_.children) {
       if (element.name == "joint") checkJoint(element);
     }
-    if (links_.empty()) error(robot_, "no_links", "the robot has no link", "");
+    if (links_.empty()) error(robot_, "no_links", heft::say("the robot has no link"), {});
     for (const auto& [name, joint] : joints_) checkMimic(*joint);
     checkTree();
   }
@@ -46,24 +45,26 @@ class Checker {
 
   bool isUrdf() {
     if (robot_.name == "sdf" || robot_.name == "mujoco" || robot_.name == "COLLADA") {
-      error(robot_, "not_urdf", fmt::format("this is a {} file, not a URDF", robot_.name),
-            "Convert it to a URDF first");
+      error(robot_, "not_urdf", heft::say("this is a {} file, not a URDF", robot_.name),
+            heft::say("Convert it to a URDF first"));
       return false;
     }
     if (robot_.name != "robot") {
-      error(robot_, "not_urdf", fmt::format("the root element is <{}>, not <robot>", robot_.name), "Give a URDF");
+      error(robot_, "not_urdf", heft::say("the root element is <{}>, not <robot>", robot_.name),
+            heft::say("Give a URDF"));
       return false;
     }
     if (const XmlElement* macro = findXacro(robot_)) {
-      error(*macro, "xacro", fmt::format("<{}> is a xacro macro that was not expanded", macro->name),
-            "Run \"xacro FILE.urdf.xacro > FILE.urdf\" and give its output");
+      error(*macro, "xacro", heft::say("<{}> is a xacro macro that was not expanded", macro->name),
+            heft::say("Run \"xacro FILE.urdf.xacro > FILE.urdf\" and give its output"));
       return false;
     }
     if (robot_.attributeOr("name").empty()) {
-      error(robot_, "no_name", "<robot> has no name", "Write <robot name=\"...\">");
+      error(robot_, "no_name", heft::say("<robot> has no name"), heft::say("Write <robot name=\"...\">"));
     }
     if (const std::string* version = robot_.attribute("version"); version && *version != "1.0" && *version != "1") {
-      error(robot_, "version", fmt::format("URDF version \"{}\" is not known", *version), "Version 1.0 is read");
+      error(robot_, "version", heft::say("URDF version \"{}\" is not known", *version),
+            heft::say("Version 1.0 is read"));
     }
     return true;
   }
@@ -84,14 +85,14 @@ class Checker {
   bool checkName(const XmlElement& element, std::map<std::string, const XmlElement*>& known) {
     const std::string name(element.attributeOr("name"));
     if (name.empty()) {
-      error(element, "no_name", fmt::format("this {} has no name", element.name), "");
+      error(element, "no_name", heft::say("this {} has no name", element.name), {});
       return false;
     }
     const auto [place, isNew] = known.emplace(name, &element);
     if (!isNew) {
       error(element, "duplicate_name",
-            fmt::format("{} \"{}\" is already defined in line {}", element.name, name, place->second->line),
-            "Give each its own name");
+            heft::say("{} \"{}\" is already defined in line {}", element.name, name, place->second->line),
+            heft::say("Give each its own name"));
     }
     return isNew;
   }
@@ -105,9 +106,10 @@ class Checker {
     if (!values) {
       const bool comma = text->find(',') != std::string::npos;
       error(element, "bad_number",
-            fmt::format("{}=\"{}\" of <{}> is not {}", attribute, *text, element.name,
-                        standard.size() == 1 ? "a finite number" : fmt::format("{} finite numbers", standard.size())),
-            comma ? "Write a decimal point and separate numbers by blanks" : "");
+            heft::say(
+                "{}=\"{}\" of <{}> is not {}", attribute, *text, element.name,
+                standard.size() == 1 ? heft::say("a finite number") : heft::say("{} finite numbers", standard.size())),
+            comma ? heft::say("Write a decimal point and separate numbers by blanks") : std::string());
     }
     return values;
   }
@@ -119,12 +121,11 @@ class Checker {
 
   void checkInertial(const XmlElement& link, const XmlElement& inertial) {
     const std::string name(link.attributeOr("name"));
-    const std::string remedy = "Heft uses only the robot's motion, so the result is not affected";
+    const std::string remedy = heft::say("Heft uses only the robot's motion, so the result is not affected");
     const XmlElement* mass = inertial.child("mass");
     const XmlElement* inertia = inertial.child("inertia");
     if (!mass || !inertia) {
-      warn(inertial, "bad_inertial", fmt::format("the inertial of link \"{}\" lacks its mass or inertia", name),
-           remedy);
+      warn(inertial, "bad_inertial", heft::say("the inertial of link \"{}\" lacks its mass or inertia", name), remedy);
       return;
     }
     const auto m = parseNumbers(mass->attributeOr("value"), 1);
@@ -137,12 +138,12 @@ class Checker {
       if (value) i[k] = value->front();
     }
     if (!readable) {
-      warn(inertial, "bad_inertial", fmt::format("the inertial of link \"{}\" has a missing or bad number", name),
+      warn(inertial, "bad_inertial", heft::say("the inertial of link \"{}\" has a missing or bad number", name),
            remedy);
       return;
     }
     if (m->front() < 0.0) {
-      warn(*mass, "negative_mass", fmt::format("link \"{}\" has a mass of {} kg", name, m->front()), remedy);
+      warn(*mass, "negative_mass", heft::say("link \"{}\" has a mass of {} kg", name, m->front()), remedy);
     }
     Matrix3d tensor;
     tensor << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
@@ -150,12 +151,12 @@ class Checker {
     const double slack = 1e-9 * principal.cwiseAbs().maxCoeff();
     if (principal[0] < -slack) {
       warn(*inertia, "unphysical_inertia",
-           fmt::format("the inertia of link \"{}\" has a negative principal moment, {:.3g} kg m2", name, principal[0]),
+           heft::say("the inertia of link \"{}\" has a negative principal moment, {:.3g} kg m2", name, principal[0]),
            remedy);
     } else if (principal[2] > principal[0] + principal[1] + slack) {
       warn(*inertia, "unphysical_inertia",
-           fmt::format("the inertia of link \"{}\" breaks the triangle inequality: {:.3g} > {:.3g} + {:.3g} kg m2",
-                       name, principal[2], principal[0], principal[1]),
+           heft::say("the inertia of link \"{}\" breaks the triangle inequality: {:.3g} > {:.3g} + {:.3g} kg m2", name,
+                     principal[2], principal[0], principal[1]),
            remedy);
     }
   }
@@ -167,11 +168,11 @@ class Checker {
     static const std::set<std::string_view> kTypes{"fixed",     "revolute", "continuous",
                                                    "prismatic", "floating", "planar"};
     if (!kTypes.contains(type)) {
-      error(joint, "joint_type", fmt::format("joint \"{}\" has the unknown type \"{}\"", name, type),
-            "A URDF knows fixed, revolute, continuous, prismatic, floating and planar");
+      error(joint, "joint_type", heft::say("joint \"{}\" has the unknown type \"{}\"", name, type),
+            heft::say("A URDF knows fixed, revolute, continuous, prismatic, floating and planar"));
     } else if (type == "floating" || type == "planar") {
-      warn(joint, "joint_type", fmt::format("joint \"{}\" is {}, which no column of q can describe", name, type),
-           "It is held at zero");
+      warn(joint, "joint_type", heft::say("joint \"{}\" is {}, which no column of q can describe", name, type),
+           heft::say("It is held at zero"));
     }
     checkEnds(joint, name);
     checkOrigin(joint, name);
@@ -187,25 +188,25 @@ class Checker {
       const XmlElement* end = joint.child(kinds[k]);
       ends[k] = end ? end->attributeOr("link") : std::string_view();
       if (ends[k].empty()) {
-        error(joint, "no_link", fmt::format("joint \"{}\" names no {} link", name, kinds[k]),
-              fmt::format("Write <{} link=\"...\"/>", kinds[k]));
+        error(joint, "no_link", heft::say("joint \"{}\" names no {} link", name, kinds[k]),
+              heft::say("Write <{} link=\"...\"/>", kinds[k]));
       } else if (!links_.contains(ends[k])) {
-        error(*end, "unknown_link", fmt::format("joint \"{}\" names link \"{}\", which does not exist", name, ends[k]),
-              "");
+        error(*end, "unknown_link", heft::say("joint \"{}\" names link \"{}\", which does not exist", name, ends[k]),
+              {});
         ends[k].clear();
       }
     }
     if (ends[0].empty() || ends[1].empty()) return;
     if (ends[0] == ends[1]) {
-      error(joint, "loop", fmt::format("joint \"{}\" joins link \"{}\" to itself", name, ends[0]), "");
+      error(joint, "loop", heft::say("joint \"{}\" joins link \"{}\" to itself", name, ends[0]), {});
       return;
     }
     const auto [place, isNew] = parentJoint_.emplace(ends[1], &joint);
     if (!isNew) {
       error(joint, "two_parents",
-            fmt::format("link \"{}\" has two parents: joints \"{}\" (line {}) and \"{}\"", ends[1],
-                        place->second->attributeOr("name"), place->second->line, name),
-            "A URDF is a tree; remove one of the joints");
+            heft::say("link \"{}\" has two parents: joints \"{}\" (line {}) and \"{}\"", ends[1],
+                      place->second->attributeOr("name"), place->second->line, name),
+            heft::say("A URDF is a tree; remove one of the joints"));
       return;
     }
     children_[ends[0]].push_back(ends[1]);
@@ -218,13 +219,13 @@ class Checker {
     const auto rpy = numbers(*origin, "rpy", {0, 0, 0});
     if (xyz && Vector3d(xyz->data()).cwiseAbs().maxCoeff() > 10.0) {
       warn(*origin, "origin_in_mm",
-           fmt::format("joint \"{}\" lies {:.4g} m from its parent", name, Vector3d(xyz->data()).norm()),
-           "A URDF is in metres; this looks like millimetres");
+           heft::say("joint \"{}\" lies {:.4g} m from its parent", name, Vector3d(xyz->data()).norm()),
+           heft::say("A URDF is in metres; this looks like millimetres"));
     }
     if (rpy && Vector3d(rpy->data()).cwiseAbs().maxCoeff() > 6.3) {
       warn(*origin, "angle_in_degrees",
-           fmt::format("joint \"{}\" has an rpy of {:.4g} rad", name, Vector3d(rpy->data()).cwiseAbs().maxCoeff()),
-           "A URDF is in radians; this looks like degrees");
+           heft::say("joint \"{}\" has an rpy of {:.4g} rad", name, Vector3d(rpy->data()).cwiseAbs().maxCoeff()),
+           heft::say("A URDF is in radians; this looks like degrees"));
     }
   }
 
@@ -232,19 +233,19 @@ class Checker {
     const XmlElement* axis = joint.child("axis");
     if (!axis) return;
     if (!axis->attribute("xyz")) {
-      error(*axis, "axis_zero", fmt::format("the axis of joint \"{}\" has no xyz", name),
-            "Give the direction, for instance xyz=\"0 0 1\"");
+      error(*axis, "axis_zero", heft::say("the axis of joint \"{}\" has no xyz", name),
+            heft::say("Give the direction, for instance xyz=\"0 0 1\""));
       return;
     }
     const auto xyz = numbers(*axis, "xyz", {1, 0, 0});
     if (!xyz) return;
     const double length = Vector3d(xyz->data()).stableNorm();
     if (length < 1e-6) {
-      error(*axis, "axis_zero", fmt::format("the axis of joint \"{}\" is zero", name),
-            "Give the direction, for instance xyz=\"0 0 1\"");
+      error(*axis, "axis_zero", heft::say("the axis of joint \"{}\" is zero", name),
+            heft::say("Give the direction, for instance xyz=\"0 0 1\""));
     } else if (std::abs(length - 1.0) > 1e-3) {  // Four written digits stay below that.
-      warn(*axis, "axis_not_unit", fmt::format("the axis of joint \"{}\" has length {:.4g}", name, length),
-           "It is taken as a direction");
+      warn(*axis, "axis_not_unit", heft::say("the axis of joint \"{}\" has length {:.4g}", name, length),
+           heft::say("It is taken as a direction"));
     }
   }
 
@@ -252,15 +253,15 @@ class Checker {
     const XmlElement* limit = joint.child("limit");
     if (!limit) {
       if (type != "continuous") {
-        error(joint, "no_limits", fmt::format("{} joint \"{}\" has no limits", type, name),
-              "Write <limit lower= upper= velocity= effort=/> or type=\"continuous\"");
+        error(joint, "no_limits", heft::say("{} joint \"{}\" has no limits", type, name),
+              heft::say("Write <limit lower= upper= velocity= effort=/> or type=\"continuous\""));
       }
       return;
     }
     for (const char* attribute : {"velocity", "effort"}) {
       if (limit->attribute(attribute)) continue;
-      error(*limit, "no_limits", fmt::format("the limit of joint \"{}\" has no {}", name, attribute),
-            "A URDF demands it");
+      error(*limit, "no_limits", heft::say("the limit of joint \"{}\" has no {}", name, attribute),
+            heft::say("A URDF demands it"));
     }
     const auto lower = numbers(*limit, "lower", {0});
     const auto upper = numbers(*limit, "upper", {0});
@@ -268,22 +269,22 @@ class Checker {
     numbers(*limit, "effort", {0});
     numbers(*limit, "acceleration", {0});
     if (velocity && velocity->front() <= 0.0) {
-      warn(*limit, "velocity_limit", fmt::format("joint \"{}\" has a velocity limit of {}", name, velocity->front()),
-           "It is taken as unlimited");
+      warn(*limit, "velocity_limit", heft::say("joint \"{}\" has a velocity limit of {}", name, velocity->front()),
+           heft::say("It is taken as unlimited"));
     }
     if (!lower || !upper || type == "continuous") return;
     const double low = lower->front(), high = upper->front();
     if (low == 0.0 && high == 0.0) {
-      warn(*limit, "limits_empty", fmt::format("joint \"{}\" has no range: lower and upper are 0", name),
-           "It is taken as unlimited");
+      warn(*limit, "limits_empty", heft::say("joint \"{}\" has no range: lower and upper are 0", name),
+           heft::say("It is taken as unlimited"));
     } else if (low > high) {
-      warn(*limit, "limits_inverted", fmt::format("joint \"{}\" has lower {} above upper {}", name, low, high),
-           "They are taken the other way round");
+      warn(*limit, "limits_inverted", heft::say("joint \"{}\" has lower {} above upper {}", name, low, high),
+           heft::say("They are taken the other way round"));
     }
     const double reach = std::max(std::abs(low), std::abs(high));
     if (type == "revolute" && reach > 15.0 && reach <= 720.0) {
-      warn(*limit, "limits_in_degrees", fmt::format("joint \"{}\" may turn from {} to {} rad", name, low, high),
-           "A URDF is in radians; this looks like degrees");
+      warn(*limit, "limits_in_degrees", heft::say("joint \"{}\" may turn from {} to {} rad", name, low, high),
+           heft::say("A URDF is in radians; this looks like degrees"));
     }
   }
 
@@ -295,8 +296,8 @@ class Checker {
     const std::string leader(mimic->attributeOr("joint"));
     if (leader != joint.attributeOr("name") && joints_.contains(leader)) return;
     warn(*mimic, "bad_mimic",
-         fmt::format("joint \"{}\" mimics \"{}\", which is no other joint", joint.attributeOr("name"), leader),
-         "It is held at zero");
+         heft::say("joint \"{}\" mimics \"{}\", which is no other joint", joint.attributeOr("name"), leader),
+         heft::say("It is held at zero"));
   }
 
   void checkTree() {
@@ -305,13 +306,14 @@ class Checker {
       if (!parentJoint_.contains(name)) roots.push_back(name);
     }
     if (roots.empty() && !links_.empty()) {
-      error(robot_, "loop", "no link is the root: the joints form a closed loop", "A URDF is a tree; remove a joint");
+      error(robot_, "loop", heft::say("no link is the root: the joints form a closed loop"),
+            heft::say("A URDF is a tree; remove a joint"));
     }
     if (roots.size() > 1) {
       error(*links_[roots[1]], "two_roots",
-            fmt::format("links \"{}\" and \"{}\"{} have no parent; a robot has one root", roots[0], roots[1],
-                        roots.size() > 2 ? fmt::format(" and {} more", roots.size() - 2) : ""),
-            "Join them by a (fixed) joint");
+            heft::say("links \"{}\" and \"{}\"{} have no parent; a robot has one root", roots[0], roots[1],
+                      roots.size() > 2 ? heft::say(" and {} more", roots.size() - 2) : std::string()),
+            heft::say("Join them by a (fixed) joint"));
     }
     if (roots.size() != 1) return;
     std::set<std::string> reached;
@@ -324,8 +326,8 @@ class Checker {
     }
     for (const auto& [name, link] : links_) {
       if (reached.contains(name)) continue;
-      warn(*link, "detached", fmt::format("link \"{}\" is in a closed loop that hangs on nothing", name),
-           "It is left out");
+      warn(*link, "detached", heft::say("link \"{}\" is in a closed loop that hangs on nothing", name),
+           heft::say("It is left out"));
     }
   }
 

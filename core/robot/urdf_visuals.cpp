@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
 
@@ -63,16 +62,16 @@ class VisualReader {
       const auto rpy =
           origin->attribute("rpy") ? parseNumbers(origin->attributeOr("rpy"), 3) : std::vector{0.0, 0.0, 0.0};
       if (!xyz || !rpy) {
-        warn(*origin, "bad_visual",
-             fmt::format("the origin of a visual of link \"{}\" is not three numbers each", link),
-             "The visual is not drawn");
+        warn(*origin, "bad_visual", heft::say("the origin of a visual of link \"{}\" is not three numbers each", link),
+             heft::say("The visual is not drawn"));
         return std::nullopt;
       }
       visual.X_LV = poseFromXyzRpy(Vector3d(xyz->data()), Vector3d(rpy->data()));
     }
     const XmlElement* geometry = element.child("geometry");
     if (!geometry || geometry->children.empty()) {
-      warn(element, "bad_visual", fmt::format("a visual of link \"{}\" has no geometry", link), "It is not drawn");
+      warn(element, "bad_visual", heft::say("a visual of link \"{}\" has no geometry", link),
+           heft::say("It is not drawn"));
       return std::nullopt;
     }
     if (!readGeometry(geometry->children.front(), link, visual)) return std::nullopt;
@@ -100,16 +99,16 @@ class VisualReader {
       visual.kind = Visual::Kind::sphere;
       add("radius", expected = 1);
     } else {
-      warn(shape, "unknown_geometry", fmt::format("link \"{}\" has a visual of unknown shape <{}>", link, shape.name),
-           "It is not drawn; a URDF knows box, cylinder, sphere and mesh");
+      warn(shape, "unknown_geometry", heft::say("link \"{}\" has a visual of unknown shape <{}>", link, shape.name),
+           heft::say("It is not drawn; a URDF knows box, cylinder, sphere and mesh"));
       return false;
     }
     bool positive = size.size() == expected;
     for (const double number : size) positive = positive && number > 0.0;
     if (!positive) {
       warn(shape, "bad_visual",
-           fmt::format("the {} of link \"{}\" needs {} positive number(s)", shape.name, link, expected),
-           "It is not drawn");
+           heft::say("the {} of link \"{}\" needs {} positive number(s)", shape.name, link, expected),
+           heft::say("It is not drawn"));
       return false;
     }
     size.resize(3, 0.0);
@@ -123,15 +122,15 @@ class VisualReader {
       const auto scale = parseNumbers(shape.attributeOr("scale"), 3);
       if (!scale || Vector3d(scale->data()).cwiseAbs().minCoeff() == 0.0) {
         warn(shape, "bad_visual",
-             fmt::format("the scale of a mesh of link \"{}\" is not three numbers other than 0", link),
-             "The mesh is not drawn");
+             heft::say("the scale of a mesh of link \"{}\" is not three numbers other than 0", link),
+             heft::say("The mesh is not drawn"));
         return false;
       }
       visual.size = Vector3d(scale->data());
     }
     const std::string uri(shape.attributeOr("filename"));
     if (uri.empty()) {
-      warn(shape, "bad_visual", fmt::format("a mesh of link \"{}\" has no filename", link), "It is not drawn");
+      warn(shape, "bad_visual", heft::say("a mesh of link \"{}\" has no filename", link), heft::say("It is not drawn"));
       return false;
     }
     if (const auto found = resolveMeshUri(uri, baseFolder_)) {
@@ -139,10 +138,10 @@ class VisualReader {
       return true;
     }
     const bool package = uri.starts_with("package://") || uri.starts_with("model://");
-    warn(shape, "mesh_missing", fmt::format("mesh \"{}\" of link \"{}\" is not found", uri, link),
-         package
-             ? "Put the package's folder above the URDF or name its parent in ROS_PACKAGE_PATH; motion is not affected"
-             : fmt::format("It is looked for from \"{}\"; motion is not affected", displayName(baseFolder_)));
+    warn(shape, "mesh_missing", heft::say("mesh \"{}\" of link \"{}\" is not found", uri, link),
+         package ? heft::say("Put the package's folder above the URDF or name its parent in ROS_PACKAGE_PATH; motion "
+                             "is not affected")
+                 : heft::say("It is looked for from \"{}\"; motion is not affected", displayName(baseFolder_)));
     return false;
   }
 
@@ -155,7 +154,8 @@ class VisualReader {
       return;
     }
     if (const XmlElement* colour = material->child("color")) {
-      warn(*colour, "bad_colour", fmt::format("a colour of link \"{}\" is not four numbers", link), "Grey is used");
+      warn(*colour, "bad_colour", heft::say("a colour of link \"{}\" is not four numbers", link),
+           heft::say("Grey is used"));
       return;
     }
     const auto named = colours_.find(std::string(material->attributeOr("name")));
@@ -164,8 +164,8 @@ class VisualReader {
       visual.hasColour = true;
     } else if (!material->child("texture")) {
       warn(*material, "bad_colour",
-           fmt::format("material \"{}\" of link \"{}\" is defined nowhere", material->attributeOr("name"), link),
-           "Grey is used");
+           heft::say("material \"{}\" of link \"{}\" is defined nowhere", material->attributeOr("name"), link),
+           heft::say("Grey is used"));
     }
   }
 

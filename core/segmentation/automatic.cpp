@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/math/statistics.h"
 #include "core/segmentation/blocks.h"
 #include "core/segmentation/payload_change.h"
@@ -117,30 +116,30 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
   std::vector<PayloadStep> steps;
   for (const auto& part : parts) steps.push_back(compareParts(windows, parts[reference], part, weakPrior()));
   steps[reference] = {};
-  std::string changes, used;
+  std::vector<std::string> changes, used;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const double from = rows.time(ranges[p].from), to = rows.time(ranges[p].to - 1);
     if (steps[p].same) {
-      used += fmt::format("{}{:.1f} to {:.1f} s", used.empty() ? "" : ", ", from, to);
+      used.push_back(heft::say("{:.1f} to {:.1f} s", from, to));
     } else {
       const int note = blocks.addReason(
-          steps[p].payload ? fmt::format("Free, but {:.2g} kg {} than where the payload is estimated.",
-                                         std::abs(steps[p].massStep), steps[p].massStep > 0.0 ? "heavier" : "lighter")
-                           : "Free, but the sensor's bias (or the payload) is another one here.");
+          !steps[p].payload ? heft::say("Free, but the sensor's bias (or the payload) is another one here.")
+          : steps[p].massStep > 0.0
+              ? heft::say("Free, but {:.2g} kg heavier than where the payload is estimated.", steps[p].massStep)
+              : heft::say("Free, but {:.2g} kg lighter than where the payload is estimated.", -steps[p].massStep));
       for (Eigen::Index k = ranges[p].from; k < ranges[p].to; ++k)
         if (blocks.labels[at(k)] == MarkLabel::free) blocks.set(k, MarkLabel::ignore, SegmentKind::otherPayload, note);
     }
     if (p == 0 || steps[p].same == steps[p - 1].same) continue;
     const double step = (steps[p].same ? 0.0 : steps[p].massStep) - (steps[p - 1].same ? 0.0 : steps[p - 1].massStep);
     const bool payload = (steps[p].same || steps[p].payload) && (steps[p - 1].same || steps[p - 1].payload);
-    changes += changes.empty() ? "" : ", ";
-    changes += payload ? fmt::format("{:+.2g} kg at {:.1f} s", step, from)
-                       : fmt::format("at {:.1f} s, or the sensor's bias moved there", from);
+    changes.push_back(payload ? heft::say("{:+.2g} kg at {:.1f} s", step, from)
+                              : heft::say("at {:.1f} s, or the sensor's bias moved there", from));
     const SegmentKind kind = step > 0.0 ? SegmentKind::pickUp : SegmentKind::putDown;
     const int note = blocks.addReason(
-        payload ? fmt::format("The payload {} by {:.2g} kg: something was {}.", step > 0.0 ? "grows" : "shrinks",
-                              std::abs(step), step > 0.0 ? "picked up" : "put down")
-                : std::string("The payload changes here, or the sensor's bias moves: this motion cannot tell which."));
+        !payload     ? heft::say("The payload changes here, or the sensor's bias moves: this motion cannot tell which.")
+        : step > 0.0 ? heft::say("The payload grows by {:.2g} kg: something was picked up.", step)
+                     : heft::say("The payload shrinks by {:.2g} kg: something was put down.", -step));
     const auto half = static_cast<Eigen::Index>(std::ceil(kTransition * rows.rateHz));
     const Range first = contactAround(blocks, std::max<Eigen::Index>(0, ranges[p].from - half));
     const Range last = contactAround(blocks, std::min(rows.size() - 1, ranges[p].from + half));
@@ -151,10 +150,10 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
   if (!changes.empty())
     findings.push_back({Severity::warning,
                         "payload_change",
-                        fmt::format("The payload changes inside the recording ({}); only {} is used, so that two "
-                                    "payloads are not mixed.",
-                                    changes, used),
-                        "To estimate the other payload, mark its part as free.",
+                        heft::say("The payload changes inside the recording ({}); only {} is used, so that two "
+                                  "payloads are not mixed.",
+                                  joined(changes), joined(used)),
+                        heft::say("To estimate the other payload, mark its part as free."),
                         {}});
 }
 
@@ -206,8 +205,8 @@ void markTrouble(const Recording& recording, const WrenchRows& rows, Blocks& blo
         blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
     findings.push_back({Severity::warning,
                         "sensor_trouble",
-                        fmt::format("{:.2f} to {:.2f} s: {}", trouble.from, trouble.to, trouble.reason),
-                        "That stretch is left out.",
+                        heft::say("{:.2f} to {:.2f} s: {}", trouble.from, trouble.to, trouble.reason),
+                        heft::say("That stretch is left out."),
                         {}});
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
 #include "core/segmentation/blocks.h"
 
 namespace heft {
@@ -47,8 +48,8 @@ SegmentKind kindOf(MarkLabel label) {
 }
 
 void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode mode, Blocks& blocks) {
-  const int byUser = blocks.addReason("Marked by you.");
-  const int notMarked = blocks.addReason("Not marked as free.");
+  const int byUser = blocks.addReason(heft::say("Marked by you."));
+  const int notMarked = blocks.addReason(heft::say("Not marked as free."));
   // Where the user marked free parts, what they left unmarked is not free; where they only marked contact, it is.
   const bool onlyMarked = mode == SegmentMode::marks && userMarkedFree(recording);
   for (Eigen::Index k = 0; k < rows.size(); ++k) {
@@ -62,11 +63,11 @@ void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode 
 
 /// Why the blocks of a segment have their label, where no note says it.
 std::string reasonFor(SegmentKind kind, SegmentMode mode) {
-  if (mode == SegmentMode::all) return "Everything was asked for.";
-  if (mode == SegmentMode::marks) return "Not marked as contact.";
-  if (kind == SegmentKind::contact) return "A push that the motion does not explain.";
-  if (kind == SegmentKind::standing) return "At rest, and a rigid tool explains the forces.";
-  return "A rigid tool explains the forces here.";
+  if (mode == SegmentMode::all) return heft::say("Everything was asked for.");
+  if (mode == SegmentMode::marks) return heft::say("Not marked as contact.");
+  if (kind == SegmentKind::contact) return heft::say("A push that the motion does not explain.");
+  if (kind == SegmentKind::standing) return heft::say("At rest, and a rigid tool explains the forces.");
+  return heft::say("A rigid tool explains the forces here.");
 }
 
 /// How sure the label of blocks [from, to) is. A contact is the surer the further its peak lies above the limit that

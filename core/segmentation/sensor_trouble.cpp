@@ -1,8 +1,8 @@
 #include "core/segmentation/sensor_trouble.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "core/base/say.h"
 
 namespace heft {
 
@@ -36,7 +36,8 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
       time, 0.05, 20.0, [&](Eigen::Index k) { return wrench.row(k) == wrench.row(k - 1); },
       [&](Eigen::Index from, Eigen::Index to) {
         if (to - from == wrench.rows()) return;
-        out.push_back({time(from), time(to - 1), "The sensor's values stand still here: it sent nothing new."});
+        out.push_back(
+            {time(from), time(to - 1), heft::say("The sensor's values stand still here: it sent nothing new.")});
       });
   static constexpr const char* kNames[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
   for (int c = 0; c < 6; ++c) {
@@ -52,7 +53,7 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
           if (2 * alive < to - from) return;
           out.push_back(
               {time(from), time(to - 1),
-               fmt::format("{} is cut off at {:.4g}: the sensor is at the end of its range.", kNames[c], value)});
+               heft::say("{} is cut off at {:.4g}: the sensor is at the end of its range.", kNames[c], value)});
         });
   }
   std::sort(out.begin(), out.end(), [](const Trouble& a, const Trouble& b) { return a.from < b.from; });

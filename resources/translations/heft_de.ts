@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>Apply this correction</source>
-        <translation>Diese Berichtigung anwenden</translation>
+        <translation>Berichtigung anwenden</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -109,7 +109,7 @@
     </message>
     <message>
         <source>Details</source>
-        <translation>Einzelheiten</translation>
+        <translation>Details</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -281,6 +281,18 @@
     <message>
         <source>Error %1, noise floor %2; torque %3 N m.</source>
         <translation>Fehler %1, Rauschen %2; Drehmoment %3 N m.</translation>
+    </message>
+    <message>
+        <source>Show the motion</source>
+        <translation>Bewegung zeigen</translation>
+    </message>
+    <message>
+        <source>The arm’s ghost makes the motion in the picture</source>
+        <translation>Der Schatten des Arms macht die Bewegung im Bild vor</translation>
+    </message>
+    <message>
+        <source>Leads to Record; what to do stays in view there</source>
+        <translation>Führt zum Aufnehmen; was zu tun ist, bleibt dort im Blick</translation>
     </message>
 </context>
 <context>
@@ -2064,6 +2076,1486 @@
         <source>note</source>
         <translation>Hinweis</translation>
     </message>
+    <message>
+        <source>Only {:.1f} s touch nothing, so the result&apos;s bias is taken off; it may be that of another day.</source>
+        <translation>Nur {:.1f} s berühren nichts, deshalb wird der Nullpunkt des Ergebnisses abgezogen; er kann der eines anderen Tages sein.</translation>
+    </message>
+    <message>
+        <source>Record a second of free motion before the contact.</source>
+        <translation>Nehmen Sie vor dem Kontakt eine Sekunde freie Bewegung auf.</translation>
+    </message>
+    <message>
+        <source>In free motion {:.2g} N remain, where the sensor&apos;s own scatter is {:.2g} N: the payload is not that of this recording, or something else is at work.</source>
+        <translation>In freier Bewegung bleiben {:.2g} N übrig, wo der Sensor selbst um {:.2g} N streut: Die Last ist nicht die dieser Aufnahme, oder etwas anderes wirkt mit.</translation>
+    </message>
+    <message>
+        <source>Estimate the payload from this recording, or diagnose it.</source>
+        <translation>Bestimmen Sie die Last aus dieser Aufnahme, oder suchen Sie die Ursache.</translation>
+    </message>
+    <message>
+        <source>The reality check&apos;s corrections are part of these numbers: {}.</source>
+        <translation>Die Berichtigungen der Realitätsprüfung stecken in diesen Zahlen: {}.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero wanders slowly during the recording; this is allowed for.</source>
+        <translation>Der Nullpunkt des Sensors wandert während der Aufnahme langsam; das ist berücksichtigt.</translation>
+    </message>
+    <message>
+        <source>Let the sensor warm up, and keep recordings short.</source>
+        <translation>Lassen Sie den Sensor warm werden, und halten Sie die Aufnahmen kurz.</translation>
+    </message>
+    <message>
+        <source>With these causes taken out the payload would be impossible, so it is left as it was.</source>
+        <translation>Ohne diese Ursachen wäre die Last unmöglich, deshalb bleibt sie, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Repeat the recording without touching anything.</source>
+        <translation>Wiederholen Sie die Aufnahme, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>Taking these causes out does not help to predict unseen stretches, so the payload is left as it was.</source>
+        <translation>Diese Ursachen herauszunehmen hilft nicht, ungesehene Abschnitte vorherzusagen; deshalb bleibt die Last, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Find what is unknown first: record the motion once more, more slowly.</source>
+        <translation>Finden Sie zuerst, was unbekannt ist: Nehmen Sie die Bewegung noch einmal auf, langsamer.</translation>
+    </message>
+    <message>
+        <source>The searched region shrank to nothing.</source>
+        <translation>Der abgesuchte Bereich schrumpfte auf nichts.</translation>
+    </message>
+    <message>
+        <source>Converged: steps no longer change the result.</source>
+        <translation>Fertig: Weitere Schritte ändern das Ergebnis nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Converged: the residual is orthogonal to every direction.</source>
+        <translation>Fertig: Der Rest steht auf jeder Richtung senkrecht.</translation>
+    </message>
+    <message>
+        <source>Stopped after the largest number of evaluations.</source>
+        <translation>Nach der größten Zahl von Auswertungen beendet.</translation>
+    </message>
+    <message>
+        <source>Converged to rounding.</source>
+        <translation>Fertig bis auf Rundung.</translation>
+    </message>
+    <message>
+        <source>Stopped with improper input.</source>
+        <translation>Beendet, weil die Eingaben nicht passten.</translation>
+    </message>
+    <message>
+        <source>Without the bound some mass would lie outside the shape; holding it inside moved the result by {:.1f} standard deviations.</source>
+        <translation>Ohne die Grenze läge etwas Masse außerhalb der Form; sie innen zu halten verschob das Ergebnis um {:.1f} Standardabweichungen.</translation>
+    </message>
+    <message>
+        <source>The mass lies inside the shape even without the bound.</source>
+        <translation>Die Masse liegt auch ohne die Grenze innerhalb der Form.</translation>
+    </message>
+    <message>
+        <source>The shape seems too small or misplaced: check it, or leave the bound out.</source>
+        <translation>Die Form scheint zu klein oder falsch platziert: Prüfen Sie sie, oder lassen Sie die Grenze weg.</translation>
+    </message>
+    <message>
+        <source>The centre of mass is not given, so it was estimated together with the mass.</source>
+        <translation>Der Schwerpunkt ist nicht angegeben, deshalb wurde er mit der Masse zusammen bestimmt.</translation>
+    </message>
+    <message>
+        <source>Give it with --known to hold it fixed.</source>
+        <translation>Geben Sie ihn mit --known an, um ihn festzuhalten.</translation>
+    </message>
+    <message>
+        <source>The inertia is neither estimated nor given; a tool of usual size was assumed for it.</source>
+        <translation>Die Trägheit ist weder bestimmt noch angegeben; die eines Werkzeugs üblicher Größe wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>Give it with --known, or a shape with --shape.</source>
+        <translation>Geben Sie sie mit --known an, oder eine Form mit --shape.</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s x axis</source>
+        <translation>die x-Achse des Sensors</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s y axis</source>
+        <translation>die y-Achse des Sensors</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s z axis</source>
+        <translation>die z-Achse des Sensors</translation>
+    </message>
+    <message>
+        <source>(near the sensor&apos;s {})</source>
+        <translation>(nahe der {}-Achse des Sensors)</translation>
+    </message>
+    <message>
+        <source>an axis across the tool</source>
+        <translation>eine Achse quer zum Werkzeug</translation>
+    </message>
+    <message>
+        <source>an axis in the tool&apos;s flat side</source>
+        <translation>eine Achse in der flachen Seite des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s long axis</source>
+        <translation>die Längsachse des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>the axis square to the tool&apos;s flat side</source>
+        <translation>die Achse senkrecht zur flachen Seite des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>centre of mass along {}</source>
+        <translation>Schwerpunkt entlang {}</translation>
+    </message>
+    <message>
+        <source>rotation about {}</source>
+        <translation>Drehung um {}</translation>
+    </message>
+    <message>
+        <source>coupling of rotations about {} and {}</source>
+        <translation>Kopplung der Drehungen um {} und {}</translation>
+    </message>
+    <message>
+        <source>The tool kept nearly the same tilt (about {:.0f} degrees of change), so its weight cannot be told from the sensor&apos;s bias.</source>
+        <translation>Das Werkzeug blieb fast gleich geneigt (etwa {:.0f} Grad Änderung); sein Gewicht lässt sich so nicht vom Nullpunkt des Sensors trennen.</translation>
+    </message>
+    <message>
+        <source>The tool was not tilted into enough directions to tell where its centre of mass lies along {}.</source>
+        <translation>Das Werkzeug wurde nicht in genug Richtungen geneigt, um zu sagen, wo sein Schwerpunkt entlang {} liegt.</translation>
+    </message>
+    <message>
+        <source>Rotation about {} was never fast enough (it sped up by {:.1f} rad/s2 on average): turn the tool to and fro about it.</source>
+        <translation>Zu langsam gedreht um: {} (im Mittel {:.1f} rad/s² Beschleunigung). Drehen Sie das Werkzeug darum schneller hin und her.</translation>
+    </message>
+    <message>
+        <source>Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. It was left out.</source>
+        <translation>Aufnahme {} widerspricht den anderen: {:.3f} kg gegen {:.3f} kg, Schwerpunkte {:.0f} mm auseinander. Sie wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>With two recordings nobody can tell which is of the right tool: check both.</source>
+        <translation>Bei zwei Aufnahmen kann niemand sagen, welche vom richtigen Werkzeug ist: Prüfen Sie beide.</translation>
+    </message>
+    <message>
+        <source>Estimate it by itself.</source>
+        <translation>Werten Sie sie für sich allein aus.</translation>
+    </message>
+    <message>
+        <source>{:.1f} to {:.1f} s</source>
+        <translation>{:.1f} bis {:.1f} s</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} und {} weitere</translation>
+    </message>
+    <message>
+        <source>{:.1f} s of {:.1f} s looked like contact and were left out: {}.</source>
+        <translation>{:.1f} s von {:.1f} s sahen nach Kontakt aus und wurden ausgelassen: {}.</translation>
+    </message>
+    <message>
+        <source>Trust is low with so little free motion: check the marks, or record a longer free part.</source>
+        <translation>Bei so wenig freier Bewegung ist das Vertrauen gering: Prüfen Sie die Markierungen, oder nehmen Sie einen längeren freien Teil auf.</translation>
+    </message>
+    <message>
+        <source>Mark them by hand if that is wrong.</source>
+        <translation>Markieren Sie sie von Hand, wenn das falsch ist.</translation>
+    </message>
+    <message>
+        <source>On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the sensor&apos;s own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
+        <translation>Auf Abschnitten, die nicht zum Anpassen dienten, verfehlt das Modell die gemessene Kraft um {:.2g} N, wo der Sensor selbst um {:.2g} N streut: Etwas anderes als ein starres Werkzeug wirkt mit (Kontakt, Drift, Verspätung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
+    </message>
+    <message>
+        <source>Trust is low: the true values may lie outside the intervals. Look at where the difference is large.</source>
+        <translation>Das Vertrauen ist gering: Die wahren Werte können außerhalb der Bereiche liegen. Sehen Sie nach, wo die Differenz groß ist.</translation>
+    </message>
+    <message>
+        <source>A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.</source>
+        <translation>Eine einfache Anpassung ergibt eine Masse von {:.2f} kg: Die Kräfte haben wohl das andere Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or payload_on_sensor).</source>
+        <translation>Setzen Sie sensor.wrench_sign in der Meta-Datei auf den anderen Wert (sensor_on_payload oder payload_on_sensor).</translation>
+    </message>
+    <message>
+        <source>centre along {}</source>
+        <translation>Schwerpunkt entlang {}</translation>
+    </message>
+    <message>
+        <source>inertia {}</source>
+        <translation>Trägheit {}</translation>
+    </message>
+    <message>
+        <source>{} ({:.0f} sigma)</source>
+        <translation>{} ({:.0f} Sigma)</translation>
+    </message>
+    <message>
+        <source>What you gave and what the motion says disagree about: {}.</source>
+        <translation>Ihre Angaben und die Bewegung widersprechen sich bei: {}.</translation>
+    </message>
+    <message>
+        <source>Either the given values are of another tool or place, or the sensor&apos;s calibration is off: trust is low.</source>
+        <translation>Entweder gehören die Angaben zu einem anderen Werkzeug oder Ort, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
+    </message>
+    <message>
+        <source>The estimated mass is {:.0f} % away from the known one, far outside its interval.</source>
+        <translation>Die bestimmte Masse weicht um {:.0f} % von der bekannten ab, weit außerhalb ihres Bereichs.</translation>
+    </message>
+    <message>
+        <source>Either the known value is of another tool, or the sensor&apos;s calibration is off: trust is low.</source>
+        <translation>Entweder gehört der bekannte Wert zu einem anderen Werkzeug, oder die Kalibrierung des Sensors stimmt nicht: Das Vertrauen ist gering.</translation>
+    </message>
+    <message>
+        <source>This motion cannot tell the mass; the number is a placeholder.</source>
+        <translation>Diese Bewegung verrät die Masse nicht; die Zahl ist ein Platzhalter.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool into several directions.</source>
+        <translation>Neigen Sie das Werkzeug in mehrere Richtungen.</translation>
+    </message>
+    <message>
+        <source>This motion cannot tell the whole centre of mass; what is marked &quot;none&quot; is a placeholder.</source>
+        <translation>Diese Bewegung verrät den Schwerpunkt nicht ganz; was nicht bekannt ist, ist ein Platzhalter.</translation>
+    </message>
+    <message>
+        <source>Tilt the tool about more axes.</source>
+        <translation>Neigen Sie das Werkzeug um mehr Achsen.</translation>
+    </message>
+    <message>
+        <source>This motion cannot tell {} of the three moments of inertia; they are placeholders with wide intervals.</source>
+        <translation>Diese Bewegung verrät {} der drei Trägheitsmomente nicht; sie sind Platzhalter mit weiten Bereichen.</translation>
+    </message>
+    <message>
+        <source>Turn the tool faster, or give its shape.</source>
+        <translation>Drehen Sie das Werkzeug schneller, oder geben Sie seine Form an.</translation>
+    </message>
+    <message>
+        <source>centre of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>The motion tells less than what you gave about: {}. These numbers are mainly yours.</source>
+        <translation>Die Bewegung sagt weniger als Ihre Angaben über: {}. Diese Zahlen sind überwiegend Ihre eigenen.</translation>
+    </message>
+    <message>
+        <source>No real body has these numbers: {}</source>
+        <translation>Kein wirklicher Körper hat diese Zahlen: {}</translation>
+    </message>
+    <message>
+        <source>Use the method map, which always gives a possible payload.</source>
+        <translation>Nehmen Sie das Verfahren map, das immer eine mögliche Last ergibt.</translation>
+    </message>
+    <message>
+        <source>The solver did not reach a trustworthy solution: {}</source>
+        <translation>Das Verfahren kam zu keiner vertrauenswürdigen Lösung: {}</translation>
+    </message>
+    <message>
+        <source>Use the method map.</source>
+        <translation>Nehmen Sie das Verfahren map.</translation>
+    </message>
+    <message>
+        <source>Solved in one step.</source>
+        <translation>In einem Schritt gelöst.</translation>
+    </message>
+    <message>
+        <source>This motion leaves some parameters without any information.</source>
+        <translation>Diese Bewegung sagt über einige Größen gar nichts.</translation>
+    </message>
+    <message>
+        <source>The forces fit a sensor that swings about a point {:.2g} m away, so its acceleration was taken from that instead of zero.</source>
+        <translation>Die Kräfte passen zu einem Sensor, der um einen {:.2g} m entfernten Punkt schwingt; seine Beschleunigung wurde daraus genommen statt null.</translation>
+    </message>
+    <message>
+        <source>Contact leaves only {:.1f} s inside the trimmed range, so the free parts at the recording&apos;s ends are used too.</source>
+        <translation>Der Kontakt lässt im beschnittenen Bereich nur {:.1f} s übrig, deshalb werden auch die freien Teile an den Enden der Aufnahme benutzt.</translation>
+    </message>
+    <message>
+        <source>Give --trim to keep them out.</source>
+        <translation>Mit --trim bleiben sie draußen.</translation>
+    </message>
+    <message>
+        <source>The tool stood still all the time.</source>
+        <translation>Das Werkzeug stand die ganze Zeit still.</translation>
+    </message>
+    <message>
+        <source>Tilt it into several directions: at rest its weight and the sensor&apos;s bias look alike.</source>
+        <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
+    </message>
+    <message>
+        <source>{} samples ({:.2g} %) held isolated spikes in the wrench and were replaced by their neighbours&apos; median.</source>
+        <translation>{} Messwerte ({:.2g} %) enthielten einzelne Ausreißer der Kraft und wurden durch den Median ihrer Nachbarn ersetzt.</translation>
+    </message>
+    <message>
+        <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz.</source>
+        <translation>Die aufgenommene Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet.</translation>
+    </message>
+    <message>
+        <source>The search for the shape&apos;s material did not settle.</source>
+        <translation>Die Suche nach dem Material der Form kam zu keinem Ende.</translation>
+    </message>
+    <message>
+        <source>Check the shape&apos;s size and place.</source>
+        <translation>Prüfen Sie Größe und Platz der Form.</translation>
+    </message>
+    <message>
+        <source>The shape and the measured motion contradict each other: a tool of that shape and place would have moved the sensor differently.</source>
+        <translation>Form und gemessene Bewegung widersprechen sich: Ein Werkzeug dieser Form an diesem Platz hätte den Sensor anders bewegt.</translation>
+    </message>
+    <message>
+        <source>Check the shape&apos;s size and where it sits, or leave it away.</source>
+        <translation>Prüfen Sie Größe und Platz der Form, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>Check the shape&apos;s size and where it sits, or choose &quot;rough&quot;.</source>
+        <translation>Prüfen Sie Größe und Platz der Form, oder wählen Sie „ungefähr“.</translation>
+    </message>
+    <message>
+        <source>The payload weighs {:.3f} kg; the robot is made for {} kg.</source>
+        <translation>Die Last wiegt {:.3f} kg; der Roboter ist für {} kg gebaut.</translation>
+    </message>
+    <message>
+        <source>Check the recording&apos;s frame and sign, or use a lighter tool.</source>
+        <translation>Prüfen Sie Achsen und Vorzeichen der Aufnahme, oder nehmen Sie ein leichteres Werkzeug.</translation>
+    </message>
+    <message>
+        <source>An entry of the inertia is {:.4g} kg m2; set_target_payload takes at most {} kg m2.</source>
+        <translation>Ein Eintrag der Trägheit ist {:.4g} kg m²; set_target_payload nimmt höchstens {} kg m².</translation>
+    </message>
+    <message>
+        <source>Check the units of the inertia.</source>
+        <translation>Prüfen Sie die Einheit der Trägheit.</translation>
+    </message>
+    <message>
+        <source>This format has no products of inertia; up to {:.3g} kg m2 are left out.</source>
+        <translation>Dieses Format kennt keine Deviationsmomente; bis zu {:.3g} kg m² fallen weg.</translation>
+    </message>
+    <message>
+        <source>The tool centre point is written at the flange.</source>
+        <translation>Als Werkzeugmittelpunkt steht der Flansch in der Datei.</translation>
+    </message>
+    <message>
+        <source>Set it in Desk, or state it before exporting.</source>
+        <translation>Setzen Sie ihn in Desk, oder geben Sie ihn vor dem Export an.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s rotation is left out: this format&apos;s angle unit is not known.</source>
+        <translation>Die Drehung des Werkzeugs fehlt: Die Winkeleinheit dieses Formats ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Set the rotation in Desk.</source>
+        <translation>Setzen Sie die Drehung in Desk.</translation>
+    </message>
+    <message>
+        <source>Not checked against a primary source: {}.</source>
+        <translation>Nicht an einer Quelle des Herstellers geprüft: {}.</translation>
+    </message>
+    <message>
+        <source>Compare the file with one that your controller wrote.</source>
+        <translation>Vergleichen Sie die Datei mit einer, die Ihre Steuerung geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>the form of the profile and the unit of its angles (zeros are written)</source>
+        <translation>die Form des Profils und die Einheit seiner Winkel (es werden Nullen geschrieben)</translation>
+    </message>
+    <message>
+        <source>the name of the service, /service_server/set_load</source>
+        <translation>der Name des Dienstes, /service_server/set_load</translation>
+    </message>
+    <message>
+        <source>the syntax of the line (its units and angles are)</source>
+        <translation>die Schreibweise der Zeile (Einheiten und Winkel sind es)</translation>
+    </message>
+    <message>
+        <source>the unit of the inertia, kgf cm s2</source>
+        <translation>die Einheit der Trägheit, kgf cm s²</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s parent link {} is not known as a flange and was taken for it.</source>
+        <translation>Das Glied {}, an dem der Sensor sitzt, ist nicht als Flansch bekannt und wurde dafür genommen.</translation>
+    </message>
+    <message>
+        <source>State the sensor&apos;s pose on the flange if it is not.</source>
+        <translation>Geben Sie die Lage des Sensors am Flansch an, wenn das nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>centre of mass {}</source>
+        <translation>Schwerpunkt {}</translation>
+    </message>
+    <message>
+        <source>inertia {}{}</source>
+        <translation>Trägheit {}{}</translation>
+    </message>
+    <message>
+        <source>Not known from this motion, so only a guess: {}.</source>
+        <translation>Aus dieser Bewegung nicht bekannt, also nur geraten: {}.</translation>
+    </message>
+    <message>
+        <source>Record a motion that turns the tool faster, or tell its shape, before you trust these numbers.</source>
+        <translation>Nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht, oder nennen Sie seine Form, bevor Sie diesen Zahlen trauen.</translation>
+    </message>
+    <message>
+        <source>From the shape or values you gave, not measured: {}.</source>
+        <translation>Aus Form oder Angaben von Ihnen, nicht gemessen: {}.</translation>
+    </message>
+    <message>
+        <source>Check them before the robot relies on them.</source>
+        <translation>Prüfen Sie sie, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>The result does not say where the sensor sits; its frame was taken for the flange&apos;s.</source>
+        <translation>Das Ergebnis sagt nicht, wo der Sensor sitzt; seine Achsen wurden für die des Flansches genommen.</translation>
+    </message>
+    <message>
+        <source>State the sensor&apos;s pose on the flange.</source>
+        <translation>Geben Sie die Lage des Sensors am Flansch an.</translation>
+    </message>
+    <message>
+        <source>The estimate itself says that it is not physically possible.</source>
+        <translation>Die Bestimmung sagt selbst, dass ihr Ergebnis körperlich nicht möglich ist.</translation>
+    </message>
+    <message>
+        <source>Use the method map, or a longer recording that turns the tool faster.</source>
+        <translation>Nehmen Sie das Verfahren map, oder eine längere Aufnahme, die das Werkzeug schneller dreht.</translation>
+    </message>
+    <message>
+        <source>The HDF5 file is damaged; the datasets that can be reached were read.</source>
+        <translation>Die HDF5-Datei ist beschädigt; gelesen wurden die Datensätze, die erreichbar sind.</translation>
+    </message>
+    <message>
+        <source>Write each quantity as a dataset of numbers with one row a sample.</source>
+        <translation>Schreiben Sie jede Größe als Datensatz von Zahlen mit einer Zeile je Messung.</translation>
+    </message>
+    <message>
+        <source>Left out, as they are no tables of numbers: {}.</source>
+        <translation>Ausgelassen, weil es keine Zahlentabellen sind: {}.</translation>
+    </message>
+    <message>
+        <source>The datasets of {} rows in /{} have no dataset of times beside them and were left out.</source>
+        <translation>Neben den Datensätzen mit {} Zeilen in /{} steht keiner mit Zeiten; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Name one time, or choose it with --use time=PATH.</source>
+        <translation>Nennen Sie einen time, oder wählen Sie ihn mit --use time=PFAD.</translation>
+    </message>
+    <message>
+        <source>The selected datasets hold more than {} million numbers; the rest was not read.</source>
+        <translation>Die gewählten Datensätze enthalten mehr als {} Millionen Zahlen; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The dataset /{} is damaged or cut off.</source>
+        <translation>Der Datensatz /{} ist beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, gravity (0, 0, -9.81) m/s2.</source>
+        <translation>Neben der Aufnahme fehlt {}; es gelten die Voreinstellungen: Kraft des Sensors auf die Last, Schwerkraft (0, 0, −9,81) m/s².</translation>
+    </message>
+    <message>
+        <source>Not every topic stamps its messages, so the recorder&apos;s times are used for all.</source>
+        <translation>Nicht jedes Topic stempelt seine Nachrichten, deshalb gelten für alle die Zeiten des Rekorders.</translation>
+    </message>
+    <message>
+        <source>The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.</source>
+        <translation>Die Zeitstempel von {} laufen nach einer anderen Uhr: {:.4f} s wurden addiert, nach der Ankunft der Nachrichten.</translation>
+    </message>
+    <message>
+        <source>The transport&apos;s delay is not known; state offset_s in a map file if you know better.</source>
+        <translation>Die Laufzeit der Übertragung ist nicht bekannt; geben Sie offset_s in einer Zuordnungsdatei an, wenn Sie es besser wissen.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} lack a value and were left out.</source>
+        <translation>{} von {} Messungen von {} fehlt ein Wert; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} samples of {} were not in the order of their times and were sorted.</source>
+        <translation>{} Messungen von {} standen nicht in der Reihenfolge ihrer Zeiten und wurden sortiert.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} repeat a time and were left out.</source>
+        <translation>{} von {} Messungen von {} wiederholen eine Zeit und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} and {} are on different clocks: the wrench was shifted by {}.</source>
+        <translation>{} und {} laufen nach verschiedenen Uhren: Die Kräfte wurden um {} verschoben.</translation>
+    </message>
+    <message>
+        <source>Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too.</source>
+        <translation>Gefunden, indem die Kraft der Bewegung folgt; eine Verspätung des Sensors selbst ist damit auch herausgenommen.</translation>
+    </message>
+    <message>
+        <source>On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing was shifted.</source>
+        <translation>Nach der gemeinsamen Uhr folgt die Kraft von {} der Bewegung von {} am besten, wenn sie um {} verschoben wird; verschoben wurde nichts.</translation>
+    </message>
+    <message>
+        <source>{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.</source>
+        <translation>{} ({:.4g} Hz) und {} ({:.4g} Hz) wurden auf den Zeiten von {} zusammengeführt; {}.</translation>
+    </message>
+    <message>
+        <source>the faster one is averaged over each step</source>
+        <translation>der schnellere Strom wird über jeden Schritt gemittelt</translation>
+    </message>
+    <message>
+        <source>the other one is interpolated</source>
+        <translation>der andere wird interpoliert</translation>
+    </message>
+    <message>
+        <source>At {} of {} times one of the streams has a gap; they were left out.</source>
+        <translation>Zu {} von {} Zeiten hat einer der Ströme eine Lücke; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The motion comes at {:.3g} Hz only; inertia needs about 100 Hz or more.</source>
+        <translation>Die Bewegung kommt nur mit {:.3g} Hz; die Trägheit braucht etwa 100 Hz oder mehr.</translation>
+    </message>
+    <message>
+        <source>Panda&apos;s ROS driver publishes at 30 Hz by default: raise its publish rate to 1000 Hz.</source>
+        <translation>Der ROS-Treiber des Panda sendet von sich aus mit 30 Hz: Stellen Sie seine Rate auf 1000 Hz.</translation>
+    </message>
+    <message>
+        <source>The poses are the flange&apos;s; the sensor&apos;s follow by its mount.</source>
+        <translation>Die Posen sind die des Flansches; die des Sensors folgen aus seiner Befestigung.</translation>
+    </message>
+    <message>
+        <source>{} chunks of the file are damaged; what could be unpacked was read.</source>
+        <translation>{} Blöcke der Datei sind beschädigt; gelesen wurde, was sich auspacken ließ.</translation>
+    </message>
+    <message>
+        <source>Chunks compressed as &quot;{}&quot; cannot be unpacked and were left out.</source>
+        <translation>Blöcke, die als „{}“ gepackt sind, lassen sich nicht auspacken und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Convert them with the program &apos;mcap&apos; to zstd or lz4.</source>
+        <translation>Wandeln Sie sie mit dem Programm „mcap“ in zstd oder lz4 um.</translation>
+    </message>
+    <message>
+        <source>The file is cut off or damaged at byte {} of {}; what stands before was read.</source>
+        <translation>Die Datei ist bei Byte {} von {} abgeschnitten oder beschädigt; gelesen wurde, was davor steht.</translation>
+    </message>
+    <message>
+        <source>{} of {} messages on {} do not fit their definition and were left out.</source>
+        <translation>{} von {} Nachrichten auf {} passen nicht zu ihrer Definition und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Topic {} of type {} cannot be read: {}.</source>
+        <translation>Topic {} vom Typ {} ist nicht lesbar: {}.</translation>
+    </message>
+    <message>
+        <source>{} messages belong to topics that the file does not describe; they were left out.</source>
+        <translation>{} Nachrichten gehören zu Topics, die die Datei nicht beschreibt; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The selected topics hold more than {} million numbers; the rest was not read.</source>
+        <translation>Die gewählten Topics enthalten mehr als {} Millionen Zahlen; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>{} of {} messages cannot be unpacked and were left out.</source>
+        <translation>{} von {} Nachrichten lassen sich nicht auspacken und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The database is damaged ({}) after {} messages; these were read.</source>
+        <translation>Die Datenbank ist beschädigt ({}), nach {} Nachrichten; diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The recorder was probably killed; &quot;sqlite3 BAG .recover&quot; may find more.</source>
+        <translation>Der Rekorder wurde wohl hart beendet; „sqlite3 BAG .recover“ findet vielleicht mehr.</translation>
+    </message>
+    <message>
+        <source>The compressed file is cut off or damaged; what could be unpacked was read.</source>
+        <translation>Die gepackte Datei ist abgeschnitten oder beschädigt; gelesen wurde, was sich auspacken ließ.</translation>
+    </message>
+    <message>
+        <source>metadata.yaml names no file that is there; the folder&apos;s own bag files were read.</source>
+        <translation>metadata.yaml nennt keine Datei, die da ist; gelesen wurden die Bag-Dateien des Ordners.</translation>
+    </message>
+    <message>
+        <source>The folder has no metadata.yaml; its bag files were read.</source>
+        <translation>Der Ordner hat keine metadata.yaml; seine Bag-Dateien wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no label ({} such rows, read as not labelled).</source>
+        <translation>„{}“ ist keine Markierung ({} solche Zeilen, als nicht markiert gelesen).</translation>
+    </message>
+    <message>
+        <source>Labels are free, contact or ignore.</source>
+        <translation>Markierungen heißen free, contact oder ignore.</translation>
+    </message>
+    <message>
+        <source>The last line ends in the middle and was left out.</source>
+        <translation>Die letzte Zeile endet mittendrin und wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} lines are no JSON objects and were left out.</source>
+        <translation>{} von {} Zeilen sind keine JSON-Objekte und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The reported {} velocities lag the positions by {:.0f} ms; velocities and accelerations are taken from the positions.</source>
+        <translation>Die gemeldeten Geschwindigkeiten ({}) hinken den Positionen {:.0f} ms nach; Geschwindigkeiten und Beschleunigungen stammen deshalb aus den Positionen.</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>The recording has the sensor&apos;s orientation but not its position, so the acceleration of its origin is unknown and taken as zero.</source>
+        <translation>Die Aufnahme enthält die Ausrichtung des Sensors, aber nicht seinen Ort; die Beschleunigung seines Ursprungs ist deshalb unbekannt und gilt als null.</translation>
+    </message>
+    <message>
+        <source>Record px, py, pz or the joint angles for trustworthy numbers.</source>
+        <translation>Nehmen Sie px, py, pz oder die Gelenkwinkel auf, dann sind die Zahlen vertrauenswürdig.</translation>
+    </message>
+    <message>
+        <source>The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew with what came after.</source>
+        <translation>Das Werkzeug wechselte bei {:.1f} s: Aus {:.2f} kg wurden {:.2f} kg. Die Bestimmung beginnt neu mit dem, was danach kam.</translation>
+    </message>
+    <message>
+        <source>Estimate before and after apart.</source>
+        <translation>Werten Sie vorher und nachher getrennt aus.</translation>
+    </message>
+    <message>
+        <source>From {:.1f} s on the tool is the one from before, of {:.2f} kg.</source>
+        <translation>Ab {:.1f} s ist es wieder das Werkzeug von vorher, mit {:.2f} kg.</translation>
+    </message>
+    <message>
+        <source>The data had {} gaps.</source>
+        <translation>Die Daten hatten {} Lücken.</translation>
+    </message>
+    <message>
+        <source>{} samples were not usable: not finite, without motion, or with a time that does not rise.</source>
+        <translation>{} Messungen waren nicht brauchbar: nicht endlich, ohne Bewegung, oder mit einer Zeit, die nicht steigt.</translation>
+    </message>
+    <message>
+        <source>Check the source.</source>
+        <translation>Prüfen Sie die Quelle.</translation>
+    </message>
+    <message>
+        <source>{:.1f} s looked like contact and were left out, {:.1f} s were free: trust is low.</source>
+        <translation>{:.1f} s sahen nach Kontakt aus und wurden ausgelassen, {:.1f} s waren frei: Das Vertrauen ist gering.</translation>
+    </message>
+    <message>
+        <source>Move the tool without touching anything.</source>
+        <translation>Bewegen Sie das Werkzeug, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>A number is not finite.</source>
+        <translation>Eine Zahl ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The mass is {:.6g} kg; it must be above zero.</source>
+        <translation>Die Masse ist {:.6g} kg; sie muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The inertia tensor is not symmetric.</source>
+        <translation>Der Trägheitstensor ist nicht symmetrisch.</translation>
+    </message>
+    <message>
+        <source>The inertia tensor has a principal moment of {:.6g} kg m2; all must be above zero.</source>
+        <translation>Der Trägheitstensor hat ein Hauptmoment von {:.6g} kg m²; alle müssen größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The principal moments {:.6g}, {:.6g}, {:.6g} kg m2 violate the triangle inequality: no body has more about one axis than about the other two together.</source>
+        <translation>Die Hauptmomente {:.6g}, {:.6g}, {:.6g} kg m² verletzen die Dreiecksungleichung: Kein Körper hat um eine Achse mehr als um die beiden anderen zusammen.</translation>
+    </message>
+    <message>
+        <source>If the file is in millimetres set unit to mm.</source>
+        <translation>Wenn die Datei in Millimetern ist, stellen Sie die Einheit auf mm.</translation>
+    </message>
+    <message>
+        <source>Check the unit of the file.</source>
+        <translation>Prüfen Sie die Einheit der Datei.</translation>
+    </message>
+    <message>
+        <source>If the file is in metres set unit to m.</source>
+        <translation>Wenn die Datei in Metern ist, stellen Sie die Einheit auf m.</translation>
+    </message>
+    <message>
+        <source>If the file is in centimetres set unit to cm.</source>
+        <translation>Wenn die Datei in Zentimetern ist, stellen Sie die Einheit auf cm.</translation>
+    </message>
+    <message>
+        <source>Dimensions are in metres.</source>
+        <translation>Maße sind in Metern.</translation>
+    </message>
+    <message>
+        <source>{} is {} long.</source>
+        <translation>{} ist {} lang.</translation>
+    </message>
+    <message>
+        <source>{}: {} triangles pointed the other way than their neighbours and were turned.</source>
+        <translation>{}: {} Dreiecke zeigten anders herum als ihre Nachbarn und wurden gedreht.</translation>
+    </message>
+    <message>
+        <source>Recompute the normals in the program that wrote the mesh.</source>
+        <translation>Berechnen Sie die Normalen in dem Programm neu, das das Netz geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>{} is inside-out ({} of {} closed pieces); it was turned round.</source>
+        <translation>{} ist umgestülpt ({} von {} geschlossenen Teilen); es wurde gewendet.</translation>
+    </message>
+    <message>
+        <source>Flip the normals in the program that wrote the mesh if this is not wanted.</source>
+        <translation>Kehren Sie die Normalen in dem Programm um, das das Netz geschrieben hat, wenn das nicht gewollt ist.</translation>
+    </message>
+    <message>
+        <source>{} is not closed: {} open edges; the holes were covered ({:.1f} % of the surface).</source>
+        <translation>{} ist nicht geschlossen: {} offene Kanten; die Löcher wurden zugedeckt ({:.1f} % der Oberfläche).</translation>
+    </message>
+    <message>
+        <source>Export a closed solid, or give a wall thickness if the tool is a thin shell.</source>
+        <translation>Exportieren Sie einen geschlossenen Körper, oder geben Sie eine Wandstärke an, wenn das Werkzeug eine dünne Schale ist.</translation>
+    </message>
+    <message>
+        <source>{}: {} edges belong to more than two triangles (parts that touch along an edge).</source>
+        <translation>{}: {} Kanten gehören zu mehr als zwei Dreiecken (Teile, die sich entlang einer Kante berühren).</translation>
+    </message>
+    <message>
+        <source>{}: {} triangles have a vertex that is missing or not a number.</source>
+        <translation>{}: {} Dreiecke haben eine Ecke, die fehlt oder keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>They were left out.</source>
+        <translation>Sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{}: {:.0f} % of the volume is counted again because parts overlap.</source>
+        <translation>{}: {:.0f} % des Volumens zählen doppelt, weil Teile sich überlappen.</translation>
+    </message>
+    <message>
+        <source>{} has a density of {:.4g} kg/m3.</source>
+        <translation>{} hat eine Dichte von {:.4g} kg/m³.</translation>
+    </message>
+    <message>
+        <source>If it is in g/cm3, multiply it by 1000.</source>
+        <translation>Wenn sie in g/cm³ ist, nehmen Sie sie mal 1000.</translation>
+    </message>
+    <message>
+        <source>Check it.</source>
+        <translation>Prüfen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Read {}.</source>
+        <translation>Gelesen: {}.</translation>
+    </message>
+    <message>
+        <source>Column {} is missing, so the joints are set aside and the sensor&apos;s pose is used.</source>
+        <translation>Spalte {} fehlt, deshalb bleiben die Gelenke beiseite und die Sensorpose wird benutzt.</translation>
+    </message>
+    <message>
+        <source>Column {} is missing, so the sensor&apos;s pose is set aside and the joints are used.</source>
+        <translation>Spalte {} fehlt, deshalb bleibt die Sensorpose beiseite und die Gelenke werden benutzt.</translation>
+    </message>
+    <message>
+        <source>Column {} is missing, so the position is set aside and the joints are used.</source>
+        <translation>Spalte {} fehlt, deshalb bleibt der Ort beiseite und die Gelenke werden benutzt.</translation>
+    </message>
+    <message>
+        <source>A position without an orientation is set aside.</source>
+        <translation>Ein Ort ohne Ausrichtung bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>The joint velocities do not match the joints one by one and are set aside.</source>
+        <translation>Die Gelenkgeschwindigkeiten passen nicht einzeln zu den Gelenken und bleiben beiseite.</translation>
+    </message>
+    <message>
+        <source>The twist is incomplete or without an orientation and is set aside.</source>
+        <translation>Die Geschwindigkeit des Sensors ist unvollständig oder ohne Ausrichtung und bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>{} column is kept aside unused: {}.</source>
+        <translation>{} Spalte bleibt unbenutzt beiseite: {}.</translation>
+    </message>
+    <message>
+        <source>{} columns are kept aside unused: {}{}.</source>
+        <translation>{} Spalten bleiben unbenutzt beiseite: {}{}.</translation>
+    </message>
+    <message>
+        <source>Blank lines between the rows were skipped.</source>
+        <translation>Leerzeilen zwischen den Zeilen wurden übersprungen.</translation>
+    </message>
+    <message>
+        <source>{} unknown columns of {} rows are too many to keep.</source>
+        <translation>{} unbekannte Spalten mit {} Zeilen sind zu viele, um sie aufzuheben.</translation>
+    </message>
+    <message>
+        <source>{} missing in {} of {} rows and left aside.</source>
+        <translation>{} in {} von {} Zeilen und bleiben beiseite.</translation>
+    </message>
+    <message>
+        <source>The joint velocities are</source>
+        <translation>Die Gelenkgeschwindigkeiten fehlen</translation>
+    </message>
+    <message>
+        <source>The twist is</source>
+        <translation>Geschwindigkeiten des Sensors fehlen</translation>
+    </message>
+    <message>
+        <source>The joint angles are</source>
+        <translation>Die Gelenkwinkel fehlen</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s pose is</source>
+        <translation>Posen des Sensors fehlen</translation>
+    </message>
+    <message>
+        <source>{} of {} rows lack a value (blank, NaN or infinite) and were left out, the first in column {}.</source>
+        <translation>{} von {} Zeilen fehlt ein Wert (leer, NaN oder unendlich); sie wurden ausgelassen, zuerst in Spalte {}.</translation>
+    </message>
+    <message>
+        <source>{}: {}.</source>
+        <translation>{}: {}.</translation>
+    </message>
+    <message>
+        <source>this key is not known and has no effect</source>
+        <translation>diesen Schlüssel kennt Heft nicht, er bewirkt nichts</translation>
+    </message>
+    <message>
+        <source>{:.6g} m/s2 is not the gravity on earth</source>
+        <translation>{:.6g} m/s² ist nicht die Schwerkraft auf der Erde</translation>
+    </message>
+    <message>
+        <source>Mass and centre of mass follow this value; on earth it is 9.76 to 9.83.</source>
+        <translation>Masse und Schwerpunkt richten sich danach; auf der Erde sind es 9,76 bis 9,83.</translation>
+    </message>
+    <message>
+        <source>it points up in the robot&apos;s base</source>
+        <translation>sie zeigt im Roboter nach oben</translation>
+    </message>
+    <message>
+        <source>That is right only if the robot hangs from the ceiling; otherwise write [0, 0, -9.81].</source>
+        <translation>Das stimmt nur, wenn der Roboter an der Decke hängt; sonst schreiben Sie [0, 0, -9.81].</translation>
+    </message>
+    <message>
+        <source>{:.6g} kg is more than any arm carries</source>
+        <translation>{:.6g} kg sind mehr, als ein Arm trägt</translation>
+    </message>
+    <message>
+        <source>Give kilograms, not grams.</source>
+        <translation>Geben Sie Kilogramm an, nicht Gramm.</translation>
+    </message>
+    <message>
+        <source>no rigid body has these values ({})</source>
+        <translation>kein starrer Körper hat diese Werte ({})</translation>
+    </message>
+    <message>
+        <source>Check which point and which axes the inertia refers to; Heft wants it about the centre of mass.</source>
+        <translation>Prüfen Sie, auf welchen Punkt und welche Achsen sich die Trägheit bezieht; Heft will sie um den Schwerpunkt.</translation>
+    </message>
+    <message>
+        <source>overlaps marks[{}], which has another label</source>
+        <translation>überlappt marks[{}], das anders markiert ist</translation>
+    </message>
+    <message>
+        <source>The later mark counts; correct their limits.</source>
+        <translation>Die spätere Markierung zählt; berichtigen Sie ihre Grenzen.</translation>
+    </message>
+    <message>
+        <source>{} do not fit the positions: factor {:.3g}, correlation {:.2f}.</source>
+        <translation>Nicht zu den Positionen passen: {} (Faktor {:.3g}, Korrelation {:.2f}).</translation>
+    </message>
+    <message>
+        <source>Check their unit, order and axes{}.</source>
+        <translation>Prüfen Sie Einheit, Reihenfolge und Achsen{}.</translation>
+    </message>
+    <message>
+        <source>{} reaches {:.6g} rad, more than a turn.</source>
+        <translation>{} erreicht {:.6g} rad, mehr als eine Umdrehung.</translation>
+    </message>
+    <message>
+        <source>Check that joints are in radians.</source>
+        <translation>Prüfen Sie, dass die Gelenke in Radiant sind.</translation>
+    </message>
+    <message>
+        <source>the joint velocities</source>
+        <translation>die Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source> (base axes)</source>
+        <translation> (Achsen der Roboterbasis)</translation>
+    </message>
+    <message>
+        <source>{} quaternions are not of length 1, at worst by {:.2g}; all were normalised.</source>
+        <translation>{} Quaternionen haben nicht die Länge 1, schlimmstenfalls um {:.2g} daneben; alle wurden normiert.</translation>
+    </message>
+    <message>
+        <source>All {} rows hold the same wrench and the same posture.</source>
+        <translation>Alle {} Zeilen enthalten dieselbe Kraft und dieselbe Haltung.</translation>
+    </message>
+    <message>
+        <source>Check that the logger received new data; move the arm while recording.</source>
+        <translation>Prüfen Sie, dass der Rekorder neue Daten bekam; bewegen Sie den Arm beim Aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The posture never changes while the wrench does.</source>
+        <translation>Die Haltung ändert sich nie, die Kraft aber schon.</translation>
+    </message>
+    <message>
+        <source>Check that the robot&apos;s state was logged; with one posture only the weight&apos;s direction is seen.</source>
+        <translation>Prüfen Sie, dass der Zustand des Roboters aufgezeichnet wurde; aus nur einer Haltung sieht man nur, wohin das Gewicht zieht.</translation>
+    </message>
+    <message>
+        <source>{} never change while others do.</source>
+        <translation>{} ändern sich nie, während andere es tun.</translation>
+    </message>
+    <message>
+        <source>Check that they were logged.</source>
+        <translation>Prüfen Sie, dass sie aufgezeichnet wurden.</translation>
+    </message>
+    <message>
+        <source>{} is {} in every row while others change.</source>
+        <translation>{} ist in jeder Zeile {}, während andere sich ändern.</translation>
+    </message>
+    <message>
+        <source>Check that it was logged.</source>
+        <translation>Prüfen Sie, dass er aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>{} of the rows repeat the {} of the row before: new values come at about {:.3g} Hz, rows at {:.4g} Hz.</source>
+        <translation>{} der Zeilen wiederholen {} der Zeile davor: Neue Werte kommen mit etwa {:.3g} Hz, Zeilen mit {:.4g} Hz.</translation>
+    </message>
+    <message>
+        <source>Log each source at its own rate, or only when it has a new value.</source>
+        <translation>Zeichnen Sie jede Quelle mit ihrer eigenen Rate auf, oder nur, wenn sie einen neuen Wert hat.</translation>
+    </message>
+    <message>
+        <source>wrench</source>
+        <translation>die Kraft</translation>
+    </message>
+    <message>
+        <source>posture</source>
+        <translation>die Haltung</translation>
+    </message>
+    <message>
+        <source>The wrench</source>
+        <translation>Die Kraft</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s data stopped there; mark it as &quot;ignore&quot;.</source>
+        <translation>Die Daten des Sensors blieben dort stehen; markieren Sie das als „ignoriert“.</translation>
+    </message>
+    <message>
+        <source>The channel was not measured there, or the sensor was saturated; mark it as &quot;ignore&quot;.</source>
+        <translation>Der Kanal wurde dort nicht gemessen, oder der Sensor war am Anschlag; markieren Sie das als „ignoriert“.</translation>
+    </message>
+    <message>
+        <source>{} stays the same from {:.6g} to {:.6g} s ({} rows){}.</source>
+        <translation>{} bleibt von {:.6g} bis {:.6g} s gleich ({} Zeilen){}.</translation>
+    </message>
+    <message>
+        <source>, and in {} more stretches</source>
+        <translation>, und auf {} weiteren Abschnitten</translation>
+    </message>
+    <message>
+        <source>The posture</source>
+        <translation>Die Haltung</translation>
+    </message>
+    <message>
+        <source>It jumps afterwards: the robot&apos;s data stopped there; mark it as &quot;ignore&quot;.</source>
+        <translation>Danach springt sie: Die Daten des Roboters blieben dort stehen; markieren Sie das als „ignoriert“.</translation>
+    </message>
+    <message>
+        <source>{} jumps by {:.3g} {} within one row{}.</source>
+        <translation>{} springt innerhalb einer Zeile um {:.3g} {}{}.</translation>
+    </message>
+    <message>
+        <source>, and {} times more</source>
+        <translation>, und {} weitere Male</translation>
+    </message>
+    <message>
+        <source>The angle wraps around; write it without turns of 2 pi taken off.</source>
+        <translation>Der Winkel springt um eine Umdrehung; schreiben Sie ihn, ohne 2π abzuziehen.</translation>
+    </message>
+    <message>
+        <source>Mark that place as &quot;ignore&quot; or split the recording there.</source>
+        <translation>Markieren Sie die Stelle als „ignoriert“, oder teilen Sie die Aufnahme dort.</translation>
+    </message>
+    <message>
+        <source>The orientation</source>
+        <translation>Die Ausrichtung</translation>
+    </message>
+    <message>
+        <source>The position</source>
+        <translation>Der Ort</translation>
+    </message>
+    <message>
+        <source>The force starts at {:.2g} N and later spans {:.3g} N: the sensor was probably zeroed with the payload on.</source>
+        <translation>Die Kraft beginnt bei {:.2g} N und reicht später über {:.3g} N: Der Sensor wurde wohl mit der Last daran auf null gesetzt.</translation>
+    </message>
+    <message>
+        <source>The estimated bias then holds the weight at that posture.</source>
+        <translation>Der bestimmte Nullpunkt enthält dann das Gewicht in jener Haltung.</translation>
+    </message>
+    <message>
+        <source>Torques vary {:.3g} times as much as forces, as if the payload sat {:.3g} m away.</source>
+        <translation>Die Momente ändern sich {:.3g}-mal so stark wie die Kräfte, als säße die Last {:.3g} m entfernt.</translation>
+    </message>
+    <message>
+        <source>Check that tx, ty, tz are in N m, not N mm, and forces in N.</source>
+        <translation>Prüfen Sie, dass tx, ty, tz in N m sind, nicht N mm, und die Kräfte in N.</translation>
+    </message>
+    <message>
+        <source>{} of {} rows ({}) repeat the time of the row before and were left out.</source>
+        <translation>{} von {} Zeilen ({}) wiederholen die Zeit der Zeile davor und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The time seems to be written with too few digits.</source>
+        <translation>Die Zeit ist wohl mit zu wenigen Stellen geschrieben.</translation>
+    </message>
+    <message>
+        <source>The rate would be {:.4g} Hz, more than wrist sensors give.</source>
+        <translation>Die Rate wäre {:.4g} Hz, mehr als Handgelenksensoren liefern.</translation>
+    </message>
+    <message>
+        <source>Check that time is in seconds.</source>
+        <translation>Prüfen Sie, dass die Zeit in Sekunden ist.</translation>
+    </message>
+    <message>
+        <source>The rate is {:.3g} Hz (median); inertia needs about 100 Hz or more.</source>
+        <translation>Die Rate ist {:.3g} Hz (Median); die Trägheit braucht etwa 100 Hz oder mehr.</translation>
+    </message>
+    <message>
+        <source>Mass and centre of mass can still be had; record faster for the inertia.</source>
+        <translation>Masse und Schwerpunkt sind trotzdem zu haben; für die Trägheit nehmen Sie schneller auf.</translation>
+    </message>
+    <message>
+        <source>{} gap in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).</source>
+        <translation>{} Lücke in der Zeit, zusammen {}; die längste ist {} bei {:.6g} s, wo Schritte {} lang sind (Median).</translation>
+    </message>
+    <message>
+        <source>{} gaps in time, together {}; the longest is {} at {:.6g} s, where steps are {} (median).</source>
+        <translation>{} Lücken in der Zeit, zusammen {}; die längste ist {} bei {:.6g} s, wo Schritte {} lang sind (Median).</translation>
+    </message>
+    <message>
+        <source>Samples were lost there; the motion is bridged by interpolation.</source>
+        <translation>Dort gingen Messwerte verloren; die Bewegung ist durch Interpolation überbrückt.</translation>
+    </message>
+    <message>
+        <source>Time steps vary: nine in ten lie between {} and {}, median {} ({:.4g} Hz).</source>
+        <translation>Die Zeitschritte schwanken: Neun von zehn liegen zwischen {} und {}, Median {} ({:.4g} Hz).</translation>
+    </message>
+    <message>
+        <source>The recording is resampled on a uniform clock.</source>
+        <translation>Die Aufnahme wird auf eine gleichmäßige Uhr umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The time of the standing poses is missing or does not rise; they are numbered 0, 1, 2, ... instead.</source>
+        <translation>Die Zeit der stehenden Posen fehlt oder steigt nicht; sie sind stattdessen 0, 1, 2, ... nummeriert.</translation>
+    </message>
+    <message>
+        <source>{} joint(s) are not on the arm&apos;s main chain and are held still: {}</source>
+        <translation>{} Gelenk(e) liegen nicht auf der Hauptkette des Arms und werden festgehalten: {}</translation>
+    </message>
+    <message>
+        <source>Recordings need no column for them</source>
+        <translation>Aufnahmen brauchen für sie keine Spalte.</translation>
+    </message>
+    <message>
+        <source>the robot has no link</source>
+        <translation>Der Roboter hat kein Glied.</translation>
+    </message>
+    <message>
+        <source>this is a {} file, not a URDF</source>
+        <translation>Das ist eine {}-Datei, kein URDF.</translation>
+    </message>
+    <message>
+        <source>Convert it to a URDF first</source>
+        <translation>Wandeln Sie sie zuerst in ein URDF um.</translation>
+    </message>
+    <message>
+        <source>the root element is &lt;{}&gt;, not &lt;robot&gt;</source>
+        <translation>Das oberste Element ist &lt;{}&gt;, nicht &lt;robot&gt;.</translation>
+    </message>
+    <message>
+        <source>Give a URDF</source>
+        <translation>Geben Sie ein URDF an.</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; is a xacro macro that was not expanded</source>
+        <translation>&lt;{}&gt; ist ein xacro-Makro, das nicht aufgelöst wurde.</translation>
+    </message>
+    <message>
+        <source>Run &quot;xacro FILE.urdf.xacro &gt; FILE.urdf&quot; and give its output</source>
+        <translation>Rufen Sie „xacro DATEI.urdf.xacro &gt; DATEI.urdf“ auf, und geben Sie dessen Ausgabe an.</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; has no name</source>
+        <translation>&lt;robot&gt; hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>Write &lt;robot name=&quot;...&quot;&gt;</source>
+        <translation>Schreiben Sie &lt;robot name=&quot;...&quot;&gt;.</translation>
+    </message>
+    <message>
+        <source>URDF version &quot;{}&quot; is not known</source>
+        <translation>Die URDF-Version „{}“ ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Version 1.0 is read</source>
+        <translation>Gelesen wird Version 1.0.</translation>
+    </message>
+    <message>
+        <source>this {} has no name</source>
+        <translation>Dieses {} hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>{} &quot;{}&quot; is already defined in line {}</source>
+        <translation>{} „{}“ ist schon in Zeile {} definiert.</translation>
+    </message>
+    <message>
+        <source>Give each its own name</source>
+        <translation>Geben Sie jedem einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>{}=&quot;{}&quot; of &lt;{}&gt; is not {}</source>
+        <translation>{}=&quot;{}&quot; von &lt;{}&gt; ist nicht {}.</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{} finite numbers</source>
+        <translation>{} endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>Write a decimal point and separate numbers by blanks</source>
+        <translation>Schreiben Sie einen Dezimalpunkt, und trennen Sie Zahlen durch Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>Heft uses only the robot&apos;s motion, so the result is not affected</source>
+        <translation>Heft benutzt nur die Bewegung des Roboters, das Ergebnis hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>the inertial of link &quot;{}&quot; lacks its mass or inertia</source>
+        <translation>Der Trägheit des Glieds „{}“ fehlt Masse oder Trägheitstensor.</translation>
+    </message>
+    <message>
+        <source>the inertial of link &quot;{}&quot; has a missing or bad number</source>
+        <translation>Die Trägheit des Glieds „{}“ hat eine fehlende oder falsche Zahl.</translation>
+    </message>
+    <message>
+        <source>link &quot;{}&quot; has a mass of {} kg</source>
+        <translation>Glied „{}“ hat eine Masse von {} kg.</translation>
+    </message>
+    <message>
+        <source>the inertia of link &quot;{}&quot; has a negative principal moment, {:.3g} kg m2</source>
+        <translation>Die Trägheit des Glieds „{}“ hat ein negatives Hauptmoment, {:.3g} kg m².</translation>
+    </message>
+    <message>
+        <source>the inertia of link &quot;{}&quot; breaks the triangle inequality: {:.3g} &gt; {:.3g} + {:.3g} kg m2</source>
+        <translation>Die Trägheit des Glieds „{}“ verletzt die Dreiecksungleichung: {:.3g} &gt; {:.3g} + {:.3g} kg m².</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; has the unknown type &quot;{}&quot;</source>
+        <translation>Gelenk „{}“ hat die unbekannte Art „{}“.</translation>
+    </message>
+    <message>
+        <source>A URDF knows fixed, revolute, continuous, prismatic, floating and planar</source>
+        <translation>Ein URDF kennt fixed, revolute, continuous, prismatic, floating und planar.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; is {}, which no column of q can describe</source>
+        <translation>Gelenk „{}“ ist {}; das kann keine Spalte von q beschreiben.</translation>
+    </message>
+    <message>
+        <source>It is held at zero</source>
+        <translation>Es bleibt auf null.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; names no {} link</source>
+        <translation>Gelenk „{}“ nennt kein Glied als {}.</translation>
+    </message>
+    <message>
+        <source>Write &lt;{} link=&quot;...&quot;/&gt;</source>
+        <translation>Schreiben Sie &lt;{} link=&quot;...&quot;/&gt;.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; names link &quot;{}&quot;, which does not exist</source>
+        <translation>Gelenk „{}“ nennt das Glied „{}“, das es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; joins link &quot;{}&quot; to itself</source>
+        <translation>Gelenk „{}“ verbindet das Glied „{}“ mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>link &quot;{}&quot; has two parents: joints &quot;{}&quot; (line {}) and &quot;{}&quot;</source>
+        <translation>Glied „{}“ hat zwei Eltern: die Gelenke „{}“ (Zeile {}) und „{}“.</translation>
+    </message>
+    <message>
+        <source>A URDF is a tree; remove one of the joints</source>
+        <translation>Ein URDF ist ein Baum; entfernen Sie eines der Gelenke.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; lies {:.4g} m from its parent</source>
+        <translation>Gelenk „{}“ liegt {:.4g} m von seinem Vorgänger.</translation>
+    </message>
+    <message>
+        <source>A URDF is in metres; this looks like millimetres</source>
+        <translation>Ein URDF ist in Metern; das sieht nach Millimetern aus.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; has an rpy of {:.4g} rad</source>
+        <translation>Gelenk „{}“ hat ein rpy von {:.4g} rad.</translation>
+    </message>
+    <message>
+        <source>A URDF is in radians; this looks like degrees</source>
+        <translation>Ein URDF ist in Radiant; das sieht nach Grad aus.</translation>
+    </message>
+    <message>
+        <source>the axis of joint &quot;{}&quot; has no xyz</source>
+        <translation>Die Achse des Gelenks „{}“ hat kein xyz.</translation>
+    </message>
+    <message>
+        <source>Give the direction, for instance xyz=&quot;0 0 1&quot;</source>
+        <translation>Geben Sie die Richtung an, zum Beispiel xyz=&quot;0 0 1&quot;.</translation>
+    </message>
+    <message>
+        <source>the axis of joint &quot;{}&quot; is zero</source>
+        <translation>Die Achse des Gelenks „{}“ ist null.</translation>
+    </message>
+    <message>
+        <source>the axis of joint &quot;{}&quot; has length {:.4g}</source>
+        <translation>Die Achse des Gelenks „{}“ hat die Länge {:.4g}.</translation>
+    </message>
+    <message>
+        <source>It is taken as a direction</source>
+        <translation>Sie gilt als Richtung.</translation>
+    </message>
+    <message>
+        <source>{} joint &quot;{}&quot; has no limits</source>
+        <translation>{}-Gelenk „{}“ hat keine Grenzen.</translation>
+    </message>
+    <message>
+        <source>Write &lt;limit lower= upper= velocity= effort=/&gt; or type=&quot;continuous&quot;</source>
+        <translation>Schreiben Sie &lt;limit lower= upper= velocity= effort=/&gt; oder type=&quot;continuous&quot;.</translation>
+    </message>
+    <message>
+        <source>the limit of joint &quot;{}&quot; has no {}</source>
+        <translation>Der Grenze des Gelenks „{}“ fehlt {}.</translation>
+    </message>
+    <message>
+        <source>A URDF demands it</source>
+        <translation>Ein URDF verlangt das.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; has a velocity limit of {}</source>
+        <translation>Gelenk „{}“ hat eine Geschwindigkeitsgrenze von {}.</translation>
+    </message>
+    <message>
+        <source>It is taken as unlimited</source>
+        <translation>Es gilt als unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; has no range: lower and upper are 0</source>
+        <translation>Gelenk „{}“ hat keinen Bereich: lower und upper sind 0.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; has lower {} above upper {}</source>
+        <translation>Bei Gelenk „{}“ liegt lower {} über upper {}.</translation>
+    </message>
+    <message>
+        <source>They are taken the other way round</source>
+        <translation>Sie werden vertauscht.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; may turn from {} to {} rad</source>
+        <translation>Gelenk „{}“ darf sich von {} bis {} rad drehen.</translation>
+    </message>
+    <message>
+        <source>joint &quot;{}&quot; mimics &quot;{}&quot;, which is no other joint</source>
+        <translation>Gelenk „{}“ ahmt „{}“ nach, das kein anderes Gelenk ist.</translation>
+    </message>
+    <message>
+        <source>no link is the root: the joints form a closed loop</source>
+        <translation>Kein Glied ist die Wurzel: Die Gelenke bilden einen geschlossenen Ring.</translation>
+    </message>
+    <message>
+        <source>A URDF is a tree; remove a joint</source>
+        <translation>Ein URDF ist ein Baum; entfernen Sie ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>links &quot;{}&quot; and &quot;{}&quot;{} have no parent; a robot has one root</source>
+        <translation>Die Glieder „{}“ und „{}“{} haben keine Eltern; ein Roboter hat eine Wurzel.</translation>
+    </message>
+    <message>
+        <source> and {} more</source>
+        <translation> und {} weitere</translation>
+    </message>
+    <message>
+        <source>Join them by a (fixed) joint</source>
+        <translation>Verbinden Sie sie durch ein (festes) Gelenk.</translation>
+    </message>
+    <message>
+        <source>link &quot;{}&quot; is in a closed loop that hangs on nothing</source>
+        <translation>Glied „{}“ liegt in einem geschlossenen Ring, der an nichts hängt.</translation>
+    </message>
+    <message>
+        <source>It is left out</source>
+        <translation>Es wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>the origin of a visual of link &quot;{}&quot; is not three numbers each</source>
+        <translation>Der Ursprung eines Bilds von Glied „{}“ besteht nicht aus je drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>The visual is not drawn</source>
+        <translation>Es wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>a visual of link &quot;{}&quot; has no geometry</source>
+        <translation>Ein Bild von Glied „{}“ hat keine Form.</translation>
+    </message>
+    <message>
+        <source>It is not drawn</source>
+        <translation>Es wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>link &quot;{}&quot; has a visual of unknown shape &lt;{}&gt;</source>
+        <translation>Glied „{}“ hat ein Bild der unbekannten Form &lt;{}&gt;.</translation>
+    </message>
+    <message>
+        <source>It is not drawn; a URDF knows box, cylinder, sphere and mesh</source>
+        <translation>Es wird nicht gezeichnet; ein URDF kennt box, cylinder, sphere und mesh.</translation>
+    </message>
+    <message>
+        <source>the {} of link &quot;{}&quot; needs {} positive number(s)</source>
+        <translation>Für {} von Glied „{}“ sind {} positive Zahlen nötig.</translation>
+    </message>
+    <message>
+        <source>the scale of a mesh of link &quot;{}&quot; is not three numbers other than 0</source>
+        <translation>Der Maßstab eines Netzes von Glied „{}“ besteht nicht aus drei Zahlen ungleich 0.</translation>
+    </message>
+    <message>
+        <source>The mesh is not drawn</source>
+        <translation>Das Netz wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>a mesh of link &quot;{}&quot; has no filename</source>
+        <translation>Ein Netz von Glied „{}“ hat keinen Dateinamen.</translation>
+    </message>
+    <message>
+        <source>mesh &quot;{}&quot; of link &quot;{}&quot; is not found</source>
+        <translation>Das Netz „{}“ von Glied „{}“ wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Put the package&apos;s folder above the URDF or name its parent in ROS_PACKAGE_PATH; motion is not affected</source>
+        <translation>Legen Sie den Ordner des Pakets über das URDF, oder nennen Sie seinen Oberordner in ROS_PACKAGE_PATH; die Bewegung hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>It is looked for from &quot;{}&quot;; motion is not affected</source>
+        <translation>Gesucht wird ab „{}“; die Bewegung hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>a colour of link &quot;{}&quot; is not four numbers</source>
+        <translation>Eine Farbe von Glied „{}“ besteht nicht aus vier Zahlen.</translation>
+    </message>
+    <message>
+        <source>Grey is used</source>
+        <translation>Grau wird benutzt.</translation>
+    </message>
+    <message>
+        <source>material &quot;{}&quot; of link &quot;{}&quot; is defined nowhere</source>
+        <translation>Das Material „{}“ von Glied „{}“ ist nirgends definiert.</translation>
+    </message>
+    <message>
+        <source>Free, but the sensor&apos;s bias (or the payload) is another one here.</source>
+        <translation>Frei, aber der Nullpunkt des Sensors (oder die Last) ist hier ein anderer.</translation>
+    </message>
+    <message>
+        <source>Free, but {:.2g} kg heavier than where the payload is estimated.</source>
+        <translation>Frei, aber {:.2g} kg schwerer als dort, wo die Last bestimmt wird.</translation>
+    </message>
+    <message>
+        <source>Free, but {:.2g} kg lighter than where the payload is estimated.</source>
+        <translation>Frei, aber {:.2g} kg leichter als dort, wo die Last bestimmt wird.</translation>
+    </message>
+    <message>
+        <source>{:+.2g} kg at {:.1f} s</source>
+        <translation>{:+.2g} kg bei {:.1f} s</translation>
+    </message>
+    <message>
+        <source>at {:.1f} s, or the sensor&apos;s bias moved there</source>
+        <translation>bei {:.1f} s, oder der Nullpunkt des Sensors hat sich dort verschoben</translation>
+    </message>
+    <message>
+        <source>The payload changes here, or the sensor&apos;s bias moves: this motion cannot tell which.</source>
+        <translation>Hier ändert sich die Last, oder der Nullpunkt des Sensors: Diese Bewegung verrät nicht, welches.</translation>
+    </message>
+    <message>
+        <source>The payload grows by {:.2g} kg: something was picked up.</source>
+        <translation>Die Last wächst um {:.2g} kg: Etwas wurde aufgenommen.</translation>
+    </message>
+    <message>
+        <source>The payload shrinks by {:.2g} kg: something was put down.</source>
+        <translation>Die Last sinkt um {:.2g} kg: Etwas wurde abgelegt.</translation>
+    </message>
+    <message>
+        <source>The payload changes inside the recording ({}); only {} is used, so that two payloads are not mixed.</source>
+        <translation>Die Last ändert sich in der Aufnahme ({}); benutzt wird nur {}, damit sich zwei Lasten nicht mischen.</translation>
+    </message>
+    <message>
+        <source>To estimate the other payload, mark its part as free.</source>
+        <translation>Um die andere Last zu bestimmen, markieren Sie ihren Teil als frei.</translation>
+    </message>
+    <message>
+        <source>{:.2f} to {:.2f} s: {}</source>
+        <translation>{:.2f} bis {:.2f} s: {}</translation>
+    </message>
+    <message>
+        <source>That stretch is left out.</source>
+        <translation>Dieser Abschnitt wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Marked by you.</source>
+        <translation>Von Ihnen markiert.</translation>
+    </message>
+    <message>
+        <source>Not marked as free.</source>
+        <translation>Nicht als frei markiert.</translation>
+    </message>
+    <message>
+        <source>Everything was asked for.</source>
+        <translation>Es wurde nach allem gefragt.</translation>
+    </message>
+    <message>
+        <source>Not marked as contact.</source>
+        <translation>Nicht als Kontakt markiert.</translation>
+    </message>
+    <message>
+        <source>A push that the motion does not explain.</source>
+        <translation>Ein Stoß, den die Bewegung nicht erklärt.</translation>
+    </message>
+    <message>
+        <source>At rest, and a rigid tool explains the forces.</source>
+        <translation>In Ruhe, und ein starres Werkzeug erklärt die Kräfte.</translation>
+    </message>
+    <message>
+        <source>A rigid tool explains the forces here.</source>
+        <translation>Ein starres Werkzeug erklärt hier die Kräfte.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s values stand still here: it sent nothing new.</source>
+        <translation>Die Werte des Sensors stehen hier still: Er schickte nichts Neues.</translation>
+    </message>
+    <message>
+        <source>{} is cut off at {:.4g}: the sensor is at the end of its range.</source>
+        <translation>{} ist bei {:.4g} abgeschnitten: Der Sensor ist am Ende seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>The shape of link {} is not shown: {}</source>
+        <translation>Die Gestalt des Glieds {} wird nicht gezeigt: {}</translation>
+    </message>
+    <message>
+        <source>The numbers do not depend on it.</source>
+        <translation>Die Zahlen hängen nicht davon ab.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -2742,6 +4234,53 @@
     <message>
         <source>a sensor misplaced by less than %1</source>
         <translation>ein Sensor weniger als %1 am falschen Ort</translation>
+    </message>
+    <message>
+        <source>Uneven time stamps</source>
+        <translation>Ungleichmäßige Zeitstempel</translation>
+    </message>
+    <message>
+        <source>let the sensor or the robot stamp the readings, not a busy computer.</source>
+        <translation>lassen Sie Sensor oder Roboter die Werte stempeln, nicht einen beschäftigten Rechner.</translation>
+    </message>
+    <message>
+        <source>None is needed: the time stamps show it.</source>
+        <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
+    </message>
+    <message>
+        <source>In fast motion the measured curve trembles forth and back in time.</source>
+        <translation>Bei schneller Bewegung zittert die gemessene Kurve zeitlich vor und zurück.</translation>
+    </message>
+    <message>
+        <source>Coarse readings</source>
+        <translation>Grobe Messwerte</translation>
+    </message>
+    <message>
+        <source>choose a finer measuring range, or a file format with more digits.</source>
+        <translation>wählen Sie einen feineren Messbereich, oder ein Dateiformat mit mehr Stellen.</translation>
+    </message>
+    <message>
+        <source>The measured curve climbs in stairs where the simulated one is smooth.</source>
+        <translation>Die gemessene Kurve steigt in Stufen, wo die simulierte glatt ist.</translation>
+    </message>
+    <message>
+        <source>The time stamps come up to %1 ms early or late; Heft takes the rows as evenly spaced.</source>
+        <translation>Die Zeitstempel kommen bis zu %1 ms zu früh oder zu spät; Heft nimmt die Zeilen als gleichmäßig verteilt.</translation>
+    </message>
+    <message>
+        <source>The force readings come in steps of %1.</source>
+        <translation>Die Kraftwerte kommen in Stufen von %1.</translation>
+    </message>
+    <message>
+        <source>The torque readings come in steps of %1.</source>
+        <translation>Die Momentwerte kommen in Stufen von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::DecidingMotion</name>
+    <message>
+        <source>Move like this</source>
+        <translation>So bewegen</translation>
     </message>
 </context>
 <context>
@@ -4049,6 +5588,10 @@
         <source>Add a part</source>
         <translation>Teil hinzufügen</translation>
     </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
 </context>
 <context>
     <name>heft::PlaceForm</name>
@@ -4362,6 +5905,18 @@
     <message>
         <source>within %1 cm, %2 N on average</source>
         <translation>auf %1 cm genau, im Mittel %2 N</translation>
+    </message>
+    <message>
+        <source>To find out more: record the same motion once more, without touching anything.</source>
+        <translation>Um mehr zu erfahren: Nehmen Sie dieselbe Bewegung noch einmal auf, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>To decide about “%1”: %2</source>
+        <translation>Um über „%1“ zu entscheiden: %2</translation>
+    </message>
+    <message>
+        <source>unseen stretch</source>
+        <translation>ungesehener Abschnitt</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QUndoStack>
+#include <algorithm>
 
 #include "ui/widgets/basics.h"
 
@@ -27,6 +28,7 @@ HeaderBar::HeaderBar(QUndoStack* undo, QWidget* parent) : QWidget(parent) {
   row->addWidget(menus_, 0, Qt::AlignVCenter);
   row->addStretch(1);
   auto* back = new IconButton("undo", tr("Undo (Ctrl+Z)"), this);
+  undo_ = back;
   back->setObjectName("undoButton");
   auto* forth = new IconButton("redo", tr("Redo (Ctrl+Y)"), this);
   forth->setObjectName("redoButton");
@@ -72,15 +74,18 @@ HeaderBar::HeaderBar(QUndoStack* undo, QWidget* parent) : QWidget(parent) {
 void HeaderBar::setDetails(bool shown) { (shown ? details_ : simple_)->setChecked(true); }
 
 void HeaderBar::setFileName(const QString& name, const QString& path) {
-  file_->setText(name);
+  name_ = name;
   file_->setToolTip(path);
   placeFileName();
 }
 
 void HeaderBar::placeFileName() {
-  const int room = width() - 2 * (menus_->geometry().right() + 16);
+  const int left = menus_->geometry().right() + 16, room = undo_->x() - 16 - left;
+  // Its end tells more than its middle, and both more than a cut.
+  file_->setText(file_->fontMetrics().elidedText(name_, Qt::ElideMiddle, std::max(0, room - 8)));
   const int wanted = std::min(file_->sizeHint().width() + 8, std::max(0, room));
-  file_->setGeometry((width() - wanted) / 2, 0, wanted, height() - 1);
+  // In the middle of the window where the menus leave room for that.
+  file_->setGeometry(std::clamp((width() - wanted) / 2, left, std::max(left, left + room - wanted)), 0, wanted, height() - 1);
 }
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {

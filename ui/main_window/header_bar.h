@@ -25,7 +25,9 @@ class HeaderBar : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
   QMenuBar* menus_;
+  QWidget* undo_;  ///< Where the buttons at the right begin.
   QLabel* file_;
+  QString name_;  ///< In full; the label may hold less of it.
   QPushButton* simple_;
   QPushButton* details_;
 };

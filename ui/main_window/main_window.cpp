@@ -184,7 +184,7 @@ void MainWindow::showStep(Step step) {
   if (!panel || step == step_) return;
   StepPanel* before = panels_.value(step_);
   if (isVisible()) {
-    acrossSizes_[step_] = across_->saveState();
+    panelWidths_[step_] = across_->sizes().value(1, kPanelWidth);
     downSizes_[step_] = down_->saveState();
   }
   before->left();
@@ -203,11 +203,8 @@ void MainWindow::arrangeFor(StepPanel* panel) {
   below_->setVisible(own || workspace_->opened());
   pane_->setFolded(panel->below() == StepPanel::Below::marksOnly);
   below_->setMaximumHeight(!own && pane_->folded() ? pane_->foldedHeight() : QWIDGETSIZE_MAX);
-  if (acrossSizes_.contains(step_)) {
-    across_->restoreState(acrossSizes_[step_]);
-  } else {
-    across_->setSizes({across_->width() - kPanelWidth, kPanelWidth});
-  }
+  const int panelWidth = panelWidths_.value(step_, kPanelWidth);
+  across_->setSizes({across_->width() - panelWidth, panelWidth});
   if (downSizes_.contains(step_)) {
     down_->restoreState(downSizes_[step_]);
   } else {

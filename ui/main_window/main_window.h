@@ -114,7 +114,8 @@ class MainWindow : public QMainWindow {
   QMenu* languages_ = nullptr;
   bool arranged_ = false;
   QMap<Step, StepPanel*> panels_;
-  QMap<Step, QByteArray> acrossSizes_, downSizes_;  ///< Each step keeps its own.
+  QMap<Step, int> panelWidths_;       ///< Each step keeps its own, whatever the window's width is by then;
+  QMap<Step, QByteArray> downSizes_;  ///< and its own share of the height.
 };
 
 }  // namespace heft

@@ -3,6 +3,8 @@
 #include <map>
 #include <mutex>
 
+#include "core/base/say.h"
+
 namespace heft {
 
 RobotLook loadLook(const RobotModel& robot, Findings& findings, const Progress& progress) {
@@ -21,8 +23,8 @@ RobotLook loadLook(const RobotModel& robot, Findings& findings, const Progress& 
           if (!mesh) {
             findings.push_back({Severity::warning,
                                 "mesh_not_loaded",
-                                "The shape of link " + links[l].name + " is not shown: " + mesh.error().message,
-                                "The numbers do not depend on it",
+                                heft::say("The shape of link {} is not shown: {}", links[l].name, mesh.error().message),
+                                heft::say("The numbers do not depend on it."),
                                 {}});
           }
           found =

@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QVariant>
 
+#include "core/base/say.h"
 #include "ui/controller/autosave.h"
 #include "ui/main_window/main_window.h"
 #include "ui/timeline/playback.h"
@@ -40,7 +41,7 @@ Studio::Studio(QApplication& application, const StudioOptions& options)
   buildWindow();
 }
 
-Studio::~Studio() = default;
+Studio::~Studio() { setTranslator({}); }
 
 void Studio::useTexts(const QString& language) {
   for (const auto& translator : translators_) QApplication::removeTranslator(translator.get());
@@ -57,6 +58,14 @@ void Studio::useTexts(const QString& language) {
   }
   QLocale::setDefault(language == "de" ? QLocale(QLocale::German, QLocale::Germany)
                                        : QLocale(QLocale::English, QLocale::UnitedStates));
+  // Core speaks the same language: its texts stand under this heading (packaging/update-texts.sh).
+  if (language == "en") return setTranslator({});
+  setTranslator(
+      [](const char* pattern) {
+        const QString text = QCoreApplication::translate("heft", pattern);
+        return text == QLatin1String(pattern) ? std::string() : text.toStdString();
+      },
+      QLocale().decimalPoint().toLatin1());
 }
 
 void Studio::buildWindow() {
@@ -97,6 +106,8 @@ bool Studio::setLanguage(const QString& language) {
   window_->showDetails(details);
   window_->playback()->setTime(time);
   window_->recordingPane()->timeAxis()->show(from, to);
+  // What core found out is said anew.
+  workspace_.estimate();
   return true;
 }
 
