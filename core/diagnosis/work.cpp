@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/two_threads.h"
 #include "core/estimation/prepare.h"
+#include "core/segmentation/user_marks.h"
 
 namespace heft::diagnosis {
 
@@ -51,11 +52,16 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
   if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(out.motion, 50.0), mode).labels;
+  // Contact is looked for where nobody said anything; what was marked is left out as it was marked.
+  const auto leftOut = [&](double t) {
+    return mode == SegmentMode::automatic && markedAt(recording, t).value_or(MarkLabel::free) != MarkLabel::free;
+  };
   Eigen::Index row = 0;
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
     const double t = signals.blockTime(n), half = 0.5 / signals.blockRate();
     bool usable = t > signals.startTime + edge && t < signals.startTime + signals.duration() - edge &&
-                  labels[std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1)] == MarkLabel::free;
+                  labels[std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1)] == MarkLabel::free &&
+                  !leftOut(t);
     if (!badRows.empty()) {
       while (row < recording.rows() && recording.time(row) < t - half) ++row;
       for (Eigen::Index i = row; i < recording.rows() && recording.time(i) <= t + half; ++i)

@@ -69,8 +69,8 @@ std::vector<Scenario> paperScenarios(std::uint64_t seed, int repeats, double sca
 
 Recording measured(const Simulated& simulated, const SensorFaults& faults) {
   const SimulateOptions& options = simulated.truth.options;
-  const WrenchSeries exact = simulated.payloadWrench + simulated.contactWrench;
-  WrenchSeries wrench = exact;
+  const SampledWrench exact = simulated.payloadWrench + simulated.contactWrench;
+  SampledWrench wrench = exact;
   if (faults.delay) {
     const double shift = kWrenchDelay * options.rateHz;
     for (Eigen::Index k = 0; k < exact.rows(); ++k) {

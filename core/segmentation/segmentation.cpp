@@ -6,27 +6,11 @@
 
 #include "core/base/say.h"
 #include "core/segmentation/blocks.h"
+#include "core/segmentation/user_marks.h"
 
 namespace heft {
 
 namespace {
-
-/// What the user said about time t, if anything: the last mark that covers it wins.
-std::optional<MarkLabel> markAt(const std::vector<Mark>& marks, double t) {
-  std::optional<MarkLabel> label;
-  for (const auto& mark : marks)
-    if (t >= mark.from && t <= mark.to) label = mark.label;
-  return label;
-}
-
-/// The label column's cell at or before t.
-std::optional<MarkLabel> columnAt(const Recording& recording, double t) {
-  if (recording.labels.empty()) return std::nullopt;
-  const double* begin = recording.time.data();
-  const double* end = begin + recording.time.size();
-  const auto index = std::max<std::ptrdiff_t>(0, std::upper_bound(begin, end, t) - begin - 1);
-  return recording.labels[static_cast<std::size_t>(index)];
-}
 
 bool userMarkedFree(const Recording& recording) {
   const auto isFree = [](const auto& label) { return label == MarkLabel::free; };
@@ -53,8 +37,7 @@ void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode 
   // Where the user marked free parts, what they left unmarked is not free; where they only marked contact, it is.
   const bool onlyMarked = mode == SegmentMode::marks && userMarkedFree(recording);
   for (Eigen::Index k = 0; k < rows.size(); ++k) {
-    const auto mark = markAt(recording.meta.marks, rows.time(k));
-    if (const auto label = mark ? mark : columnAt(recording, rows.time(k)))
+    if (const auto label = markedAt(recording, rows.time(k)))
       blocks.set(k, *label, kindOf(*label), byUser);
     else if (onlyMarked)
       blocks.set(k, MarkLabel::ignore, SegmentKind::ignored, notMarked);

@@ -47,8 +47,8 @@ Vector6d SensorNoise::next() {
   return noise;
 }
 
-WrenchSeries drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows) {
-  WrenchSeries noise(rows, 6);
+SampledWrench drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows) {
+  SampledWrench noise(rows, 6);
   SensorNoise stream(sensor, seed, rateHz);
   for (Eigen::Index k = 0; k < rows; ++k) noise.row(k) = stream.next().transpose();
   return noise;
@@ -64,13 +64,13 @@ Vector6d digitised(const SensorModel& sensor, const Vector6d& wrench) {
   return out;
 }
 
-void digitise(const SensorModel& sensor, WrenchSeries& wrench) {
+void digitise(const SensorModel& sensor, SampledWrench& wrench) {
   for (Eigen::Index k = 0; k < wrench.rows(); ++k)
     wrench.row(k) = digitised(sensor, wrench.row(k).transpose()).transpose();
 }
 
 void measureWrench(const SensorModel& sensor, std::uint64_t seed, double rateHz, const Vector6d& bias,
-                   WrenchSeries& wrench) {
+                   SampledWrench& wrench) {
   wrench.rowwise() += bias.transpose();
   wrench += drawNoise(sensor, seed, rateHz, wrench.rows());
   digitise(sensor, wrench);

@@ -7,7 +7,7 @@
 
 namespace heft {
 
-using WrenchSeries = Eigen::Matrix<double, Eigen::Dynamic, 6>;  ///< N x 6, force [N], torque [N m]
+using SampledWrench = Eigen::Matrix<double, Eigen::Dynamic, 6>;  ///< N x 6, force [N], torque [N m]
 
 /// The bias of this seed's sensor.
 Vector6d drawBias(const SensorModel& sensor, std::uint64_t seed);
@@ -29,17 +29,17 @@ class SensorNoise {
 };
 
 /// The same for a whole recording.
-WrenchSeries drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows);
+SampledWrench drawNoise(const SensorModel& sensor, std::uint64_t seed, double rateHz, Eigen::Index rows);
 
 /// Clips to the range and rounds to the resolution, in place.
-void digitise(const SensorModel& sensor, WrenchSeries& wrench);
+void digitise(const SensorModel& sensor, SampledWrench& wrench);
 
 /// The same for one sample.
 Vector6d digitised(const SensorModel& sensor, const Vector6d& wrench);
 
 /// Adds bias and noise and digitises, in place.
 void measureWrench(const SensorModel& sensor, std::uint64_t seed, double rateHz, const Vector6d& bias,
-                   WrenchSeries& wrench);
+                   SampledWrench& wrench);
 
 /// Encoder noise on q and the step of the reported dq, in place. Sliders' noise is taken in metres.
 void measureJoints(const SimulateOptions& options, MatrixXd& q, MatrixXd& dq);

@@ -156,7 +156,7 @@ EffectScene sceneOf(const RobotModel& robot, const ToolFrame& tool, const Payloa
 }
 
 /// Cubic Lagrange interpolation at a fractional row, held beyond the ends.
-Eigen::Matrix<double, 1, 6> rowAt(const WrenchSeries& series, double row) {
+Eigen::Matrix<double, 1, 6> rowAt(const SampledWrench& series, double row) {
   const Eigen::Index last = series.rows() - 1;
   const double at = std::clamp(row, 0.0, static_cast<double>(last));
   if (last < 3) return series.row(std::llround(at));
@@ -236,7 +236,7 @@ Result<Simulated> simulateWith(const RobotModel& robot, const Payload& payload, 
   const double fineRate = options.rateHz * static_cast<double>(fine);
   const Eigen::Index margin =
       effects.empty() ? 0 : fine * static_cast<Eigen::Index>(std::ceil(kMargin * options.rateHz));
-  WrenchSeries gauges((rows - 1) * fine + 1 + 2 * margin, 6);
+  SampledWrench gauges((rows - 1) * fine + 1 + 2 * margin, 6);
   World world(robot, tool.link, geometry, payload, *trajectory);
   for (Eigen::Index i = 0; i < gauges.rows(); ++i) {
     if (i % 4096 == 0) {
@@ -271,7 +271,7 @@ Result<Simulated> simulateWith(const RobotModel& robot, const Payload& payload, 
   }
 
   const Vector6d bias = drawBias(options.sensor, options.seed);
-  WrenchSeries noise = drawNoise(options.sensor, options.seed, options.rateHz, rows);
+  SampledWrench noise = drawNoise(options.sensor, options.seed, options.rateHz, rows);
   for (const auto& effect : effects) effect->filter(noise, options.rateHz);
   recording.wrench = (out.signal.rowwise() + bias.transpose()) + noise;
   for (const auto& effect : effects) effect->shiftZero(recording.time, recording.wrench);

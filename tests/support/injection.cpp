@@ -80,7 +80,7 @@ Result<Injected> inject(const Recording& recording, const RobotModel* robot, con
     changed.wrench.row(k) = load + bias;
   }
   for (const auto& effect : effects) effect->filter(changed.wrench, scene.rateHz);
-  const WrenchSeries fresh = changed.wrench;
+  const SampledWrench fresh = changed.wrench;
   for (Eigen::Index k = 0; k < rows; ++k) {
     double age = 0.0;
     for (const auto& effect : effects) age += effect->age(recording.time(k));

@@ -51,7 +51,7 @@ class TemperatureWave final : public Effect {
     direction_.tail<3>() = 0.01 * setup.size * drawUnit(setup.random);
     note("period_s", kTwoPi / omega_);
   }
-  void shiftZero(const VectorXd& time, WrenchSeries& rows) override {
+  void shiftZero(const VectorXd& time, SampledWrench& rows) override {
     for (Eigen::Index k = 0; k < time.size(); ++k)
       rows.row(k) += std::sin(omega_ * time(k) + phase_) * direction_.transpose();
   }

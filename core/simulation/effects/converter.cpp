@@ -14,7 +14,7 @@ class Saturation final : public Effect {
       : share_(0.01 * setup.size),
         soft_(setup.form == "soft"),
         axis_(static_cast<Eigen::Index>(setup.random.uniform() * 6.0)) {}
-  void convert(WrenchSeries& rows) override {
+  void convert(SampledWrench& rows) override {
     const auto n = rows.rows();
     const auto cut = static_cast<Eigen::Index>(share_ * static_cast<double>(n));
     if (cut == 0) return;
@@ -54,7 +54,7 @@ class Quantisation final : public Effect {
     }
     note("step_n_nm", steps_);
   }
-  void convert(WrenchSeries& rows) override {
+  void convert(SampledWrench& rows) override {
     for (int c = 0; c < 6; ++c)
       for (Eigen::Index k = 0; k < rows.rows(); ++k) rows(k, c) = std::nearbyint(rows(k, c) / steps_(c)) * steps_(c);
   }

@@ -13,10 +13,10 @@
 namespace heft {
 
 Vector6d Effect::force(const Instant&, double) { return Vector6d::Zero(); }
-void Effect::filter(WrenchSeries&, double) {}
+void Effect::filter(SampledWrench&, double) {}
 double Effect::age(double) { return 0.0; }
-void Effect::shiftZero(const VectorXd&, WrenchSeries&) {}
-void Effect::convert(WrenchSeries&) {}
+void Effect::shiftZero(const VectorXd&, SampledWrench&) {}
+void Effect::convert(SampledWrench&) {}
 
 void Effect::note(std::string name, const Eigen::Ref<const VectorXd>& values) {
   truth_.parameters.push_back({std::move(name), {values.begin(), values.end()}});

@@ -58,11 +58,11 @@ class Effect {
   /// What the gauges make of the true load. Called in time.
   virtual Vector6d gauge(const Vector6d& load) { return load; }
   /// Analog and digital filters; runs over the signal and over the noise.
-  virtual void filter(WrenchSeries&, double rateHz);
+  virtual void filter(SampledWrench&, double rateHz);
   /// How old [s] the sample is that arrives at `time`; rows come in time.
   virtual double age(double time);
-  virtual void shiftZero(const VectorXd& time, WrenchSeries& rows);
-  virtual void convert(WrenchSeries& rows);
+  virtual void shiftZero(const VectorXd& time, SampledWrench& rows);
+  virtual void convert(SampledWrench& rows);
   /// What the log makes of the rows, joints and meta.
   virtual void log(Recording&) {}
 

@@ -8,7 +8,7 @@ namespace heft {
 namespace {
 
 /// Exact answer of T y' + y = u to a signal that runs straight from sample to sample, from its settled state.
-void onePole(double T, WrenchSeries& series, double rateHz) {
+void onePole(double T, SampledWrench& series, double rateHz) {
   if (series.rows() == 0) return;
   const double h = 1.0 / rateHz, decay = std::exp(-h / T);
   Vector6d y = series.row(0).transpose(), before = y;
@@ -22,15 +22,15 @@ void onePole(double T, WrenchSeries& series, double rateHz) {
 }
 
 /// Mean over the last `length` seconds of a signal that runs straight from sample to sample.
-void runningMean(double length, WrenchSeries& series, double rateHz) {
+void runningMean(double length, SampledWrench& series, double rateHz) {
   const Eigen::Index n = series.rows();
   if (n == 0) return;
   const double span = length * rateHz;  // in samples
-  WrenchSeries integral(n, 6);
+  SampledWrench integral(n, 6);
   integral.row(0).setZero();
   for (Eigen::Index k = 1; k < n; ++k)
     integral.row(k) = integral.row(k - 1) + 0.5 * (series.row(k - 1) + series.row(k));
-  const WrenchSeries original = series;
+  const SampledWrench original = series;
   for (Eigen::Index k = 0; k < n; ++k) {
     const double at = static_cast<double>(k) - span;
     if (span < 1.0) {
@@ -54,7 +54,7 @@ void runningMean(double length, WrenchSeries& series, double rateHz) {
 class LowPassLag final : public Effect {
  public:
   explicit LowPassLag(const EffectSetup& setup) : lag_(1e-3 * setup.size), form_(setup.form) { note("lag_s", lag_); }
-  void filter(WrenchSeries& series, double rateHz) override {
+  void filter(SampledWrench& series, double rateHz) override {
     if (form_ == "average") {
       runningMean(2.0 * lag_, series, rateHz);
     } else if (form_ == "second-order") {

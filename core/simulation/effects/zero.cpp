@@ -10,7 +10,7 @@ namespace {
 /// The zero moves by up to SIZE [N] along a direction in the six channels.
 class ZeroShift : public Effect {
  public:
-  void shiftZero(const VectorXd& time, WrenchSeries& rows) override {
+  void shiftZero(const VectorXd& time, SampledWrench& rows) override {
     for (Eigen::Index k = 0; k < time.size(); ++k) rows.row(k) += course(time(k)) * direction_.transpose();
   }
 

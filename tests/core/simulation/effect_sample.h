@@ -54,7 +54,7 @@ inline FrameMotion motionAt(const Simulated& simulated, Eigen::Index k) {
 }
 
 /// What the effect adds to the rigid payload's wrench and the scene's contacts.
-inline WrenchSeries added(const Simulated& simulated) {
+inline SampledWrench added(const Simulated& simulated) {
   return simulated.signal - simulated.payloadWrench - simulated.contactWrench;
 }
 

@@ -16,7 +16,7 @@ constexpr Eigen::Index kStride = 53;  // rows looked at
 struct Pull {
   Vector3d force_B, moment_B;
 };
-Pull pullAt(const Simulated& simulated, const WrenchSeries& extra, Eigen::Index k) {
+Pull pullAt(const Simulated& simulated, const SampledWrench& extra, Eigen::Index k) {
   const Matrix3d R = motionAt(simulated, k).X_BS.linear();
   return {-R * extra.row(k).head<3>().transpose(), -R * extra.row(k).tail<3>().transpose()};
 }
@@ -30,7 +30,7 @@ void expectThrough(const Simulated& simulated, const Pull& pull, const Vector3d&
 TEST(EffectForces, SpringPullsWithItsStiffnessTowardsItsAnchor) {
   for (const char* form : {"cable_pull=4", "cable_pull/slack=4"}) {
     const Simulated simulated = withEffect(form);
-    const WrenchSeries extra = added(simulated);
+    const SampledWrench extra = added(simulated);
     const Vector3d anchor = hiddenVector(simulated, "anchor_b_m"), point = hiddenVector(simulated, "point_s_m");
     const bool slack = simulated.truth.effects[0].form == "slack";
     const double free = slack ? hidden(simulated, "free_length_m")[0] : 0.0;
@@ -57,7 +57,7 @@ TEST(EffectForces, AnisotropicSpringHasOneStiffDirection) {
   EXPECT_NEAR(solver.eigenvalues()(2), 4.0, 1e-12);
   EXPECT_GT(solver.eigenvalues()(0), 0.0);
   EXPECT_LT(solver.eigenvalues()(1), 0.6 * 4.0 + 1e-9);
-  const WrenchSeries extra = added(simulated);
+  const SampledWrench extra = added(simulated);
   for (Eigen::Index k = 0; k < extra.rows(); k += kStride) {
     const Vector3d way =
         hiddenVector(simulated, "anchor_b_m") - motionAt(simulated, k).X_BS * hiddenVector(simulated, "point_s_m");
@@ -67,7 +67,7 @@ TEST(EffectForces, AnisotropicSpringHasOneStiffDirection) {
 
 TEST(EffectForces, TwistedCableTurnsBackOnly) {
   const Simulated simulated = withEffect("cable_pull/torsion=10");
-  const WrenchSeries extra = added(simulated);
+  const SampledWrench extra = added(simulated);
   EXPECT_EQ(extra.leftCols(3).cwiseAbs().maxCoeff(), 0.0);
   // The difference of two moments belongs to the turn between the two poses; small turns from the rest pose.
   const Matrix3d rest = motionAt(simulated, extra.rows() / 2).X_BS.linear();
@@ -83,7 +83,7 @@ TEST(EffectForces, TwistedCableTurnsBackOnly) {
 
 TEST(EffectForces, ConstantPullIsConstantInTheWorld) {
   const Simulated simulated = withEffect("constant_pull=0.7");
-  const WrenchSeries extra = added(simulated);
+  const SampledWrench extra = added(simulated);
   for (Eigen::Index k = 0; k < extra.rows(); k += kStride) {
     const Pull pull = pullAt(simulated, extra, k);
     EXPECT_LT((pull.force_B - hiddenVector(simulated, "force_b_n")).norm(), 1e-12);
@@ -96,7 +96,7 @@ TEST(EffectForces, DragTakesEnergyAndFollowsItsLaw) {
   for (const char* form : {"viscous_drag=2", "viscous_drag/quadratic=2", "coulomb_friction=0.4",
                            "coulomb_friction/stribeck=0.4", "coulomb_friction/dahl=0.4"}) {
     const Simulated simulated = withEffect(form);
-    const WrenchSeries extra = added(simulated);
+    const SampledWrench extra = added(simulated);
     const Vector3d point = hiddenVector(simulated, "point_s_m");
     double energy = 0.0;
     for (Eigen::Index k = 0; k < extra.rows(); ++k) {
@@ -127,7 +127,7 @@ TEST(EffectForces, DragTakesEnergyAndFollowsItsLaw) {
 TEST(EffectForces, DahlFrictionBendsBeforeItSlips) {
   // After a long way in one direction the full level is there; just after a reversal it is not.
   const Simulated simulated = withEffect("coulomb_friction/dahl=0.4", quietOptions(MotionKind::excitation));
-  const WrenchSeries extra = added(simulated);
+  const SampledWrench extra = added(simulated);
   const VectorXd level = extra.leftCols(3).rowwise().norm();
   EXPECT_LE(level.maxCoeff(), 0.4 + 1e-9);
   EXPECT_GT(level.maxCoeff(), 0.38);
@@ -137,7 +137,7 @@ TEST(EffectForces, DahlFrictionBendsBeforeItSlips) {
 TEST(EffectForces, LooseMassBalancesItsMomentum) {
   for (const char* form : {"loose_mass=80", "loose_mass/rail=80"}) {
     const Simulated simulated = withEffect(form);
-    const WrenchSeries extra = added(simulated);
+    const SampledWrench extra = added(simulated);
     // Integrated in base axes, the extra force is the extra momentum mu R x' of the swinging mass: bounded, and at rest
     // before and well after the motion its mean is zero.
     Vector3d momentum = Vector3d::Zero(), largest = Vector3d::Zero();
@@ -159,7 +159,7 @@ TEST(EffectForces, LooseMassRingsAtItsFrequency) {
   EXPECT_LE(hz, 4.0);
   // Row by row the law x'' + 2 z w x' + w^2 x = -(s at the mass) leaves no freedom: with f = mu (s_mass + x'') and the
   // rigid mass's mu s_seat known, the second derivative of the force obeys the same oscillator. At rest it is free.
-  const WrenchSeries extra = added(simulated);
+  const SampledWrench extra = added(simulated);
   const Eigen::Index n = extra.rows(), from = n - 230, step = 20;
   const double w = 2.0 * std::numbers::pi * hz, h = 1e-3 * static_cast<double>(step);
   for (int c = 0; c < 3; ++c) {
@@ -183,7 +183,7 @@ TEST(EffectForces, SoftMountIsRigidInTheLimit) {
 TEST(EffectForces, PickedUpPartWeighsWhatItWeighs) {
   for (const char* form : {"payload_change=90", "payload_change/ramp=90", "payload_change=-90"}) {
     const Simulated simulated = withEffect(form);
-    const WrenchSeries extra = added(simulated);
+    const SampledWrench extra = added(simulated);
     const auto [from, to] = simulated.truth.effects[0].when.at(0);
     EXPECT_NEAR(to - from, std::string(form).find("ramp") == std::string::npos ? 0.0 : 0.1, 1e-12);
     Payload part;
@@ -209,7 +209,7 @@ TEST(EffectForces, PickedUpPartWeighsWhatItWeighs) {
 TEST(EffectForces, TouchIsLocalAndReachesItsPeak) {
   for (const char* form : {"contact=6", "contact/push=6", "contact/hands=6", "contact/wall=6"}) {
     const Simulated simulated = withEffect(form, quietOptions(MotionKind::free, 5, 15.0));
-    const WrenchSeries extra = added(simulated);
+    const SampledWrench extra = added(simulated);
     const bool wall = simulated.truth.effects[0].form == "wall";
     const auto [from, to] = simulated.truth.effects[0].when.at(0);
     EXPECT_LT(to - from, 1.6);

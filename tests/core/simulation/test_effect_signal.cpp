@@ -12,17 +12,17 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-double largest(const WrenchSeries& a) { return a.cwiseAbs().maxCoeff(); }
+double largest(const SampledWrench& a) { return a.cwiseAbs().maxCoeff(); }
 
 TEST(EffectSignal, LatePacketsAreExactlyLate) {
-  const WrenchSeries now = simulatedOrDie(quietOptions()).signal;
+  const SampledWrench now = simulatedOrDie(quietOptions()).signal;
   for (const int ms : {7, 40, -12}) {
-    const WrenchSeries late = withEffect("time_offset=" + std::to_string(ms)).signal;
+    const SampledWrench late = withEffect("time_offset=" + std::to_string(ms)).signal;
     const Eigen::Index d = ms, n = now.rows();
     for (Eigen::Index k = 50; k < n - 50; ++k) ASSERT_LT((late.row(k) - now.row(k - d)).norm(), 1e-9) << ms << " ms";
   }
   // Between two samples: late by half a step lies in the middle of a smooth signal, to third order.
-  const WrenchSeries half = withEffect("time_offset=0.5").signal;
+  const SampledWrench half = withEffect("time_offset=0.5").signal;
   for (Eigen::Index k = 10; k < now.rows() - 10; ++k) {
     const auto middle = (9.0 * (now.row(k) + now.row(k - 1)) - now.row(k + 1) - now.row(k - 2)) / 16.0;
     ASSERT_LT((half.row(k) - middle).norm(), 1e-5);
@@ -30,23 +30,23 @@ TEST(EffectSignal, LatePacketsAreExactlyLate) {
 }
 
 TEST(EffectSignal, CreepingDelayGrowsToTwiceItsMean) {
-  const WrenchSeries now = simulatedOrDie(quietOptions()).signal;
-  const WrenchSeries late = withEffect("time_offset/creeping=10").signal;
+  const SampledWrench now = simulatedOrDie(quietOptions()).signal;
+  const SampledWrench late = withEffect("time_offset/creeping=10").signal;
   EXPECT_LT((late.topRows(50) - now.topRows(50)).cwiseAbs().maxCoeff(), 1e-3);
   const Eigen::Index k = 4000;  // the middle of 8 s: 10 ms
   EXPECT_LT((late.row(k) - now.row(k - 10)).norm(), 1e-9);
 }
 
 TEST(EffectSignal, FiltersHaveTheirLagAndSolveTheirEquation) {
-  const WrenchSeries now = simulatedOrDie(quietOptions()).signal;
-  const WrenchSeries low = withEffect("low_pass_lag=20").signal;
+  const SampledWrench now = simulatedOrDie(quietOptions()).signal;
+  const SampledWrench low = withEffect("low_pass_lag=20").signal;
   // T y' + y = u, with the central difference of y.
   for (Eigen::Index k = 100; k < now.rows() - 2; k += 31)
     EXPECT_LT((0.02 * (low.row(k + 1) - low.row(k - 1)) * 500.0 + low.row(k) - now.row(k)).norm(), 2e-3);
   // All forms lag a slow signal by the stated time: compare with the delayed signal.
   for (const char* form : {"low_pass_lag=20", "low_pass_lag/second-order=20", "low_pass_lag/average=20"}) {
-    const WrenchSeries slow = withEffect(form, quietOptions(MotionKind::excitation)).signal;
-    const WrenchSeries same = simulatedOrDie(quietOptions(MotionKind::excitation)).signal;
+    const SampledWrench slow = withEffect(form, quietOptions(MotionKind::excitation)).signal;
+    const SampledWrench same = simulatedOrDie(quietOptions(MotionKind::excitation)).signal;
     double best = 1e9;
     Eigen::Index at = 0;
     for (Eigen::Index d = 5; d <= 35; ++d) {
@@ -64,7 +64,7 @@ TEST(EffectSignal, FilterActsOnTheNoiseToo) {
   SimulateOptions options = quietOptions();
   options.sensor.forceNoise = 0.1;
   const auto roughness = [](const Simulated& s) {
-    const WrenchSeries noise = s.recording.wrench - s.signal;
+    const SampledWrench noise = s.recording.wrench - s.signal;
     return (noise.bottomRows(noise.rows() - 1) - noise.topRows(noise.rows() - 1)).norm();
   };
   EXPECT_LT(roughness(withEffect("low_pass_lag=15", options)), 0.2 * roughness(simulatedOrDie(options)));
@@ -118,7 +118,7 @@ TEST(EffectSignal, TiltAndLeverChangeTheWorldNotTheMeta) {
 }
 
 TEST(EffectSignal, GainAndCrosstalkAreMatrices) {
-  const WrenchSeries plain = simulatedOrDie(quietOptions()).signal;
+  const SampledWrench plain = simulatedOrDie(quietOptions()).signal;
   const Simulated gain = withEffect("gain_error/each=6");
   const auto g = hidden(gain, "gain");
   for (int c = 0; c < 6; ++c) EXPECT_LT((gain.signal.col(c) - g[c] * plain.col(c)).norm(), 1e-9);
@@ -139,7 +139,7 @@ TEST(EffectSignal, GainAndCrosstalkAreMatrices) {
 
 TEST(EffectSignal, HysteresisDependsOnTheWayBack) {
   const Simulated simulated = withEffect("hysteresis=5");
-  const WrenchSeries memory = added(simulated) / hidden(simulated, "share")[0];
+  const SampledWrench memory = added(simulated) / hidden(simulated, "share")[0];
   const auto way = hidden(simulated, "turning_way");
   for (int c = 0; c < 6; ++c) EXPECT_LE(memory.col(c).cwiseAbs().maxCoeff(), way[c] + 1e-9);
   EXPECT_GT(largest(memory), 0.1 * way[0]);
@@ -147,20 +147,20 @@ TEST(EffectSignal, HysteresisDependsOnTheWayBack) {
 
 TEST(EffectSignal, ZeroMovesAsStated) {
   const SimulateOptions options = quietOptions();
-  const auto zero = [](const Simulated& s) { return WrenchSeries(s.recording.wrench - s.signal); };
-  const WrenchSeries linear = zero(withEffect("bias_drift=0.8"));
+  const auto zero = [](const Simulated& s) { return SampledWrench(s.recording.wrench - s.signal); };
+  const SampledWrench linear = zero(withEffect("bias_drift=0.8"));
   const Eigen::Index n = linear.rows();
   EXPECT_NEAR((linear.row(n - 1) - linear.row(0)).head<3>().norm(), 0.8, 1e-3);
   EXPECT_LT((linear.row(n / 2) - 0.5 * (linear.row(0) + linear.row(n - 1))).norm(), 1e-3);
-  const WrenchSeries warm = zero(withEffect("bias_drift/warm-up=0.8"));
+  const SampledWrench warm = zero(withEffect("bias_drift/warm-up=0.8"));
   EXPECT_GT(warm.row(n / 4).head<3>().norm(), 0.3 * 0.8);
   const Simulated jumping = withEffect("bias_drift/jump=0.8");
-  const WrenchSeries jump = zero(jumping);
+  const SampledWrench jump = zero(jumping);
   for (Eigen::Index k = 0; k < n; k += 13) {
     const bool after = jumping.recording.time(k) >= jumping.truth.effects[0].when[0].first;
     EXPECT_NEAR(jump.row(k).head<3>().norm(), after ? 0.8 : 0.0, 1e-12);
   }
-  const WrenchSeries bias = zero(withEffect("sensor_bias=2"));
+  const SampledWrench bias = zero(withEffect("sensor_bias=2"));
   EXPECT_LT((bias.row(0) - bias.row(n - 1)).norm(), 1e-12);
   EXPECT_NEAR(bias.row(0).head<3>().norm(), 2.0, 1e-12);
 }
@@ -203,7 +203,7 @@ TEST(EffectSignal, RowsRepeatDropAndSpikeAsOftenAsStated) {
   EXPECT_NEAR(static_cast<double>(missing.rows()), 19000.0, 350.0);
   EXPECT_EQ(missing.q.rows(), missing.rows());
   EXPECT_EQ(missing.wrench.rows(), missing.rows());
-  const WrenchSeries spikes = withEffect("spikes=1", options).recording.wrench - plain.recording.wrench;
+  const SampledWrench spikes = withEffect("spikes=1", options).recording.wrench - plain.recording.wrench;
   const auto hit = (spikes.array() != 0.0).rowwise().any().count();
   EXPECT_NEAR(static_cast<double>(hit), 200.0, 50.0);
   EXPECT_GE(spikes.leftCols(3).cwiseAbs().maxCoeff(), 10.0);
@@ -238,7 +238,7 @@ TEST(EffectSignal, FrameMistakesOfPeople) {
   const Simulated plain = simulatedOrDie(quietOptions());
   EXPECT_EQ(withEffect("frame_error/wrench-sign=1").recording.wrench, -plain.recording.wrench);
   EXPECT_EQ(withEffect("frame_error/gravity-sign=1").recording.meta.gravity, -plain.recording.meta.gravity);
-  const WrenchSeries half = withEffect("frame_error=1").recording.wrench;
+  const SampledWrench half = withEffect("frame_error=1").recording.wrench;
   EXPECT_LT((half.col(0) + plain.recording.wrench.col(0)).norm(), 1e-9);
   EXPECT_LT((half.col(2) - plain.recording.wrench.col(2)).norm(), 1e-9);
   const Recording transposed = withEffect("frame_error/transposed=1").recording;

@@ -102,7 +102,7 @@ TEST(Injection, DoesToARecordingWhatTheSimulatorDoes) {
     ASSERT_EQ(injected->effects.size(), 1u);
     // The scene's path is sampled otherwise, so anchors may lie a little elsewhere.
     const Eigen::Index n = plain.recording.rows();
-    const WrenchSeries a = injected->recording.wrench - plain.recording.wrench,
+    const SampledWrench a = injected->recording.wrench - plain.recording.wrench,
                        b = whole.recording.wrench - plain.recording.wrench;
     double worst = 0.0;
     for (Eigen::Index k = 100; k < n - 100; ++k) worst = std::max(worst, (a.row(k) - b.row(k)).norm());

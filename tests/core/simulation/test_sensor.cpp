@@ -56,7 +56,7 @@ TEST(SimulationSensor, ColouredNoiseIsGaussMarkov) {
   sensor.forceResolution.setZero();
   sensor.torqueResolution.setZero();
   const Eigen::Index n = 200000;
-  WrenchSeries wrench = WrenchSeries::Zero(n, 6);
+  SampledWrench wrench = SampledWrench::Zero(n, 6);
   measureWrench(sensor, 11, 1000.0, Vector6d::Zero(), wrench);
   for (int c = 0; c < 6; ++c) {
     const double sigma = c < 3 ? 0.3 : 0.01;
@@ -70,7 +70,7 @@ TEST(SimulationSensor, ColouredNoiseIsGaussMarkov) {
   // Stationary from the first sample on.
   double first = 0.0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    WrenchSeries start = WrenchSeries::Zero(1, 6);
+    SampledWrench start = SampledWrench::Zero(1, 6);
     measureWrench(sensor, seed, 1000.0, Vector6d::Zero(), start);
     first += start(0, 0) * start(0, 0) / 500.0;
   }
@@ -79,7 +79,7 @@ TEST(SimulationSensor, ColouredNoiseIsGaussMarkov) {
 
 TEST(SimulationSensor, ClipsAndRounds) {
   SensorModel sensor;
-  WrenchSeries wrench = WrenchSeries::Zero(2000, 6);
+  SampledWrench wrench = SampledWrench::Zero(2000, 6);
   for (Eigen::Index k = 0; k < wrench.rows(); ++k)
     wrench.row(k).setConstant(300.0 * std::sin(0.01 * static_cast<double>(k)));
   measureWrench(sensor, 3, 1000.0, Vector6d::Zero(), wrench);
@@ -104,7 +104,7 @@ TEST(SimulationSensor, RecordedMinusTrueIsBiasAndNoise) {
       options.sensor.torqueRange = 1000.0;
       const auto simulated = simulate(RobotModel::panda(), sampleTool(mass), options);
       ASSERT_TRUE(simulated.ok()) << simulated.error().message;
-      WrenchSeries rest = simulated->recording.wrench - simulated->payloadWrench - simulated->contactWrench;
+      SampledWrench rest = simulated->recording.wrench - simulated->payloadWrench - simulated->contactWrench;
       const SensorModel& s = options.sensor;
       for (int c = 0; c < 6; ++c) {
         const double white = c < 3 ? s.forceNoise : s.torqueNoise;

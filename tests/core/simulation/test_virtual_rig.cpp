@@ -170,7 +170,7 @@ TEST(SensorNoise, OneByOneIsTheSameAsAllAtOnce) {
   SensorModel sensor;
   sensor.forceWalk = 0.1;
   SensorNoise stream(sensor, 9, 500.0);
-  const WrenchSeries all = drawNoise(sensor, 9, 500.0, 40);
+  const SampledWrench all = drawNoise(sensor, 9, 500.0, 40);
   for (Eigen::Index k = 0; k < 40; ++k) EXPECT_EQ(stream.next().transpose(), all.row(k));
 }
 
