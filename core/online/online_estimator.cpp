@@ -356,7 +356,7 @@ void OnlineEstimator::Impl::fillState() const {
                                             state.contactDuration, state.usedDuration),
                                 heft::say("Move the tool without touching anything."),
                                 {}});
-    const Blocks& newest = lanes.front().newest;
+    const Blocks& newest = lanes[chosen].newest;
     if (newest.size() > 0) {
       double least = INFINITY;
       for (std::size_t k = 0; k < newest.time.size(); ++k)
