@@ -300,4 +300,17 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
   return std::move(*best);
 }
 
+Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const VectorXd& q,
+                           const CoachOptions& options) {
+  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& each) { return id == each.id; });
+  if (kind == kKinds.end()) return Error{fmt::format("The coach has no motion called \"{}\".", id)};
+  if (tool.robot->clampToLimits(q) != q)
+    return Error{"The posture lies outside the joints' ranges: no motion can start there."};
+  auto advice = fitted(*kind, tool, toolAxes(std::nullopt), Vector3d::Zero(), q, options);
+  if (!advice)
+    return Error{"This motion does not keep the limits from here. Bring the arm into the middle of its joints' ranges."};
+  advice->target = furthest(tool, advice->motion);
+  return std::move(*advice);
+}
+
 }  // namespace heft

@@ -4,6 +4,8 @@
 // Candidates turn the tool about its centre of mass: slow tilts, turns about its long axis, swings, shakes of 2 to 4
 // Hz. Each is scaled down until it keeps every limit, and judged by the information that it would add. Obstacles are
 // not known: who guides or replays the motion has to see that the way is free.
+#include <string_view>
+
 #include "core/coach/prediction.h"
 
 namespace heft {
@@ -31,5 +33,10 @@ struct CoachOptions {
 /// keeps the limits; throws std::invalid_argument if q has not dof() entries.
 Result<Advice> advise(const std::optional<OnlineInformation>& information, const GuidedTool& tool,
                       const Vector3d& gravity, const VectorXd& q, const CoachOptions& options = {});
+
+/// The coach's motion of that name ("shake-sideways") from posture `q` and back, as large as the limits allow; without a
+/// promise of what it brings. About 20 ms of work. Fails like advise(), and if there is no such motion.
+Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const VectorXd& q,
+                           const CoachOptions& options = {});
 
 }  // namespace heft

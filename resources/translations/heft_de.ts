@@ -282,6 +282,18 @@
         <source>Error %1, noise floor %2; torque %3 N m.</source>
         <translation>Fehler %1, Rauschen %2; Drehmoment %3 N m.</translation>
     </message>
+    <message>
+        <source>Show the motion</source>
+        <translation>Bewegung zeigen</translation>
+    </message>
+    <message>
+        <source>The arm’s ghost makes the motion in the picture</source>
+        <translation>Der Schatten des Arms macht die Bewegung im Bild vor</translation>
+    </message>
+    <message>
+        <source>Leads to Record; what to do stays in view there</source>
+        <translation>Führt zum Aufnehmen; was zu tun ist, bleibt dort im Blick</translation>
+    </message>
 </context>
 <context>
     <name>ExportText</name>
@@ -4265,6 +4277,13 @@
     </message>
 </context>
 <context>
+    <name>heft::DecidingMotion</name>
+    <message>
+        <source>Move like this</source>
+        <translation>So bewegen</translation>
+    </message>
+</context>
+<context>
     <name>heft::DifferenceCursor</name>
     <message>
         <source>A</source>
@@ -5569,6 +5588,10 @@
         <source>Add a part</source>
         <translation>Teil hinzufügen</translation>
     </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
 </context>
 <context>
     <name>heft::PlaceForm</name>
@@ -5882,6 +5905,18 @@
     <message>
         <source>within %1 cm, %2 N on average</source>
         <translation>auf %1 cm genau, im Mittel %2 N</translation>
+    </message>
+    <message>
+        <source>To find out more: record the same motion once more, without touching anything.</source>
+        <translation>Um mehr zu erfahren: Nehmen Sie dieselbe Bewegung noch einmal auf, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>To decide about “%1”: %2</source>
+        <translation>Um über „%1“ zu entscheiden: %2</translation>
+    </message>
+    <message>
+        <source>unseen stretch</source>
+        <translation>ungesehener Abschnitt</translation>
     </message>
 </context>
 <context>

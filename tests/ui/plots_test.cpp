@@ -122,6 +122,18 @@ TEST_F(PlotsTest, ShowsTheWholeRecordingInAllLanes) {
   EXPECT_NEAR(pane.plots()->laneRange(1).highest, pane.plots()->laneRange(1).lowest * -1, 1e-12);
 }
 
+TEST_F(PlotsTest, AStretchThatIsSpokenOfIsFramedWithSomethingOnBothSides) {
+  pane.highlight(4.0, 6.0, "unseen stretch");
+  EXPECT_NEAR(pane.timeAxis()->lower(), 3.2, 1e-9);
+  EXPECT_NEAR(pane.timeAxis()->upper(), 6.8, 1e-9);
+  QApplication::processEvents();
+  const QImage framed = pane.plots()->grab().toImage();
+  pane.highlight(0.0, 0.0, {});
+  EXPECT_NEAR(pane.timeAxis()->lower(), 3.2, 1e-9) << "only the frame goes";
+  QApplication::processEvents();
+  EXPECT_NE(framed, pane.plots()->grab().toImage());
+}
+
 TEST_F(PlotsTest, WheelZoomsAllLanesAndMarksAboutThePointer) {
   const double before = pane.timeAxis()->span();
   const QPoint pointer(600, 60);

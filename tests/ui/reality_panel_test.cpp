@@ -272,5 +272,33 @@ TEST(CauseWords, NumbersStandInTheSentence) {
   EXPECT_EQ(causeSentence(cross, report), "3.0 ± 0.2 % of force x shows up in torque y.");
 }
 
+TEST(CauseCards, ATieShowsTheMotionThatDecidesAndLeadsToRecordingIt) {
+  DiagnosisReport report;
+  report.verdict = Verdict::ambiguous;
+  DiagnosedCause cause;
+  cause.id = "time_offset";
+  cause.alternatives = {"low_pass_lag"};
+  cause.parameters = {{"delay", "ms", 8.0, 1.0}};
+  std::string shown, recorded;
+  CardActions actions;
+  actions.record = [&](const std::string& id) { recorded = id; };
+  QWidget parent;
+  {
+    const std::unique_ptr<QWidget> without(makeTieCard(report, cause, {}, actions, &parent));
+    EXPECT_EQ(without->findChild<QPushButton*>("showMotion"), nullptr) << "no arm that could show it";
+  }
+  actions.showMotion = [&](const std::string& id) { shown = id; };
+  const std::unique_ptr<QWidget> card(makeTieCard(report, cause, {}, actions, &parent));
+  QTest::mouseClick(card->findChild<QPushButton*>("showMotion"), Qt::LeftButton);
+  EXPECT_EQ(shown, "time_offset");
+  EXPECT_EQ(causeMotion(shown), "shake-sideways");
+  QTest::mouseClick(card->findChild<QPushButton*>("recordIt"), Qt::LeftButton);
+  EXPECT_EQ(recorded, "time_offset");
+  cause.id = "gravity_tilt";  // Decided by a heavier tool, not by a motion.
+  const std::unique_ptr<QWidget> heavier(makeTieCard(report, cause, {}, actions, &parent));
+  EXPECT_EQ(heavier->findChild<QPushButton*>("showMotion"), nullptr);
+  EXPECT_NE(heavier->findChild<QPushButton*>("recordIt"), nullptr);
+}
+
 }  // namespace
 }  // namespace heft

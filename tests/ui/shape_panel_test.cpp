@@ -277,6 +277,35 @@ TEST_F(ShapePanelTest, ACadMeshIsDroppedItsUnitGuessedAndChanged) {
   EXPECT_EQ(shape().bodies[0].unit, 0.001);
 }
 
+TEST_F(ShapePanelTest, SeveralBodiesMayHoldACadMesh) {
+  ASSERT_TRUE(panel->obey({"shape", "several"})->ok());
+  const double end = extentOf(shape()).max().z();
+  ASSERT_EQ(shape().bodies.size(), 2u);
+  EXPECT_NE(panel->findChild<QAction*>("add_mesh"), nullptr) << "offered beside the other parts";
+  panel->addMeshPart(writeStl(folder.filePath("tip.stl"), 40));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shape().bodies.size() == 3; }, 20000));
+  EXPECT_EQ(shape().bodies[2].kind, BodyKind::mesh);
+  EXPECT_EQ(shape().bodies[2].unit, 0.001) << "guessed";
+  Shape tip = shape();
+  tip.bodies = {shape().bodies[2]};
+  const auto box = extentOf(tip);
+  EXPECT_NEAR(box.min().z(), end, 1e-6) << "it begins where the others end";
+  EXPECT_NEAR(box.center().head<2>().norm(), 0.0, 1e-6);
+  QApplication::processEvents();
+  EXPECT_NE(panel->findChild<QPushButton*>("part_2"), nullptr);
+  EXPECT_EQ(panel->findChild<QPushButton*>("part_2")->property("role").toString(), "chosen");
+  // A second one dropped joins, too; one that is no mesh changes nothing.
+  QFile bad(folder.filePath("bad.stl"));
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("no mesh at all");
+  bad.close();
+  panel->addMeshPart(bad.fileName());
+  QTest::qWait(200);
+  EXPECT_EQ(shape().bodies.size(), 3u);
+  undo()->undo();
+  EXPECT_EQ(shape().bodies.size(), 2u);
+}
+
 TEST_F(ShapePanelTest, AMeshThatIsOpenOrNoMeshIsSaid) {
   const auto open = panel->obey({"shape", "mesh", writeStl(folder.filePath("open.stl"), 80, true)});
   ASSERT_TRUE(open && open->ok());

@@ -78,9 +78,11 @@ QHBoxLayout* tagRow(QWidget* tag, const QString& right, const QString& tip, QWid
   auto* row = new QHBoxLayout;
   row->addWidget(tag);
   row->addStretch(1);
-  QLabel* word = styledLabel(right, "caption", parent);
+  // May break: other languages need more room.
+  QLabel* word = wrappedLabel(right, "caption", parent);
+  word->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   word->setToolTip(tip);
-  row->addWidget(word);
+  row->addWidget(word, 3);
   return row;
 }
 
@@ -343,10 +345,21 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   row->setSpacing(10);
   row->addWidget(new IconLabel("bulb", 20, card.frame), 0, Qt::AlignTop);
   row->addWidget(boldFirst(Say::tr("To decide:"), causeDecides(cause.id), card.frame), 1);
-  auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
-  QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record(); });
-  row->addWidget(record, 0, Qt::AlignVCenter);
   card.layout->addLayout(row);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  if (actions.showMotion && !causeMotion(cause.id).empty()) {
+    auto* show = makeButton(Say::tr("Show the motion"), "showMotion", card.frame);
+    show->setToolTip(Say::tr("The arm’s ghost makes the motion in the picture"));
+    QObject::connect(show, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.showMotion(id); });
+    buttons->addWidget(show);
+  }
+  auto* record = makeButton(Say::tr("Record it"), "recordIt", card.frame);
+  record->setToolTip(Say::tr("Leads to Record; what to do stays in view there"));
+  QObject::connect(record, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.record(id); });
+  buttons->addWidget(record);
+  buttons->addStretch(1);
+  card.layout->addLayout(buttons);
   if (cause.gain.forceBefore > 0.0)
     card.layout->addWidget(wrappedLabel(Say::tr("Whichever it is: unseen error %1 → %2; noise floor %3.")
                                             .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)),
@@ -387,7 +400,7 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   auto* row = new QHBoxLayout;
   row->addWidget(boldFirst(Say::tr("What helps:"), Say::tr("record the same motion once more, without touching anything, and compare."), card.frame), 1);
   auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
-  QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record(); });
+  QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record({}); });
   row->addWidget(record);
   card.layout->addLayout(row);
   return card.frame;

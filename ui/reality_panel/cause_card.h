@@ -13,7 +13,8 @@ namespace heft {
 struct CardActions {
   std::function<void(std::string)> apply, undo;
   std::function<void(double, double)> showStretch;
-  std::function<void()> record;
+  std::function<void(std::string)> record;      ///< To decide about this cause; empty: the same motion again
+  std::function<void(std::string)> showMotion;  ///< That would decide; null where there is no arm to show it with
 };
 
 struct CardState {

@@ -239,6 +239,17 @@ QString causeCheck(const std::string& id) { return text(id, &Words::check); }
 QString causeDecides(const std::string& id) { return text(id, &Words::decides); }
 QString causeLooks(const std::string& id) { return text(id, &Words::looks); }
 
+std::string causeMotion(const std::string& id) {
+  static const std::map<std::string, std::string> kMotions{
+      {"sensor_bias", "tilt-sideways"},     {"payload_change", "tilt-sideways"}, {"hysteresis", "tilt-sideways"},
+      {"bias_drift", "tilt-round"},         {"gain_error", "tilt-round"},        {"crosstalk", "tilt-round"},
+      {"time_offset", "shake-sideways"},    {"low_pass_lag", "shake-sideways"},  {"motion_lag", "turn-slowly"},
+      {"sensor_rotation", "tilt-forwards"}, {"viscous_drag", "swing-sideways"},  {"coulomb_friction", "swing-sideways"},
+      {"loose_mass", "shake-forwards"},     {"lever_arm", "wobble"}};
+  const auto it = kMotions.find(id);
+  return it == kMotions.end() ? std::string() : it->second;
+}
+
 QString channelText(int channel) {
   const QString axis(QChar('x' + channel % 3));
   return channel < 3 ? QCoreApplication::translate("heft::Causes", "force %1").arg(axis) : QCoreApplication::translate("heft::Causes", "torque %1").arg(axis);

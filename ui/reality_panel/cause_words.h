@@ -7,7 +7,6 @@
 
 #include "ui/controller/diagnosis.h"
 
-
 namespace heft {
 
 /// "Readings late"; the ID itself for a cause that this version does not know.
@@ -17,6 +16,8 @@ QString causeSentence(const DiagnosedCause& cause, const DiagnosisReport& report
 QString causeCheck(const std::string& id);
 /// The motion that decides between this cause and what it looks like.
 QString causeDecides(const std::string& id);
+/// The coach's motion that comes next to that; empty where none does.
+std::string causeMotion(const std::string& id);
 /// How a difference from this cause looks in the plots: for learning.
 QString causeLooks(const std::string& id);
 /// "about the place of the tool": translated from core's goesWith.

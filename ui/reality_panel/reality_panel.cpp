@@ -22,6 +22,7 @@
 #include "ui/controller/workspace.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
+#include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
@@ -73,12 +74,19 @@ RealityFindings* RealityFindings::of(Workspace& workspace) {
 RealityPanel::RealityPanel(const StudioParts& parts)
     : StepPanel(parts), pane_(new DifferencePane), found_(RealityFindings::of(*parts.workspace)->found) {
   parts.followJobs(&jobs_);
+  if (parts.view) {
+    motion_ = new DecidingMotion(parts.workspace, parts.view, parts.playback, this);
+    parts.followJobs(motion_->runner());
+    connect(motion_, &DecidingMotion::failed, this,
+            [this](const QString& sentence) { this->parts().say(Severity::warning, sentence); });
+  }
   connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString&) {
     if (bar_) bar_->setValue(static_cast<int>(1000 * fraction));
   });
   connect(pane_, &DifferencePane::closeWanted, this, [this] { look(false); });
   connect(&workspace(), &Workspace::openedChanged, this, [this] {
     failure_.clear();
+    if (motion_) motion_->hide();
     if (wanted_ || (isVisible() && !found())) diagnose();
     refresh();
   });
@@ -144,6 +152,20 @@ QString RealityPanel::hint() const { return tr("Apply a correction to see what i
 void RealityPanel::left() {
   shown_ = false;
   markPull();
+  if (motion_) motion_->hide();
+  if (parts().plots) parts().plots->highlight(0.0, 0.0, {});
+}
+
+void RealityPanel::showMotion(const std::string& cause) {
+  if (!motion_) return;
+  if (motion_->shown()) return motion_->hide();
+  motion_->show(causeMotion(cause));
+}
+
+void RealityPanel::recordFor(const std::string& cause) {
+  parts().goTo(Step::record);
+  parts().say(Severity::info, cause.empty() ? tr("To find out more: record the same motion once more, without touching anything.")
+                                            : tr("To decide about “%1”: %2").arg(causeTitle(cause), causeDecides(cause)));
 }
 
 /// A cable's spring in the 3D view, from the tool to where it would be slack.
@@ -430,10 +452,11 @@ void RealityPanel::showReport(const Found& found) {
   CardActions actions;
   actions.apply = [this](const std::string& id) { apply(id); };
   actions.undo = [this](const std::string& id) { takeBack(id); };
-  actions.record = [this] { parts().goTo(Step::record); };
+  actions.record = [this](const std::string& id) { recordFor(id); };
+  if (motion_ && motion_->possible()) actions.showMotion = [this](const std::string& id) { showMotion(id); };
   actions.showStretch = [this](double from, double to) {
     look(false);
-    if (parts().plots) parts().plots->timeAxis()->show(from, to);
+    if (parts().plots) parts().plots->highlight(from, to, tr("unseen stretch"));
   };
   if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
   bool someNext = outdated();

@@ -11,6 +11,7 @@ class QProgressBar;
 
 namespace heft {
 
+class DecidingMotion;
 class DifferencePane;
 struct OpenRecording;
 
@@ -73,6 +74,8 @@ class RealityPanel : public StepPanel {
   void checkOnOther(int index);
   std::vector<int> others() const;
   void markPull();
+  void showMotion(const std::string& cause);
+  void recordFor(const std::string& cause);
   void saveMeta();
   Result<bool> writeMeta(const QString& file, bool replace);
   void saveReport();
@@ -81,6 +84,7 @@ class RealityPanel : public StepPanel {
 
   JobRunner jobs_;
   DifferencePane* pane_;
+  DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;  ///< While looking; of the page.
   QMap<QString, Found>& found_;
   QString failure_;

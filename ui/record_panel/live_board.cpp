@@ -188,7 +188,7 @@ void LiveBoard::refreshCard() {
                    : run_->advice() && !run_->advice()->needed ? tr("YOU CAN STOP")
                                                                 : tr("DO THIS NOW"));
   if (gone != status.sources.end()) {
-    sentence_->setText(gone->state == LinkState::lost ? tr("The connection is lost. Heft tries again by itself.")
+    sentence_->setText(view.any ? tr("The connection is lost. Heft tries again by itself.")
                                                       : tr("Nothing answers yet. Heft goes on trying."));
     gain_->setText(view.any ? tr("What came so far is kept. Look at cable, network and the program at the other end.")
                             : tr("Is it switched on, and is its address right?"));

@@ -12,7 +12,9 @@ PayloadLook payloadLook(const EstimateReport& report) {
   // 95 % of a three-dimensional normal distribution lie within 2.80 standard deviations.
   look.region = 2.7955 * report.std.com.cwiseAbs();
   const double largest = look.region.maxCoeff();
-  if (!std::isfinite(largest) || largest <= 0) {
+  // Larger than this it says nothing but "not known", and would stand about the whole arm.
+  constexpr double kLargest = 0.25;  // [m]
+  if (!std::isfinite(largest) || largest <= 0 || largest > kLargest) {
     look.region.setZero();
   } else {
     // Flatter than this it would be drawn as a disc without a body.

@@ -5,6 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkProperty.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -113,6 +114,9 @@ struct Scene3d::Impl {
     front->SetActiveCamera(renderer->GetActiveCamera());
     stage.lightToo(front);
     renderer->GetRenderWindow()->AddRenderer(front);
+    // VTK's own way sorts what is translucent through pictures of floating-point numbers as large as the view, for each
+    // renderer; few bodies drawn one over the other look the same, and cost a fraction without a graphics card.
+    for (vtkRenderer* each : {renderer, front.Get()}) each->SetPass(vtkSmartPointer<vtkRenderStepsPass>::New());
     for (Piece* piece : {&sensorBody, &path, &box}) add(*piece, renderer);
     for (Piece* piece : {&axes[0], &axes[1], &axes[2], &ball, &force, &torque, &gravity, &regionLines, &region}) {
       add(*piece, front);

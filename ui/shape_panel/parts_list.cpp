@@ -73,6 +73,9 @@ void PartsList::showParts(const Shape& shape, int selected) {
         menu->addAction(pictureIcon(picture), pictureName(picture), this, [this, k = *kind] { emit addWanted(k); });
     action->setObjectName(QStringLiteral("add_") + QString::fromUtf8(toString(picture).data()));
   }
+  menu->addAction(pictureIcon(ToolPicture::mesh), tr("%1 …").arg(pictureName(ToolPicture::mesh)), this,
+                  &PartsList::addMeshWanted)
+      ->setObjectName("add_mesh");
   add->setMenu(menu);
   rows_->addWidget(add, 0, Qt::AlignLeft);
 }

@@ -18,6 +18,8 @@ class PartsList : public QWidget {
   void picked(int index);
   void removeWanted(int index);
   void addWanted(heft::BodyKind kind);
+  /// A CAD mesh, whose file is still to be chosen.
+  void addMeshWanted();
 
  private:
   QVBoxLayout* rows_;

@@ -1,6 +1,7 @@
 // CAD files in the step Shape: choosing, reading in a job, taking. Declared in shape_panel.h.
 #include <QFileDialog>
 #include <QFileInfo>
+#include <optional>
 
 #include "ui/controller/workspace.h"
 #include "ui/shape_panel/mesh_form.h"
@@ -16,10 +17,45 @@ void ShapePanel::chooseMesh() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("The tool’s CAD mesh"), folder,
       tr("Meshes (*.stl *.obj *.ply *.dae *.glb *.gltf *.3mf *.off *.fbx);;All files (*)"));
-  if (!file.isEmpty()) useDropped(file);
+  if (!file.isEmpty()) useFile(file);
 }
 
-void ShapePanel::useDropped(const QString& file) {
+void ShapePanel::useFile(const QString& file) {
+  const bool joins = choice().answer == Answer::given && !pendingMesh_ && picture() == ToolPicture::several;
+  joins ? addMeshPart(file) : replaceByMesh(file);
+}
+
+void ShapePanel::addMeshPart(const QString& file) {
+  ShapeBody wanted;
+  wanted.kind = BodyKind::mesh;
+  wanted.file = QFileInfo(file).absoluteFilePath().toStdString();
+  wanted.unit = 0.0;  // To be guessed.
+  meshJobs_.start(
+      tr("Reading %1").arg(bodyTitle(wanted)), [wanted](const Progress&) { return loadToolMesh(wanted); },
+      [this, key = wanted.file.string()](const Result<LoadedMesh>& result) {
+        const std::optional<Error> problem = !result ? std::optional(result.error()) : result->unusable;
+        if (problem) {
+          if (!problem->cancelled) parts().say(Severity::error, QString::fromStdString(problem->message));
+          return;
+        }
+        meshes_[key] = result->body.mesh;
+        Shape next = choice().shape;
+        next.bodies = bodiesWithMeshes();
+        ShapeBody part = result->body;
+        // Its box begins where the other parts end, in the middle.
+        const auto box = extentOf(part), taken = extentOf(next);
+        const double end = taken.isEmpty() ? 0.0 : taken.max().z();
+        if (!box.isEmpty())
+          part.X_SB.pretranslate(Vector3d(-box.center().x(), -box.center().y(), end - box.min().z()));
+        next.bodies.push_back(part);
+        selected_ = static_cast<int>(next.bodies.size()) - 1;
+        mode_ = ToolMode::move;
+        const QString why = change(next, tr("add a part"), 0);
+        if (!why.isEmpty()) parts().say(Severity::error, why);
+      });
+}
+
+void ShapePanel::replaceByMesh(const QString& file) {
   ShapeBody wanted;
   wanted.kind = BodyKind::mesh;
   wanted.file = QFileInfo(file).absoluteFilePath().toStdString();

@@ -178,6 +178,7 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
       selected_ = static_cast<int>(next.bodies.size()) - 1;
       change(next, tr("add a part"), 0);
     });
+    connect(partsList_, &PartsList::addMeshWanted, this, &ShapePanel::chooseMesh);
     column->addWidget(partsList_);
     if (bodies[static_cast<std::size_t>(selected_)].kind != BodyKind::mesh)
       addForm(tr("Size of part %1").arg(selected_ + 1), selected_);

@@ -134,7 +134,7 @@ bool ShapePanel::eventFilter(QObject* watched, QEvent* event) {
       auto* drop = static_cast<QDropEvent*>(event);
       if (const QString file = droppedMesh(drop->mimeData()); !file.isEmpty()) {
         drop->acceptProposedAction();
-        useDropped(file);
+        useFile(file);
         return true;
       }
     }
@@ -150,7 +150,7 @@ void ShapePanel::dropEvent(QDropEvent* event) {
   const QString file = droppedMesh(event->mimeData());
   if (file.isEmpty()) return;
   event->acceptProposedAction();
-  useDropped(file);
+  useFile(file);
 }
 
 // ---- edits

@@ -43,6 +43,8 @@ class ShapePanel : public StepPanel {
   void addActions(const StudioMenus& menus) override;
   std::optional<Result<bool>> obey(const QStringList& words) override;
 
+  /// Several bodies: joins a CAD file to them, at their end.
+  void addMeshPart(const QString& file);
   /// For tests: what can be grabbed in the 3D view.
   HandleSet* handles() { return &handles_; }
 
@@ -90,7 +92,8 @@ class ShapePanel : public StepPanel {
   void takeMesh(const ShapeBody& wanted, const QString& text);
   void meshTaken(Result<LoadedMesh> result, const ShapeBody& wanted, const QString& text);
   void loadMissingMesh();
-  void useDropped(const QString& file);
+  void useFile(const QString& file);
+  void replaceByMesh(const QString& file);
   std::vector<ShapeBody> bodiesWithMeshes() const;
 
   HandleSet handles_;

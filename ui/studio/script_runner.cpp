@@ -193,8 +193,11 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
   if (verb == "manual" && words.size() == 1)
     return window.showManual(!window.manualShown()), Result<bool>(true);
   if (verb == "click") {
-    auto* button = window.findChild<QAbstractButton*>(words.value(1));
-    if (!button || !button->isVisible() || !button->isEnabled())
+    // Several pages have a button of the same name; the one shown is meant.
+    QAbstractButton* button = nullptr;
+    for (auto* each : window.findChildren<QAbstractButton*>(words.value(1)))
+      if (each->isVisible() && each->isEnabled()) button = each;
+    if (!button)
       return wrong(tr("There is no button %1 that could be clicked now.").arg(words.value(1)));
     return button->click(), Result<bool>(true);
   }

@@ -119,6 +119,11 @@ void RecordingPane::setBrush(std::optional<MarkLabel> brush) {
   plots_->setBrush(paint_->isChecked() ? brush : std::nullopt);
 }
 
+void RecordingPane::highlight(double from, double to, const QString& word) {
+  plots_->setHighlight(from, to, word);
+  if (to > from) axis_.show(from - 0.4 * (to - from), to + 0.4 * (to - from));
+}
+
 void RecordingPane::setMeasuring(bool on) {
   measure_->setChecked(on);
   if (on == difference_->isVisibleTo(this)) return;
@@ -155,6 +160,7 @@ void RecordingPane::setRecording(const Recording* recording) {
   axis_.setFull(first, last, poses);
   plots_->setTraces(traces);
   setSegments({}, {});
+  plots_->setHighlight(0.0, 0.0, {});
   cursor_->setTime(playback_->time());
   cursor_->setShown(present);
   setMeasuring(false);

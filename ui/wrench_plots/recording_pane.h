@@ -36,6 +36,9 @@ class RecordingPane : public QWidget {
   /// What plots and marks bar tint; `suggested` ones are drawn as proposals.
   void setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested);
 
+  /// Shows a stretch with something on both sides of it, and frames it under this word. An empty one: no frame any more.
+  void highlight(double from, double to, const QString& word);
+
   /// With a brush the marks bar is painted by dragging, and the plots while "Paint" is pressed. Nothing: no painting.
   void setBrush(std::optional<MarkLabel> brush);
 

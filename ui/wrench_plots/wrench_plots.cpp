@@ -155,6 +155,7 @@ struct WrenchPlots::Parts {
   std::array<QCPItemText*, kLanes> titles{};
   std::array<QCPItemText*, kLanes> units{};
   std::vector<QCPItemRect*> marks;
+  QCPItemText* word = nullptr;  ///< Over the highlighted stretch
   QTimer settle;        ///< After the last zoom or pan: draw once more, smoothly.
   bool moving = false;  ///< While zooming and panning lines are drawn without antialiasing, three times as fast.
   int points = 0;
@@ -364,14 +365,21 @@ void WrenchPlots::restyle() {
   p.canvas->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void WrenchPlots::setHighlight(double from, double to, const QString& word) {
+  highlightFrom_ = from;
+  highlightTo_ = to;
+  highlightWord_ = word;
+  rebuildBackgrounds();
+  parts_->canvas->replot(QCustomPlot::rpQueuedReplot);
+}
+
 void WrenchPlots::rebuildBackgrounds() {
   Parts& p = *parts_;
   for (auto* mark : p.marks) p.canvas->removeItem(mark);
   p.marks.clear();
-  for (const Segment& segment : segments_) {
-    if (segment.label == MarkLabel::free) continue;
-    QColor tint = markColour(segment.label);
-    tint.setAlpha(segment.label == MarkLabel::contact ? (theme().dark ? 45 : 46) : (theme().dark ? 60 : 70));
+  if (p.word) p.canvas->removeItem(p.word);
+  p.word = nullptr;
+  const auto tintLanes = [&p](double from, double to, const QPen& edge, const QColor& tint) {
     for (int lane = 0; lane < kLanes; ++lane) {
       auto* mark = new QCPItemRect(p.canvas);
       mark->setLayer("marks");
@@ -381,14 +389,38 @@ void WrenchPlots::rebuildBackgrounds() {
         position->setTypeX(QCPItemPosition::ptPlotCoords);
         position->setTypeY(QCPItemPosition::ptAxisRectRatio);
       }
-      mark->topLeft->setCoords(segment.from, 0);
-      mark->bottomRight->setCoords(segment.to, 1);
+      mark->topLeft->setCoords(from, 0);
+      mark->bottomRight->setCoords(to, 1);
       mark->setClipAxisRect(p.rects[lane]);
-      mark->setPen(Qt::NoPen);
+      mark->setPen(edge);
       mark->setBrush(tint);
       p.marks.push_back(mark);
     }
+  };
+  for (const Segment& segment : segments_) {
+    if (segment.label == MarkLabel::free) continue;
+    QColor tint = markColour(segment.label);
+    tint.setAlpha(segment.label == MarkLabel::contact ? (theme().dark ? 45 : 46) : (theme().dark ? 60 : 70));
+    tintLanes(segment.from, segment.to, Qt::NoPen, tint);
   }
+  if (!(highlightTo_ > highlightFrom_)) return;
+  QColor accent = theme().accent;
+  accent.setAlpha(theme().dark ? 40 : 22);
+  tintLanes(highlightFrom_, highlightTo_, QPen(theme().accent, 1.2, Qt::DashLine), accent);
+  p.word = new QCPItemText(p.canvas);
+  p.word->setLayer("marks");
+  p.word->position->setAxisRect(p.rects[0]);
+  p.word->position->setAxes(p.rects[0]->axis(QCPAxis::atBottom), p.rects[0]->axis(QCPAxis::atLeft));
+  p.word->position->setTypeX(QCPItemPosition::ptPlotCoords);
+  p.word->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  p.word->position->setCoords(highlightFrom_, 0);
+  p.word->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+  p.word->setPadding(QMargins(5, 1, 5, 1));
+  p.word->setClipAxisRect(p.rects[0]);
+  p.word->setText(highlightWord_);
+  p.word->setFont(uiFont(type::kTick, QFont::DemiBold));
+  p.word->setColor(theme().accent);
+  p.word->setBrush(theme().panel);
 }
 
 void WrenchPlots::refresh() {

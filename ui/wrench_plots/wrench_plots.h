@@ -24,6 +24,9 @@ class WrenchPlots : public QWidget {
   void setSegments(std::vector<Segment> segments);
   const std::shared_ptr<const WrenchTraces>& traces() const { return traces_; }
 
+  /// A stretch that something is said about, framed in the accent colour with a word over it; an empty one: none.
+  void setHighlight(double from, double to, const QString& word);
+
   /// With a brush dragging paints in its colour and gives stroked() instead of zooming.
   void setBrush(std::optional<MarkLabel> brush);
 
@@ -60,6 +63,8 @@ class WrenchPlots : public QWidget {
   TimeAxis* axis_;
   std::shared_ptr<const WrenchTraces> traces_;
   std::vector<Segment> segments_;
+  double highlightFrom_ = 0.0, highlightTo_ = 0.0;
+  QString highlightWord_;
   std::array<bool, 6> shown_{true, true, true, true, true, true};
   std::unique_ptr<Parts> parts_;
 };

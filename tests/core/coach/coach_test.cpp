@@ -138,5 +138,20 @@ TEST(JointMotion, QuinticsMeetTheSamplesAndTheirDerivatives) {
   EXPECT_NEAR(motion.slower(2.0).duration(), 8.0, 1e-12);
 }
 
+TEST(Coach, AMotionIsHadByItsNameAndKeepsTheLimits) {
+  const GuidedTool tool = *guidedTool(RobotModel::panda(), SensorMount{});
+  const VectorXd q = dullMotion().q.bottomRows(1).transpose();
+  for (const char* id : {"tilt-sideways", "turn-slowly", "shake-forwards"}) {
+    const auto advice = namedMotion(id, tool, q);
+    ASSERT_TRUE(advice) << advice.error().message;
+    EXPECT_EQ(advice->id, id);
+    EXPECT_TRUE(advice->use.kept());
+    EXPECT_EQ((advice->motion.q.row(0).transpose() - q).norm(), 0.0);
+    EXPECT_GT((advice->target - q).norm(), 0.02);
+  }
+  EXPECT_FALSE(namedMotion("dance", tool, q));
+  EXPECT_FALSE(namedMotion("tilt-sideways", tool, VectorXd::Constant(7, 9.0)));
+}
+
 }  // namespace
 }  // namespace heft
