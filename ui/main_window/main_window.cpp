@@ -1,11 +1,13 @@
 #include "ui/main_window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
 #include <QMenu>
@@ -23,6 +25,7 @@
 #include "ui/main_window/menus.h"
 #include "ui/main_window/panels.h"
 #include "ui/main_window/status_bar.h"
+#include "ui/main_window/tab_way.h"
 #include "ui/manual/manual.h"
 #include "ui/models/numbers.h"
 #include "ui/robot_view/robot_view.h"
@@ -94,6 +97,17 @@ void MainWindow::assemble() {
   status_->follow(&workspace_->jobs());
   column->addWidget(status_);
   setCentralWidget(window);
+}
+
+bool MainWindow::focusNextPrevChild(bool next) {
+  const QVector<QWidget*> way = tabWay(*this, {header_, steps_, message_, view_, below_, panelStack_});
+  if (way.isEmpty()) return QMainWindow::focusNextPrevChild(next);
+  const int at = way.indexOf(QApplication::focusWidget()), count = way.size();
+  const int to = at < 0 ? (next ? 0 : count - 1) : (at + (next ? 1 : count - 1)) % count;
+  way[to]->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  for (QWidget* p = way[to]->parentWidget(); p; p = p->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(p)) area->ensureWidgetVisible(way[to]);
+  return true;
 }
 
 void MainWindow::addPanels(const StudioMenus& menus) {

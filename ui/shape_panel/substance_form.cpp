@@ -34,6 +34,7 @@ WeightField::WeightField(const QString& name, const QString& id, const QString& 
   unit_->setObjectName(id + "Unit");
   unit_->addItems({QStringLiteral("kg"), QStringLiteral("g")});
   unit_->setAccessibleName(tr("Unit of the weight"));
+  unit_->setToolTip(tr("Unit of the weight"));
   unit_->setFixedSize(58, 36);
   row->addWidget(field_, 1);
   row->addWidget(unit_);
