@@ -14,6 +14,7 @@
 #include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/min_max_pyramid.h"
 #include "ui/wrench_plots/recording_pane.h"
+#include "ui/wrench_plots/trace_raster.h"
 #include "ui/wrench_plots/visible_csv.h"
 #include "ui/wrench_plots/wrench_plots.h"
 #include "ui/wrench_plots/wrench_traces.h"
@@ -70,6 +71,73 @@ TEST(WrenchTraces, FewSamplesAreDrawnAsTheyAre) {
   EXPECT_LT(curve.x.front(), 0.2);  // One neighbour outside, so that the line reaches the edge.
   EXPECT_GT(curve.x.back(), 0.4);
   for (int i = 0; i < curve.x.size(); ++i) EXPECT_NEAR(curve.low[i], 10 * std::sin(2 * M_PI * curve.x[i]), 1e-12);
+}
+
+TEST(WrenchTraces, NothingJoinsWhatWasMeasuredBeforeAndAfterAGap) {
+  Recording recording = test::sineRecording(4000, 1000);
+  for (Eigen::Index i = 2000; i < 4000; ++i) recording.time(i) += 3.0;
+  const WrenchTraces traces(recording, nullptr);
+  for (const double zoom : {8.0, 0.01}) {
+    const ThinnedCurve curve = traces.thinned(WrenchTraces::Kind::measured, 0, zoom > 1 ? 0.0 : 1.99, zoom > 1 ? 7.0 : 5.01, zoom > 1 ? 800 : 4000);
+    EXPECT_EQ(curve.crowded, zoom > 1);
+    int holes = 0;
+    for (int i = 0; i < curve.x.size(); ++i) holes += std::isnan(curve.low[i]);
+    EXPECT_EQ(holes, 1);
+  }
+}
+
+/// Ink [px] of each column of a picture.
+std::vector<double> inkOf(const TraceColumns& columns, int height, double thickness) {
+  QImage picture(columns.width(), height, QImage::Format_ARGB32_Premultiplied);
+  picture.fill(Qt::transparent);
+  columns.paint(picture, Qt::black, thickness);
+  std::vector<double> ink(static_cast<std::size_t>(picture.width()));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < picture.width(); ++x) ink[static_cast<std::size_t>(x)] += qAlpha(picture.pixel(x, y)) / 255.0;
+  return ink;
+}
+
+TEST(TraceColumns, ALineIsAsThickAsItsPenWhateverItsSlope) {
+  for (const double slope : {0.0, 0.3, 1.0, 4.0}) {
+    TraceColumns columns(40);
+    columns.addLine(0.0, 10.0, 40.0, 10.0 + 40 * slope);
+    const std::vector<double> ink = inkOf(columns, 220, 1.5);
+    // Cut upright, a line is thicker by its slope.
+    for (int x = 5; x < 35; ++x) EXPECT_NEAR(ink[static_cast<std::size_t>(x)], 1.5 * std::hypot(1.0, slope), 0.12 * (1 + slope)) << slope;
+  }
+}
+
+TEST(TraceColumns, AStepIsSeenFromTopToBottomAndNotBeyond) {
+  TraceColumns columns(20);
+  columns.addLine(2.0, 20.0, 10.5, 20.0);
+  columns.addLine(10.5, 20.0, 10.5, 80.0);
+  columns.addLine(10.5, 80.0, 18.0, 80.0);
+  const std::vector<double> ink = inkOf(columns, 100, 1.5);
+  double upright = 0.0;
+  for (int x = 9; x <= 11; ++x) upright += ink[static_cast<std::size_t>(x)];
+  EXPECT_NEAR(upright, 1.5 * 60.0, 12.0);
+  EXPECT_NEAR(ink[5], 1.5, 0.1);
+  EXPECT_EQ(ink[0], 0.0);
+  EXPECT_EQ(ink[19], 0.0);
+}
+
+TEST(TraceColumns, DashesKeepTheirShareAndPicturesTheirColour) {
+  TraceColumns columns(400);
+  columns.addLine(0.0, 5.0, 400.0, 5.0);
+  columns.dash(6.0, 4.0);
+  const std::vector<double> ink = inkOf(columns, 10, 1.0);
+  double sum = 0.0;
+  for (const double each : ink) sum += each;
+  EXPECT_NEAR(sum, 0.6 * 400, 60) << "with round ends";
+  EXPECT_GT(std::count(ink.begin(), ink.end(), 0.0), 60);
+  TraceColumns bar(4);
+  bar.addBar(0.0, 4.0, 2.0, 8.0);
+  QImage picture(4, 10, QImage::Format_ARGB32_Premultiplied);
+  picture.fill(Qt::transparent);
+  bar.paint(picture, QColor(200, 40, 10, 128), 1.0);
+  EXPECT_NEAR(picture.pixelColor(2, 5).red(), 200, 3);
+  EXPECT_NEAR(picture.pixelColor(2, 5).alpha(), 128, 2);
+  EXPECT_EQ(picture.pixelColor(2, 0).alpha(), 0);
 }
 
 TEST(WrenchTraces, DifferenceLaneIsScaledToFreeParts) {

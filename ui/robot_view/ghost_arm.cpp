@@ -24,7 +24,6 @@ void GhostArm::setParts(const std::vector<Part>& parts) {
     links_.back().piece.actor->VisibilityOff();
     renderer_->AddActor(links_.back().piece.actor);
   }
-  restyle();
 }
 
 void GhostArm::setPoses(const std::vector<Isometry3d>& X_BL, const std::vector<Isometry3d>& arm) {
@@ -42,16 +41,14 @@ void GhostArm::setPoses(const std::vector<Isometry3d>& X_BL, const std::vector<I
 }
 
 void GhostArm::setWay(const std::vector<Vector3d>& way) {
-  way_ = way;
   tube_.actor->SetVisibility(way.size() > 1);
   if (way.size() < 2) return;
   tube_.setMesh(makeBentArrow(way, 0.0042));
 }
 
-void GhostArm::restyle() {
-  for (Link& link : links_) makeTranslucent(link.piece.actor, theme().accent, 0.22);
-  setColour(tube_.actor, theme().accent);
-  setWay(way_);
+void GhostArm::restyle(const Theme& theme) {
+  for (Link& link : links_) makeTranslucent(link.piece.actor, theme.accent, 0.22);
+  setColour(tube_.actor, theme.accent);
 }
 
 }  // namespace heft

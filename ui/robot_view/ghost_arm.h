@@ -8,6 +8,8 @@
 
 namespace heft {
 
+struct Theme;
+
 class GhostArm {
  public:
   struct Part {
@@ -23,7 +25,7 @@ class GhostArm {
   void setPoses(const std::vector<Isometry3d>& X_BL, const std::vector<Isometry3d>& arm);
   /// The way that it goes [m, B axes]; empty hides it.
   void setWay(const std::vector<Vector3d>& way);
-  void restyle();
+  void restyle(const Theme& theme);
 
  private:
   struct Link {
@@ -33,7 +35,6 @@ class GhostArm {
   };
   vtkRenderer* renderer_;
   std::vector<Link> links_;
-  std::vector<Vector3d> way_;
   Piece tube_;
 };
 

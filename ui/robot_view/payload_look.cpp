@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "ui/robot_view/robot_view.h"
-#include "ui/robot_view/scene3d.h"
+#include "ui/robot_view/scene_state.h"
 
 namespace heft {
 

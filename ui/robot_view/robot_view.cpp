@@ -11,7 +11,7 @@
 #include "ui/models/numbers.h"
 #include "ui/robot_view/dimension_editor.h"
 #include "ui/robot_view/label_overlay.h"
-#include "ui/robot_view/scene3d.h"
+#include "ui/robot_view/scene_state.h"
 #include "ui/robot_view/scene_track.h"
 #include "ui/robot_view/viewport.h"
 #include "ui/widgets/basics.h"
@@ -73,21 +73,16 @@ struct RobotView::Kept {
   double time = 0.0;
 };
 
-RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<SceneParts>()) {
+RobotView::RobotView(QWidget* parent)
+    : QWidget(parent), viewport_(new Viewport(this)), scene_(viewport_->scene()), parts_(std::make_unique<SceneParts>()) {
   setObjectName("robotView");
   setMinimumSize(240, 180);
-  // A window of its own for the window system: else Qt would draw all of the program through OpenGL for each change of a
-  // plot or a label, which costs more than the plot where OpenGL is done in software.
-  setAttribute(Qt::WA_DontCreateNativeAncestors);
-  setAttribute(Qt::WA_NativeWindow);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  viewport_ = new Viewport(this);
   viewport_->setObjectName("viewport");
   viewport_->setAccessibleName(tr("3D view of robot and tool"));
   viewport_->setAccessibleDescription(tr("Arrow keys turn the view, with Shift they move it, plus and minus zoom"));
   layout->addWidget(viewport_);
-  scene_ = std::make_unique<Scene3d>(viewport_->renderer());
   overlay_ = new LabelOverlay(viewport_);
   overlay_->setUnderlay([this](QPainter& painter) { paintOver(painter); });
   note_ = styledLabel({}, "viewNote", viewport_);
@@ -97,7 +92,6 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
       viewport_, [this] { return placedDimensions(); },
       [this] { return handles_ ? handles_->current() : std::nullopt; });
   connect(editor_, &DimensionEditor::typed, this, &RobotView::dimensionTyped);
-  connect(viewport_, &Viewport::aboutToRender, this, [this] { scene_->applyCamera(viewport_->camera()); });
   connect(viewport_, &Viewport::rendered, this, &RobotView::updateLabels);
   connect(viewport_, &Viewport::cameraMoved, this, [this] { cameraTouched_ = true; });
   usePreset(Preset::overview);
@@ -164,23 +158,28 @@ void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_p
   }
   robot_ = std::move(robot);
   look_ = look;
-  scene_->setRobot(std::move(look));
+  scene_.setRobot(std::move(look), {});
   if (robot_) {
     std::vector<Isometry3d> X_BL;
     robot_->linkPoses(robot_->homePosture(), X_BL);
     // Before a recording says where the sensor is, the tool sits on the flange.
     if (const auto flange = robot_->findLink("panda_link8")) placeSensor(X_BL[static_cast<std::size_t>(*flange)]);
-    scene_->setLinkPoses(X_BL);
+    scene_.X_BL = X_BL;
   }
   usePreset(Preset::overview);
+}
+
+void RobotView::setGravity(const Vector3d& gravity) {
+  if (gravity.norm() > 0) scene_.down = gravity.normalized();
 }
 
 void RobotView::dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount) {
   clearEstimate();
   look_ = robot_ ? std::move(look) : nullptr;
   const bool ownSensor = look_ && showsSensor(*robot_, *look_);
-  scene_->setRobot(look_, robot_ ? linksBeyond(*robot_, mount.parent) : std::vector<bool>{});
-  scene_->setSensor(sensorBodyLength(mount), !ownSensor);
+  scene_.setRobot(look_, robot_ ? linksBeyond(*robot_, mount.parent) : std::vector<bool>{});
+  scene_.sensorShown = true;
+  scene_.sensorLength = ownSensor ? 0.0 : sensorBodyLength(mount);
 }
 
 void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
@@ -190,7 +189,7 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   robot_ = std::move(robot);
   track_ = std::make_unique<SceneTrack>(recording_, robot_);
   dress(std::move(look), recording_->meta.mount);
-  scene_->setGravityDirection(recording_->meta.gravity);
+  setGravity(recording_->meta.gravity);
   time_ = recording_->meta.kind == RecordingKind::poses ? 1.0 : recording_->rows() > 0 ? recording_->time(0) : 0.0;
   rebuildPath();
   rebuildSweep();
@@ -206,13 +205,13 @@ void RobotView::beginLive(std::shared_ptr<const RobotModel> robot, std::shared_p
   track_.reset();
   robot_ = std::move(robot);
   dress(std::move(look), mount);
-  scene_->setGravityDirection(gravity);
-  scene_->setPath({});
+  setGravity(gravity);
+  scene_.path.reset();
   sweep_.clear();
   if (robot_) {
     std::vector<Isometry3d> X_BL;
     robot_->linkPoses(robot_->homePosture(), X_BL);
-    scene_->setLinkPoses(X_BL);
+    scene_.X_BL = X_BL;
     const auto link = robot_->findLink(mount.parent);
     const Isometry3d X_BS =
         X_BL[link ? static_cast<std::size_t>(*link) : X_BL.size() - 1] * poseFromXyzRpy(mount.xyz, mount.rpy);
@@ -231,7 +230,7 @@ void RobotView::showLive(const LiveMoment& moment) {
   if (moment.q && robot_ && moment.q->size() == robot_->dof()) {
     std::vector<Isometry3d> X_BL;
     robot_->linkPoses(*moment.q, X_BL);
-    scene_->setLinkPoses(X_BL);
+    scene_.X_BL = X_BL;
   }
   report_ = moment.report;
   if (report_) {
@@ -246,7 +245,7 @@ void RobotView::showLivePath(const std::vector<Vector3d>& path) {
   if (!kept_) return;
   std::vector<PathSample> samples;
   for (const Vector3d& point : path) samples.push_back({point, MarkLabel::free});
-  scene_->setPath(samples);
+  scene_.path = std::make_shared<const std::vector<PathSample>>(std::move(samples));
 }
 
 void RobotView::endLive() {
@@ -261,7 +260,7 @@ void RobotView::endLive() {
   }
   clearEstimate();
   sweep_.clear();
-  scene_->setPath({});
+  scene_.path.reset();
   if (kept->robot && kept->look) showRobot(kept->robot, kept->look);
   updateNote();
 }
@@ -275,14 +274,14 @@ void RobotView::setGhostLabel(const QString& title, const QString& note) {
 void RobotView::showPayload() {
   std::optional<PayloadLook> look;
   if (report_ && (recording_ || kept_)) look = payloadLook(*report_);
-  scene_->setPayload(look);
+  scene_.payload = look;
   enlargement_ = look && look->region.minCoeff() > 0 ? std::optional(look->enlargement) : std::nullopt;
 }
 
 void RobotView::clearEstimate() {
   report_.reset();
   showPayload();
-  scene_->setWrench(std::nullopt, 1, 1);
+  scene_.wrench.reset();
 }
 
 void RobotView::showReport(std::shared_ptr<const EstimateReport> report) {
@@ -315,7 +314,7 @@ void RobotView::rebuildPath() {
       samples.push_back({point.p_BSo_B, report_ ? labelAt(report_->segments, point.time) : MarkLabel::free});
     }
   }
-  scene_->setPath(samples);
+  scene_.path = std::make_shared<const std::vector<PathSample>>(std::move(samples));
 }
 
 void RobotView::rebuildSweep() {
@@ -353,7 +352,7 @@ void RobotView::updateInstant() {
   if (track_->hasJoints()) {
     std::vector<Isometry3d> X_BL;
     robot_->linkPoses(track_->jointsAt(time_), X_BL);
-    scene_->setLinkPoses(X_BL);
+    scene_.X_BL = X_BL;
   }
   viewport_->requestFrame();
 }
@@ -365,18 +364,20 @@ void RobotView::showWrench(const Isometry3d& X_BS, Vector6d wrench) {
   Vector6d inBase;
   inBase << X_BS.linear() * wrench.head<3>(), X_BS.linear() * wrench.tail<3>();
   const double weight = std::max(0.5, report_->payload.mass * kGravity);
-  scene_->setWrench(inBase, weight, std::max(0.05, weight * report_->payload.com.norm() * 1.5));
+  scene_.wrench = inBase;
+  scene_.fullForce = weight;
+  scene_.fullTorque = std::max(0.05, weight * report_->payload.com.norm() * 1.5);
 }
 
 void RobotView::placeSensor(const Isometry3d& X_BS) {
   X_BS_ = X_BS;
-  scene_->setSensorPose(X_BS);
+  scene_.X_BS = X_BS;
   if (handles_) handles_->setPose(X_BS);
 }
 
 void RobotView::showTool(std::vector<ShapeBody> bodies, int selected) {
   tool_ = std::move(bodies);
-  scene_->setTool(tool_, selected);
+  scene_.setTool(tool_, selected);
   viewport_->requestFrame();
 }
 
@@ -407,7 +408,7 @@ void RobotView::applyParts() {
     shown.path = shown.arrows = shown.axes = shown.payload = false;
     shown.tool = true;
   }
-  scene_->setParts(shown);
+  scene_.parts = shown;
   viewport_->requestFrame();
 }
 
@@ -443,8 +444,8 @@ std::optional<QPointF> RobotView::dimensionLabel(int id) const {
 }
 
 void RobotView::paintOver(QPainter& painter) const {
-  const HandleSet::View view = viewport_->handleView();
-  if (!dimensions_.empty()) paintDimensions(painter, placedDimensions());
+  const HandleSet::View view = viewport_->shownView();
+  if (!dimensions_.empty()) paintDimensions(painter, placeDimensions(dimensions_, X_BS_, view));
   if (pull_) paintPull(painter, *pull_, X_BS_.translation(), view);
   if (handles_) handles_->paint(painter, view);
 }
@@ -475,12 +476,12 @@ void RobotView::setStepTools(QWidget* tools) {
 void RobotView::showGhost(const std::optional<VectorXd>& joints) {
   std::vector<Isometry3d> X_BL;
   if (joints && robot_ && joints->size() == robot_->dof()) robot_->linkPoses(*joints, X_BL);
-  scene_->setGhost(X_BL);
+  scene_.ghost = X_BL;
   viewport_->requestFrame();
 }
 
 void RobotView::showGhostWay(const std::vector<Vector3d>& way) {
-  scene_->setGhostWay(way);
+  scene_.ghostWay = way.empty() ? nullptr : std::make_shared<const std::vector<Vector3d>>(way);
   ghostEnd_ = way.empty() ? std::nullopt : std::optional(way.back());
   viewport_->requestFrame();
 }
@@ -511,7 +512,7 @@ void RobotView::usePreset(Preset preset) {
       if (editing_) turnToAxes(camera, X_BS_.linear());
       break;
   }
-  std::vector<Vector3d> points = preset == Preset::tool ? scene_->toolOutline(editing_) : scene_->outline();
+  std::vector<Vector3d> points = preset == Preset::tool ? scene_.toolOutline(editing_) : scene_.outline();
   // The whole recording shall stay in the picture, not only this instant.
   if (preset != Preset::tool) points.insert(points.end(), sweep_.begin(), sweep_.end());
   // Labels stand at the right, so the picture keeps that side free where something is labelled.
@@ -519,17 +520,18 @@ void RobotView::usePreset(Preset preset) {
   viewport_->requestFrame();
 }
 
-void RobotView::renderNow() { viewport_->renderNow(true); }
+void RobotView::renderNow() { viewport_->renderNow(); }
 
 double RobotView::lastFrameMilliseconds() const { return viewport_->lastFrameMilliseconds(); }
 
 void RobotView::updateLabels() {
   overlay_->setGeometry(viewport_->rect());
-  const Scene3d::Anchors anchors = scene_->anchors();
+  const SceneState::Anchors& anchors = viewport_->anchors();
+  const HandleSet::View view = viewport_->shownView();
   std::vector<ViewLabel> labels;
   const auto add = [&](const std::optional<Vector3d>& point, const QString& title, const QString& note = {}) {
     if (!point) return;
-    const QPointF pixel = viewport_->toPixels(*point);
+    const QPointF pixel = view.pixelOf(*point);
     if (viewport_->rect().contains(pixel.toPoint())) labels.push_back({pixel, title, note});
   };
   if (labelsShown_) {
@@ -544,13 +546,13 @@ void RobotView::updateLabels() {
     if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
     if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
   }
-  if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), viewport_->handleView()), pull_->title, pull_->note});
+  if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), view), pull_->title, pull_->note});
   overlay_->setLabels(std::move(labels));
   std::array<QPointF, 3> ends;
   bool axesShown = labelsShown_;
   for (int a = 0; a < 3; ++a) {
     axesShown = axesShown && anchors.axes[a].has_value();
-    if (anchors.axes[a]) ends[a] = viewport_->toPixels(*anchors.axes[a]);
+    if (anchors.axes[a]) ends[a] = view.pixelOf(*anchors.axes[a]);
   }
   overlay_->setAxisLetters(ends, axesShown);
 }
@@ -569,8 +571,7 @@ void RobotView::updateNote() {
 
 void RobotView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && scene_) {
-    scene_->restyle();
+  if (event->type() == QEvent::PaletteChange) {
     overlay_->update();
     viewport_->requestFrame();
   }

@@ -25,9 +25,9 @@ class DimensionEditor;
 class LabelOverlay;
 class SceneTrack;
 class Viewport;
-class Scene3d;
 struct SceneParts;
 struct PayloadLook;
+struct SceneState;
 
 /// An arm that is being listened to, at one instant.
 struct LiveMoment {
@@ -115,6 +115,7 @@ class RobotView : public QWidget {
   void clearEstimate();
   void applyParts();
   void placeSensor(const Isometry3d& X_BS);
+  void setGravity(const Vector3d& gravity);
   void showWrench(const Isometry3d& X_BS, Vector6d wrench);
   void dress(std::shared_ptr<const RobotLook> look, const SensorMount& mount);
   void paintOver(QPainter& painter) const;
@@ -124,7 +125,7 @@ class RobotView : public QWidget {
   LabelOverlay* overlay_;
   QWidget* tools_;
   QLabel* note_;
-  std::unique_ptr<Scene3d> scene_;
+  SceneState& scene_;  ///< What the viewport draws
   std::unique_ptr<SceneParts> parts_;
   std::unique_ptr<SceneTrack> track_;
   std::shared_ptr<const Recording> recording_;

@@ -25,10 +25,6 @@ namespace heft {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kFullArrow = 0.22;    ///< [m]
-constexpr double kGravityArrow = 0.2;  ///< [m]
-constexpr double kAxisLength = 0.13;   ///< [m]
-constexpr double kSensorRadius = 0.0375;
 constexpr double kBallRadius = 0.013;
 
 void makeMatt(vtkActor* actor) {
@@ -52,7 +48,8 @@ void makeShell(vtkActor* actor, const Eigen::Vector4f& rgba) {
   property->SetSpecularPower(brightness > 0.5f ? 36 : 18);
 }
 
-vtkSmartPointer<vtkPolyData> meshOf(const Visual& visual) {
+/// Of a box, cylinder or sphere.
+vtkSmartPointer<vtkPolyData> simpleMesh(const Visual& visual) {
   switch (visual.kind) {
     case Visual::Kind::box:
       return makeBox(visual.size);
@@ -72,6 +69,19 @@ vtkSmartPointer<vtkPolyData> meshOf(const Visual& visual) {
   return vtkSmartPointer<vtkPolyData>::New();
 }
 
+bool samePoses(const std::vector<Isometry3d>& a, const std::vector<Isometry3d>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Isometry3d& x, const Isometry3d& y) { return x.matrix() == y.matrix(); });
+}
+
+bool sameTool(const SceneState& a, const SceneState& b) {
+  return a.selectedBody() == b.selectedBody() &&
+         std::equal(a.tool().begin(), a.tool().end(), b.tool().begin(), b.tool().end(),
+                    [](const SceneState::ToolBody& x, const SceneState::ToolBody& y) {
+                      return x.solid == y.solid && x.X_SB.matrix() == y.X_SB.matrix();
+                    });
+}
+
 }  // namespace
 
 struct Scene3d::Impl {
@@ -84,11 +94,9 @@ struct Scene3d::Impl {
     int link;
     Eigen::Matrix4d X_LV;  ///< With the mesh's scale.
     Piece piece;
-    std::vector<Vector3d> shadowPoints;  ///< Some of its surface, in the link's frame.
-    bool ghost = false;                  ///< Beyond the sensor: drawn as the translucent tool.
+    bool ghost = false;  ///< Beyond the sensor: drawn as the translucent tool.
   };
   std::vector<LinkPiece> linkPieces;
-  std::vector<Isometry3d> X_BL;
 
   Piece sensorBody, ball, region, regionLines, box, path, force, torque, gravity;
   std::array<Piece, 3> axes;
@@ -96,16 +104,8 @@ struct Scene3d::Impl {
   GhostArm ghost;
   SoftShadow shadow;
 
-  SceneParts parts;
-  bool sensorShown = false;
-  double sensorLength = 0.0;
-  Isometry3d X_BS = Isometry3d::Identity();
-  std::optional<PayloadLook> payload;
-  std::optional<Vector6d> wrench;
-  double fullForce = 1.0, fullTorque = 1.0;
-  Vector3d down{0, 0, -1};
-  std::vector<PathSample> samples;
-  Anchors anchors;
+  const Theme* theme = nullptr;  ///< Of what is shown; null before anything is.
+  SceneState state;
 
   explicit Impl(vtkRenderer* r) : renderer(r), stage(r), tool(r), ghost(r) {
     renderer->GetRenderWindow()->SetNumberOfLayers(2);
@@ -143,258 +143,180 @@ struct Scene3d::Impl {
     to->AddActor(piece.actor);
   }
 
-  void show(Piece& piece, bool shown) { piece.actor->SetVisibility(shown); }
+  static void show(Piece& piece, bool shown) { piece.actor->SetVisibility(shown); }
 
   void updateVisibility() {
-    show(sensorBody, sensorShown && sensorLength > 0);
-    const bool payloadShown = sensorShown && payload && parts.payload;
+    const SceneParts& parts = state.parts;
+    show(sensorBody, state.sensorShown && state.sensorLength > 0);
+    const bool payloadShown = state.sensorShown && state.payload && parts.payload;
     show(ball, payloadShown);
-    const bool regionShown = payloadShown && payload->region.minCoeff() > 0;
+    const bool regionShown = payloadShown && state.payload->region.minCoeff() > 0;
     show(region, regionShown);
     show(regionLines, regionShown);
-    show(box, payloadShown && payload->boxEdges);
-    show(path, parts.path && samples.size() > 1);
-    show(force, sensorShown && parts.arrows && wrench);
-    show(torque, sensorShown && parts.arrows && wrench);
-    show(gravity, sensorShown && parts.arrows);
-    for (auto& axis : axes) show(axis, sensorShown && parts.axes);
+    show(box, payloadShown && state.payload->boxEdges);
+    show(path, parts.path && state.path && state.path->size() > 1);
+    show(force, state.sensorShown && parts.arrows && state.wrench);
+    show(torque, state.sensorShown && parts.arrows && state.wrench);
+    show(gravity, state.sensorShown && parts.arrows);
+    for (auto& axis : axes) show(axis, state.sensorShown && parts.axes);
     tool.setShown(parts.tool);
     // A tool that the user described stands for the one that the robot's description brought along.
-    for (auto& piece : linkPieces) show(piece.piece, !(piece.ghost && parts.tool && !tool.empty()));
+    for (auto& piece : linkPieces) show(piece.piece, !(piece.ghost && parts.tool && !state.tool().empty()));
     stage.setGridShown(parts.grid);
   }
 
+  /// What stands at the sensor: body, axes, tool, payload, arrows.
   void updateSensor() {
+    const Isometry3d& X_BS = state.X_BS;
     const Eigen::Matrix4d X = X_BS.matrix();
     setPose(sensorBody.actor, X);
     for (auto& axis : axes) setPose(axis.actor, X);
     tool.setPose(X_BS);
-    anchors = {};
-    if (!sensorShown) return;
-    for (int a = 0; a < 3; ++a) {
-      if (parts.axes) anchors.axes[a] = X_BS * Vector3d(1.12 * kAxisLength * Vector3d::Unit(a));
-    }
-    anchors.sensor = X_BS * Vector3d(kSensorRadius, 0, -0.5 * sensorLength);
+    if (!state.sensorShown) return;
     Vector3d centre = X_BS.translation();
-    if (payload && parts.payload) {
-      centre = X_BS * payload->com;
-      anchors.centre = centre;
+    if (state.payload && state.parts.payload) {
+      centre = X_BS * state.payload->com;
       Isometry3d X_BC = X_BS;
       X_BC.translation() = centre;
       setPose(ball.actor, X_BC.matrix());
       Eigen::Matrix4d scaled = X_BC.matrix();
-      for (int a = 0; a < 3; ++a) scaled.col(a) *= payload->enlargement * payload->region(a);
+      for (int a = 0; a < 3; ++a) scaled.col(a) *= state.payload->enlargement * state.payload->region(a);
       setPose(region.actor, scaled);
       setPose(regionLines.actor, scaled);
       Isometry3d X_BBox = X_BC;
-      X_BBox.linear() = X_BS.linear() * payload->R_SBox;
+      X_BBox.linear() = X_BS.linear() * state.payload->R_SBox;
       setPose(box.actor, X_BBox.matrix());
-      if (payload->boxEdges) anchors.box = X_BBox * Vector3d(0.5 * *payload->boxEdges);
     }
-    if (parts.arrows) {
-      gravity.setMesh(makeArrow(centre, centre + kGravityArrow * down, 0.0045));
-      anchors.gravity = centre + kGravityArrow * down;
-    }
-    if (parts.arrows && wrench) {
-      const Vector3d origin = X_BS.translation();
-      const Vector3d f = wrench->head<3>() * (kFullArrow / std::max(1e-9, fullForce));
-      // Spikes and contact would reach out of the picture.
-      const Vector3d drawn = f.norm() > 2 * kFullArrow ? Vector3d(f.normalized() * 2 * kFullArrow) : f;
-      force.setMesh(makeArrow(origin, origin + drawn, 0.0055));
-      anchors.wrench = origin + drawn;
-      const Vector3d tau = wrench->tail<3>();
-      const double sweep = std::min(1.0, tau.norm() / std::max(1e-9, fullTorque)) * 1.5 * kPi;
-      std::vector<Vector3d> arc;
-      if (sweep > 0.15) {
-        const Vector3d axis = tau.normalized();
-        const Vector3d x = axis.unitOrthogonal(), y = axis.cross(x);
-        constexpr double kArcRadius = 0.065;
-        const int steps = std::max(4, static_cast<int>(sweep * 14));
-        for (int i = 0; i <= steps; ++i) {
-          const double angle = sweep * i / steps;
-          arc.push_back(origin + kArcRadius * (std::cos(angle) * x + std::sin(angle) * y));
-        }
+    if (!state.parts.arrows) return;
+    gravity.setMesh(makeArrow(centre, centre + kGravityArrow * state.down, 0.0045));
+    if (state.wrench) updateWrench();
+  }
+
+  void updateWrench() {
+    const Vector3d origin = state.X_BS.translation();
+    force.setMesh(makeArrow(origin, state.forceEnd(), 0.0055));
+    const Vector3d tau = state.wrench->tail<3>();
+    const double sweep = std::min(1.0, tau.norm() / std::max(1e-9, state.fullTorque)) * 1.5 * kPi;
+    std::vector<Vector3d> arc;
+    if (sweep > 0.15) {
+      const Vector3d axis = tau.normalized();
+      const Vector3d x = axis.unitOrthogonal(), y = axis.cross(x);
+      constexpr double kArcRadius = 0.065;
+      const int steps = std::max(4, static_cast<int>(sweep * 14));
+      for (int i = 0; i <= steps; ++i) {
+        const double angle = sweep * i / steps;
+        arc.push_back(origin + kArcRadius * (std::cos(angle) * x + std::sin(angle) * y));
       }
-      torque.setMesh(makeBentArrow(arc, 0.0032));
     }
+    torque.setMesh(makeBentArrow(arc, 0.0032));
   }
 
   void updateShadow() {
     shadow.clear();
-    for (const LinkPiece& piece : linkPieces) {
-      if (piece.link >= static_cast<int>(X_BL.size())) continue;
-      for (const Vector3d& p : piece.shadowPoints) shadow.add(X_BL[piece.link] * p);
-    }
-    if (sensorShown) {
-      for (int i = 0; i < 24; ++i) {
-        shadow.add(X_BS *
-                   Vector3d(kSensorRadius * std::cos(i * kPi / 12), kSensorRadius * std::sin(i * kPi / 12), -0.02));
-      }
-    }
-    for (const Vector3d& p : tool.points()) shadow.add(X_BS * p);
+    for (const Vector3d& p : state.surface()) shadow.add(p);
     stage.setShadow(shadow.finish());
   }
 
   void rebuildPath() {
+    if (!state.path) return;
     std::vector<Vector3d> way;
     std::vector<std::array<unsigned char, 3>> colours;
-    const Theme& t = theme();
     // On the light floor the pale mark colours need to be deeper to be seen as a line.
-    const QColor free = t.dark ? t.markFree.lighter(135) : QColor("#4B9FD0");
-    for (const PathSample& sample : samples) {
+    const QColor free = theme->dark ? theme->markFree.lighter(135) : QColor("#4B9FD0");
+    for (const PathSample& sample : *state.path) {
       const QColor c = sample.label == MarkLabel::free      ? free
-                       : sample.label == MarkLabel::contact ? t.markContact
-                                                            : t.text3;
+                       : sample.label == MarkLabel::contact ? theme->markContact
+                                                            : theme->text3;
       way.push_back(sample.point);
       colours.push_back({static_cast<unsigned char>(c.red()), static_cast<unsigned char>(c.green()),
                          static_cast<unsigned char>(c.blue())});
     }
     path.setMesh(makeTube(way, colours, 0.0028, 8));
   }
-};
 
-Scene3d::Scene3d(vtkRenderer* renderer) : impl_(std::make_unique<Impl>(renderer)) { restyle(); }
-Scene3d::~Scene3d() = default;
-
-void Scene3d::restyle() {
-  Impl& s = *impl_;
-  const Theme& t = theme();
-  s.stage.restyle();
-  setColour(s.sensorBody.actor, QColor("#4A545E"));
-  setColour(s.region.actor, t.look);
-  setColour(s.regionLines.actor, t.dark ? t.look : QColor("#8A6100"));
-  setColour(s.box.actor, t.text);
-  setColour(s.force.actor, t.wrench);
-  setColour(s.torque.actor, t.wrench);
-  setColour(s.gravity.actor, t.gravity);
-  for (int a = 0; a < 3; ++a) setColour(s.axes[a].actor, t.axis[a]);
-  for (auto& piece : s.linkPieces) {
-    if (piece.ghost) makeTranslucent(piece.piece.actor, t.tool, 0.26);
-  }
-  s.tool.restyle();
-  s.ghost.restyle();
-  s.rebuildPath();
-  s.updateShadow();
-}
-
-void Scene3d::setRobot(std::shared_ptr<const RobotLook> look, const std::vector<bool>& ghostLinks) {
-  Impl& s = *impl_;
-  for (auto& piece : s.linkPieces) s.renderer->RemoveActor(piece.piece.actor);
-  s.linkPieces.clear();
-  s.X_BL.clear();
-  if (look) {
-    for (const LookPart& part : look->parts) {
-      Eigen::Matrix4d X_LV = part.visual.X_LV.matrix();
-      if (part.mesh) {
-        Eigen::Matrix4d scaled = X_LV;
-        for (int a = 0; a < 3; ++a) scaled.col(a) *= part.visual.size(a);
-        for (const MeshPart& meshPart : part.mesh->parts) {
-          Impl::LinkPiece piece{part.link, scaled, {}, {}, false};
-          piece.piece.setMesh(toPolyData(meshPart));
-          const Eigen::Vector4f rgba =
-              part.visual.hasColour ? Eigen::Vector4f(part.visual.rgba.cast<float>()) : meshPart.rgba;
-          makeShell(piece.piece.actor, rgba);
-          const std::size_t stride = std::max<std::size_t>(1, meshPart.vertices.size() / 500);
-          for (std::size_t v = 0; v < meshPart.vertices.size(); v += stride) {
-            piece.shadowPoints.push_back((scaled * meshPart.vertices[v].cast<double>().homogeneous()).head<3>());
-          }
-          s.linkPieces.push_back(std::move(piece));
+  void rebuildRobot() {
+    for (auto& piece : linkPieces) renderer->RemoveActor(piece.piece.actor);
+    linkPieces.clear();
+    const auto addPiece = [&](int link, const Eigen::Matrix4d& X_LV, vtkPolyData* mesh, const Eigen::Vector4f& rgba) {
+      const auto at = static_cast<std::size_t>(link);
+      LinkPiece piece{link, X_LV, {}, at < state.ghostLinks.size() && state.ghostLinks[at]};
+      piece.piece.setMesh(mesh);
+      makeShell(piece.piece.actor, rgba);
+      if (piece.ghost) makeTranslucent(piece.piece.actor, theme->tool, 0.26);
+      renderer->AddActor(piece.piece.actor);
+      linkPieces.push_back(std::move(piece));
+    };
+    if (state.look) {
+      for (const LookPart& part : state.look->parts) {
+        Eigen::Matrix4d X_LV = part.visual.X_LV.matrix();
+        const Eigen::Vector4f rgba = part.visual.rgba.cast<float>();
+        if (!part.mesh) {
+          addPiece(part.link, X_LV, simpleMesh(part.visual), rgba);
+          continue;
         }
-      } else {
-        Impl::LinkPiece piece{part.link, X_LV, {}, {}, false};
-        auto mesh = meshOf(part.visual);
-        piece.piece.setMesh(mesh);
-        makeShell(piece.piece.actor, part.visual.rgba.cast<float>());
-        for (vtkIdType v = 0; v < mesh->GetNumberOfPoints(); ++v) {
-          double p[3];
-          mesh->GetPoint(v, p);
-          piece.shadowPoints.push_back((X_LV * Eigen::Vector4d(p[0], p[1], p[2], 1)).head<3>());
-        }
-        s.linkPieces.push_back(std::move(piece));
+        for (int a = 0; a < 3; ++a) X_LV.col(a) *= part.visual.size(a);
+        for (const MeshPart& mesh : part.mesh->parts)
+          addPiece(part.link, X_LV, toPolyData(mesh), part.visual.hasColour ? rgba : mesh.rgba);
       }
     }
+    std::vector<GhostArm::Part> parts;
+    for (const auto& piece : linkPieces) parts.push_back({piece.link, piece.X_LV, piece.piece.mapper->GetInput()});
+    ghost.setParts(parts);
   }
-  for (auto& piece : s.linkPieces) {
-    piece.ghost = piece.link < static_cast<int>(ghostLinks.size()) && ghostLinks[piece.link];
-    if (piece.ghost) makeTranslucent(piece.piece.actor, theme().tool, 0.26);
-    s.renderer->AddActor(piece.piece.actor);
+
+  void placeLinks() {
+    for (auto& piece : linkPieces) {
+      const auto link = static_cast<std::size_t>(piece.link);
+      if (link < state.X_BL.size()) setPose(piece.piece.actor, state.X_BL[link].matrix() * piece.X_LV);
+    }
   }
-  std::vector<GhostArm::Part> ghost;
-  for (const auto& piece : s.linkPieces) ghost.push_back({piece.link, piece.X_LV, piece.piece.mapper->GetInput()});
-  s.ghost.setParts(ghost);
-  s.updateVisibility();
-  s.updateShadow();
-}
 
-void Scene3d::setLinkPoses(const std::vector<Isometry3d>& X_BL) {
-  Impl& s = *impl_;
-  s.X_BL = X_BL;
-  for (auto& piece : s.linkPieces) {
-    if (piece.link < static_cast<int>(X_BL.size())) setPose(piece.piece.actor, X_BL[piece.link].matrix() * piece.X_LV);
+  void restyle() {
+    stage.restyle(*theme);
+    setColour(sensorBody.actor, QColor("#4A545E"));
+    setColour(region.actor, theme->look);
+    setColour(regionLines.actor, theme->dark ? theme->look : QColor("#8A6100"));
+    setColour(box.actor, theme->text);
+    setColour(force.actor, theme->wrench);
+    setColour(torque.actor, theme->wrench);
+    setColour(gravity.actor, theme->gravity);
+    for (int a = 0; a < 3; ++a) setColour(axes[static_cast<std::size_t>(a)].actor, theme->axis[static_cast<std::size_t>(a)]);
+    for (auto& piece : linkPieces)
+      if (piece.ghost) makeTranslucent(piece.piece.actor, theme->tool, 0.26);
+    tool.restyle(*theme);
+    ghost.restyle(*theme);
   }
-  s.updateShadow();
-}
+};
 
-void Scene3d::setSensor(double bodyLength, bool body) {
+Scene3d::Scene3d(vtkRenderer* renderer) : impl_(std::make_unique<Impl>(renderer)) {}
+Scene3d::~Scene3d() = default;
+
+void Scene3d::show(const SceneState& state, const Theme& theme) {
   Impl& s = *impl_;
-  s.sensorShown = true;
-  s.sensorLength = body ? bodyLength : 0.0;
-  if (body) s.sensorBody.setMesh(makePuck(kSensorRadius, -bodyLength, 0));
+  const SceneState before = std::exchange(s.state, state);
+  const bool first = s.theme == nullptr, colours = first || s.theme != &theme;
+  s.theme = &theme;
+  const bool robot = before.look != state.look || before.ghostLinks != state.ghostLinks;
+  const bool tool = !sameTool(before, state);
+  const bool arm = robot || !samePoses(before.X_BL, state.X_BL);
+  const bool path = before.path != state.path;
+  const bool way = before.ghostWay != state.ghostWay;
+  const bool sensor = before.sensorLength != state.sensorLength;
+  const bool box = state.payload && state.payload->boxEdges &&
+                   (!before.payload || before.payload->boxEdges != state.payload->boxEdges);
+  const bool moved = before.X_BS.matrix() != state.X_BS.matrix();
+  if (robot) s.rebuildRobot();
+  if (tool) s.tool.setBodies(state.tool(), state.selectedBody());
+  if (colours || tool || robot) s.restyle();
+  if (arm) s.placeLinks();
+  if (robot || colours || arm || !samePoses(before.ghost, state.ghost)) s.ghost.setPoses(state.ghost, state.X_BL);
+  if (way) s.ghost.setWay(state.ghostWay ? *state.ghostWay : std::vector<Vector3d>());
+  if (path || colours) s.rebuildPath();
+  if (sensor && state.sensorLength > 0) s.sensorBody.setMesh(makePuck(kSensorRadius, -state.sensorLength, 0));
+  if (box) s.box.setMesh(makeDashedBox(*state.payload->boxEdges, 0.009));
   s.updateSensor();
   s.updateVisibility();
-}
-
-void Scene3d::setSensorPose(const Isometry3d& X_BS) {
-  Impl& s = *impl_;
-  s.X_BS = X_BS;
-  s.updateSensor();
-  if (s.linkPieces.empty()) s.updateShadow();
-}
-
-void Scene3d::setPayload(const std::optional<PayloadLook>& payload) {
-  Impl& s = *impl_;
-  s.payload = payload;
-  if (payload && payload->boxEdges) s.box.setMesh(makeDashedBox(*payload->boxEdges, 0.009));
-  s.updateSensor();
-  s.updateVisibility();
-}
-
-void Scene3d::setTool(const std::vector<ShapeBody>& bodies, int selected) {
-  impl_->tool.setBodies(bodies, selected);
-  impl_->updateVisibility();
-  impl_->updateShadow();
-}
-
-void Scene3d::setGhost(const std::vector<Isometry3d>& X_BL) {
-  impl_->ghost.setPoses(X_BL, impl_->X_BL);
-}
-
-void Scene3d::setGhostWay(const std::vector<Vector3d>& way) { impl_->ghost.setWay(way); }
-
-void Scene3d::setPath(const std::vector<PathSample>& samples) {
-  impl_->samples = samples;
-  impl_->rebuildPath();
-  impl_->updateVisibility();
-}
-
-void Scene3d::setWrench(const std::optional<Vector6d>& wrench, double fullForce, double fullTorque) {
-  Impl& s = *impl_;
-  s.wrench = wrench;
-  s.fullForce = fullForce;
-  s.fullTorque = fullTorque;
-  s.updateSensor();
-  s.updateVisibility();
-}
-
-void Scene3d::setGravityDirection(const Vector3d& direction) {
-  if (direction.norm() > 0) impl_->down = direction.normalized();
-  impl_->updateSensor();
-}
-
-void Scene3d::setParts(const SceneParts& parts) {
-  impl_->parts = parts;
-  impl_->updateSensor();
-  impl_->updateVisibility();
+  if (first || colours || arm || tool || moved || before.sensorShown != state.sensorShown) s.updateShadow();
 }
 
 void Scene3d::applyCamera(const OrbitCamera& camera) {
@@ -413,51 +335,5 @@ void Scene3d::applyCamera(const OrbitCamera& camera) {
   bounds.GetBounds(all);
   impl_->renderer->ResetCameraClippingRange(all);
 }
-
-std::vector<Vector3d> Scene3d::outline() const {
-  const Impl& s = *impl_;
-  std::vector<Vector3d> points;
-  for (const auto& piece : s.linkPieces) {
-    if (piece.link >= static_cast<int>(s.X_BL.size())) continue;
-    for (std::size_t i = 0; i < piece.shadowPoints.size(); i += 4) {
-      points.push_back(s.X_BL[piece.link] * piece.shadowPoints[i]);
-    }
-  }
-  for (const PathSample& sample : s.samples) points.push_back(sample.point);
-  for (const Vector3d& p : s.tool.points()) points.push_back(s.X_BS * p);
-  if (s.sensorShown) {
-    const Vector3d at = s.X_BS.translation();
-    // Room for the arrows up and down, of which the way of the sensor says nothing.
-    for (const double z : {-kGravityArrow, kFullArrow}) points.push_back(at + Vector3d(0, 0, z));
-    for (int a = 0; a < 3; ++a) points.push_back(s.X_BS * Vector3d(kAxisLength * Vector3d::Unit(a)));
-  }
-  if (points.empty()) points = {Vector3d(-0.3, -0.3, 0), Vector3d(0.5, 0.3, 0.8)};
-  return points;
-}
-
-std::vector<Vector3d> Scene3d::toolOutline(bool alone) const {
-  const Impl& s = *impl_;
-  if (alone) {
-    // A hand's breadth of the arm tells where the tool is.
-    std::vector<Vector3d> around;
-    for (const double z : {-0.10, 0.09}) {
-      for (int a = 0; a < 2; ++a) {
-        for (const double side : {-0.08, 0.08}) around.push_back(s.X_BS * Vector3d(side * Vector3d::Unit(a) + Vector3d(0, 0, z)));
-      }
-    }
-    for (const Vector3d& p : s.tool.points()) around.push_back(s.X_BS * p);
-    return around;
-  }
-  const Vector3d at = s.X_BS.translation();
-  const Vector3d centre = s.payload ? Vector3d(s.X_BS * s.payload->com) : at;
-  std::vector<Vector3d> points{at + Vector3d(0, 0, kFullArrow), centre - Vector3d(0, 0, kGravityArrow)};
-  for (int a = 0; a < 3; ++a) {
-    for (const double side : {-1.0, 1.0}) points.push_back(centre + 0.16 * side * Vector3d::Unit(a));
-  }
-  for (const Vector3d& p : s.tool.points()) points.push_back(s.X_BS * p);
-  return points;
-}
-
-Scene3d::Anchors Scene3d::anchors() const { return impl_->anchors; }
 
 }  // namespace heft

@@ -111,8 +111,8 @@ void Stage::lightToo(vtkRenderer* other) {
   for (auto* light : {key_.Get(), fill_.Get(), rim_.Get()}) other->AddLight(light);
 }
 
-void Stage::restyle() {
-  const Theme& t = theme();
+void Stage::restyle(const Theme& t) {
+  dark_ = t.dark;
   renderer_->GradientBackgroundOn();
   renderer_->SetBackground(t.skyBottom.redF(), t.skyBottom.greenF(), t.skyBottom.blueF());
   renderer_->SetBackground2(t.skyTop.redF(), t.skyTop.greenF(), t.skyTop.blueF());
@@ -141,12 +141,11 @@ void Stage::setGridShown(bool shown) { grid_->SetVisibility(shown); }
 
 void Stage::setShadow(const std::vector<std::uint8_t>& darkness) {
   auto* pixel = static_cast<unsigned char*>(shadowImage_->GetScalarPointer());
-  const bool dark = theme().dark;
   for (const std::uint8_t value : darkness) {
-    pixel[0] = dark ? 0 : 58;
-    pixel[1] = dark ? 0 : 72;
-    pixel[2] = dark ? 0 : 88;
-    pixel[3] = static_cast<unsigned char>(value * (dark ? 0.9 : 0.62));
+    pixel[0] = dark_ ? 0 : 58;
+    pixel[1] = dark_ ? 0 : 72;
+    pixel[2] = dark_ ? 0 : 88;
+    pixel[3] = static_cast<unsigned char>(value * (dark_ ? 0.9 : 0.62));
     pixel += 4;
   }
   shadowImage_->Modified();

@@ -13,18 +13,21 @@
 
 namespace heft {
 
+struct Theme;
+
 class Stage {
  public:
   explicit Stage(vtkRenderer* renderer);
   /// Lights another renderer of the same camera just as this one.
   void lightToo(vtkRenderer* other);
-  void restyle();
+  void restyle(const Theme& theme);
   void setGridShown(bool shown);
   /// Darkness of SoftShadow::kCells squared cells.
   void setShadow(const std::vector<std::uint8_t>& darkness);
 
  private:
   vtkRenderer* renderer_;
+  bool dark_ = false;
   vtkSmartPointer<vtkActor> grid_, shadow_;
   vtkSmartPointer<vtkPolyData> gridLines_;
   vtkSmartPointer<vtkImageData> shadowImage_;

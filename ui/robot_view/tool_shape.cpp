@@ -5,7 +5,6 @@
 #include <vtkProperty.h>
 
 #include "ui/robot_view/solids.h"
-#include "ui/robot_view/tool_solid.h"
 #include "ui/theme/theme.h"
 
 namespace heft {
@@ -24,44 +23,29 @@ vtkSmartPointer<vtkPolyData> toLines(const std::vector<std::vector<Vector3d>>& e
   return data;
 }
 
-bool sameForm(const ShapeBody& a, const ShapeBody& b) {
-  return a.kind == b.kind && a.dims == b.dims && a.mesh == b.mesh && a.unit == b.unit && a.wall == b.wall;
-}
-
 }  // namespace
 
-void ToolShape::setBodies(const std::vector<ShapeBody>& bodies, int selected) {
+void ToolShape::setBodies(const std::vector<SceneState::ToolBody>& bodies, int selected) {
   selected_ = selected;
   while (bodies_.size() > bodies.size()) {
     for (Piece* piece : {&bodies_.back().faces, &bodies_.back().edges, &bodies_.back().hollow})
       renderer_->RemoveActor(piece->actor);
     bodies_.pop_back();
   }
-  points_.clear();
+  while (bodies_.size() < bodies.size()) {
+    bodies_.emplace_back();
+    for (Piece* piece : {&bodies_.back().faces, &bodies_.back().edges, &bodies_.back().hollow})
+      renderer_->AddActor(piece->actor);
+  }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const bool fresh = i == bodies_.size();
-    if (fresh) {
-      bodies_.emplace_back();
-      for (Piece* piece : {&bodies_[i].faces, &bodies_[i].edges, &bodies_[i].hollow})
-        renderer_->AddActor(piece->actor);
-    }
     Body& body = bodies_[i];
-    if (fresh || !sameForm(body.shape, bodies[i])) {
-      const ToolSolid solid = makeToolSolid(bodies[i]);
-      body.faces.setMesh(toPolyData(solid.faces));
-      body.edges.setMesh(toLines(solid.edges));
-      body.hollow.setMesh(toLines(solid.hollow));
+    if (body.shape.solid != bodies[i].solid) {
+      body.faces.setMesh(toPolyData(bodies[i].solid->faces));
+      body.edges.setMesh(toLines(bodies[i].solid->edges));
+      body.hollow.setMesh(toLines(bodies[i].solid->hollow));
     }
     body.shape = bodies[i];
-    auto* mesh = body.faces.mapper->GetInput();
-    const vtkIdType count = mesh->GetNumberOfPoints(), stride = std::max<vtkIdType>(1, count / 200);
-    for (vtkIdType v = 0; v < count; v += stride) {
-      double p[3];
-      mesh->GetPoint(v, p);
-      points_.push_back(bodies[i].X_SB * Vector3d(p[0], p[1], p[2]));
-    }
   }
-  restyle();
   place();
 }
 
@@ -83,8 +67,7 @@ void ToolShape::setShown(bool shown) {
     for (Piece* piece : {&body.faces, &body.edges, &body.hollow}) piece->actor->SetVisibility(shown);
 }
 
-void ToolShape::restyle() {
-  const Theme& t = theme();
+void ToolShape::restyle(const Theme& t) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = bodies_[i];
     const bool strong = selected_ < 0 || selected_ == static_cast<int>(i);

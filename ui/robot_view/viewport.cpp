@@ -1,17 +1,12 @@
 #include "ui/robot_view/viewport.h"
 
-#include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkMatrix4x4.h>
-#include <vtkRendererCollection.h>
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
+#include <QPainter>
 #include <QWheelEvent>
-
 #include <cmath>
+
+#include "ui/theme/theme.h"
 
 namespace heft {
 namespace {
@@ -21,30 +16,21 @@ constexpr int kSlowest = 700;  ///< [ms] Frames further apart do not belong to o
 
 }  // namespace
 
-Viewport::Viewport(QWidget* parent) : QVTKOpenGLNativeWidget(parent), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
-  auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
-  window->SetMultiSamples(0);
-  setRenderWindow(window);
-  window->AddRenderer(renderer_);
-  // Our own mouse handling replaces VTK's interactor styles.
-  setEnableHiDPI(true);
+Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(false);
   frame_.setSingleShot(true);
   frame_.setInterval(0);
-  connect(&frame_, &QTimer::timeout, this, [this] { renderNow(false); });
+  connect(&frame_, &QTimer::timeout, this, [this] {
+    if (isVisible()) renderer_.order(order(false));
+  });
   settle_.setSingleShot(true);
   sinceFrame_.start();
-  connect(&settle_, &QTimer::timeout, this, [this] { renderNow(true); });
-}
-
-QPointF Viewport::toPixels(const Vector3d& point) const {
-  vtkMatrix4x4* matrix = renderer_->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect(), -1, 1);
-  const double in[4] = {point.x(), point.y(), point.z(), 1.0};
-  double out[4];
-  matrix->MultiplyPoint(in, out);
-  if (out[3] <= 1e-9) return {-1e6, -1e6};
-  return {(out[0] / out[3] + 1) / 2 * width(), (1 - out[1] / out[3]) / 2 * height()};
+  connect(&settle_, &QTimer::timeout, this, [this] { renderer_.order(order(true)); });
+  connect(&renderer_, &SceneRenderer::drawn, this, [this] {
+    if (auto picture = renderer_.take()) show(std::move(*picture));
+  });
 }
 
 void Viewport::setHandles(HandleSet* handles) {
@@ -71,29 +57,23 @@ void Viewport::showCursor() {
   setToolTip(handles_ && !handles_->dragging() ? handles_->tip() : QString());
 }
 
+PictureOrder Viewport::order(bool smooth) const { return {scene_, &theme(), camera_, size(), devicePixelRatioF(), smooth}; }
+
 void Viewport::requestFrame() {
   if (!frame_.isActive()) frame_.start();
 }
 
-void Viewport::renderNow(bool smooth) {
+void Viewport::renderNow() {
   frame_.stop();
-  if (!isValid() || width() < 2 || height() < 2) return;
-  emit aboutToRender();
-  if (!asked_) {
-    asked_ = true;
-    makeCurrent();
-    const auto* name = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
-    const QString renderer = QString::fromLatin1(name != nullptr ? name : "");
-    softwareRendering_ = renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR");
-  }
-  renderWindow()->SetMultiSamples(smooth || !softwareRendering_ ? 4 : 0);
-  QElapsedTimer clock;
-  clock.start();
-  renderWindow()->Render();
-  lastFrame_ = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+  show(renderer_.drawNow(order(true)));
+}
+
+void Viewport::show(ScenePicture picture) {
+  if (picture.image.isNull()) return;
+  picture_ = std::move(picture);
   update();
   emit rendered();
-  if (smooth) {
+  if (picture_.smooth) {
     settle_.stop();
   } else {
     // Where frames come slowly one after another, things have not come to rest between two of them.
@@ -102,20 +82,17 @@ void Viewport::renderNow(bool smooth) {
   }
 }
 
-bool Viewport::event(QEvent* event) {
-  switch (event->type()) {
-    // VTK's own widget would hand these to its interactor first.
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::Wheel:
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-      return QOpenGLWidget::event(event);
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
+void Viewport::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (!picture_.image.isNull()) {
+    painter.drawImage(rect(), picture_.image);
+    return;
   }
+  painter.fillRect(rect(), theme().skyBottom);
+  if (renderer_.works()) return;
+  painter.setPen(theme().text2);
+  painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                   tr("The 3D view needs OpenGL, which this computer does not offer. Everything else works without it."));
 }
 
 void Viewport::cameraChanged() {
@@ -155,7 +132,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Viewport::leaveEvent(QEvent* event) {
-  QVTKOpenGLNativeWidget::leaveEvent(event);
+  QWidget::leaveEvent(event);
   if (handles_ && !handles_->dragging()) handles_->leave();
 }
 
@@ -203,12 +180,12 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-  QVTKOpenGLNativeWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
   requestFrame();
 }
 
 void Viewport::showEvent(QShowEvent* event) {
-  QVTKOpenGLNativeWidget::showEvent(event);
+  QWidget::showEvent(event);
   requestFrame();
 }
 

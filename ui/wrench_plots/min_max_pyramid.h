@@ -12,6 +12,9 @@ struct MinMax {
 /// Keeps the values and, over them, levels of extremes of 16, 64, 256 ... samples. NaN counts as absent.
 class MinMaxPyramid {
  public:
+  /// Samples in a block of the lowest level.
+  static constexpr std::size_t kBase = 16;
+
   MinMaxPyramid() = default;
   explicit MinMaxPyramid(std::vector<double> values);
 
@@ -22,7 +25,7 @@ class MinMaxPyramid {
   MinMax range(std::size_t from, std::size_t to) const;
 
  private:
-  static constexpr std::size_t kBase = 16, kFactor = 4;
+  static constexpr std::size_t kFactor = 4;
   std::vector<double> values_;
   std::vector<std::vector<MinMax>> levels_;
 };

@@ -1,21 +1,29 @@
 #pragma once
-// A curve for QCustomPlot that draws what WrenchTraces thinned: an envelope where samples crowd, a line where they do
-// not. QCPGraph strokes the whole polyline as one path, which takes most of a second for six noisy channels at full
-// width.
+// A lane's curves for QCustomPlot, drawn by TraceColumns: a line where samples are few, all that they reach where they
+// crowd.
 #include <qcustomplot.h>
+
+#include <vector>
 
 #include "ui/wrench_plots/wrench_traces.h"
 
 namespace heft {
 
+class TraceColumns;
+
 class TracePlottable : public QCPAbstractPlottable {
  public:
+  struct Trace {
+    ThinnedCurve curve;
+    QColor colour;
+    double thickness = 1.5;  ///< [px]
+    bool dashed = false;
+    bool dots = false;  ///< Every sample is a dot, too.
+  };
   TracePlottable(QCPAxis* keyAxis, QCPAxis* valueAxis);
 
-  void setCurve(ThinnedCurve curve) { curve_ = std::move(curve); }
-  void setDashed(bool dashed) { dashed_ = dashed; }
-  /// Draws every sample as a dot, too.
-  void setDots(bool dots) { dots_ = dots; }
+  /// The later ones over the earlier.
+  void setTraces(std::vector<Trace> traces) { traces_ = std::move(traces); }
 
   double selectTest(const QPointF&, bool, QVariant* = nullptr) const override { return -1; }
   QCPRange getKeyRange(bool& found, QCP::SignDomain) const override;
@@ -26,13 +34,8 @@ class TracePlottable : public QCPAbstractPlottable {
   void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
 
  private:
-  void drawEnvelope(QCPPainter* painter) const;
-  void drawLine(QCPPainter* painter, const QVector<QPointF>& points) const;
-  void drawDashes(QCPPainter* painter, const QVector<QPointF>& points) const;
-
-  ThinnedCurve curve_;
-  bool dashed_ = false;
-  bool dots_ = false;
+  std::vector<Trace> traces_;
+  QImage picture_;  ///< Kept for the next time.
 };
 
 }  // namespace heft

@@ -5,7 +5,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
 #include <limits>
@@ -24,10 +23,16 @@ constexpr int kLaneGap = 6;
 bool isDifference(int lane) { return lane % 2 == 1; }
 int firstChannel(int lane) { return lane < 2 ? 0 : 3; }
 
-/// Few ticks with a real minus sign.
+/// Few ticks with a real minus sign; none so near an edge that its number would run into the next lane's.
 class LaneTicker : public QCPAxisTicker {
+ public:
+  explicit LaneTicker(const QCPAxisRect* lane) : lane_(lane) {}
+
  protected:
   QString getTickLabel(double tick, const QLocale&, QChar, int) override {
+    constexpr double kHalfNumber = 5.0;  // [px]
+    const double above = (tick - range_.lower) / range_.size() * lane_->height();
+    if (above < kHalfNumber || above > lane_->height() - kHalfNumber) return {};
     if (std::abs(tick) < 1e-9 * std::max(1.0, mTickStep_)) return QStringLiteral("0");
     const double step = std::abs(mTickStep_);
     int decimals = 0;
@@ -37,11 +42,14 @@ class LaneTicker : public QCPAxisTicker {
     return numberText(tick, decimals);
   }
   double getTickStep(const QCPRange& range) override {
+    range_ = range;
     mTickStep_ = QCPAxisTicker::getTickStep(range);
     return mTickStep_;
   }
 
  private:
+  const QCPAxisRect* lane_;
+  QCPRange range_;
   double mTickStep_ = 1.0;
 };
 
@@ -149,15 +157,12 @@ class PlotCanvas : public QCustomPlot {
 struct WrenchPlots::Parts {
   PlotCanvas* canvas = nullptr;
   std::array<QCPAxisRect*, kLanes> rects{};
-  /// Main lanes: measured 0-2, simulated 3-5. Difference lanes: 0-2.
-  std::array<std::array<TracePlottable*, 6>, kLanes> graphs{};
+  std::array<TracePlottable*, kLanes> traces{};
   std::array<QCPItemRect*, kLanes> noise{};
   std::array<QCPItemText*, kLanes> titles{};
   std::array<QCPItemText*, kLanes> units{};
   std::vector<QCPItemRect*> marks;
   QCPItemText* word = nullptr;  ///< Over the highlighted stretch
-  QTimer settle;        ///< After the last zoom or pan: draw once more, smoothly.
-  bool moving = false;  ///< While zooming and panning lines are drawn without antialiasing, three times as fast.
   int points = 0;
 };
 
@@ -204,7 +209,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     // The vertical grid needs ticks, which are invisible with length zero.
     rect->axis(QCPAxis::atBottom)->setTicks(true);
     rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(11);
-    QSharedPointer<QCPAxisTicker> ticker(new LaneTicker);
+    QSharedPointer<QCPAxisTicker> ticker(new LaneTicker(rect));
     ticker->setTickCount(isDifference(lane) ? 2 : 3);
     rect->axis(QCPAxis::atLeft)->setTicker(ticker);
     rect->axis(QCPAxis::atLeft)->setTickLabelPadding(6);
@@ -220,10 +225,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     p.noise[lane]->setClipAxisRect(rect);
     p.noise[lane]->setVisible(false);
 
-    for (int c = 0; c < (isDifference(lane) ? 3 : 6); ++c) {
-      p.graphs[lane][c] = new TracePlottable(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-      p.graphs[lane][c]->setDashed(c >= 3);
-    }
+    p.traces[lane] = new TracePlottable(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
 
     const auto addText = [&](const QString& text) {
       auto* item = new QCPItemText(p.canvas);
@@ -244,19 +246,8 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
       p.units[lane]->position->setCoords(0, 1);
     }
   }
-  p.settle.setSingleShot(true);
-  p.settle.setInterval(140);
-  connect(&p.settle, &QTimer::timeout, this, [this] {
-    parts_->moving = false;
-    refresh();
-  });
-  connect(axis_, &TimeAxis::visibleChanged, this, [this] {
-    parts_->moving = true;
-    parts_->settle.start();
-    refresh();
-  });
+  connect(axis_, &TimeAxis::visibleChanged, this, &WrenchPlots::refresh);
   restyle();
-  refresh();
 }
 
 WrenchPlots::~WrenchPlots() = default;
@@ -355,14 +346,9 @@ void WrenchPlots::restyle() {
       p.units[lane]->setFont(uiFont(type::kCaption));
       p.units[lane]->setColor(t.text3);
     }
-    for (int c = 0; c < 3; ++c) {
-      p.graphs[lane][c]->setPen(QPen(t.axis[c], isDifference(lane) ? 1.1 : 1.5));
-      if (isDifference(lane)) continue;
-      p.graphs[lane][c + 3]->setPen(QPen(t.axisSimulated[c], 1.4, Qt::SolidLine, Qt::FlatCap));
-    }
   }
   rebuildBackgrounds();
-  p.canvas->replot(QCustomPlot::rpQueuedReplot);
+  refresh();
 }
 
 void WrenchPlots::setHighlight(double from, double to, const QString& word) {
@@ -451,25 +437,23 @@ void WrenchPlots::refresh() {
     }
     for (auto* line : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atRight)}) line->setRange(lower, upper);
 
-    for (int g = 0; g < (isDifference(lane) ? 3 : 6); ++g) {
-      const int c = g % 3;
-      const auto kind = isDifference(lane) ? WrenchTraces::Kind::difference
-                        : g < 3            ? WrenchTraces::Kind::measured
-                                           : WrenchTraces::Kind::simulated;
-      const auto shownAs = static_cast<int>(isDifference(lane) ? Shown::difference
-                                            : g < 3            ? Shown::measured
-                                                               : Shown::simulated);
-      TracePlottable* graph = p.graphs[lane][g];
-      graph->setAntialiased(!p.moving);
-      graph->setDots(traces_->poses() && g < 3);
-      if (!shown_[c] || !shown_[shownAs]) {
-        graph->setCurve({});
-        continue;
+    std::vector<TracePlottable::Trace> traces;
+    const auto add = [&](WrenchTraces::Kind kind, Shown shownAs, const std::array<QColor, 3>& colours, double thickness) {
+      for (int c = 0; c < 3; ++c) {
+        if (!isShown(static_cast<Shown>(c)) || !isShown(shownAs)) continue;
+        const bool simulated = kind == WrenchTraces::Kind::simulated;
+        traces.push_back({traces_->thinned(kind, first + c, from, to, pixels), colours[static_cast<std::size_t>(c)], thickness,
+                          simulated, traces_->poses() && !simulated});
+        p.points += traces.back().curve.x.size();
       }
-      ThinnedCurve curve = traces_->thinned(kind, first + c, from, to, pixels);
-      p.points += curve.x.size();
-      graph->setCurve(std::move(curve));
+    };
+    if (isDifference(lane)) {
+      add(WrenchTraces::Kind::difference, Shown::difference, theme().axis, 1.1);
+    } else {
+      add(WrenchTraces::Kind::measured, Shown::measured, theme().axis, 1.5);
+      add(WrenchTraces::Kind::simulated, Shown::simulated, theme().axisSimulated, 1.4);
     }
+    p.traces[static_cast<std::size_t>(lane)]->setTraces(std::move(traces));
   }
   p.canvas->replot(QCustomPlot::rpQueuedReplot);
 }

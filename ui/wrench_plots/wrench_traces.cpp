@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace heft {
 namespace {
@@ -15,6 +16,16 @@ std::vector<double> counted(Eigen::Index n) {
   std::vector<double> values(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i + 1);
   return values;
+}
+
+/// [s] Twenty samples may be lost before it shows.
+double longestJoined(const std::vector<double>& time) {
+  if (time.size() < 2) return std::numeric_limits<double>::infinity();
+  std::vector<double> steps;
+  const std::size_t every = std::max<std::size_t>(1, time.size() / 5000);
+  for (std::size_t i = 1; i < time.size(); i += every) steps.push_back(time[i] - time[i - 1]);
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  return std::max(0.2, 20.0 * steps[steps.size() / 2]);
 }
 
 /// Absolute differences of three channels inside the free parts, at most some thousands of them.
@@ -56,6 +67,7 @@ WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* rep
   const Eigen::Index rows = std::min(recording.rows(), recording.wrench.rows());
   measuredTime_ = poses_ ? counted(rows) : toVector(recording.time.head(rows));
   for (int c = 0; c < 6; ++c) curves_[0][c] = MinMaxPyramid(toVector(recording.wrench.col(c).head(rows)));
+  if (!poses_) gap_ = longestJoined(measuredTime_);
   if (report == nullptr) return;
 
   const WrenchSeries& series = report->series;
@@ -90,30 +102,40 @@ ThinnedCurve WrenchTraces::thinned(Kind kind, int channel, double from, double t
   if (last != time.end()) ++last;
   const auto begin = static_cast<std::size_t>(first - time.begin());
   const auto end = static_cast<std::size_t>(last - time.begin());
+  const auto add = [&curve](double x, const MinMax& extremes) {
+    curve.x.push_back(x);
+    curve.low.push_back(extremes.lowest);
+    curve.high.push_back(extremes.highest);
+  };
+  constexpr MinMax kNothing{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   curve.crowded = end - begin > static_cast<std::size_t>(pixels);
   if (!curve.crowded) {
     for (std::size_t i = begin; i < end; ++i) {
-      curve.x.push_back(time[i]);
-      curve.low.push_back(values[i]);
-      curve.high.push_back(values[i]);
+      if (i > begin && time[i] - time[i - 1] > gap_) add(0.5 * (time[i - 1] + time[i]), kNothing);
+      add(time[i], {values[i], values[i]});
     }
     return curve;
   }
-  const double step = (to - from) / pixels;
+  const double step = curve.step = (to - from) / pixels;
+  // Where a column holds many samples its border may be a few of them off, for blocks whose extremes are known already.
+  const std::size_t usual = (end - begin) / static_cast<std::size_t>(pixels);
+  const std::size_t block = usual >= 8 * MinMaxPyramid::kBase ? MinMaxPyramid::kBase : 1;
   std::size_t next = begin;
   for (int column = 0; column < pixels && next < end; ++column) {
     const double border = from + (column + 1) * step;
     const std::size_t start = next;
+    std::size_t far = std::min(end, start + 2 * usual + 16);
+    if (far < end && time[far] < border) far = end;
     next = static_cast<std::size_t>(std::lower_bound(time.begin() + static_cast<std::ptrdiff_t>(start),
-                                                     time.begin() + static_cast<std::ptrdiff_t>(end), border) -
+                                                     time.begin() + static_cast<std::ptrdiff_t>(far), border) -
                                     time.begin());
+    if (next < end) next = std::max(start, next / block * block);
     if (next == start) continue;
     // With the sample before, so that neighbouring columns touch as the line between them does.
-    const MinMax extremes = values.range(start > 0 ? start - 1 : start, next);
-    if (!std::isfinite(extremes.lowest)) continue;
-    curve.x.push_back(border - 0.5 * step);
-    curve.low.push_back(extremes.lowest);
-    curve.high.push_back(extremes.highest);
+    const bool apart = start > begin && time[start] - time[start - 1] > gap_;
+    if (apart) add(border - step, kNothing);
+    const MinMax extremes = values.range(start > 0 && !apart ? start - 1 : start, next);
+    if (std::isfinite(extremes.lowest)) add(border - 0.5 * step, extremes);
   }
   return curve;
 }

@@ -2,6 +2,7 @@
 // What the plots draw: measured, simulated and difference of six channels, ready to be thinned to the pixels there are.
 #include <QVector>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "core/estimation/estimate.h"
@@ -11,10 +12,11 @@
 namespace heft {
 
 /// One curve thinned for a screen. Crowded: one entry a pixel, the extremes of what falls into it. Otherwise every
-/// sample, low = high.
+/// sample, low = high. An entry without a number (NaN) stands where nothing was measured.
 struct ThinnedCurve {
   QVector<double> x, low, high;
   bool crowded = false;
+  double step = 0.0;  ///< Width of an entry where they are crowded, in the unit of x
 };
 
 /// Curves that are already there. A kind may be empty; within one all channels are as long as its time.
@@ -63,6 +65,7 @@ class WrenchTraces {
   const std::vector<double>& timeOf(Kind kind) const { return kind == Kind::measured ? measuredTime_ : simulatedTime_; }
 
   bool poses_ = false;
+  double gap_ = std::numeric_limits<double>::infinity();  ///< [s] Longer without a sample is not joined by a line.
   std::vector<double> measuredTime_, simulatedTime_;
   std::array<std::array<MinMaxPyramid, 6>, kKinds> curves_;
   std::array<double, 2> limit_{1.0, 0.1}, noise_{0.0, 0.0};
