@@ -7057,6 +7057,13 @@
     </message>
 </context>
 <context>
+    <name>heft::Viewport</name>
+    <message>
+        <source>The 3D view needs OpenGL, which this computer does not offer. Everything else works without it.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL, das dieser Rechner nicht bietet. Alles andere geht auch ohne.</translation>
+    </message>
+</context>
+<context>
     <name>heft::WeightField</name>
     <message>
         <source>What the scale shows for everything behind the sensor; may be left open.</source>
