@@ -6262,6 +6262,10 @@
         <source>Save the visible stretch as CSV</source>
         <translation>Sichtbaren Abschnitt als CSV speichern</translation>
     </message>
+    <message>
+        <source>Drawing the curves</source>
+        <translation>Die Kurven werden gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultPanel</name>

@@ -49,11 +49,11 @@ struct Pane {
 
   Pane() {
     pane.resize(1000, 400);
-    pane.setRecording(&longRecording().recording);
-    pane.setReport(&longRecording().recording, &longRecording().report);
+    pane.setRecording(std::make_shared<const Recording>(longRecording().recording),
+                      std::make_shared<const EstimateReport>(longRecording().report));
     pane.setSegments(longRecording().report.segments, {});
     pane.show();
-    QApplication::processEvents();
+    while (pane.jobs()->running()) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
   }
 };
 

@@ -167,9 +167,9 @@ class PlotsTest : public testing::Test {
     report = test::reportOn(recording);
     pane.resize(1000, 400);
     pane.show();
-    pane.setRecording(&recording);
-    pane.setReport(&recording, &report);
+    pane.setRecording(std::make_shared<const Recording>(recording), std::make_shared<const EstimateReport>(report));
     pane.setSegments(report.segments, {});
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !pane.jobs()->running(); }, 60000));
     QApplication::processEvents();
   }
   QWidget* canvas() { return pane.plots()->findChild<QWidget*>(QString(), Qt::FindDirectChildrenOnly); }

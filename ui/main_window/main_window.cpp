@@ -84,6 +84,7 @@ void MainWindow::assemble() {
   view_ = new RobotView(down_);
   below_ = new QStackedWidget(down_);
   pane_ = new RecordingPane(&playback_, below_);
+  followed_.push_back(pane_->jobs());
   below_->addWidget(pane_);
   below_->hide();
   panelStack_ = new QStackedWidget(across_);
@@ -306,7 +307,7 @@ void MainWindow::showOpened() {
   header_->setFileName(QFileInfo(opened->path).fileName(), opened->path);
   setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
   view_->showRecording(shared, opened->robot, opened->look);
-  pane_->setRecording(&recording);
+  pane_->setRecording(shared, workspace_->report());
   showFacts();
   files_->remember(opened->path);
   if (step_ == Step::record) {
@@ -316,7 +317,7 @@ void MainWindow::showOpened() {
   } else if (!below_->isVisible()) {
     arrangeFor(panels_[step_]);
   }
-  showReport();
+  showEstimated();
 }
 
 void MainWindow::showFacts() {
@@ -343,7 +344,7 @@ void MainWindow::showNothing() {
   header_->setFileName({}, {});
   setWindowTitle(tr("Heft Studio"));
   showFacts();
-  pane_->setRecording(nullptr);
+  pane_->setRecording(nullptr, nullptr);
   showStep(Step::record);
   arrangeFor(panels_[step_]);
   loadArm();
@@ -352,9 +353,12 @@ void MainWindow::showNothing() {
 void MainWindow::showReport() {
   const auto opened = workspace_->opened();
   if (!opened) return;
-  const auto report = workspace_->report();
-  pane_->setReport(&opened->recording, report.get());
-  view_->showReport(report);
+  pane_->setReport(workspace_->report());
+  showEstimated();
+}
+
+void MainWindow::showEstimated() {
+  view_->showReport(workspace_->report());
   showMarks();
 }
 

@@ -85,6 +85,7 @@ class MainWindow : public QMainWindow {
   void showOpened();
   void showNothing();
   void showReport();
+  void showEstimated();
   void showMarks();
   void showSaved();
   void showFacts();

@@ -365,7 +365,7 @@ void RecordPanel::follow() {
   way_ = virtualRun() ? Way::virtualArm : Way::live;
   form_ = nullptr;
   plotted_ = 0;
-  if (ownPane_) ownPane_->setRecording(nullptr);
+  if (ownPane_) ownPane_->setRecording(nullptr, nullptr);
   if (parts().view) {
     stage_ = new LiveStage(run_, parts().view, run_->byClock(), this);
     if (here_) stage_->enter();

@@ -149,22 +149,43 @@ void RecordingPane::setFolded(bool folded) {
 
 int RecordingPane::foldedHeight() const { return foldedHeader_->height() + marks_->height() + 12; }
 
-void RecordingPane::setRecording(const Recording* recording) {
-  auto traces = recording ? std::make_shared<const WrenchTraces>(*recording, nullptr) : nullptr;
+void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
+                                 std::shared_ptr<const EstimateReport> report) {
   if (live_) bar_->setVisible(!folded_);
   live_ = false;
-  const bool present = traces && !traces->empty();
-  const bool poses = present && traces->poses();
-  const double first = present ? traces->firstTime() : 0.0, last = present ? traces->lastTime() : 1.0;
+  recording_ = std::move(recording);
+  const bool present = recording_ && recording_->rows() > 0;
+  const bool poses = present && recording_->meta.kind == RecordingKind::poses;
+  const double first = poses ? 1.0 : present ? recording_->time(0) : 0.0;
+  const double last = poses ? static_cast<double>(recording_->rows()) : present ? recording_->time(recording_->rows() - 1) : 1.0;
   playback_->setRange(first, last, poses);
   axis_.setFull(first, last, poses);
-  plots_->setTraces(traces);
+  setTraces(nullptr);
   setSegments({}, {});
   plots_->setHighlight(0.0, 0.0, {});
   cursor_->setTime(playback_->time());
   cursor_->setShown(present);
   setMeasuring(false);
   bar_->setRecording(present, poses);
+  setReport(std::move(report));
+}
+
+void RecordingPane::setReport(std::shared_ptr<const EstimateReport> report) {
+  if (!recording_) return jobs_.cancel();
+  using Traces = std::shared_ptr<const WrenchTraces>;
+  jobs_.start(
+      tr("Drawing the curves"),
+      [recording = recording_, report = std::move(report)](const Progress&) -> Result<Traces> {
+        return std::make_shared<const WrenchTraces>(*recording, report.get());
+      },
+      [this](Result<Traces> traces) {
+        if (traces && recording_ && !live_) setTraces(std::move(traces).value());
+      });
+}
+
+void RecordingPane::setTraces(std::shared_ptr<const WrenchTraces> traces) {
+  plots_->setTraces(std::move(traces));
+  difference_->setTraces(plots_->traces());
 }
 
 void RecordingPane::showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched,
@@ -195,19 +216,13 @@ void RecordingPane::showLive(std::shared_ptr<const WrenchTraces> traces, const s
     at = touch.to;
   }
   addFree(now);
-  plots_->setTraces(std::move(traces));
+  setTraces(std::move(traces));
   axis_.grow(now + kAhead);
   setSegments(segments, suggested);
   cursor_->setTime(now);
 }
 
-void RecordingPane::setReport(const Recording* recording, const EstimateReport* report) {
-  if (!recording) return;
-  plots_->setTraces(std::make_shared<const WrenchTraces>(*recording, report));
-}
-
 void RecordingPane::setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested) {
-  difference_->setTraces(plots_->traces());
   plots_->setSegments(segments);
   marks_->setSegments(segments, suggested);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/estimation/estimate.h"
+#include "ui/jobs/job_runner.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/wrench_traces.h"
 
@@ -27,12 +28,15 @@ class RecordingPane : public QWidget {
  public:
   explicit RecordingPane(Playback* playback, QWidget* parent = nullptr);
 
-  /// A new recording: shows all of it from its beginning.
-  void setRecording(const Recording* recording);
+  /// A new recording, or none, with the estimate on it, or null: shows all of it from its beginning. The curves follow as
+  /// soon as they are made, which a long recording takes a moment for.
+  void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report);
   /// What has come so far of something live, up to `now` [s]; the view goes along. Ends with setRecording().
   void showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched, double now);
-  /// The estimate on that recording, or null while there is none.
-  void setReport(const Recording* recording, const EstimateReport* report);
+  /// Another estimate on that recording, or null while there is none.
+  void setReport(std::shared_ptr<const EstimateReport> report);
+  /// Makes the curves.
+  JobRunner* jobs() { return &jobs_; }
   /// What plots and marks bar tint; `suggested` ones are drawn as proposals.
   void setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested);
 
@@ -68,6 +72,8 @@ class RecordingPane : public QWidget {
   void unfoldWanted();
 
  private:
+  void setTraces(std::shared_ptr<const WrenchTraces> traces);
+
   TimeAxis axis_;
   Playback* playback_;
   WrenchPlots* plots_;
@@ -82,6 +88,8 @@ class RecordingPane : public QWidget {
   std::optional<MarkLabel> brush_;
   bool folded_ = false;
   bool live_ = false;
+  std::shared_ptr<const Recording> recording_;
+  JobRunner jobs_;
 };
 
 }  // namespace heft
