@@ -9,7 +9,7 @@ shift 2
 if [ $# -eq 0 ]; then
   printf '{"mass_kg": 0.812, "com_m": [0.004, -0.002, 0.062], "inertia_com_kgm2": [[0.0016, 0, 0], [0, 0.0015, 0], [0, 0, 0.0009]]}' \
     > "$out/tool.json"
-  "$bin/heft" simulate --motion excitation --payload "$out/tool.json" --seed 7 --effect time_offset=0.008 \
+  "$bin/heft" simulate --motion excitation --payload "$out/tool.json" --seed 7 --effect time_offset=8 \
     -o "$out/simulated.csv" > /dev/null
   set -- "$out/simulated.csv"
 fi

@@ -8,8 +8,9 @@
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
-#include "core/base/json_file.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/words.h"
+#include "core/recording/meta_file.h"
 
 namespace heft::cli {
 namespace {
@@ -25,7 +26,7 @@ struct Options {
 
 void list() {
   for (const auto& cause : diagnosis::catalogue())
-    print(fmt::format("  {:<18} {}\n", cause->id(), cause->words().title));
+    print(fmt::format("  {:<18} {}\n", cause->id(), causeTitle(cause->id())));
   print("  contact, saturation, spikes, dropouts, frame_error are seen directly.\n");
 }
 
@@ -72,10 +73,8 @@ void run(const Options& options) {
   if (!options.correctedMeta.empty()) {
     const nlohmann::json changes = report.metaChanges();
     if (changes.empty()) throw Failed("The diagnosis proposes no change of the meta file; none was written.");
-    const std::string old = options.import.metaFile.empty() ? metaFileOf(options.recording).string() : options.import.metaFile.string();
-    nlohmann::json meta = orFail(readJsonFile(old));
-    meta.merge_patch(changes);
-    writeOutput(options.correctedMeta, fileText(meta), {options.force, {}});
+    const auto old = options.import.metaFile.empty() ? metaFileOf(options.recording) : options.import.metaFile;
+    writeOutput(options.correctedMeta, fileText(orFail(mergedMeta(old, changes))), {options.force, {}});
   }
   if (options.json != "-") {
     print(toText(report));

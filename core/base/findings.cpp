@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/say.h"
+
 namespace heft {
 
 std::string_view toString(Severity severity) {
@@ -26,7 +28,7 @@ std::string toString(const Location& where) {
   std::string out = where.file;
   if (where.line > 0) out += ":" + std::to_string(where.line);
   if (where.line > 0 && where.column > 0) out += ":" + std::to_string(where.column);
-  if (where.line <= 0 && where.column > 0) out += ", column " + std::to_string(where.column);
+  if (where.line <= 0 && where.column > 0) out += ", " + heft::say("column {}", where.column);
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <system_error>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -46,7 +47,7 @@ int nestingDepth(std::string_view text) {
 
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& name) {
   if (nestingDepth(text) > kMaxDepth)
-    return Error{fmt::format("{}: this JSON is nested more than {} levels deep.", name, kMaxDepth)};
+    return Error{heft::say("{}: this JSON is nested more than {} levels deep.", name, kMaxDepth)};
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
@@ -59,9 +60,9 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& name)
     std::string reason = error.what();
     if (const auto colon = reason.find(": "); colon != std::string::npos) reason = reason.substr(colon + 2);
     reason = printable(reason, 200);
-    return Error{fmt::format("{}:{}:{}: this is not valid JSON ({}).", name, line, column, reason)};
+    return Error{heft::say("{}:{}:{}: this is not valid JSON ({}).", name, line, column, reason)};
   } catch (const nlohmann::json::exception& error) {  // a number that no double holds
-    return Error{fmt::format("{}: this JSON cannot be used ({}).", name, printable(error.what(), 200))};
+    return Error{heft::say("{}: this JSON cannot be used ({}).", name, printable(error.what(), 200))};
   }
 }
 
@@ -69,17 +70,17 @@ Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t 
   const auto name = displayName(path);
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) {
-    if (errno == ENOENT) return Error{fmt::format("{}: there is no such file.", name)};
-    return Error{fmt::format("{} cannot be opened: {}.", name, std::strerror(errno))};
+    if (errno == ENOENT) return Error{heft::say("{}: there is no such file.", name)};
+    return Error{heft::say("{} cannot be opened: {}.", name, std::strerror(errno))};
   }
   const auto close = [](const int* descriptor) { ::close(*descriptor); };
   const std::unique_ptr<const int, decltype(close)> guard(&file, close);
 
   struct stat status {};
-  if (::fstat(file, &status) != 0) return Error{fmt::format("{} cannot be read: {}.", name, std::strerror(errno))};
-  if (S_ISDIR(status.st_mode)) return Error{fmt::format("{} is a folder, not a file.", name)};
+  if (::fstat(file, &status) != 0) return Error{heft::say("{} cannot be read: {}.", name, std::strerror(errno))};
+  if (S_ISDIR(status.st_mode)) return Error{heft::say("{} is a folder, not a file.", name)};
   const auto tooLarge = [&](std::size_t bytes) {
-    return Error{fmt::format("{} has {} MB; at most {} MB can be read.", name, bytes >> 20, maxBytes >> 20)};
+    return Error{heft::say("{} has {} MB; at most {} MB can be read.", name, bytes >> 20, maxBytes >> 20)};
   };
   const auto size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
   if (size > maxBytes) return tooLarge(size);
@@ -92,11 +93,10 @@ Result<std::string> readTextFile(const std::filesystem::path& path, std::size_t 
     if (used == text.size()) text.resize(std::min(2 * text.size(), maxBytes + 1));
     const auto got = ::read(file, text.data() + used, text.size() - used);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return Error{fmt::format("{} cannot be read: {}.", name, std::strerror(errno))};
+    if (got < 0) return Error{heft::say("{} cannot be read: {}.", name, std::strerror(errno))};
     if (got == 0) break;
     used += static_cast<std::size_t>(got);
-    if (used > maxBytes)
-      return Error{fmt::format("{} has more than the {} MB that can be read.", name, maxBytes >> 20)};
+    if (used > maxBytes) return Error{heft::say("{} has more than the {} MB that can be read.", name, maxBytes >> 20)};
   }
   text.resize(used);
   return text;
@@ -111,36 +111,36 @@ Result<nlohmann::json> readJsonFile(const std::filesystem::path& path) {
 Result<bool> writeTextFile(const std::filesystem::path& path, std::string_view text) {
   if (path == "-") {
     std::cout << text << std::flush;
-    if (!std::cout) return Error{"The output cannot be written to stdout."};
+    if (!std::cout) return Error{heft::say("The output cannot be written to stdout.")};
     return true;
   }
   std::error_code ec;
   if (std::filesystem::is_directory(path, ec))
-    return Error{fmt::format("{} is a folder, not a file.", displayName(path))};
+    return Error{heft::say("{} is a folder, not a file.", displayName(path))};
   if (std::filesystem::exists(path, ec) && !std::filesystem::is_regular_file(path, ec)) {  // a pipe or /dev/null
     std::ofstream out(path, std::ios::binary);
     out << text << std::flush;
-    if (!out) return Error{fmt::format("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
+    if (!out) return Error{heft::say("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
     return true;
   }
   auto temporary = path;
   temporary += fmt::format(".{}.part", ::getpid());
   {
     std::ofstream out(temporary, std::ios::binary);
-    if (!out) return Error{fmt::format("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
+    if (!out) return Error{heft::say("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
     out << text << std::flush;
     if (!out) {
       const int reason = errno;
       out.close();
       std::filesystem::remove(temporary, ec);
-      return Error{fmt::format("{} cannot be written: {}.", displayName(path), std::strerror(reason))};
+      return Error{heft::say("{} cannot be written: {}.", displayName(path), std::strerror(reason))};
     }
   }
   std::filesystem::rename(temporary, path, ec);
   if (ec) {
     const auto reason = ec.message();
     std::filesystem::remove(temporary, ec);
-    return Error{fmt::format("{} cannot be written: {}.", displayName(path), reason)};
+    return Error{heft::say("{} cannot be written: {}.", displayName(path), reason)};
   }
   return true;
 }

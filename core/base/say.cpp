@@ -1,8 +1,10 @@
 #include "core/base/say.h"
 
+#include <cstdlib>
 #include <locale>
 #include <memory>
 #include <mutex>
+#include <type_traits>
 
 namespace heft {
 namespace {
@@ -31,17 +33,36 @@ std::shared_ptr<const Language> language() {
   return chosen;
 }
 
-/// Places that format a real number take the language's decimal point: "{:.1f}" becomes "{:.1Lf}".
-std::string withLocalNumbers(const std::string& pattern) {
+bool isReal(const fmt::format_args& arguments, int place) {
+  const auto argument = arguments.get(place);
+  return argument &&
+         fmt::visit_format_arg(
+             [](const auto& value) { return std::is_floating_point_v<std::decay_t<decltype(value)>>; }, argument);
+}
+
+/// Places that hold a real number take the language's decimal point: "{:.1f}" becomes "{:.1Lf}", "{}" "{:L}".
+std::string withLocalNumbers(const std::string& pattern, const fmt::format_args& arguments) {
   std::string out;
-  bool inside = false;
+  int next = 0;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const char c = pattern[i];
-    if (c == '{') inside = i + 1 < pattern.size() && pattern[i + 1] != '{' && !(i > 0 && pattern[i - 1] == '{');
-    const bool last = inside && i + 1 < pattern.size() && pattern[i + 1] == '}';
-    if (last && (c == 'f' || c == 'g' || c == 'e')) out += 'L';
-    if (c == '}') inside = false;
+    const auto end = pattern.find('}', i);
     out += c;
+    if ((c != '{' && c != '}') || end == std::string::npos) continue;
+    if (c == '}' || pattern[i + 1] == '{') {  // A brace that is written twice stands for itself.
+      out += pattern[++i];
+      continue;
+    }
+    std::string place = pattern.substr(i + 1, end - i - 1);
+    const auto colon = place.find(':');
+    const std::string number = place.substr(0, colon);
+    if (isReal(arguments, number.empty() ? next++ : std::atoi(number.c_str()))) {
+      if (colon == std::string::npos) place += ':';
+      const bool typed = std::string_view("eEfFgG").find(place.back()) != std::string_view::npos;
+      place.insert(place.size() - (typed ? 1 : 0), "L");
+    }
+    out += place + "}";
+    i = end;
   }
   return out;
 }
@@ -62,7 +83,7 @@ std::string detail::said(fmt::string_view pattern, fmt::format_args arguments) {
     const std::string translated = now->translate(std::string(pattern.data(), pattern.size()).c_str());
     try {
       if (!translated.empty())
-        return fmt::vformat(now->numbers, fmt::string_view(withLocalNumbers(translated)), arguments);
+        return fmt::vformat(now->numbers, fmt::string_view(withLocalNumbers(translated, arguments)), arguments);
     } catch (const fmt::format_error&) {
       // A translation whose places do not fit tells nothing wrong: English does.
     }

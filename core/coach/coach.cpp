@@ -1,12 +1,11 @@
 #include "core/coach/coach.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/say.h"
 #include "core/simulation/trajectory.h"
 
 namespace heft {
@@ -245,10 +244,10 @@ VectorXd furthest(const GuidedTool& tool, const JointMotion& motion) {
 Result<Advice> advise(const std::optional<OnlineInformation>& information, const GuidedTool& given,
                       const Vector3d& gravity, const VectorXd& q, const CoachOptions& options) {
   if (!(options.limits.tcpSpeed > 0.0) || !(options.duration >= 1.0))
-    return Error{"A proposed motion needs a speed above zero and at least one second."};
+    return Error{heft::say("A proposed motion needs a speed above zero and at least one second.")};
   const RobotModel& robot = *given.robot;
   if (robot.clampToLimits(q) != q)
-    return Error{"The posture lies outside the joints' ranges: no motion can start there."};
+    return Error{heft::say("The posture lies outside the joints' ranges: no motion can start there.")};
   GuidedTool tool = given;
   Vector3d pivot = Vector3d::Zero();
   Uncertainty before;
@@ -291,8 +290,8 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
   if (!candidates.empty())
     best = std::move(candidates[information ? mostUseful(candidates, *information, before, want) : 0].advice);
   if (!best)
-    return Error{
-        "No motion from this posture keeps all limits. Bring the arm into the middle of its joints' ranges first."};
+    return Error{heft::say(
+        "No motion from this posture keeps all limits. Bring the arm into the middle of its joints' ranges first.")};
   best->about = want;
   best->before = before;
   if (information) best->gain = gainWords(want, before, best->after);
@@ -303,12 +302,13 @@ Result<Advice> advise(const std::optional<OnlineInformation>& information, const
 Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const VectorXd& q,
                            const CoachOptions& options) {
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& each) { return id == each.id; });
-  if (kind == kKinds.end()) return Error{fmt::format("The coach has no motion called \"{}\".", id)};
+  if (kind == kKinds.end()) return Error{heft::say("The coach has no motion called \"{}\".", id)};
   if (tool.robot->clampToLimits(q) != q)
-    return Error{"The posture lies outside the joints' ranges: no motion can start there."};
+    return Error{heft::say("The posture lies outside the joints' ranges: no motion can start there.")};
   auto advice = fitted(*kind, tool, toolAxes(std::nullopt), Vector3d::Zero(), q, options);
   if (!advice)
-    return Error{"This motion does not keep the limits from here. Bring the arm into the middle of its joints' ranges."};
+    return Error{heft::say(
+        "This motion does not keep the limits from here. Bring the arm into the middle of its joints' ranges.")};
   advice->target = furthest(tool, advice->motion);
   return std::move(*advice);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/simulation/trajectory.h"
 
 namespace heft {
@@ -43,10 +44,10 @@ Result<GuidedTool> guidedTool(const RobotModel& robot, const SensorMount& mount)
   const auto link = robot.findLink(mount.parent);
   if (!link)
     return Error{
-        fmt::format("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
-                    "sensor.mount.parent in the "
-                    "meta file.",
-                    mount.parent, robot.name())};
+        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
+                  "sensor.mount.parent in the "
+                  "meta file.",
+                  mount.parent, robot.name())};
   return GuidedTool{&robot, *link, poseFromXyzRpy(mount.xyz, mount.rpy), {}};
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-// A cause of misfit: its model, parameters with units and bounds, and what a person should know about it.
+// A cause of misfit: its model, parameters with units and bounds. What a person reads about it is in words.cpp.
 //
-// Adding a cause is adding one file under causes/ with a class and a factory, and naming the factory in catalogue.cpp.
+// Adding a cause is adding one file under causes/ with a class and a factory, and naming the factory in catalogue.cpp,
+// and saying it in words.cpp.
 //
 // The measured wrench is modelled in its physical order (domain: what happens to the signal on its way):
 //   motion -> geometry() -> rigid payload + force() -> sensor() -> readings() + bias.
@@ -37,21 +38,12 @@ struct Form {
   bool local = false;       ///< Has a place in time, parameter 0 [s].
 };
 
-/// What a person is told.
-struct Words {
-  std::string title;       ///< "Late force readings"
-  std::string check;       ///< What to look at on the rig.
-  std::string tellApart;   ///< The motion that would separate it from its look-alikes.
-  std::vector<std::string> lookAlikes;  ///< Cause IDs
-};
-
 class Cause {
  public:
   virtual ~Cause() = default;
   virtual std::string_view id() const = 0;
-  virtual Words words() const = 0;
-  /// One sentence with the numbers. `std` in the same units as `v`: SI.
-  virtual std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const = 0;
+  /// IDs of causes that leave much the same behind.
+  virtual std::vector<std::string> lookAlikes() const = 0;
   /// Every form worth looking at with these signals; none if the recording cannot show the cause.
   virtual std::vector<Form> forms(const Signals& signals) const = 0;
 
@@ -78,8 +70,5 @@ inline constexpr std::string_view kWandering = "wandering";
 const std::vector<std::unique_ptr<Cause>>& catalogue();
 /// Null for an unknown name.
 const Cause* findCause(std::string_view id);
-
-/// "8.1 +- 0.9" with as many digits as the deviation bears.
-std::string plusMinus(double value, double std);
 
 }  // namespace heft::diagnosis

@@ -129,7 +129,7 @@ json mistakeToJson(const FrameMistake& mistake) {
   std::string_view name;
   for (const auto& [value, text] : kKinds)
     if (value == mistake.kind) name = text;
-  return {{"kind", name}, {"turn", turn}, {"remedy", mistake.remedy}};
+  return {{"kind", name}, {"turn", turn}};
 }
 
 bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
@@ -143,8 +143,9 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
 
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,
                             const std::vector<std::string>& causes) {
-  const Error other{"The corrections of this session are of a diagnosis that this version of Heft does not understand; "
-                    "run the reality check again."};
+  const Error other{
+      heft::say("The corrections of this session are of a diagnosis that this version of Heft does not "
+                "understand; run the reality check again.")};
   Recording out = recording;
   std::vector<std::string> fitted;
   for (const std::string& id : causes) {

@@ -13,6 +13,7 @@
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
+#include "core/diagnosis/words.h"
 #include "core/diagnosis/work.h"
 #include "core/estimation/prepare.h"
 
@@ -40,8 +41,7 @@ WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual)
 }
 
 std::vector<CauseParameter> parametersOf(const Fit& fit, std::string_view cause,
-                                         std::vector<std::pair<double, double>>& when, std::string& sentence,
-                                         const Signals& signals) {
+                                         std::vector<std::pair<double, double>>& when, const Signals& signals) {
   std::vector<CauseParameter> out;
   const VectorXd std = fit.std();
   Eigen::Index at = kLinear;
@@ -61,7 +61,6 @@ std::vector<CauseParameter> parametersOf(const Fit& fit, std::string_view cause,
         out.push_back({name, parameter.unit, term.v(p) * parameter.scale, deviation(p) * std::abs(parameter.scale)});
       }
       for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) when.push_back(stretch);
-      sentence += (sentence.empty() ? "" : " ") + term.form->cause->sentence(*term.form, term.v, deviation);
     }
     at += n;
   }
@@ -71,10 +70,6 @@ std::vector<CauseParameter> parametersOf(const Fit& fit, std::string_view cause,
 DiagnosedCause fromDirect(const Direct& direct) {
   DiagnosedCause out;
   out.id = direct.cause;
-  out.title = direct.words.title;
-  out.sentence = direct.sentence;
-  out.check = direct.words.check;
-  out.tellApart = direct.words.tellApart;
   for (const auto& p : direct.parameters) out.parameters.push_back({p.name, p.unit, p.value, p.std});
   out.when = direct.when;
   out.direct = true;
@@ -89,10 +84,6 @@ DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before,
   // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
   const bool mount = mistake.kind == FrameMistake::Kind::turned && std::abs(degrees - 180.0) > 4.0;
   out.id = mount ? "sensor_rotation" : "frame_error";
-  out.title = mount ? "Sensor mounted turned" : "Mistake with frames or signs";
-  out.sentence = mistake.sentence;
-  out.check = mistake.remedy;
-  out.tellApart = "None is needed: the mistake is too large to be overlooked.";
   out.direct = true;
   if (mistake.kind == FrameMistake::Kind::turned) {
     const Vector3d v = vectorFromRotation(mistake.turn) * (180.0 / 3.14159265358979323846);
@@ -143,11 +134,6 @@ Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const
   return out;
 }
 
-std::string titleOf(const std::string& id) {
-  const Cause* cause = findCause(id);
-  return cause != nullptr ? cause->words().title : id;
-}
-
 std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
@@ -156,7 +142,8 @@ std::string verdictSentence(const DiagnosisReport& report) {
       const auto tied = std::find_if(report.causes.begin(), report.causes.end(),
                                      [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
       std::string others;
-      for (const auto& other : tied->alternatives) others += (others.empty() ? "\"" : ", \"") + titleOf(other) + "\"";
+      for (const auto& other : tied->alternatives)
+        others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
       return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title, others);
     }
     case Verdict::unexplained:
@@ -189,11 +176,11 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
                                  const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   if (recording.meta.kind == RecordingKind::poses)
-    return Error{"Standing poses show too little to look for causes; record a motion."};
+    return Error{heft::say("Standing poses show too little to look for causes; record a motion.")};
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
-  progress(0.02, "Looking at single readings");
+  progress(0.02, heft::say("Looking at single readings"));
   Eigen::Index spikes = 0;
   Recording cleaned = recording;
   cleaned.wrench = withoutSpikes(recording.wrench, spikes);
@@ -277,7 +264,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (progress.cancelled()) return Error{"Stopped.", true};
   Work& work = *found;
 
-  progress(0.85, "Measuring the gain on unseen stretches");
+  progress(0.85, heft::say("Measuring the gain on unseen stretches"));
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   out.remaining = structureIn(work.signals, work.stretches, work.search.final);
   const double needed = out.remaining.gain > kUnexplained ? kGainBesideUnknown : 0.0;
@@ -315,11 +302,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
       continue;
     }
     DiagnosedCause cause;
-    const Words words = findCause(accepted.cause)->words();
     cause.id = accepted.cause;
-    cause.title = words.title;
-    cause.check = words.check;
-    cause.tellApart = words.tellApart;
     cause.deltaBic = accepted.gain;
     cause.pValue = chance.best.empty() ? std::exp(-0.5 * accepted.gain) : chance.pValue(accepted.gain);
     cause.gain = gain;
@@ -345,12 +328,12 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
                               heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
                               heft::say("Let the sensor warm up, and keep recordings short."), {}});
   }
-  for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, cause.sentence, work.signals);
+  for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, work.signals);
 
   if (dropped) out.remaining = structureIn(work.signals, work.stretches, final);
   if (const double excess = slowWave(work.signals, work.stretches, steady);
       excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
-    out.remaining.goesWith = "a slow wave in time";
+    out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
   }
   out.noise = rmsOf(work.stretches, final.residual);
@@ -370,19 +353,12 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (!work.contacts.empty()) {
     DiagnosedCause cause;
     cause.id = "contact";
-    cause.title = "The tool touched something";
     double peak = 0.0, evidence = 0.0;
     for (const auto& contact : work.contacts) {
       cause.when.push_back({contact.from, contact.to});
       peak = std::max(peak, contact.peakForce);
       evidence += contact.evidence;
     }
-    cause.sentence = fmt::format("The tool touched something {}, with up to {:.1f} N.",
-                                 cause.when.size() == 1 ? fmt::format("from {:.1f} to {:.1f} s", cause.when[0].first, cause.when[0].second)
-                                                        : fmt::format("{} times", cause.when.size()),
-                                 peak);
-    cause.check = "Was the tool set down, bumped, or held by its front? Those stretches are left out.";
-    cause.tellApart = "Repeat the motion without touching anything.";
     cause.parameters = {{"peak_force", "N", peak, out.noise.force}};
     cause.deltaBic = evidence;
     cause.pValue = std::exp(-0.5 * std::min(1000.0, evidence));
@@ -407,7 +383,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
                 : tied ? Verdict::ambiguous
                        : Verdict::explained;
 
-  progress(0.93, "Estimating the payload again");
+  progress(0.93, heft::say("Estimating the payload again"));
   auto was = estimate(recording, robot, options.estimate, Progress{progress.stop, {}});
   if (!was) return was.error();
   out.before = std::move(*was);
@@ -464,6 +440,12 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.series.after = work.signals.measured - before;
   out.series.judged = work.signals.usable;
   out.findings.insert(out.findings.begin(), motion->findings.begin(), motion->findings.end());
+  for (auto& cause : out.causes) {
+    cause.title = causeTitle(cause.id);
+    cause.sentence = causeSentence(cause, out.mistake);
+    cause.check = causeCheck(cause, out.mistake);
+    cause.tellApart = causeDecides(cause.id);
+  }
   out.sentence = verdictSentence(out);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress(1.0, "Done");

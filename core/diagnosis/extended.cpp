@@ -1,9 +1,8 @@
 // The extended model outside the search: its effect on any recording, and its JSON.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/search.h"
 
@@ -62,7 +61,7 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
   }
   const auto stretches = stretchesOf(signals.usable);
   if (stretches.empty())
-    return Error{fmt::format("Nothing in {} touches nothing for long enough to check a cause on it.", other.file)};
+    return Error{heft::say("Nothing in {} touches nothing for long enough to check a cause on it.", other.file)};
   // The causes stay as they were found; a place in time belongs to the recording that they were found in.
   Model kept = report.model;
   std::erase_if(kept.terms, [](const Term& t) { return t.form->local; });
@@ -98,7 +97,8 @@ json modelToJson(const Model& model) {
 }
 
 Result<Model> modelFromJson(const json& object, const Recording& recording, const RobotModel* robot) {
-  const Error broken{"The diagnosis holds no extended model that this version of Heft understands; run heft diagnose again."};
+  const Error broken{heft::say(
+      "The diagnosis holds no extended model that this version of Heft understands; run heft diagnose again.")};
   if (!object.is_object() || !object.contains("terms") || !object["terms"].is_array() ||
       !object.contains("bias_and_parameters") || object["bias_and_parameters"].size() != kLinear)
     return broken;

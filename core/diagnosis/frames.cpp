@@ -110,15 +110,9 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
   if (before < 0.12 * spread && !negative) return std::nullopt;
 
   std::vector<FrameMistake> all;
-  all.push_back({"wrench sign", "The wrench has the opposite sign: it is what the payload exerts on the sensor.",
-                 "Set sensor.wrench_sign to \"payload_on_sensor\" (or back) in the meta file.",
-                 Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::wrenchSign});
-  all.push_back({"gravity sign", "Gravity has the opposite sign: the stated vector points up where it should point down.",
-                 "Turn gravity_m_s2 round in the meta file.", Matrix3d::Identity(), before, 0.0, 0.0,
-                 FrameMistake::Kind::gravitySign});
-  all.push_back({"rotation transposed", "The orientation is stored the other way round: base in sensor instead of sensor in base.",
-                 "Invert the quaternions (qx, qy, qz with the opposite sign).", Matrix3d::Identity(), before, 0.0, 0.0,
-                 FrameMistake::Kind::transposed});
+  all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::wrenchSign});
+  all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::gravitySign});
+  all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::transposed});
   for (const bool proper : {true, false})
     if (const auto turn = bestTurn(signals, proper)) {
       FrameMistake m;
@@ -128,16 +122,8 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
         m.kind = FrameMistake::Kind::turned;
         m.angle = vectorFromRotation(*turn).norm();
         if (m.angle < 20.0 * std::numbers::pi / 180.0) continue;
-        m.name = "sensor mounted turned";
-        const Vector3d axis = vectorFromRotation(*turn) / m.angle;
-        m.sentence = fmt::format("The sensor is mounted turned by {:.0f} degrees (axis {:.2f}, {:.2f}, {:.2f}) against the meta file.",
-                                 m.angle * 180.0 / std::numbers::pi, axis.x(), axis.y(), axis.z());
-        m.remedy = "Correct sensor.mount.rpy_rad in the meta file.";
       } else {
         m.kind = FrameMistake::Kind::mirrored;
-        m.name = "axes mirrored";
-        m.sentence = "The wrench's axes are mirrored: two are swapped, or one has the wrong sign.";
-        m.remedy = "Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor's manual.";
       }
       all.push_back(m);
     }

@@ -7,9 +7,6 @@
 namespace heft::diagnosis {
 
 struct FrameMistake {
-  std::string name;      ///< "gravity points up", "rotation transposed", ...
-  std::string sentence;
-  std::string remedy;    ///< What to write into the meta file
   Matrix3d turn = Matrix3d::Identity();  ///< Readings in true sensor axes = turn * readings as stated
   double rmsBefore = 0, rmsAfter = 0;    ///< Force [N]
   double angle = 0;                      ///< Of a turned mount [rad]; 0 for other mistakes

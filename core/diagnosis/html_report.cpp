@@ -8,6 +8,7 @@
 #include "core/base/markup.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/signals.h"
+#include "core/diagnosis/words.h"
 
 namespace heft {
 
@@ -150,7 +151,7 @@ std::string toHtml(const DiagnosisReport& report) {
   for (const auto& cause : report.causes) {
     out += fmt::format("<section><h2>{}</h2><p>{}</p>\n<table>", escapedMarkup(cause.title), escapedMarkup(cause.sentence));
     for (const auto& p : cause.parameters)
-      out += fmt::format("<tr><th>{}</th><td>{} {}</td></tr>", escapedMarkup(p.name), diagnosis::plusMinus(p.value, p.std), escapedMarkup(p.unit));
+      out += fmt::format("<tr><th>{}</th><td>{}</td></tr>", escapedMarkup(p.name), escapedMarkup(parameterWords(p)));
     for (const auto& [from, to] : cause.when) out += fmt::format("<tr><th>when</th><td>{:.2f} to {:.2f} s</td></tr>", from, to);
     out += "</table>\n";
     if (cause.gain.blocks > 0)

@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/words.h"
 
 namespace heft {
 
@@ -93,10 +94,10 @@ nlohmann::json DiagnosisReport::metaChanges() const {
   }
   for (const auto& cause : causes) {
     if (cause.id != "frame_error" || !cause.parameters.empty()) continue;
-    if (cause.sentence.find("wrench has the opposite sign") != std::string::npos)
+    if (mistake && mistake->kind == diagnosis::FrameMistake::Kind::wrenchSign)
       out["sensor"]["wrench_sign"] =
           meta.wrenchSign == WrenchSign::sensorOnPayload ? "payload_on_sensor" : "sensor_on_payload";
-    if (cause.sentence.find("Gravity has the opposite sign") != std::string::npos)
+    if (mistake && mistake->kind == diagnosis::FrameMistake::Kind::gravitySign)
       out["gravity_m_s2"] = {-meta.gravity.x(), -meta.gravity.y(), -meta.gravity.z()};
   }
   return out;
@@ -156,7 +157,7 @@ std::string toText(const DiagnosisReport& report) {
   for (const auto& cause : report.causes) {
     out += fmt::format("\n{}. {} ({})\n   {}\n", ++number, cause.title, cause.id, cause.sentence);
     for (const auto& p : cause.parameters)
-      out += p.std > 0.0 ? fmt::format("   {:<18} {} {}\n", p.name, diagnosis::plusMinus(p.value, p.std), p.unit)
+      out += p.std > 0.0 ? fmt::format("   {:<18} {}\n", p.name, parameterWords(p))
                          : fmt::format("   {:<18} {:.4g} {}\n", p.name, p.value, p.unit);
     for (const auto& [from, to] : cause.when) out += fmt::format("   from {:.2f} to {:.2f} s\n", from, to);
     if (cause.gain.blocks > 0)

@@ -25,7 +25,6 @@ std::optional<Direct> saturation(const Recording& recording) {
   Direct out;
   const Eigen::Index n = recording.rows();
   out.rows.assign(static_cast<std::size_t>(n), false);
-  std::string channels;
   Eigen::Index clipped = 0;
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto y = recording.wrench.col(c);
@@ -54,16 +53,12 @@ std::optional<Direct> saturation(const Recording& recording) {
           out.rows[static_cast<std::size_t>(i)] = true;
         }
       out.parameters.push_back({fmt::format("level_{}", kChannels[c]), c < 3 ? "N" : "N m", level, 0.0});
-      channels += (channels.empty() ? "" : ", ") + std::string(kChannels[c]);
     }
   }
   if (clipped == 0) return std::nullopt;
   const double share = 100.0 * static_cast<double>(clipped) / static_cast<double>(n);
   out.cause = "saturation";
   out.parameters.push_back({"share", "%", share, 0.0});
-  out.sentence = fmt::format("The sensor reaches the end of its range ({}) in {:.2g} % of the readings.", channels, share);
-  out.words = {"Sensor at its limit", "Use a sensor or a range setting that fits the load; check its zero.",
-               "Repeat the motion more slowly, or with a lighter tool.", {}};
   return out;
 }
 
@@ -75,9 +70,6 @@ std::optional<Direct> spikes(const Recording& recording) {
   const double share = 100.0 * static_cast<double>(replaced) / static_cast<double>(recording.rows());
   out.cause = "spikes";
   out.parameters = {{"count", "", static_cast<double>(replaced), 0.0}, {"share", "%", share, 0.0}};
-  out.sentence = fmt::format("{} readings are isolated spikes; they were replaced by their neighbours' median.", replaced);
-  out.words = {"Spikes", "Check the sensor's cable and connector, and what switches on nearby.",
-               "Hold still for a few seconds: spikes come without motion.", {}};
   return out;
 }
 
@@ -115,10 +107,6 @@ std::optional<Direct> quantisation(const Recording& recording) {
   if (coarsest[1] > 0.0) out.parameters.push_back({"step_torque", "N m", coarsest[1], 0.0});
   if (out.parameters.empty()) return std::nullopt;
   out.cause = "quantisation";
-  out.sentence = fmt::format("The readings come in steps of {:.2g} {}, coarser than the sensor's noise.",
-                             out.parameters.front().value, out.parameters.front().unit);
-  out.words = {"Coarse readings", "Choose a finer measuring range, or a file format with more digits.",
-               "None is needed: the readings show it.", {}};
   return out;
 }
 
@@ -126,10 +114,6 @@ Direct jitter(const UnevenStamps& stamps) {
   Direct out;
   out.cause = "jitter";
   out.parameters = {{"spread", "ms", 1e3 * stamps.spread, 0.0}};
-  out.sentence = fmt::format("The time stamps come up to {:.2g} ms early or late; Heft takes the rows as evenly spaced.",
-                             500.0 * stamps.spread);
-  out.words = {"Uneven time stamps", "Let the sensor or the robot stamp the readings, not a busy computer.",
-               "None is needed: the time stamps show it.", {"time_offset"}};
   return out;
 }
 
@@ -163,14 +147,6 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
                     {"zero", "%", 100.0 * static_cast<double>(zeros) / total, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
-  out.sentence = zeros >= 3 ? fmt::format("{} readings of the sensor are zero throughout: lost packets.", zeros)
-                 : missing > held
-                     ? fmt::format("{} readings are missing.", missing)
-                     : fmt::format("{:.2g} % of the force readings repeat the one before: the sensor was asked faster than it "
-                                   "answers, or packets were lost.",
-                                   100.0 * static_cast<double>(held) / total);
-  out.words = {"Lost or repeated readings", "Check the connection to the sensor, and record at the sensor's own rate.",
-               "None is needed: the readings show it.", {"time_offset"}};
   if (zeros >= 3) {
     out.rows.assign(static_cast<std::size_t>(n), false);
     for (Eigen::Index i = 0; i < n; ++i)

@@ -17,8 +17,6 @@ struct Direct {
   };
   std::vector<Value> parameters;
   std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
-  std::string sentence;
-  Words words;
   double pValue = 0.0;
   std::vector<std::string> alternatives;
   std::vector<bool> rows;  ///< Of the recording: not to be trusted; empty: all are fine.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/say.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
 
@@ -176,7 +177,7 @@ bool tied(const Found& found, const Rival& rival) {
   const bool explains = rival.behind < found.gain;
   if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
   if (rival.worse > kSame) return false;
-  const auto alike = findCause(found.cause)->words().lookAlikes;
+  const auto alike = findCause(found.cause)->lookAlikes();
   const bool faint = found.gain < kFaint;
   return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
 }
@@ -202,7 +203,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
   std::vector<std::string> order;
   Tried latest, accepted;
   for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
-    progress(0.1 + 0.1 * step, "Trying causes");
+    progress(0.1 + 0.1 * step, heft::say("Trying causes"));
     const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
     const auto ranked = scan(stretches, out.final, bank);
     if (ranked.empty()) break;
@@ -231,7 +232,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
     out.found.clear();
     for (const auto& cause : std::vector<std::string>(order)) {
       if (!contains(out.final.model, cause) || progress.cancelled()) continue;
-      progress(0.8, "Comparing what could stand in its place");
+      progress(0.8, heft::say("Comparing what could stand in its place"));
       Found found;
       found.cause = cause;
       // What was tried before the last cause was accepted is what stands against it now.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/say.h"
 #include "core/diagnosis/periodogram.h"
 #include "core/diagnosis/two_threads.h"
 
@@ -72,27 +73,29 @@ std::vector<Group> groups(const Signals& signals) {
     MatrixXd up(2, n);
     up.row(0) = p.row(2).array().exp();
     up.row(1) = (-p.row(2).array()).exp();
-    out.push_back({"where the tool is", stacked(stacked(withProducts(p), stacked(far, up)), normalised(positionS))});
-    out.push_back({"how fast the tool moves", stacked(velocityS, velocityS.cwiseProduct(velocityS.cwiseAbs()))});
-    out.push_back({"the direction in which the tool moves", direction});
+    out.push_back(
+        {heft::toSay("where the tool is"), stacked(stacked(withProducts(p), stacked(far, up)), normalised(positionS))});
+    out.push_back({heft::toSay("how fast the tool moves"), stacked(velocityS, velocityS.cwiseProduct(velocityS.cwiseAbs()))});
+    out.push_back({heft::toSay("the direction in which the tool moves"), direction});
   }
   if (signals.q.cols() == n) {
     MatrixXd joints(2 * signals.q.rows(), n);
     joints << signals.q.array().sin().matrix(), signals.q.array().cos().matrix();
-    out.push_back({"the joint angles", joints});
+    out.push_back({heft::toSay("the joint angles"), joints});
     MatrixXd fast(4 * signals.q.rows(), n);
     fast << (2.0 * signals.q).array().sin().matrix(), (2.0 * signals.q).array().cos().matrix(),
         (4.0 * signals.q).array().sin().matrix(), (4.0 * signals.q).array().cos().matrix();
-    out.push_back({"the joint angles, several times a turn", fast});
-    out.push_back({"the direction in which joints turn", (signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix()});
+    out.push_back({heft::toSay("the joint angles, several times a turn"), fast});
+    out.push_back({heft::toSay("the direction in which joints turn"),
+                   (signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix()});
   }
-  out.push_back({"the load on the sensor", withProducts(normalised(kin.specificForce))});
+  out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
-  out.push_back({"the load's size", stacked(cubes.cwiseAbs(), cubes.array().cube().matrix())});
-  out.push_back({"how fast the load changes", rateOf(kin.specificForce, signals.rateHz)});
-  out.push_back({"how fast the tool turns", stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
-  out.push_back({"the direction in which the tool turns", turning});
-  out.push_back({"how fast the turning changes", kin.alpha});
+  out.push_back({heft::toSay("the load's size"), stacked(cubes.cwiseAbs(), cubes.array().cube().matrix())});
+  out.push_back({heft::toSay("how fast the load changes"), rateOf(kin.specificForce, signals.rateHz)});
+  out.push_back({heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
+  out.push_back({heft::toSay("the direction in which the tool turns"), turning});
+  out.push_back({heft::toSay("how fast the turning changes"), kin.alpha});
   return out;
 }
 

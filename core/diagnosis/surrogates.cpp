@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "core/base/say.h"
 #include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
@@ -59,7 +60,7 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
   constexpr int kBatch = 20;
   std::mt19937_64 random(seed);
   for (int done = 0; done < count && !progress.cancelled(); done += kBatch) {
-    progress(static_cast<double>(done) / count, "Trying the search on simulated clean recordings");
+    progress(static_cast<double>(done) / count, heft::say("Trying the search on simulated clean recordings"));
     const int batch = std::min(kBatch, count - done);
     // White innovations: what whitening makes of simulated noise. Box-Muller, the same on every platform.
     MatrixXd noise = MatrixXd::Zero(rows, batch);

@@ -123,9 +123,6 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
     Direct found;
     found.cause = "motion_lag";
     found.parameters = {{"lag", "ms", late.lag * 1e3, 1e3 * comparison.deviation(*way, late)}};
-    found.sentence = fmt::format("The reported joint velocities lag behind the joint angles by {:.0f} ms; Heft uses the angles.",
-                                 late.lag * 1e3);
-    found.words = findCause("motion_lag")->words();
     out.push_back(std::move(found));
   }
   const double scale = lags ? late.scale : plain.scale;
@@ -133,9 +130,6 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
     Direct found;
     found.cause = "derivative_noise";
     found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
-    found.sentence = fmt::format("The reported joint velocities are {:.0f} % off the slope of the joint angles; Heft uses the "
-                                 "angles.", 100.0 * (scale - 1.0));
-    found.words = findCause("derivative_noise")->words();
     out.push_back(std::move(found));
   }
   return out;

@@ -1,9 +1,8 @@
 #include "core/diagnosis/work.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "core/base/say.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/estimation/prepare.h"
 #include "core/segmentation/user_marks.h"
@@ -104,8 +103,8 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
   Eigen::Index judged = 0;
   for (const auto& s : work.stretches) judged += s.to - s.from;
   if (judged < 100)
-    return Error{fmt::format("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
-                             static_cast<double>(judged) / signals.blockRate())};
+    return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
+                           static_cast<double>(judged) / signals.blockRate())};
   SearchOptions searching;
   searching.hidden = options.hidden;
   searching.threshold = threshold;

@@ -1,7 +1,5 @@
 #include "core/estimation/estimate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -73,9 +71,9 @@ Result<Prepared> prepareFor(const Recording& recording, const RobotModel* robot,
   EstimateOptions options = requested;
   if (!(options.trim >= 0.0 && options.trim < 0.5))
     return Error{
-        fmt::format("The trim is a fraction of the duration at each end, from 0 to below 0.5, not {}.", options.trim)};
+        heft::say("The trim is a fraction of the duration at each end, from 0 to below 0.5, not {}.", options.trim)};
   if (options.insideShape && !(isMapFull(options) && options.shape))
-    return Error{"Holding the mass inside the shape needs a shape, the method map and the parameters full."};
+    return Error{heft::say("Holding the mass inside the shape needs a shape, the method map and the parameters full.")};
   const bool paperMethod = options.method != Method::map;
   if (paperMethod && recording.meta.kind != RecordingKind::poses)
     options.motion.outputRateHz = 0.0;  // they see every sample
@@ -180,7 +178,8 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   const Triangle believed = priorRows(prior, map.v);  // for map with fewer than all parameters
   if (isMapFull(options)) {
     solution = {map.phi, map.bias, map.converged, map.iterations,
-                map.converged ? "Converged: the gradient vanished." : "Stopped before the gradient vanished."};
+                map.converged ? heft::say("Converged: the gradient vanished.")
+                              : heft::say("Stopped before the gradient vanished.")};
   } else if (options.method == Method::map) {
     const Triangle both = merged({whitened, believed});
     solution = solveWithKnown(Method::map, &both, nullptr, options, fixed, noise);

@@ -175,12 +175,9 @@ std::vector<std::string> weakDirections(const Identifiability& identifiability, 
   for (int i = 0; i < 3; ++i) {
     const Vector3d axis = axes.R.col(i);
     if (axis.cwiseAbs2().dot(weak) < 0.5) continue;
-    const double alpha = std::sqrt((axis.transpose() * motion.alpha).squaredNorm() /
-                                   std::max<double>(1.0, static_cast<double>(motion.size())));
-    words.push_back(heft::say(
-        "Rotation about {} was never fast enough (it sped up by {:.1f} rad/s2 on average): turn the tool to and fro "
-        "about it.",
-        axes.names[static_cast<std::size_t>(i)], alpha));
+    words.push_back(
+        heft::say("The tool was never turned fast enough about {}: turn it to and fro about that axis, faster.",
+                  axes.names[static_cast<std::size_t>(i)]));
   }
   return words;
 }

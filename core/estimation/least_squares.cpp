@@ -65,10 +65,11 @@ SolverSolution solveTls(const SolverProblem& problem, SvdKind kind) {
     v = Eigen::BDCSVD<MatrixXd>(augmented, Eigen::ComputeThinU | Eigen::ComputeThinV).matrixV().col(d);
   }
   if (std::abs(v(d)) < 1e-12)
-    return fromFull(offset, 1, false,
-                    "Total least squares has no solution here: the smallest singular value belongs to the regressor.");
+    return fromFull(
+        offset, 1, false,
+        heft::say("Total least squares has no solution here: the smallest singular value belongs to the regressor."));
   const VectorXd z = -v.head(d) / v(d);
-  return fromFull(offset + map * z, 1, true, "Singular value decomposition done.");
+  return fromFull(offset + map * z, 1, true, heft::say("Singular value decomposition done."));
 }
 
 SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<double, 11, 1>& columnNoise) {
@@ -88,14 +89,15 @@ SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<
   const MatrixXd block = R.bottomRightCorner(noisy + 1, noisy + 1) * scale.cwiseInverse().asDiagonal();
   const VectorXd v = Eigen::JacobiSVD<MatrixXd>(block, Eigen::ComputeFullV).matrixV().col(noisy);
   if (std::abs(v(noisy)) < 1e-12)
-    return fromFull(offset, 1, false,
-                    "Total least squares has no solution here: the smallest singular value belongs to the regressor.");
+    return fromFull(
+        offset, 1, false,
+        heft::say("Total least squares has no solution here: the smallest singular value belongs to the regressor."));
   VectorXd z(d);
   z.tail(noisy) = (-v.head(noisy) / v(noisy) * scale(noisy)).cwiseQuotient(scale.head(noisy));
   z.head(exact) = R.topLeftCorner(exact, exact)
                       .triangularView<Eigen::Upper>()
                       .solve(R.col(d).head(exact) - R.block(0, exact, exact, noisy) * z.tail(noisy));
-  return fromFull(offset + map * z, 1, true, "Singular value decomposition done.");
+  return fromFull(offset + map * z, 1, true, heft::say("Singular value decomposition done."));
 }
 
 }  // namespace heft

@@ -1,7 +1,5 @@
 #include "core/estimation/prepare.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -166,10 +164,10 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   out.usedDuration = static_cast<double>(out.usedBlocks) / out.blocks.rateHz;
   if (6 * out.usedBlocks < 4 * kColumns)
     return Error{
-        fmt::format("No free motion is left to estimate from: of {:.1f} s only {:.1f} s touch nothing inside the "
-                    "trimmed range. Check "
-                    "the marks, or lower the trim.",
-                    span, out.usedDuration)};
+        heft::say("No free motion is left to estimate from: of {:.1f} s only {:.1f} s touch nothing inside the "
+                  "trimmed range. Check "
+                  "the marks, or lower the trim.",
+                  span, out.usedDuration)};
   calm(out);
   if (out.still)
     out.findings.push_back(
@@ -194,7 +192,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   out.usedBlocks = out.blocks.size();
   if (out.usedBlocks < 6)
     return Error{
-        fmt::format("Only {} standing poses are there; at least 6 in different tilts are needed.", out.usedBlocks)};
+        heft::say("Only {} standing poses are there; at least 6 in different tilts are needed.", out.usedBlocks)};
   learnNoise(out, true);
   return out;
 }
@@ -253,9 +251,9 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<doubl
 
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress) {
-  progress(0.1, "Working out how the tool moved");
+  progress(0.1, heft::say("Working out how the tool moved"));
   const auto finish = [&](Prepared prepared) {
-    progress(0.6, "Learning the sensor's noise");
+    progress(0.6, heft::say("Learning the sensor's noise"));
     const NoiseModel weighting = bounded(prepared.noise);
     prepared.folds = whitenedTriangles(prepared.blocks, weighting, prepared.weights, prepared.runs, kFolds);
     prepared.whitened = honestTriangle(prepared.blocks, prepared.noise, weighting, prepared.weights, prepared.runs);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
+
 namespace heft {
 
 namespace {
@@ -43,7 +45,7 @@ std::string_view wordsOf(SegmentKind kind) {
 Result<SegmentedRecording> segmentRecording(const Recording& recording, const RobotModel* robot,
                                             const EstimateOptions& options, const Progress& progress) {
   if (recording.meta.kind == RecordingKind::poses)
-    return Error{"Standing poses have no segments: each row is a measurement of its own."};
+    return Error{heft::say("Standing poses have no segments: each row is a measurement of its own.")};
   auto prepared = prepare(recording, robot, options, progress);
   if (!prepared && prepared.error().cancelled) return prepared.error();
   if (prepared) {

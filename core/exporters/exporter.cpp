@@ -129,15 +129,15 @@ Payload roundedForExport(const Payload& payload) {
 Result<std::string> exportPayload(const ExportFormat& format, const ExportInput& input, Findings& findings) {
   const Consistency consistency = checkPhysical(input.payload);
   if (!consistency.physical)
-    return Error{fmt::format("This payload cannot exist, so no {} file is written: {}", format.id, consistency.reason)};
+    return Error{heft::say("This payload cannot exist, so no {} file is written: {}", format.id, consistency.reason)};
   const Matrix3d R = input.X_FE.linear();
   if (!input.X_FE.matrix().allFinite() || (R * R.transpose() - Matrix3d::Identity()).norm() > 1e-6 ||
       R.determinant() < 0.0)
-    return Error{"The tool centre point is not a pose: its rotation must be orthonormal and right-handed."};
+    return Error{heft::say("The tool centre point is not a pose: its rotation must be orthonormal and right-handed.")};
   ExportInput rounded = input;
   rounded.payload = roundedForExport(input.payload);
   if (const Consistency after = checkPhysical(rounded.payload); !after.physical)
-    return Error{fmt::format("This payload is too small to be written: {}", after.reason)};
+    return Error{heft::say("This payload is too small to be written: {}", after.reason)};
   addFormatFindings(format, rounded, findings);
   return format.write(rounded);
 }

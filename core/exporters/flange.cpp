@@ -34,7 +34,7 @@ Result<SensorMount> readMount(const json& object, const std::string& where) {
   for (const auto& [key, target] : {std::pair{"xyz_m", &mount.xyz}, std::pair{"rpy_rad", &mount.rpy}}) {
     const json* list = member(object, key);
     if (!list) continue;
-    if (!isVector3(*list)) return Error{fmt::format("{}: {} of the sensor mount must be three numbers.", where, key)};
+    if (!isVector3(*list)) return Error{heft::say("{}: {} of the sensor mount must be three numbers.", where, key)};
     *target = {(*list)[0].get<double>(), (*list)[1].get<double>(), (*list)[2].get<double>()};
   }
   return mount;
@@ -57,9 +57,8 @@ Result<Isometry3d> parentInFlange(const std::string& parent, Findings& findings)
     const VectorXd moved = panda.clampToLimits(q + VectorXd::Constant(q.size(), 0.3));
     const Isometry3d X_FL_moved = panda.linkPose(moved, *flange).inverse() * panda.linkPose(moved, *link);
     if (X_FL.isApprox(X_FL_moved, 1e-9)) return X_FL;
-    return Error{
-        fmt::format("The sensor is mounted on {}, which moves against the flange: state its pose on the flange.",
-                    printable(parent))};
+    return Error{heft::say("The sensor is mounted on {}, which moves against the flange: state its pose on the flange.",
+                           printable(parent))};
   }
   findings.push_back(
       {Severity::warning,
@@ -152,7 +151,7 @@ Result<SensorMount> sensorMountFromJson(const json& content, const std::string& 
   for (const char* key : {"sensor_mount", "mount"})
     if (const json* mount = member(content, key)) return readMount(*mount, where);
   if (member(content, "xyz_m")) return readMount(content, where);
-  return Error{fmt::format(
+  return Error{heft::say(
       "{} holds no sensor mount: expected \"sensor\": {{\"mount\": {{\"xyz_m\": [x,y,z], \"rpy_rad\": [r,p,y]}}}} "
       "as in a meta file.",
       where)};
@@ -161,8 +160,8 @@ Result<SensorMount> sensorMountFromJson(const json& content, const std::string& 
 Result<FlangePayload> toFlange(const json& result, const std::string& where, const FlangeOptions& options) {
   if (const json* schema = member(result, "schema");
       schema && schema->is_string() && !member(result, "payload") && !member(result, "mass_kg"))
-    return Error{fmt::format("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
-                             printable(schema->get<std::string>()))};
+    return Error{heft::say("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
+                           printable(schema->get<std::string>()))};
   FlangePayload out;
   const auto payload = payloadFromJson(result, where);
   if (!payload) return payload.error();

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/base/findings.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -23,11 +24,13 @@ Result<ByteFile> ByteFile::open(const std::filesystem::path& path) {
   ByteFile out;
   const int number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (number < 0)
-    return errorAt({displayName(path), 0, 0}, "the file cannot be opened.", "Check its name and its permissions.");
+    return errorAt({displayName(path), 0, 0}, heft::say("the file cannot be opened."),
+                   heft::say("Check its name and its permissions."));
   out.file_ = std::make_shared<const Descriptor>(number);
   struct stat status {};
   if (::fstat(number, &status) != 0 || !S_ISREG(status.st_mode))
-    return errorAt({displayName(path), 0, 0}, "this is no ordinary file.", "Give a recording's file.");
+    return errorAt({displayName(path), 0, 0}, heft::say("this is no ordinary file."),
+                   heft::say("Give a recording's file."));
   out.size_ = static_cast<std::uint64_t>(status.st_size);
   return out;
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <set>
 
+#include "core/base/say.h"
 #include "core/import/mapping.h"
 #include "core/import/time_column.h"
 
@@ -184,7 +185,7 @@ class StreamGuess {
 
  private:
   std::string why() const {
-    return stream_.type.empty() ? "names of the columns" : fmt::format("type {}", stream_.type);
+    return stream_.type.empty() ? heft::say("names of the columns") : heft::say("type {}", stream_.type);
   }
   int poseScore() const { return stream_.type.starts_with("geometry_msgs/Pose") ? 30 : 10; }
 
@@ -208,7 +209,7 @@ class StreamGuess {
     const bool franka = stream_.type.starts_with("franka_msgs/");
     if (anyIs(all, kProcessed) || franka) {
       score -= 100;
-      reason = "an estimate or a compensated wrench: the tool's own weight may be taken out of it";
+      reason = heft::say("an estimate or a compensated wrench: the tool's own weight may be taken out of it");
     }
     add("wrench", fields, 0, kWrenchColumns, score, reason);
   }
@@ -232,7 +233,7 @@ class StreamGuess {
   /// Joints of a known arm by their names.
   void addNamed(const char* part, const char* prefix, const std::string& quantity,
                 const std::vector<std::string>& jointNames) {
-    ColumnCandidate candidate{part, {}, 60, "names of the arm's joints"};
+    ColumnCandidate candidate{part, {}, 60, heft::say("names of the arm's joints")};
     for (std::size_t j = 0; j < jointNames.size(); ++j) {
       const std::array<std::string, 4> forms = {fmt::format("{}[{}]", quantity, jointNames[j]),
                                                 fmt::format("measured_joint_state.{}[{}]", quantity, jointNames[j]),

@@ -62,17 +62,17 @@ std::string oddType(H5T_class_t kind) {
     case H5T_FLOAT:
       return {};
     case H5T_STRING:
-      return "text";
+      return heft::say("text");
     case H5T_COMPOUND:
-      return "a compound type";
+      return heft::say("a compound type");
     case H5T_VLEN:
-      return "lists of different lengths";
+      return heft::say("lists of different lengths");
     case H5T_ARRAY:
-      return "an array type";
+      return heft::say("an array type");
     case H5T_ENUM:
-      return "names of states";
+      return heft::say("names of states");
     default:
-      return "no plain numbers";
+      return heft::say("no plain numbers");
   }
 }
 
@@ -86,7 +86,7 @@ std::optional<Dataset> describe(hid_t file, const std::string& path, double most
   odd = oddType(H5Tget_class(type.id()));
   if (!odd.empty()) return std::nullopt;
   const int rank = H5Sget_simple_extent_ndims(space.id());
-  if (rank > 2) odd = fmt::format("{} dimensions", rank);
+  if (rank > 2) odd = heft::say("{} dimensions", rank);
   if (rank != 1 && rank != 2) return std::nullopt;
   hsize_t sizes[2] = {0, 1};
   if (H5Sget_simple_extent_dims(space.id(), sizes, nullptr) != rank) return std::nullopt;
@@ -162,8 +162,9 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   set.kind = FileKind::hdf5;
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), &H5Fclose);
   if (!file)
-    return errorAt({set.file, 0, 0}, "this HDF5 file cannot be opened: it is cut off or damaged.",
-                   "Close the file in the recording program before copying it; \"h5clear -s FILE\" may mend it.");
+    return errorAt(
+        {set.file, 0, 0}, heft::say("this HDF5 file cannot be opened: it is cut off or damaged."),
+        heft::say("Close the file in the recording program before copying it; \"h5clear -s FILE\" may mend it."));
   std::vector<std::string> paths;
   if (H5Ovisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &collectPath, &paths) < 0)
     set.findings.push_back({Severity::warning,
@@ -187,12 +188,12 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
     const auto count = odd.size();
     if (count > 5) {
       odd.resize(5);
-      odd.push_back(fmt::format("{} more", count - 5));
+      odd.push_back(heft::say("{} more", count - 5));
     }
     const auto names = fmt::format("{}", fmt::join(odd, ", "));
     const std::string remedy = heft::say("Write each quantity as a dataset of numbers with one row a sample.");
     if (all.empty())
-      return errorAt({set.file, 0, 0}, fmt::format("no dataset of this HDF5 file is a table of numbers: {}.", names),
+      return errorAt({set.file, 0, 0}, heft::say("no dataset of this HDF5 file is a table of numbers: {}.", names),
                      remedy);
     set.findings.push_back({Severity::info,
                             "dataset_odd",
@@ -206,7 +207,7 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   std::size_t numbers = 0;
   std::set<std::string> damaged;
   for (const auto& [key, members] : groups) {
-    if (progress.cancelled()) return Error{"Reading was stopped.", true};
+    if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
     double unit = 1.0;
     bool unitKnown = false;
     const Dataset* const times = findTimes(all, key.first, key.second, choice, unit, unitKnown);

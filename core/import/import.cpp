@@ -1,7 +1,5 @@
 #include "core/import/import.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <new>
@@ -169,8 +167,8 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
       const auto extension = entry.path().extension();
       if (extension == ".db3" || extension == ".mcap" || extension == ".zstd") return FileKind::ros2Folder;
     }
-    return errorAt({name, 0, 0}, "this is a folder, not a recording.",
-                   "Give the recording's file, or the folder of a ROS 2 bag.");
+    return errorAt({name, 0, 0}, heft::say("this is a folder, not a recording."),
+                   heft::say("Give the recording's file, or the folder of a ROS 2 bag."));
   }
   if (type != std::filesystem::file_type::regular) return FileKind::contractCsv;  // a pipe, or nothing: its reader says
   const auto file = ByteFile::open(path);
@@ -215,14 +213,14 @@ Result<StreamSet> readStreams(const std::filesystem::path& path, FileKind kind, 
     case FileKind::ros2Folder:
       return readMessageStreams(path, kind, filter, progress);
   }
-  return Error{"unknown kind of file"};
+  return Error{heft::say("unknown kind of file")};
 }
 
 namespace {
 
 Error tooLarge(const std::filesystem::path& path) {
-  return errorAt({displayName(path), 0, 0}, "the recording does not fit into the memory.",
-                 "Split it, or record fewer topics.");
+  return errorAt({displayName(path), 0, 0}, heft::say("the recording does not fit into the memory."),
+                 heft::say("Split it, or record fewer topics."));
 }
 
 Result<RecordingContents> inspect(const std::filesystem::path& path, const ImportOptions& options,
@@ -262,12 +260,14 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
     return finding.code == "file_cut_off" || finding.code == "chunk_damaged";
   };
   if (listed.empty() && std::any_of(opened->findings.begin(), opened->findings.end(), cutOff))
-    return errorAt({displayName(path), 0, 0}, "it is cut off or damaged before the first message that could be read.",
-                   "Copy it again from where it was recorded.");
+    return errorAt({displayName(path), 0, 0},
+                   heft::say("it is cut off or damaged before the first message that could be read."),
+                   heft::say("Copy it again from where it was recorded."));
   if (listed.empty())
     return errorAt(
-        {displayName(path), 0, 0}, "nothing that Heft can read is in it.",
-        "Record the sensor's wrench and the joints or the pose; 'heft convert IN --list' shows what there is.");
+        {displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
+        heft::say(
+            "Record the sensor's wrench and the joints or the pose; 'heft convert IN --list' shows what there is."));
   const auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
   if (!columns) return columns.error();
 
@@ -296,8 +296,8 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
     }
     if (!there)
       return errorAt({listed[column.stream].file, 0, 0},
-                     fmt::format("{} could not be read again.", printable(listed[column.stream].fields[column.field])),
-                     "Was the file changed meanwhile?");
+                     heft::say("{} could not be read again.", printable(listed[column.stream].fields[column.field])),
+                     heft::say("Was the file changed meanwhile?"));
     found.push_back(std::move(column));
   }
   auto joined = joinStreams(opened->streams, found, opened->wishes, std::move(opened->meta), opened->findings);

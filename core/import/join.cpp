@@ -59,8 +59,8 @@ class Joiner {
     for (const auto* signal : {&wrench_, &joints_, &velocities_, &quaternion_, &position_})
       if (!signal->empty() && signal->nanoseconds.size() < 2)
         return errorAt({streams_[signal->stream].file, 0, 0},
-                       fmt::format("{} has fewer than two complete samples.", nameOf(signal->stream)),
-                       "Record again, or choose other columns.");
+                       heft::say("{} has fewer than two complete samples.", nameOf(signal->stream)),
+                       heft::say("Record again, or choose other columns."));
     makeTimes();
     makeQuaternionsSmooth();
     if (auto failure = align()) return *failure;
@@ -290,8 +290,9 @@ class Joiner {
 
   std::optional<Error> align() {
     if (wrench_.stream == motion().stream) return std::nullopt;
-    const auto how = "State it in a map file, for instance {\"offset_s\": {\"" + displayName(nameOf(wrench_.stream)) +
-                     "\": 0.0}} (seconds added to its times).";
+    const auto how = heft::say(
+        "State it in a map file, for instance {{\"offset_s\": {{\"{}\": 0.0}}}} (seconds added to its times).",
+        displayName(nameOf(wrench_.stream)));
     const auto moved = recording_.meta.kind == RecordingKind::motion ? specificForce() : std::nullopt;
     if (!moved && !unrelated_) return std::nullopt;
     const auto& motionTime = motion().time;
@@ -307,14 +308,14 @@ class Joiner {
     if (moved)
       offset = findOffset(moved->specificForce, moved->startTime, moved->rateHz, wrench_.time,
                           wrench_.values.leftCols<3>(), from, to);
-    const auto figures = fmt::format("{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)",
-                                     offset.seconds, 2.0 * offset.std, 100.0 * offset.explained);
+    const auto figures = heft::say("{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)",
+                                   offset.seconds, 2.0 * offset.std, 100.0 * offset.explained);
     if (unrelated_) {
       if (!offset.sure)
         return errorAt({recording_.file, 0, 0},
-                       fmt::format("the clocks of {} and {} have nothing in common, and the data do not tell how much "
-                                   "one is later than the other.",
-                                   nameOf(motion().stream), nameOf(wrench_.stream)),
+                       heft::say("the clocks of {} and {} have nothing in common, and the data do not tell how much "
+                                 "one is later than the other.",
+                                 nameOf(motion().stream), nameOf(wrench_.stream)),
                        how);
       wrench_.time.array() += offset.seconds;
       wrenchShift_ = offset.seconds;
@@ -354,10 +355,10 @@ class Joiner {
     if (times.size() < 2)
       return errorAt(
           {recording_.file, 0, 0},
-          fmt::format("{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.",
-                      nameOf(moving.stream), nameOf(wrench_.stream), moving.time(0),
-                      moving.time(moving.time.size() - 1), wrench_.time(0), wrench_.time(wrench_.time.size() - 1)),
-          "Were they recorded together? State offset_s in a map file if one clock is late.");
+          heft::say("{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.",
+                    nameOf(moving.stream), nameOf(wrench_.stream), moving.time(0), moving.time(moving.time.size() - 1),
+                    wrench_.time(0), wrench_.time(wrench_.time.size() - 1)),
+          heft::say("Were they recorded together? State offset_s in a map file if one clock is late."));
     const VectorXd at = Eigen::Map<const VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
     const auto on = [&](const Signal& signal) -> MatrixXd {
       if (signal.empty()) return {};

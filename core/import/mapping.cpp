@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -40,9 +41,10 @@ std::string partOf(const std::string& column) {
 std::optional<Error> checkTarget(const std::string& name, const std::string& where) {
   const bool part = std::find(kParts.begin(), kParts.end(), name) != kParts.end();
   if (part || isColumn(name)) return std::nullopt;
-  return errorAt({where, 0, 0}, fmt::format("\"{}\" is no column of a recording.", printable(name)),
-                 "Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the "
-                 "groups joints, velocities, position, quaternion, wrench.");
+  return errorAt(
+      {where, 0, 0}, heft::say("\"{}\" is no column of a recording.", printable(name)),
+      heft::say("Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the "
+                "groups joints, velocities, position, quaternion, wrench."));
 }
 
 std::string shown(const Stream& stream) {
@@ -127,8 +129,8 @@ class Chooser {
         return std::nullopt;
       }
       return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
-                     fmt::format("\"{}\" has no {} that Heft can find by name.", printable(source), target),
-                     "Name its columns one by one, for instance fx=TOPIC:FIELD.");
+                     heft::say("\"{}\" has no {} that Heft can find by name.", printable(source), target),
+                     heft::say("Name its columns one by one, for instance fx=TOPIC:FIELD."));
     }
     for (std::size_t s = 0; s < streams_.size(); ++s) {
       for (std::size_t f = 0; f < streams_[s].fields.size(); ++f) {
@@ -140,8 +142,8 @@ class Chooser {
       }
     }
     return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
-                   fmt::format("there is no \"{}\", which {} was to be read from.", printable(source), target),
-                   "'heft convert IN --list' shows what there is.");
+                   heft::say("there is no \"{}\", which {} was to be read from.", printable(source), target),
+                   heft::say("'heft convert IN --list' shows what there is."));
   }
 
   std::optional<Error> requireAll() const {
@@ -154,26 +156,26 @@ class Chooser {
       std::string other;
       for (const auto& candidate : candidates_)
         if (candidate.part == "wrench" && candidate.score < 0 && other.empty())
-          other = fmt::format(" {} has one, but it is {}; --use wrench={} takes it nevertheless.",
-                              shown(streams_[candidate.columns[0].stream]), candidate.why,
-                              shown(streams_[candidate.columns[0].stream]));
+          other = " " + heft::say("{} has one, but it is {}; --use wrench={} takes it nevertheless.",
+                                  shown(streams_[candidate.columns[0].stream]), candidate.why,
+                                  shown(streams_[candidate.columns[0].stream]));
       return errorAt({file, 0, 0},
-                     missing.size() == 6 ? "no wrench of a sensor was found."
-                                         : fmt::format("of the wrench {} is missing.", fmt::join(missing, ", ")),
-                     "Add its file with --join FILE, or say which columns it has with --use." + other);
+                     missing.size() == 6 ? heft::say("no wrench of a sensor was found.")
+                                         : heft::say("of the wrench {} is missing.", fmt::join(missing, ", ")),
+                     heft::say("Add its file with --join FILE, or say which columns it has with --use.") + other);
     }
     if (!has("joints") && !has("quaternion"))
-      return errorAt({file, 0, 0}, "no motion was found: neither joint positions nor a pose of the sensor.",
-                     "Add its file with --join FILE, or say which columns it has with --use.");
+      return errorAt({file, 0, 0}, heft::say("no motion was found: neither joint positions nor a pose of the sensor."),
+                     heft::say("Add its file with --join FILE, or say which columns it has with --use."));
     for (const auto& part : kParts) {
       std::size_t stream = streams_.size();
       for (const auto& column : chosen_) {
         if (partOf(column.column) != part) continue;
         if (stream != streams_.size() && column.stream != stream)
           return errorAt({file, 0, 0},
-                         fmt::format("the columns of the {} come from {} and from {}.", part, shown(streams_[stream]),
-                                     shown(streams_[column.stream])),
-                         "They must share their times.");
+                         heft::say("the columns of the {} come from {} and from {}.", part, shown(streams_[stream]),
+                                   shown(streams_[column.stream])),
+                         heft::say("They must share their times."));
         stream = column.stream;
       }
     }
@@ -196,7 +198,7 @@ class Chooser {
       const auto first =
           std::find_if(chosen_.begin(), chosen_.end(), [&](const auto& c) { return partOf(c.column) == part; });
       const auto& stream = streams_[first->stream];
-      texts.push_back(fmt::format("{} from {} ({})", part, shown(stream), first->why));
+      texts.push_back(heft::say("{} from {} ({})", part, shown(stream), first->why));
       std::vector<std::string> others;
       for (const auto& candidate : candidates_) {
         const auto other = candidate.columns[0].stream;
@@ -207,13 +209,13 @@ class Chooser {
       if (!others.empty() && first->why != "said by the user")
         findings_.push_back({Severity::info,
                              "other_source",
-                             fmt::format("The {} could also be {}.", part, fmt::join(others, " or ")),
-                             fmt::format("Choose with --use {}=NAME.", part),
+                             heft::say("The {} could also be {}.", part, fmt::join(others, heft::say(" or "))),
+                             heft::say("Choose with --use {}=NAME.", part),
                              {stream.file, 0, 0}});
     }
     findings_.push_back({Severity::info,
                          "sources",
-                         fmt::format("Read {}.", fmt::join(texts, ", ")),
+                         heft::say("Read {}.", fmt::join(texts, ", ")),
                          "",
                          {streams_[chosen_[0].stream].file, 0, 0}});
   }

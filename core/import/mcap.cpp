@@ -32,7 +32,7 @@ class McapScan {
     std::uint64_t at = kMagic.size();
     bool ended = false;
     while (!stopped_ && !ended) {
-      if (progress.cancelled()) return Error{"Reading was stopped.", true};
+      if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       progress(static_cast<double>(at) / static_cast<double>(file_.size()), "reading");
       const auto head = file_.read(at, 9);
       if (head.size() < 9) {
@@ -171,7 +171,8 @@ Result<bool> scanMcap(const std::filesystem::path& path, MessageListener& listen
   const auto file = ByteFile::open(path);
   if (!file) return file.error();
   if (file->read(0, kMagic.size()) != kMagic)
-    return errorAt({displayName(path), 0, 0}, "this is no MCAP file.", "Its first eight bytes are others.");
+    return errorAt({displayName(path), 0, 0}, heft::say("this is no MCAP file."),
+                   heft::say("Its first eight bytes are others."));
   return McapScan(*file, displayName(path), listener, findings).run(progress);
 }
 

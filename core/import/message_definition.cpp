@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 
@@ -270,7 +271,7 @@ Result<MessageDecoder> MessageDecoder::make(std::string_view type, std::string_v
     if (const auto found = known.find(name); found != known.end()) return found->second;
     const auto text = texts.find(name);
     if (text == texts.end() || depth > kDeepest) {
-      failure = Error{fmt::format("The definition of {} lacks {}.", printable(type), printable(name))};
+      failure = Error{heft::say("The definition of {} lacks {}.", printable(type), printable(name))};
       return nullptr;
     }
     auto built = std::make_shared<Type>();
@@ -290,7 +291,7 @@ Result<MessageDecoder> MessageDecoder::make(std::string_view type, std::string_v
       if (const auto open = typeName.find('['); open != std::string_view::npos) {
         const auto close = typeName.find(']', open);
         if (close == std::string_view::npos) {
-          failure = Error{fmt::format("The definition of {} has an array without an end.", printable(name))};
+          failure = Error{heft::say("The definition of {} has an array without an end.", printable(name))};
           return;
         }
         field.array = true;
@@ -298,7 +299,7 @@ Result<MessageDecoder> MessageDecoder::make(std::string_view type, std::string_v
         if (!length.empty() && !length.starts_with("<=")) {
           const auto [end, code] = std::from_chars(length.data(), length.data() + length.size(), field.fixedLength);
           if (code != std::errc() || end != length.data() + length.size() || field.fixedLength == 0) {
-            failure = Error{fmt::format("The definition of {} has an array of odd length.", printable(name))};
+            failure = Error{heft::say("The definition of {} has an array of odd length.", printable(name))};
             return;
           }
         }

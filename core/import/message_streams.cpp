@@ -25,13 +25,13 @@ class TopicReader {
     stream_.type = plainTypeName(info.type);
     stream_.file = file;
     if (encoding_ == PayloadEncoding::other) {
-      problem_ = "its encoding is not known";
+      problem_ = heft::say("its encoding is not known");
       return;
     }
     if (encoding_ == PayloadEncoding::json) return;
     const auto definition = info.definition.empty() ? builtInDefinition(info.type) : info.definition;
     if (definition.empty()) {
-      problem_ = "the file does not define its type";
+      problem_ = heft::say("the file does not define its type");
       return;
     }
     auto decoder = MessageDecoder::make(

@@ -52,8 +52,8 @@ class SqliteScan {
     const auto messages = prepare(database, "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
     if (!topics || !messages)
       return errorAt({name_, 0, 0},
-                     fmt::format("this database holds no ROS 2 bag ({}).", printable(sqlite3_errmsg(database))),
-                     "Such a bag has the tables topics and messages.");
+                     heft::say("this database holds no ROS 2 bag ({}).", printable(sqlite3_errmsg(database))),
+                     heft::say("Such a bag has the tables topics and messages."));
     int state = SQLITE_ROW;
     while ((state = sqlite3_step(topics.get())) == SQLITE_ROW) {
       TopicInfo info;
@@ -68,7 +68,7 @@ class SqliteScan {
     if (state == SQLITE_DONE) {
       while ((state = sqlite3_step(messages.get())) == SQLITE_ROW) {
         if (++count % 1024 == 0) {
-          if (progress.cancelled()) return Error{"Reading was stopped.", true};
+          if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
           progress(0.5, "reading");
         }
         const auto id = static_cast<std::uint64_t>(sqlite3_column_int64(messages.get(), 0));
@@ -241,8 +241,8 @@ Result<bool> scanSqliteBag(const std::filesystem::path& file, MessageListener& l
                         {name, 0, 0}});
   const auto database = databaseIn(content.bytes);
   if (!database)
-    return errorAt({name, 0, 0}, "this database cannot be opened.",
-                   "It is damaged at its beginning; \"sqlite3 BAG .recover\" may save its rows.");
+    return errorAt({name, 0, 0}, heft::say("this database cannot be opened."),
+                   heft::say("It is damaged at its beginning; \"sqlite3 BAG .recover\" may save its rows."));
   return SqliteScan(name, listener, findings).run(database.get(), progress);
 }
 
@@ -286,8 +286,9 @@ Result<bool> scanRos2Folder(const std::filesystem::path& folder, MessageListener
     std::sort(files.begin(), files.end());
   }
   if (files.empty())
-    return errorAt({name, 0, 0}, "this folder holds no ROS 2 bag.",
-                   "Such a folder has metadata.yaml and .db3 or .mcap files; otherwise give the recording's file.");
+    return errorAt(
+        {name, 0, 0}, heft::say("this folder holds no ROS 2 bag."),
+        heft::say("Such a folder has metadata.yaml and .db3 or .mcap files; otherwise give the recording's file."));
   Renumbering renumbering(listener);
   for (const auto& file : files) {
     const auto bytes = ByteFile::open(file);

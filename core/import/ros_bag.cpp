@@ -1,10 +1,9 @@
 // ROS 1 bag, format 2.0 (wiki.ros.org/Bags/Format/2.0): records of a header (fields name=value) and data, both after
 // their length of 32 bits, little-endian. Messages stand in chunks, which may be compressed, or between them.
-#include <fmt/format.h>
-
 #include <map>
 #include <optional>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/import/compression.h"
@@ -60,7 +59,7 @@ class BagScan {
   Result<bool> run(const Progress& progress) {
     std::uint64_t at = kMagic.size();
     while (at < file_.size() && !stopped_) {
-      if (progress.cancelled()) return Error{"Reading was stopped.", true};
+      if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       progress(static_cast<double>(at) / static_cast<double>(file_.size()), "reading");
       const auto lengthBytes = file_.read(at, 4);
       const auto headerLength = ByteReader(lengthBytes).read<std::uint32_t>();
@@ -91,20 +90,19 @@ class BagScan {
     findings_.push_back(
         {Severity::warning,
          "file_cut_off",
-         fmt::format("The bag is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()),
-         "The recorder was probably killed; 'rosbag reindex' mends the bag for other programs.",
+         heft::say("The bag is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()),
+         heft::say("The recorder was probably killed; 'rosbag reindex' mends the bag for other programs."),
          {name_, 0, 0}});
     return finish();
   }
 
   Result<bool> finish() {
     if (badChunks_ > 0)
-      findings_.push_back(
-          {Severity::warning,
-           "chunk_damaged",
-           fmt::format("{} chunks of the bag are damaged; what could be unpacked was read.", badChunks_),
-           "",
-           {name_, 0, 0}});
+      findings_.push_back({Severity::warning,
+                           "chunk_damaged",
+                           heft::say("{} chunks of the bag are damaged; what could be unpacked was read.", badChunks_),
+                           "",
+                           {name_, 0, 0}});
     return true;
   }
 
@@ -174,8 +172,8 @@ Result<bool> scanRosBag(const std::filesystem::path& path, MessageListener& list
   const auto file = ByteFile::open(path);
   if (!file) return file.error();
   if (file->read(0, kMagic.size()) != kMagic)
-    return errorAt({displayName(path), 0, 0}, "this is a ROS bag of an old format.",
-                   "Bring it to format 2.0 with 'rosbag fix' first.");
+    return errorAt({displayName(path), 0, 0}, heft::say("this is a ROS bag of an old format."),
+                   heft::say("Bring it to format 2.0 with 'rosbag fix' first."));
   return BagScan(*file, displayName(path), listener, findings).run(progress);
 }
 

@@ -50,9 +50,9 @@ class Table {
     if (!time)
       return errorAt({set.file, 0, 0},
                      choice.column.empty()
-                         ? "no column holds the time."
-                         : fmt::format("there is no column \"{}\" for the time.", printable(choice.column)),
-                     "Name it time (in seconds), or say which it is with --use time=COLUMN.");
+                         ? heft::say("no column holds the time.")
+                         : heft::say("there is no column \"{}\" for the time.", printable(choice.column)),
+                     heft::say("Name it time (in seconds), or say which it is with --use time=COLUMN."));
     const auto& clock = columns[time->index];
     if (!time->unitKnown) time->unit = unitOfTimes(clock);
     const std::size_t rows = clock.size();
@@ -102,7 +102,8 @@ class Table {
       set.streams.push_back(std::move(stream));
     }
     if (set.streams.empty())
-      return errorAt({set.file, 0, 0}, "no column of the table holds numbers.", "Check the export.");
+      return errorAt({set.file, 0, 0}, heft::say("no column of the table holds numbers."),
+                     heft::say("Check the export."));
     return true;
   }
 };
@@ -190,8 +191,8 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   if (!header) return header.error();
   const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
   if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
-    return errorAt({set.file, 0, 0}, "the table holds more cells than can be held in memory.",
-                   "Export fewer columns or a shorter stretch.");
+    return errorAt({set.file, 0, 0}, heft::say("the table holds more cells than can be held in memory."),
+                   heft::say("Export fewer columns or a shorter stretch."));
   std::vector<std::vector<std::string>> cells(header->names.size());
   std::vector<csv::Field> fields(header->names.size());
   for (std::size_t f = 0; f < fields.size(); ++f) fields[f].text = &cells[f];
@@ -232,7 +233,7 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
     auto content = rest.substr(0, stop);
     rest = stop == std::string_view::npos ? std::string_view() : rest.substr(stop + 1);
     if (++line % 1000 == 0) {
-      if (progress.cancelled()) return Error{"Reading was stopped.", true};
+      if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
       progress(1.0 - static_cast<double>(rest.size()) / static_cast<double>(text->size()), "reading");
     }
     while (!content.empty() && (content.back() == '\r' || content.back() == ' ' || content.back() == ','))
@@ -256,13 +257,13 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
     }
     ++rows;
     if (rows * table.names.size() > kMaxStreamNumbers)
-      return errorAt({set.file, line, 0}, "the file holds more numbers than can be held in memory.",
-                     "Record fewer values, or a shorter stretch.");
+      return errorAt({set.file, line, 0}, heft::say("the file holds more numbers than can be held in memory."),
+                     heft::say("Record fewer values, or a shorter stretch."));
   }
   for (auto& column : table.columns) column.resize(rows, kMissing);
   if (rows == 0)
-    return errorAt({set.file, firstBad, 0}, "no line of the file is a JSON object.",
-                   "JSON recordings have one object a line.");
+    return errorAt({set.file, firstBad, 0}, heft::say("no line of the file is a JSON object."),
+                   heft::say("JSON recordings have one object a line."));
   if (bad > 0)
     set.findings.push_back({Severity::warning,
                             "line_damaged",

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/import/streams.h"
 
 namespace heft {
@@ -33,7 +34,7 @@ void BridgeSource::run(const std::stop_token& stopping) {
       talk(stopping);
       client_.reset();
       if (stopping.stop_requested()) return;
-      setState(LinkState::lost, fmt::format("The connection to {}:{} broke; it is tried again.", host_, port_));
+      setState(LinkState::lost, heft::say("The connection to {}:{} broke; it is tried again.", host_, port_));
     } else if (status().state == LinkState::lost) {
       setState(LinkState::lost, made.error().message);
     } else {
@@ -56,10 +57,9 @@ bool BridgeSource::talk(const std::stop_token& stopping) {
       heard = now;
     } else if (now - heard > kSilence) {
       count([&](SourceStatus& status) {
-        status.text =
-            status.topics.empty()
-                ? fmt::format("{} is connected, but no topic with joint states or a wrench sends.", status.name)
-                : fmt::format("{} is connected, but its topics send nothing.", status.name);
+        status.text = status.topics.empty()
+                          ? heft::say("{} is connected, but no topic with joint states or a wrench sends.", status.name)
+                          : heft::say("{} is connected, but its topics send nothing.", status.name);
       });
       heard = now;
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/import/json_numbers.h"
 #include "core/import/time_column.h"
 #include "core/live/clock.h"
@@ -39,7 +40,7 @@ class JsonUdpSource : public ThreadedSource {
         take(*bytes, now);
         heard = now;
       } else if (now - heard > kSilence) {
-        setState(LinkState::lost, fmt::format("Nothing arrives at {}:{}.", host_, port_));
+        setState(LinkState::lost, heft::say("Nothing arrives at {}:{}.", host_, port_));
         heard = now;
       }
     }
@@ -62,7 +63,7 @@ class JsonUdpSource : public ThreadedSource {
     if (!sample) {
       count([](SourceStatus& status) {
         ++status.malformed;
-        status.text = "The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.";
+        status.text = heft::say("The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.");
       });
       return;
     }

@@ -13,6 +13,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/live/source.h"
 
@@ -33,8 +34,8 @@ Addresses resolve(const std::string& host, std::uint16_t port, int type) {
   return {found, &::freeaddrinfo};
 }
 
-Error unreachable(const std::string& host, std::uint16_t port, const char* what) {
-  return Error{fmt::format("{}:{} {}. Check the name, the cable and the firewall.", printable(host), port, what)};
+Error unreachable(const std::string& host, std::uint16_t port, const std::string& what) {
+  return Error{heft::say("{}:{} {}. Check the name, the cable and the firewall.", printable(host), port, what)};
 }
 
 /// True if the socket becomes ready in time.
@@ -48,24 +49,24 @@ bool waitFor(int number, short events, double seconds) {
 
 Result<UdpSocket> UdpSocket::listening(const std::string& host, std::uint16_t port) {
   const auto addresses = resolve(host, port, SOCK_DGRAM);
-  if (!addresses) return unreachable(host, port, "is no address of this machine");
+  if (!addresses) return unreachable(host, port, heft::say("is no address of this machine"));
   UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   const int room = 1 << 20;
   ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));
   if (out.number_ < 0 || ::bind(out.number_, addresses->ai_addr, addresses->ai_addrlen) != 0)
     return Error{
-        fmt::format("Port {} of {} cannot be opened; does another program listen there?", port, printable(host))};
+        heft::say("Port {} of {} cannot be opened; does another program listen there?", port, printable(host))};
   return out;
 }
 
 Result<UdpSocket> UdpSocket::connected(const std::string& host, std::uint16_t port) {
   const auto addresses = resolve(host, port, SOCK_DGRAM);
-  if (!addresses) return unreachable(host, port, "cannot be found");
+  if (!addresses) return unreachable(host, port, heft::say("cannot be found"));
   UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   const int room = 1 << 20;
   ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));
   if (out.number_ < 0 || ::connect(out.number_, addresses->ai_addr, addresses->ai_addrlen) != 0)
-    return unreachable(host, port, "cannot be reached");
+    return unreachable(host, port, heft::say("cannot be reached"));
   return out;
 }
 
@@ -113,24 +114,24 @@ std::uint16_t UdpSocket::port() const {
 Result<std::string> httpGet(const std::string& host, std::uint16_t port, const std::string& path) {
   const double deadline = hostNow() + 2.0;
   const auto addresses = resolve(host, port, SOCK_STREAM);
-  if (!addresses) return unreachable(host, port, "cannot be found");
+  if (!addresses) return unreachable(host, port, heft::say("cannot be found"));
   struct Closer {
     int number;
     ~Closer() {
       if (number >= 0) ::close(number);
     }
   } const socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)};
-  if (socket.number < 0) return unreachable(host, port, "cannot be reached");
+  if (socket.number < 0) return unreachable(host, port, heft::say("cannot be reached"));
   if (::connect(socket.number, addresses->ai_addr, addresses->ai_addrlen) != 0) {
     int failure = errno;
     socklen_t length = sizeof(failure);
     if (failure == EINPROGRESS && waitFor(socket.number, POLLOUT, deadline - hostNow()))
       ::getsockopt(socket.number, SOL_SOCKET, SO_ERROR, &failure, &length);
-    if (failure != 0) return unreachable(host, port, "does not answer over HTTP");
+    if (failure != 0) return unreachable(host, port, heft::say("does not answer over HTTP"));
   }
   const std::string request = fmt::format("GET {} HTTP/1.0\r\nHost: {}\r\nConnection: close\r\n\r\n", path, host);
   if (::send(socket.number, request.data(), request.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(request.size()))
-    return unreachable(host, port, "does not answer over HTTP");
+    return unreachable(host, port, heft::say("does not answer over HTTP"));
   std::string answer;
   std::string block(4096, '\0');
   while (answer.size() < kLargestBody && waitFor(socket.number, POLLIN, deadline - hostNow())) {
@@ -141,8 +142,8 @@ Result<std::string> httpGet(const std::string& host, std::uint16_t port, const s
   const auto body = answer.find("\r\n\r\n");
   const auto status = answer.substr(0, answer.find("\r\n"));
   if (body == std::string::npos || status.find(" 200") == std::string::npos)
-    return Error{fmt::format("http://{}:{}{} does not answer as expected (\"{}\").", printable(host), port, path,
-                             printable(status))};
+    return Error{heft::say("http://{}:{}{} does not answer as expected (\"{}\").", printable(host), port, path,
+                           printable(status))};
   return answer.substr(body + 4);
 }
 

@@ -1,11 +1,10 @@
 // Net F/T Raw Data Transfer: UDP, big-endian. Request: 0x1234, command, count; record: three numbers of 32 bits
 // (sequence of the transfer, sequence of the sensor, status), then six counts of 32 bits with sign.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <set>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/live/clock.h"
@@ -69,9 +68,9 @@ class RdtSource : public ThreadedSource {
         take(*bytes, now);
         heard = now;
       } else if (now - heard > kSilence) {
-        setState(LinkState::lost, fmt::format("{} sends nothing. Is RDT enabled on its web page, and does no other "
-                                              "program take the stream? It serves one client only.",
-                                              settings_.host));
+        setState(LinkState::lost, heft::say("{} sends nothing. Is RDT enabled on its web page, and does no other "
+                                            "program take the stream? It serves one client only.",
+                                            settings_.host));
         socket_->send(request(kRealTime));
         heard = now;
         started_ = false;
@@ -85,16 +84,17 @@ class RdtSource : public ThreadedSource {
   Result<bool> askUnits() {
     const auto page = httpGet(settings_.host, settings_.httpPort, "/netftapi2.xml");
     if (!page)
-      return Error{page.error().message + " Its counts per newton can be given instead: rdt:HOST?cpf=N&cpt=N."};
+      return Error{
+          heft::say("{} Its counts per newton can be given instead: rdt:HOST?cpf=N&cpt=N.", page.error().message)};
     const auto force = element(*page, "scfgfu");
     const auto torque = element(*page, "scfgtu");
     if ((!force.empty() && force != "N") || (!torque.empty() && torque != "N-m" && torque != "Nm"))
-      return Error{fmt::format("The sensor is set to {} and {}: choose N and N-m on its web page.", printable(force),
-                               printable(torque))};
+      return Error{heft::say("The sensor is set to {} and {}: choose N and N-m on its web page.", printable(force),
+                             printable(torque))};
     const double perForce = numberOf(element(*page, "cfgcpf"));
     const double perTorque = numberOf(element(*page, "cfgcpt"));
     if (!(perForce > 0.0) || !(perTorque > 0.0))
-      return Error{"The sensor does not state its counts per newton; give them: rdt:HOST?cpf=N&cpt=N."};
+      return Error{heft::say("The sensor does not state its counts per newton; give them: rdt:HOST?cpf=N&cpt=N.")};
     settings_.countsPerNewton = perForce;
     settings_.countsPerNewtonMetre = perTorque;
     return true;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
 
@@ -24,13 +25,12 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
   const auto metaFile = metaFileOf(csv);
   for (const auto& file : {csv, metaFile})
     if (std::filesystem::exists(file))
-      return Error{
-          fmt::format("{} exists; a recording never replaces a file. Choose another name.", displayName(file))};
+      return Error{heft::say("{} exists; a recording never replaces a file. Choose another name.", displayName(file))};
   if (const auto written = writeMeta(meta, metaFile); !written) return written.error();
   Recorder out;
   out.file_ = csv;
   out.descriptor_ = ::open(csv.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
-  if (out.descriptor_ < 0) return Error{fmt::format("{} cannot be made: {}.", displayName(csv), std::strerror(errno))};
+  if (out.descriptor_ < 0) return Error{heft::say("{} cannot be made: {}.", displayName(csv), std::strerror(errno))};
   return out;
 }
 
@@ -114,8 +114,8 @@ bool Recorder::flush() {
     const auto written = ::write(descriptor_, left.data(), left.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
-      problem_ = fmt::format("{} cannot be written any further: {}. What is there can be read.", displayName(file_),
-                             std::strerror(errno));
+      problem_ = heft::say("{} cannot be written any further: {}. What is there can be read.", displayName(file_),
+                           std::strerror(errno));
       pending_.assign(left);
       return false;
     }

@@ -1,6 +1,5 @@
 // A recording at the pace at which it was recorded, or faster.
-#include <fmt/format.h>
-
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/import.h"
 #include "core/live/sources.h"
@@ -12,7 +11,7 @@ namespace {
 class ReplaySource : public ThreadedSource {
  public:
   ReplaySource(std::filesystem::path file, double speed)
-      : ThreadedSource(fmt::format("replay of {}", displayName(file.filename()))),
+      : ThreadedSource(heft::say("replay of {}", displayName(file.filename()))),
         file_(std::move(file)),
         speed_(speed) {}
   ~ReplaySource() override { ReplaySource::stop(); }
@@ -47,7 +46,7 @@ class ReplaySource : public ThreadedSource {
     recording_ = std::move(opened->recording);
     if (recording_.hasJoints() && recording_.q.cols() > 7)
       return Error{
-          fmt::format("{} has {} joints; live samples have seven at most.", displayName(file_), recording_.q.cols())};
+          heft::say("{} has {} joints; live samples have seven at most.", displayName(file_), recording_.q.cols())};
     return true;
   }
 

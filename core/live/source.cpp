@@ -1,11 +1,10 @@
 #include "core/live/source.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <chrono>
 #include <map>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/live/sources.h"
 #include "core/live/virtual_source.h"
@@ -98,9 +97,9 @@ std::optional<double> positive(const std::string& text) {
 
 Error badAddress(const std::string& address) {
   return Error{
-      fmt::format("\"{}\" is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], "
-                  "udp:[HOST:]PORT, replay:FILE and virtual:SEED.",
-                  printable(address, 100))};
+      heft::say("\"{}\" is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], "
+                "udp:[HOST:]PORT, replay:FILE and virtual:SEED.",
+                printable(address, 100))};
 }
 
 }  // namespace
@@ -142,8 +141,8 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address) {
   };
   const auto unknownParameter = [&]() -> std::optional<Error> {
     if (parts.parameters.empty()) return std::nullopt;
-    return Error{fmt::format("\"{}\" in \"{}\" is not known.", printable(parts.parameters.begin()->first),
-                             printable(address, 100))};
+    return Error{heft::say("\"{}\" in \"{}\" is not known.", printable(parts.parameters.begin()->first),
+                           printable(address, 100))};
   };
 
   if (parts.kind == "replay") {
@@ -187,7 +186,7 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address) {
     }
     if (auto failure = unknownParameter()) return *failure;
     if ((settings.countsPerNewton > 0.0) != (settings.countsPerNewtonMetre > 0.0))
-      return Error{"cpf and cpt, the counts per newton and per newton metre, belong together."};
+      return Error{heft::say("cpf and cpt, the counts per newton and per newton metre, belong together.")};
     return makeRdtSource(settings);
   }
   if (parts.kind == "foxglove") {

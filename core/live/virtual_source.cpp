@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/base/say.h"
+
 namespace heft {
 
 Result<std::unique_ptr<VirtualSource>> VirtualSource::create(const RobotModel& robot, const VirtualRigOptions& options,
                                                              Pace pace) {
-  if (robot.dof() > 7) return Error{"The virtual arm has seven joints at most."};
+  if (robot.dof() > 7) return Error{heft::say("The virtual arm has seven joints at most.")};
   auto rig = VirtualRig::create(robot, options);
   if (!rig) return rig.error();
   return std::unique_ptr<VirtualSource>(new VirtualSource(std::move(*rig), pace));

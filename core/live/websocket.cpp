@@ -9,6 +9,7 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -59,8 +60,8 @@ Result<WebSocketClient> WebSocketClient::connect(const std::string& host, std::u
   auto& stream = impl->stream;
   const auto failure = [&](const std::string& why) {
     impl->close();
-    return Error{fmt::format("{}:{} cannot be reached over WebSocket ({}). Does the bridge run, and is the port open?",
-                             printable(host), port, printable(why))};
+    return Error{heft::say("{}:{} cannot be reached over WebSocket ({}). Does the bridge run, and is the port open?",
+                           printable(host), port, printable(why))};
   };
   beast::error_code code;
   asio::ip::tcp::resolver resolver(impl->context);
@@ -74,7 +75,7 @@ Result<WebSocketClient> WebSocketClient::connect(const std::string& host, std::u
                                                   impl->context.stop();
                                                 });
   impl->runFor(seconds);
-  if (code) return failure(code == asio::error::would_block ? "no answer" : code.message());
+  if (code) return failure(code == asio::error::would_block ? heft::say("no answer") : code.message());
   beast::get_lowest_layer(stream).socket().set_option(asio::ip::tcp::no_delay(true));
 
   stream.read_message_max(kLargestMessage);
@@ -92,7 +93,7 @@ Result<WebSocketClient> WebSocketClient::connect(const std::string& host, std::u
     impl->context.stop();
   });
   impl->runFor(seconds);
-  if (code) return failure(code == asio::error::would_block ? "no answer" : code.message());
+  if (code) return failure(code == asio::error::would_block ? heft::say("no answer") : code.message());
   impl->connected = true;
   return WebSocketClient(std::move(impl));
 }

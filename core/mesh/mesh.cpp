@@ -14,6 +14,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 // Debian builds assimp with its assertions on, and on some broken files one of them ends the program. The library calls
@@ -91,7 +92,7 @@ class Collector {
     for (auto& [key, part] : parts_) {
       if (!part.triangles.empty()) mesh.parts.push_back(std::move(part));
     }
-    if (problem_.empty() && mesh.parts.empty()) problem_ = "contains no triangle";
+    if (problem_.empty() && mesh.parts.empty()) problem_ = heft::say("contains no triangle");
     return problem_;
   }
 
@@ -100,7 +101,7 @@ class Collector {
 
   void walk(const aiNode& node, const aiMatrix4x4& parent, unsigned depth) {
     if (depth > kMaxNodeDepth) {
-      problem_ = fmt::format("nests nodes deeper than {}", kMaxNodeDepth);
+      problem_ = heft::say("nests nodes deeper than {}", kMaxNodeDepth);
       return;
     }
     const aiMatrix4x4 pose = parent * node.mTransformation;
@@ -116,7 +117,7 @@ class Collector {
     const Eigen::Matrix3f linear = M.topLeftCorner<3, 3>();
     const float volume = linear.determinant();
     if (!M.allFinite() || volume == 0.0f) {
-      problem_ = "places a mesh by a singular transformation";
+      problem_ = heft::say("places a mesh by a singular transformation");
       return;
     }
     const Eigen::Matrix3f turnNormal = linear.inverse().transpose();
@@ -133,7 +134,7 @@ class Collector {
       const aiVector3D& v = mesh.mVertices[k];
       const Eigen::Vector3f vertex = linear * Eigen::Vector3f(v.x, v.y, v.z) + M.topRightCorner<3, 1>();
       if (!vertex.allFinite()) {
-        problem_ = "contains a vertex that is not a finite number";
+        problem_ = heft::say("contains a vertex that is not a finite number");
         return;
       }
       part.vertices.push_back(vertex);
@@ -151,7 +152,7 @@ class Collector {
       if (face.mNumIndices != 3) continue;
       std::array<unsigned, 3> triangle{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
       if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.mNumVertices) {
-        problem_ = "has a triangle that names a vertex which does not exist";
+        problem_ = heft::say("has a triangle that names a vertex which does not exist");
         return;
       }
       if (volume < 0.0f) std::swap(triangle[1], triangle[2]);  // A mirror turns the surface inside out.
@@ -207,12 +208,12 @@ std::size_t Mesh::triangleCount() const {
 Result<Mesh> loadMesh(const fs::path& file) {
   const std::string name = displayName(file);
   std::error_code problem;
-  if (!fs::is_regular_file(file, problem)) return Error{name + ": There is no such mesh file."};
+  if (!fs::is_regular_file(file, problem)) return Error{heft::say("{}: There is no such mesh file.", name)};
   const std::uintmax_t bytes = fs::file_size(file, problem);
-  if (problem || bytes == 0) return Error{name + ": The mesh file is empty or cannot be read."};
+  if (problem || bytes == 0) return Error{heft::say("{}: The mesh file is empty or cannot be read.", name)};
   if (bytes > kMaxFileBytes) {
-    return Error{fmt::format("{}: The mesh file has {} MB; at most {} MB are read. Decimate it first.", name,
-                             bytes >> 20, kMaxFileBytes >> 20)};
+    return Error{heft::say("{}: The mesh file has {} MB; at most {} MB are read. Decimate it first.", name, bytes >> 20,
+                           kMaxFileBytes >> 20)};
   }
   const std::string extension = lowerExtension(file);
   try {
@@ -220,10 +221,10 @@ Result<Mesh> loadMesh(const fs::path& file) {
     configure(importer);
     if (!importer.IsExtensionSupported(extension)) {
       return Error{
-          fmt::format("{}: Meshes of kind \"{}\" are not known. Use .stl, .obj, .ply, .dae or .glb.", name, extension)};
+          heft::say("{}: Meshes of kind \"{}\" are not known. Use .stl, .obj, .ply, .dae or .glb.", name, extension)};
     }
     if (extension == ".ply" && !hasPlyHeader(file)) {
-      return Error{name + ": The mesh cannot be read: it has no PLY header that ends."};
+      return Error{heft::say("{}: The mesh cannot be read: it has no PLY header that ends.", name)};
     }
     unsigned steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType |
                      aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals;
@@ -232,14 +233,15 @@ Result<Mesh> loadMesh(const fs::path& file) {
     const aiScene* scene = importer.ReadFile(file.string(), steps);
     if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE)) {
       const std::string reason = printable(importer.GetErrorString(), 200);
-      return Error{fmt::format("{}: The mesh cannot be read: {}", name, reason.empty() ? "it is incomplete." : reason)};
+      return Error{
+          heft::say("{}: The mesh cannot be read: {}", name, reason.empty() ? heft::say("it is incomplete.") : reason)};
     }
     Mesh mesh;
     const std::string wrong = Collector(*scene, extension == ".glb" || extension == ".gltf").run(mesh);
-    if (!wrong.empty()) return Error{fmt::format("{}: The mesh {}.", name, wrong)};
+    if (!wrong.empty()) return Error{heft::say("{}: The mesh {}.", name, wrong)};
     return mesh;
   } catch (const std::exception& failure) {
-    return Error{fmt::format("{}: The mesh cannot be read: {}", name, printable(failure.what(), 200))};
+    return Error{heft::say("{}: The mesh cannot be read: {}", name, printable(failure.what(), 200))};
   }
 }
 

@@ -1,7 +1,5 @@
 #include "core/motion/motion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -178,17 +176,18 @@ Result<int> mountLink(const RecordingMeta& meta, const RobotModel& robot) {
   std::string names;
   for (const auto& link : robot.links()) names += (names.empty() ? "" : ", ") + link.name;
   return Error{
-      fmt::format("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
-                  "sensor.mount.parent in the meta file to one of: {}.",
-                  meta.mount.parent, robot.name(), names)};
+      heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
+                "sensor.mount.parent in the meta file to one of: {}.",
+                meta.mount.parent, robot.name(), names)};
 }
 
 Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
-  if (robot == nullptr) return Error{"The recording has joint angles but no robot. Name one in the meta file (robot)."};
+  if (robot == nullptr)
+    return Error{heft::say("The recording has joint angles but no robot. Name one in the meta file (robot).")};
   if (recording.q.cols() != robot->dof())
     return Error{
-        fmt::format("The recording has {} joints, the robot \"{}\" has {}. Name the right robot in the meta file.",
-                    recording.q.cols(), robot->name(), robot->dof())};
+        heft::say("The recording has {} joints, the robot \"{}\" has {}. Name the right robot in the meta file.",
+                  recording.q.cols(), robot->name(), robot->dof())};
   return mountLink(recording.meta, *robot);
 }
 
@@ -260,7 +259,7 @@ void fromPoses(const Recording& recording, const Smoother& smoother, const Unifo
 }  // namespace
 
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
-  if (!meta.robot) return Error{"The recording names no robot."};
+  if (!meta.robot) return Error{heft::say("The recording names no robot.")};
   if (*meta.robot == "panda") return RobotModel::panda();
   return RobotModel::fromUrdfFile(*meta.robot, findings);
 }
@@ -269,7 +268,7 @@ Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot
   Motion motion;
   motion.rateHz = 1.0;
   const Eigen::Index n = recording.rows();
-  if (n < 1) return Error{"The recording has no rows."};
+  if (n < 1) return Error{heft::say("The recording has no rows.")};
   resizeMotion(motion, n);
   std::optional<int> link;
   if (!recording.hasOrientation()) {
@@ -298,21 +297,21 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
   const int window = options.window + (options.window % 2 == 0 ? 1 : 0);
   if (savitzkyGolay && (options.order < 2 || window <= options.order))
     return Error{
-        fmt::format("Savitzky-Golay needs an order of at least 2 and a window above the order, not order {} and "
-                    "window {}.",
-                    options.order, options.window)};
+        heft::say("Savitzky-Golay needs an order of at least 2 and a window above the order, not order {} and "
+                  "window {}.",
+                  options.order, options.window)};
   if (!savitzkyGolay && !(options.cutoffHz >= 0.0))
-    return Error{fmt::format("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
+    return Error{heft::say("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
   const Eigen::Index needed = std::max<Eigen::Index>(10, savitzkyGolay ? window : 0);
   if (recording.rows() < needed)
-    return Error{fmt::format("The recording has {} rows; at least {} are needed to know how the tool moved.",
-                             recording.rows(), needed)};
+    return Error{heft::say("The recording has {} rows; at least {} are needed to know how the tool moved.",
+                           recording.rows(), needed)};
   const UniformGrid grid = gridFor(recording.time);
   if (grid.size > 20 * recording.rows() + 1000)
     return Error{
-        fmt::format("The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the "
-                    "recording at its gaps.",
-                    recording.rows(), recording.duration(), 1.0 / grid.rateHz)};
+        heft::say("The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the "
+                  "recording at its gaps.",
+                  recording.rows(), recording.duration(), 1.0 / grid.rateHz)};
   const Smoother smoother(options, grid);
   Motion motion;
   motion.rateHz = grid.rateHz / smoother.output().stride;

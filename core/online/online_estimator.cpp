@@ -1,7 +1,5 @@
 #include "core/online/online_estimator.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -376,15 +374,14 @@ OnlineEstimator::~OnlineEstimator() = default;
 Result<OnlineEstimator> OnlineEstimator::create(const RecordingMeta& meta, const RobotModel* robot,
                                                 const OnlineOptions& options) {
   if (robot && robot->dof() > 7)
-    return Error{
-        fmt::format("The robot \"{}\" has {} joints; at most 7 can be followed.", robot->name(), robot->dof())};
+    return Error{heft::say("The robot \"{}\" has {} joints; at most 7 can be followed.", robot->name(), robot->dof())};
   if (robot && !robot->findLink(meta.mount.parent))
     return Error{
-        fmt::format("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
-                    "sensor.mount.parent in the meta file.",
-                    meta.mount.parent, robot->name())};
+        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
+                  "sensor.mount.parent in the meta file.",
+                  meta.mount.parent, robot->name())};
   if (!(options.cutoffHz >= 0.0))
-    return Error{fmt::format("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
+    return Error{heft::say("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
   auto impl = std::make_unique<Impl>(meta, robot, options);
   if (options.shape) {
     auto samples = sampleShape(*options.shape, impl->events);

@@ -1,7 +1,5 @@
 #include "core/payload/inertial_parameters.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -96,11 +94,11 @@ namespace {
 /// Reads `count` finite numbers; an empty message means success.
 std::string readNumbers(const json& value, int count, double* out) {
   if (!value.is_array() || static_cast<int>(value.size()) != count)
-    return fmt::format("must be a list of {} numbers", count);
+    return heft::say("must be a list of {} numbers", count);
   for (int i = 0; i < count; ++i) {
-    if (!value[i].is_number()) return fmt::format("must be a list of {} numbers", count);
+    if (!value[i].is_number()) return heft::say("must be a list of {} numbers", count);
     out[i] = value[i].get<double>();
-    if (!std::isfinite(out[i])) return "holds a number that is not finite";
+    if (!std::isfinite(out[i])) return heft::say("holds a number that is not finite");
   }
   return "";
 }
@@ -108,37 +106,37 @@ std::string readNumbers(const json& value, int count, double* out) {
 }  // namespace
 
 Result<PartialPayload> partialPayloadFromJson(const json& object, const std::string& where) {
-  if (!object.is_object()) return Error{fmt::format("{}: a payload must be a JSON object.", where)};
+  if (!object.is_object()) return Error{heft::say("{}: a payload must be a JSON object.", where)};
   for (const char* member : {"payload", "known_payload"})
     if (const auto it = object.find(member); it != object.end() && it->is_object())
       return partialPayloadFromJson(*it, where + ": " + member);
 
   PartialPayload payload;
   if (const auto it = object.find("mass_kg"); it != object.end() && !it->is_null()) {
-    if (!it->is_number()) return Error{fmt::format("{}: mass_kg must be a number in kilograms.", where)};
+    if (!it->is_number()) return Error{heft::say("{}: mass_kg must be a number in kilograms.", where)};
     const double mass = it->get<double>();
     if (!(std::isfinite(mass) && mass > 0.0))
-      return Error{fmt::format("{}: mass_kg is {}; a mass must be above zero.", where, mass)};
+      return Error{heft::say("{}: mass_kg is {}; a mass must be above zero.", where, mass)};
     payload.mass = mass;
   }
   if (const auto it = object.find("com_m"); it != object.end() && !it->is_null()) {
     Vector3d com;
     if (const auto problem = readNumbers(*it, 3, com.data()); !problem.empty())
-      return Error{fmt::format("{}: com_m {} in metres.", where, problem)};
+      return Error{heft::say("{}: com_m {} in metres.", where, problem)};
     payload.com = com;
   }
   if (const auto it = object.find("inertia_com_kgm2"); it != object.end() && !it->is_null()) {
     Matrix3d I;
     if (!it->is_array() || it->size() != 3)
-      return Error{fmt::format("{}: inertia_com_kgm2 must be three rows of three numbers in kg m2.", where)};
+      return Error{heft::say("{}: inertia_com_kgm2 must be three rows of three numbers in kg m2.", where)};
     for (int r = 0; r < 3; ++r) {
       Vector3d row;
       if (const auto problem = readNumbers((*it)[r], 3, row.data()); !problem.empty())
-        return Error{fmt::format("{}: inertia_com_kgm2[{}] {} in kg m2.", where, r, problem)};
+        return Error{heft::say("{}: inertia_com_kgm2[{}] {} in kg m2.", where, r, problem)};
       I.row(r) = row.transpose();
     }
     if ((I - I.transpose()).cwiseAbs().maxCoeff() > 1e-6 * I.cwiseAbs().maxCoeff())
-      return Error{fmt::format("{}: inertia_com_kgm2 must be symmetric.", where)};
+      return Error{heft::say("{}: inertia_com_kgm2 must be symmetric.", where)};
     payload.inertiaCom = 0.5 * (I + I.transpose());
   }
   return payload;
@@ -147,7 +145,7 @@ Result<PartialPayload> partialPayloadFromJson(const json& object, const std::str
 Result<Payload> payloadFromJson(const json& object, const std::string& where) {
   auto partial = partialPayloadFromJson(object, where);
   if (!partial) return partial.error();
-  const auto missing = [&](const char* key) { return Error{fmt::format("{}: {} is missing.", where, key)}; };
+  const auto missing = [&](const char* key) { return Error{heft::say("{}: {} is missing.", where, key)}; };
   if (!partial->mass) return missing("mass_kg");
   if (!partial->com) return missing("com_m");
   if (!partial->inertiaCom) return missing("inertia_com_kgm2");

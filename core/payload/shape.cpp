@@ -7,6 +7,7 @@
 
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/payload/kind_name.h"
 #include "core/payload/mesh_volume.h"
 #include "core/payload/shape_moments.h"
 
@@ -20,7 +21,7 @@ constexpr int kPointsPerBody = 1024;
 constexpr double kLongTool = 2.0, kImpossible = 10.0, kTinyTool = 2e-3;
 
 std::string lengthText(double metres) {
-  return metres >= 1.0 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.3g} mm", 1e3 * metres);
+  return metres >= 1.0 ? heft::say("{:.3g} m", metres) : heft::say("{:.3g} mm", 1e3 * metres);
 }
 
 /// Extent along the body's own axes [m].
@@ -153,12 +154,12 @@ std::optional<BodySamples> samplePieces(const std::vector<Surface>& pieces, cons
 
 Result<BodySamples> sampleSheet(const Surface& surface, double thickness, const std::string& name) {
   const Matrix4d moments = sheetMoments(surface, thickness);
-  if (!(moments(3, 3) > 0.0)) return Error{fmt::format("{} has no area: all of its triangles are lines.", name)};
+  if (!(moments(3, 3) > 0.0)) return Error{heft::say("{} has no area: all of its triangles are lines.", name)};
   BodySamples result;
   result.volume = moments(3, 3);
   result.unitPseudoInertia = moments / moments(3, 3);
   WeightedPoints few = thinned(sheetPoints(surface, thickness), kPointsPerBody);
-  if (!matchMoments(few, result.unitPseudoInertia)) return Error{fmt::format("{} is too thin to have a volume.", name)};
+  if (!matchMoments(few, result.unitPseudoInertia)) return Error{heft::say("{} is too thin to have a volume.", name)};
   result.piece = Eigen::VectorXi::Zero(few.points.cols());
   result.points = std::move(few.points);
   result.weights = std::move(few.weights);
@@ -179,7 +180,7 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
     findings.push_back({Severity::warning, "mesh_bad_triangles",
                         heft::say("{}: {} triangles have a vertex that is missing or not a number.", name, dropped),
                         heft::say("They were left out."), where});
-  if (surface.triangles.empty()) return Error{fmt::format("{} has no triangles: a shape needs a surface.", name)};
+  if (surface.triangles.empty()) return Error{heft::say("{} has no triangles: a shape needs a surface.", name)};
   if (auto error = checkSize(body, extentOf(surface).maxCoeff(), findings, name)) return *error;
 
   if (body.wall) return sampleSheet(surface, *body.wall, name);
@@ -193,9 +194,9 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
   const Matrix4d moments = volumeMoments(whole);
   if (!(moments(3, 3) > 1e-6 * box) || report.holeArea > 0.4 * (report.area + report.holeArea))
     return Error{
-        fmt::format("{} encloses no volume ({} open edges): export a closed solid, or give its wall thickness so "
-                    "that it counts as a thin shell.",
-                    name, report.openEdges)};
+        heft::say("{} encloses no volume ({} open edges): export a closed solid, or give its wall thickness so "
+                  "that it counts as a thin shell.",
+                  name, report.openEdges)};
   reportRepairs(report, where, name, findings);
   if (const double overlap = overlapShare(whole, moments); overlap > 0.02)
     findings.push_back(
@@ -207,9 +208,9 @@ Result<BodySamples> sampleMesh(const ShapeBody& body, const std::string& name, F
   auto result = samplePieces(mainPieces(std::move(closed.pieces), moments(3, 3)), moments);
   if (!result)
     return Error{
-        fmt::format("{} is so flat, or cuts through itself so badly, that its inside cannot be told: export a clean "
-                    "solid, or give its wall thickness.",
-                    name)};
+        heft::say("{} is so flat, or cuts through itself so badly, that its inside cannot be told: export a clean "
+                  "solid, or give its wall thickness.",
+                  name)};
   return *result;
 }
 
@@ -223,7 +224,7 @@ Result<BodySamples> samplePrimitive(const ShapeBody& body, const std::string& na
   result.volume = moments(3, 3);
   result.unitPseudoInertia = moments / moments(3, 3);
   if (!(result.volume > 0.0) || few.points.cols() < 4 || !matchMoments(few, result.unitPseudoInertia))
-    return Error{fmt::format("{} is too thin to have a volume.", name)};
+    return Error{heft::say("{} is too thin to have a volume.", name)};
   result.piece = Eigen::VectorXi::Zero(few.points.cols());
   result.points = std::move(few.points);
   result.weights = std::move(few.weights);
@@ -237,11 +238,10 @@ Result<std::vector<BodySamples>> sampleShape(const Shape& shape, Findings& findi
   std::vector<BodySamples> result;
   for (std::size_t i = 0; i < shape.bodies.size(); ++i) {
     const ShapeBody& body = shape.bodies[i];
-    const std::string name =
-        body.kind == BodyKind::mesh && !body.file.empty()
-            ? fmt::format("The mesh {}", displayName(body.file.filename()))
-            : fmt::format("The {}{}", toString(body.kind),
-                          shape.bodies.size() > 1 ? fmt::format(" (body {})", i + 1) : std::string());
+    const std::string name = body.kind == BodyKind::mesh && !body.file.empty()
+                                 ? heft::say("The mesh {}", displayName(body.file.filename()))
+                             : shape.bodies.size() > 1 ? heft::say("The {} (body {})", kindName(body.kind), i + 1)
+                                                       : heft::say("The {}", kindName(body.kind));
     auto samples =
         body.kind == BodyKind::mesh ? sampleMesh(body, name, findings) : samplePrimitive(body, name, findings);
     if (!samples) return samples.error();
@@ -263,9 +263,8 @@ Result<std::vector<BodySamples>> sampleShape(const Shape& shape, Findings& findi
   double mass = 0.0;
   for (const BodySamples& body : result) mass += body.mass.value_or(0.0);
   if (shape.totalMass && mass > 1.05 * *shape.totalMass)
-    return Error{
-        fmt::format("The bodies with a known mass or density weigh {:.4g} kg, more than the total of {:.4g} kg.", mass,
-                    *shape.totalMass)};
+    return Error{heft::say("The bodies with a known mass or density weigh {:.4g} kg, more than the total of {:.4g} kg.",
+                           mass, *shape.totalMass)};
   return result;
 }
 

@@ -9,7 +9,9 @@
 #include <numbers>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/payload/kind_name.h"
 #include "core/payload/shape_moments.h"
 
 namespace heft {
@@ -71,8 +73,7 @@ Result<std::vector<double>> numbers(std::string_view text, std::string_view what
     double value = 0.0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value))
-      return Error{
-          fmt::format("{}: '{}' is not a number.", what, printable(trimmed(text.substr(start, comma - start))))};
+      return Error{heft::say("{}: '{}' is not a number.", what, printable(trimmed(text.substr(start, comma - start))))};
     values.push_back(value);
     start = comma + 1;
   }
@@ -81,51 +82,57 @@ Result<std::vector<double>> numbers(std::string_view text, std::string_view what
 
 std::string whyInvalidBody(const ShapeBody& body) {
   const KindInfo& info = infoOf(body.kind);
-  if (!body.X_SB.matrix().allFinite()) return "the pose has a component that is not a number.";
+  if (!body.X_SB.matrix().allFinite()) return heft::say("the pose has a component that is not a number.");
   if (!(body.X_SB.linear().transpose() * body.X_SB.linear()).isIdentity(1e-6) || body.X_SB.linear().determinant() < 0)
-    return "the pose is not a rotation and a shift.";
+    return heft::say("the pose is not a rotation and a shift.");
   if (body.kind == BodyKind::mesh) {
-    if (body.file.empty() && !body.mesh) return "the mesh needs a file.";
+    if (body.file.empty() && !body.mesh) return heft::say("the mesh needs a file.");
     if (!(body.unit > 0.0) || !std::isfinite(body.unit))
-      return fmt::format("the unit of the mesh must be a positive number of metres, not {}.", body.unit);
+      return heft::say("the unit of the mesh must be a positive number of metres, not {}.", body.unit);
   } else {
     if (body.dims.size() != info.dims.size())
-      return fmt::format("{} needs {} dimension{} in metres ({}), but {} {} given.", info.name, info.dims.size(),
-                         info.dims.size() == 1 ? "" : "s", fmt::join(info.dims, ", "), body.dims.size(),
-                         body.dims.size() == 1 ? "is" : "are");
+      return info.dims.size() == 1 ? heft::say("{} needs 1 dimension in metres ({}), but {} are given.",
+                                               kindName(body.kind), info.dims[0], body.dims.size())
+             : body.dims.size() == 1
+                 ? heft::say("{} needs {} dimensions in metres ({}), but 1 is given.", kindName(body.kind),
+                             info.dims.size(), fmt::join(info.dims, ", "))
+                 : heft::say("{} needs {} dimensions in metres ({}), but {} are given.", kindName(body.kind),
+                             info.dims.size(), fmt::join(info.dims, ", "), body.dims.size());
     for (std::size_t i = 0; i < body.dims.size(); ++i) {
       const bool mayBeZero = (body.kind == BodyKind::tube && i == 1) || (body.kind == BodyKind::capsule && i == 1);
       if (!std::isfinite(body.dims[i]) || body.dims[i] < 0.0 || (!mayBeZero && body.dims[i] == 0.0))
-        return fmt::format("{} ({}) must be a {} number of metres, not {}.", info.dims[i], form(info),
-                           mayBeZero ? "positive (or zero)" : "positive", body.dims[i]);
+        return mayBeZero ? heft::say("{} ({}) must be a positive (or zero) number of metres, not {}.", info.dims[i],
+                                     form(info), body.dims[i])
+                         : heft::say("{} ({}) must be a positive number of metres, not {}.", info.dims[i], form(info),
+                                     body.dims[i]);
     }
     if (body.kind == BodyKind::tube && body.dims[1] >= body.dims[0])
-      return fmt::format(
+      return heft::say(
           "the outer radius of a tube (tube:outer,inner,height) must be larger than the inner one, but {} m "
           "and {} m are given.",
           body.dims[0], body.dims[1]);
     if (body.kind == BodyKind::tube && body.wall)
-      return "a tube is hollow already: leave out the wall, or take a cylinder.";
+      return heft::say("a tube is hollow already: leave out the wall, or take a cylinder.");
   }
   if (body.wall) {
     if (!std::isfinite(*body.wall) || *body.wall <= 0.0)
-      return fmt::format("the wall must be a positive number of metres, not {}.", *body.wall);
+      return heft::say("the wall must be a positive number of metres, not {}.", *body.wall);
     if (body.kind != BodyKind::mesh) {
       const double limit = inradius(body);
       if (*body.wall >= limit)
-        return fmt::format(
+        return heft::say(
             "a wall of {} m leaves no hollow: it must be thinner than {:.4g} m, or left out for a solid {}.",
-            *body.wall, limit, info.name);
+            *body.wall, limit, kindName(body.kind));
       if (*body.wall < 1e-4 * limit)
-        return fmt::format("a wall of {} m is too thin for this {}: at least {:.2g} m are expected.", *body.wall,
-                           info.name, 1e-4 * limit);
+        return heft::say("a wall of {} m is too thin for this {}: at least {:.2g} m are expected.", *body.wall,
+                         kindName(body.kind), 1e-4 * limit);
     }
   }
-  if (body.mass && body.density) return "give the mass or the density, not both.";
+  if (body.mass && body.density) return heft::say("give the mass or the density, not both.");
   if (body.mass && (!std::isfinite(*body.mass) || *body.mass <= 0.0))
-    return fmt::format("mass must be a positive number of kg, not {}.", *body.mass);
+    return heft::say("mass must be a positive number of kg, not {}.", *body.mass);
   if (body.density && (!std::isfinite(*body.density) || *body.density <= 0.0))
-    return fmt::format("density must be a positive number of kg/m3, not {}.", *body.density);
+    return heft::say("density must be a positive number of kg/m3, not {}.", *body.density);
   return {};
 }
 
@@ -133,7 +140,7 @@ std::string whyInvalidBody(const ShapeBody& body) {
 Result<std::optional<double>> optionalNumber(const json& object, const char* key, const std::string& where) {
   const auto it = object.find(key);
   if (it == object.end() || it->is_null()) return std::optional<double>{};
-  if (!it->is_number()) return Error{fmt::format("{}.{} must be a number or null.", where, key)};
+  if (!it->is_number()) return Error{heft::say("{}.{} must be a number or null.", where, key)};
   return std::optional<double>{it->get<double>()};
 }
 
@@ -142,25 +149,26 @@ Result<std::optional<Vector3d>> optionalVector(const json& object, const char* k
   if (it == object.end() || it->is_null()) return std::optional<Vector3d>{};
   const bool good = it->is_array() && it->size() == 3 &&
                     std::all_of(it->begin(), it->end(), [](const json& x) { return x.is_number(); });
-  if (!good) return Error{fmt::format("{}.{} must be a list of three numbers.", where, key)};
+  if (!good) return Error{heft::say("{}.{} must be a list of three numbers.", where, key)};
   return std::optional<Vector3d>{Vector3d((*it)[0].get<double>(), (*it)[1].get<double>(), (*it)[2].get<double>())};
 }
 
 Result<ShapeBody> bodyFromJson(const json& object, const std::string& where, const std::filesystem::path& folder) {
-  if (!object.is_object()) return Error{fmt::format("{} must be an object with a kind.", where)};
+  if (!object.is_object()) return Error{heft::say("{} must be an object with a kind.", where)};
   const auto kindText = object.value("kind", json());
   const auto info = std::find_if(kinds().begin(), kinds().end(), [&](const KindInfo& i) { return kindText == i.name; });
   std::vector<std::string_view> names;
   for (const KindInfo& each : kinds()) names.push_back(each.name);
   if (info == kinds().end())
-    return Error{fmt::format("{}.kind must be one of {}{}.", where, fmt::join(names, ", "),
-                             kindText.is_null() ? std::string() : ", not " + printable(kindText.dump()))};
+    return Error{kindText.is_null() ? heft::say("{}.kind must be one of {}.", where, fmt::join(names, ", "))
+                                    : heft::say("{}.kind must be one of {}, not {}.", where, fmt::join(names, ", "),
+                                                printable(kindText.dump()))};
   ShapeBody body;
   body.kind = info->kind;
   if (info->kind == BodyKind::mesh) {
     const auto file = object.value("file", json());
     if (!file.is_string() || file.get<std::string>().empty())
-      return Error{fmt::format("{}.file must name the mesh file.", where)};
+      return Error{heft::say("{}.file must name the mesh file.", where)};
     body.file = file.get<std::string>();
     if (body.file.is_relative()) body.file = folder / body.file;
     const auto unitText = object.value("unit", json());
@@ -170,14 +178,13 @@ Result<ShapeBody> bodyFromJson(const json& object, const std::string& where, con
       });
       if (unit == kUnits.end())
         return Error{
-            fmt::format("{}.unit must be \"m\", \"cm\", \"mm\" or \"in\", not {}.", where, printable(unitText.dump()))};
+            heft::say("{}.unit must be \"m\", \"cm\", \"mm\" or \"in\", not {}.", where, printable(unitText.dump()))};
       body.unit = unit->metres;
     }
   } else {
     const auto dims = object.value("dims_m", json());
     if (!dims.is_array() || !std::all_of(dims.begin(), dims.end(), [](const json& x) { return x.is_number(); }))
-      return Error{
-          fmt::format("{}.dims_m must be a list of numbers in metres: {}.", where, fmt::join(info->dims, ", "))};
+      return Error{heft::say("{}.dims_m must be a list of numbers in metres: {}.", where, fmt::join(info->dims, ", "))};
     body.dims = dims.get<std::vector<double>>();
   }
   const auto xyz = optionalVector(object, "xyz_m", where), rpy = optionalVector(object, "rpy_rad", where);
@@ -196,6 +203,28 @@ Result<ShapeBody> bodyFromJson(const json& object, const std::string& where, con
 }  // namespace
 
 std::string_view toString(BodyKind kind) { return infoOf(kind).name; }
+
+std::string kindName(BodyKind kind) {
+  switch (kind) {
+    case BodyKind::box:
+      return heft::say("box");
+    case BodyKind::cylinder:
+      return heft::say("cylinder");
+    case BodyKind::tube:
+      return heft::say("tube");
+    case BodyKind::sphere:
+      return heft::say("sphere");
+    case BodyKind::cone:
+      return heft::say("cone");
+    case BodyKind::capsule:
+      return heft::say("capsule");
+    case BodyKind::plate:
+      return heft::say("plate");
+    case BodyKind::mesh:
+      return heft::say("mesh");
+  }
+  return {};
+}
 
 std::string_view toString(Certainty certainty) {
   switch (certainty) {
@@ -221,7 +250,7 @@ Result<std::optional<Certainty>> certaintyFromJson(const json& object, const std
   if (it->is_string())
     if (const auto certainty = certaintyFromString(it->get<std::string>())) return certainty;
   return Error{
-      fmt::format("{}: certainty must be \"rough\", \"good\" or \"exact\", not {}.", where, printable(it->dump()))};
+      heft::say("{}: certainty must be \"rough\", \"good\" or \"exact\", not {}.", where, printable(it->dump()))};
 }
 
 std::optional<BodyKind> bodyKindFromString(std::string_view text) {
@@ -233,23 +262,23 @@ std::optional<BodyKind> bodyKindFromString(std::string_view text) {
 std::vector<std::string_view> dimensionNames(BodyKind kind) { return infoOf(kind).dims; }
 
 std::string whyInvalid(const Shape& shape) {
-  if (shape.bodies.empty()) return "The shape has no bodies.";
+  if (shape.bodies.empty()) return heft::say("The shape has no bodies.");
   double sum = 0.0;
   bool allKnown = true;
   for (std::size_t i = 0; i < shape.bodies.size(); ++i) {
     const ShapeBody& body = shape.bodies[i];
     if (const std::string why = whyInvalidBody(body); !why.empty())
-      return shape.bodies.size() == 1 ? fmt::format("Shape {}: {}", toString(body.kind), why)
-                                      : fmt::format("Shape body {} ({}): {}", i + 1, toString(body.kind), why);
+      return shape.bodies.size() == 1 ? heft::say("Shape {}: {}", kindName(body.kind), why)
+                                      : heft::say("Shape body {} ({}): {}", i + 1, kindName(body.kind), why);
     sum += body.mass.value_or(0.0);
     allKnown = allKnown && body.mass;
   }
   if (!shape.totalMass) return {};
   if (!std::isfinite(*shape.totalMass) || *shape.totalMass <= 0.0)
-    return fmt::format("The shape's total mass must be a positive number of kg, not {}.", *shape.totalMass);
+    return heft::say("The shape's total mass must be a positive number of kg, not {}.", *shape.totalMass);
   if (sum > *shape.totalMass * 1.02 || (allKnown && sum < *shape.totalMass * 0.98))
-    return fmt::format("The bodies of the shape weigh {:.4g} kg, which does not fit their total of {:.4g} kg.", sum,
-                       *shape.totalMass);
+    return heft::say("The bodies of the shape weigh {:.4g} kg, which does not fit their total of {:.4g} kg.", sum,
+                     *shape.totalMass);
   return {};
 }
 
@@ -299,10 +328,10 @@ Result<Shape> parseShape(const std::string& text) {
 }
 
 Result<Shape> shapeFromJson(const json& object, const std::string& where, const std::filesystem::path& folder) {
-  if (!object.is_object()) return Error{fmt::format("{}: a shape is an object with the key \"bodies\".", where)};
+  if (!object.is_object()) return Error{heft::say("{}: a shape is an object with the key \"bodies\".", where)};
   const auto bodies = object.find("bodies");
   if (bodies == object.end() || !bodies->is_array() || bodies->empty())
-    return Error{fmt::format("{}: \"bodies\" must be a list with at least one body.", where)};
+    return Error{heft::say("{}: \"bodies\" must be a list with at least one body.", where)};
   Shape shape;
   for (std::size_t i = 0; i < bodies->size(); ++i) {
     auto body = bodyFromJson((*bodies)[i], fmt::format("{}: bodies[{}]", where, i), folder);

@@ -2,6 +2,8 @@
 
 #include "core/recording/checks.h"
 
+#include "core/base/say.h"
+
 namespace heft {
 
 namespace {
@@ -32,14 +34,15 @@ std::optional<Error> assumeRobot(const Examined& examined, long header) {
     meta.robot = "panda";
     examined.note(
         examined.map.hasOrientation() ? Severity::info : Severity::warning, "robot_assumed", examined.column(0),
-        "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange.",
-        "Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
+        heft::say(
+            "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange."),
+        heft::say("Name it in the meta file: \"robot\": \"panda\" or the path of a URDF."));
     return std::nullopt;
   }
   if (examined.map.hasOrientation()) return std::nullopt;
   return errorAt({examined.file, header, examined.table ? examined.map.joints[0] : 0},
-                 fmt::format("there are {} joints but no robot is named.", joints),
-                 "Name it in the meta file: \"robot\": \"PATH.urdf\".");
+                 heft::say("there are {} joints but no robot is named.", joints),
+                 heft::say("Name it in the meta file: \"robot\": \"PATH.urdf\"."));
 }
 
 namespace {
@@ -51,11 +54,10 @@ void checkMarks(const Examined& examined) {
   const double to = recording.time(recording.rows() - 1);
   for (const auto& mark : recording.meta.marks)
     if (mark.to < from || mark.from > to)
-      examined.note(
-          Severity::warning, "mark_outside", examined.column(0),
-          fmt::format("The mark \"{}\" from {} to {} s lies outside the recording, which runs from {} to {} s.",
-                      toString(mark.label), mark.from, mark.to, from, to),
-          "Marks are on the clock of the column time.");
+      examined.note(Severity::warning, "mark_outside", examined.column(0),
+                    heft::say("The mark \"{}\" from {} to {} s lies outside the recording, which runs from {} to {} s.",
+                              toString(mark.label), mark.from, mark.to, from, to),
+                    heft::say("Marks are on the clock of the column time."));
 }
 
 }  // namespace

@@ -161,12 +161,12 @@ class Mapper {
       if (exact.contains(key) || (!si && !isForeignUnit(unit))) continue;
       if (!si)
         return errorAt(
-            at(field), fmt::format("column \"{}\" is not in SI units.", printable(names_[f])),
-            fmt::format("Convert it to {} and name it {}.", siUnit(meaning), columnName(meaning.role, meaning.index)));
+            at(field), heft::say("column \"{}\" is not in SI units.", printable(names_[f])),
+            heft::say("Convert it to {} and name it {}.", siUnit(meaning), columnName(meaning.role, meaning.index)));
       const auto [first, fresh] = loose.emplace(key, field);
       if (!fresh) return duplicate(field, first->second);
       map_.columns[f] = meaning;
-      normalised.push_back(fmt::format("\"{}\" as {}", printable(names_[f]), columnName(meaning.role, meaning.index)));
+      normalised.push_back(heft::say("\"{}\" as {}", printable(names_[f]), columnName(meaning.role, meaning.index)));
     }
     if (!normalised.empty())
       note(Severity::info, "names_normalised", 0, heft::say("Read {}.", fmt::join(normalised, ", ")));
@@ -175,8 +175,8 @@ class Mapper {
 
   Error duplicate(long field, long first) const {
     const auto& meaning = printable(names_[static_cast<std::size_t>(field) - 1]);
-    return errorAt(at(field), fmt::format("column {} is there twice: also as column {}.", meaning, first),
-                   "Rename or delete one of them.");
+    return errorAt(at(field), heft::say("column {} is there twice: also as column {}.", meaning, first),
+                   heft::say("Rename or delete one of them."));
   }
 
   void collect() {
@@ -257,9 +257,9 @@ class Mapper {
       } else if (anyOf(map_.quaternion)) {
         for (const auto& name : noQuaternion) missing.push_back(name);
       } else {
-        neither =
+        neither = heft::say(
             "there is no motion: neither joint positions q1..q7 nor the sensor's pose px, py, pz, qx, qy, qz, qw "
-            "(qx, qy, qz, qw alone will do)";
+            "(qx, qy, qz, qw alone will do)");
       }
     } else if (!joints && halfPosition) {
       for (const auto& name : noPosition) missing.push_back(name);
@@ -291,17 +291,17 @@ class Mapper {
   Error missingColumns(const std::vector<std::string>& missing, const std::string& neither) const {
     std::string text;
     if (!missing.empty())
-      text = missing.size() == 1 ? fmt::format("column {} is missing", missing.front())
-                                 : fmt::format("columns {} are missing", fmt::join(missing, ", "));
-    if (!neither.empty()) text += (text.empty() ? "" : ", and ") + neither;
+      text = missing.size() == 1 ? heft::say("column {} is missing", missing.front())
+                                 : heft::say("columns {} are missing", fmt::join(missing, ", "));
+    if (!neither.empty()) text += (text.empty() ? std::string() : heft::say(", and ")) + neither;
     std::vector<std::string> present;
     for (const auto& name : names_) {
       if (present.size() == 24) break;
       present.push_back(printable(name, 24));
     }
     return errorAt(at(0), text + ".",
-                   fmt::format("Add or rename columns; the header has: {}{}.", fmt::join(present, ", "),
-                               names_.size() > present.size() ? ", ..." : ""));
+                   heft::say("Add or rename columns; the header has: {}{}.", fmt::join(present, ", "),
+                             names_.size() > present.size() ? ", ..." : ""));
   }
 
   void noteUnknown() {
@@ -311,7 +311,7 @@ class Mapper {
     for (std::size_t f = 0; f < names_.size(); ++f) {
       if (map_.columns[f].role != Role::extra || meaningOf(names_[f]).role != Role::extra) continue;
       if (count++ == 0) first = static_cast<long>(f) + 1;
-      if (count <= 8) unknown.push_back(names_[f].empty() ? "(no name)" : printable(names_[f], 40));
+      if (count <= 8) unknown.push_back(names_[f].empty() ? heft::say("(no name)") : printable(names_[f], 40));
     }
     if (count == 0) return;
     note(Severity::info, "unknown_columns", first,

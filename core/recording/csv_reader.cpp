@@ -1,7 +1,5 @@
 #include "core/recording/csv_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -47,9 +45,9 @@ class RecordingParser {
     const auto lineCount = csv::countRows(header_);
     if (const auto columns = header_.names.size(); columns * static_cast<std::size_t>(lineCount) > kMaxNumbers)
       return errorAt({name_, 0, 0},
-                     fmt::format("{} rows of {} columns are more than the {} million numbers that can be held.",
-                                 lineCount, columns, kMaxNumbers / 1'000'000),
-                     "Split the recording, or keep fewer columns and a lower rate.");
+                     heft::say("{} rows of {} columns are more than the {} million numbers that can be held.",
+                               lineCount, columns, kMaxNumbers / 1'000'000),
+                     heft::say("Split the recording, or keep fewer columns and a lower rate."));
     prepareFields(lineCount);
     auto rows = csv::readRows(header_, fields_, name_, progress);
     if (!rows) return rows.error();
@@ -61,8 +59,8 @@ class RecordingParser {
       note(Severity::info, "blank_lines", rows->firstBlankLine,
            heft::say("Blank lines between the rows were skipped."));
     if (lines_.empty())
-      return errorAt({name_, header_.line, 0}, "there is a header but no row of data below it.",
-                     "Record again, or check the export.");
+      return errorAt({name_, header_.line, 0}, heft::say("there is a header but no row of data below it."),
+                     heft::say("Record again, or check the export."));
     readLabels();
     truncateRows(recording_, lines_, static_cast<Eigen::Index>(lines_.size()));
     if (auto failure = removeMissing()) return *failure;
@@ -233,9 +231,9 @@ class RecordingParser {
     const auto column = printable(header_.names[static_cast<std::size_t>(first.field) - 1]);
     if (tooMany(dropped))
       return errorAt({name_, first.line, first.field},
-                     fmt::format("values are missing or not finite in {} of {} rows, first in column {}.", dropped,
-                                 lines_.size(), column),
-                     "Merge streams of different rates onto one clock, or delete the rows without values.");
+                     heft::say("values are missing or not finite in {} of {} rows, first in column {}.", dropped,
+                               lines_.size(), column),
+                     heft::say("Merge streams of different rates onto one clock, or delete the rows without values."));
     note(Severity::warning, "values_missing", first.line,
          heft::say("{} of {} rows lack a value (blank, NaN or infinite) and were left out, the first in column {}.",
                    dropped, lines_.size(), column),
@@ -293,7 +291,8 @@ Result<ReadRecording> checkRecording(Recording recording) {
   map.wrench.fill(1);
   std::vector<std::uint32_t> lines(static_cast<std::size_t>(checked.rows()), 0);
   const std::string file = checked.file;
-  if (lines.empty()) return errorAt({file, 0, 0}, "there is no sample.", "Record again, or check the export.");
+  if (lines.empty())
+    return errorAt({file, 0, 0}, heft::say("there is no sample."), heft::say("Record again, or check the export."));
   const Examined examined{checked, map, file, lines, read.findings, false};
   if (auto failure = assumeRobot(examined, 0)) return *failure;
   if (auto failure = checkAll(examined)) return *failure;
@@ -306,14 +305,16 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
   std::error_code ec;
   const auto type = std::filesystem::status(csv, ec).type();
   if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
-    return errorAt({name, 0, 0}, "this is a device, not a recording.", "Give a CSV file or a pipe.");
+    return errorAt({name, 0, 0}, heft::say("this is a device, not a recording."),
+                   heft::say("Give a CSV file or a pipe."));
   if (type == std::filesystem::file_type::directory)
-    return errorAt({name, 0, 0}, "this is a folder, not a recording.", "Give the CSV file in it.");
+    return errorAt({name, 0, 0}, heft::say("this is a folder, not a recording."),
+                   heft::say("Give the CSV file in it."));
   if (const auto size = std::filesystem::file_size(csv, ec); !ec && size > kMaxRecordingBytes)
     return errorAt(
         {name, 0, 0},
-        fmt::format("the file has {} MB; recordings of up to {} MB are read.", size >> 20, kMaxRecordingBytes >> 20),
-        "Split it, or keep fewer columns and a lower rate.");
+        heft::say("the file has {} MB; recordings of up to {} MB are read.", size >> 20, kMaxRecordingBytes >> 20),
+        heft::say("Split it, or keep fewer columns and a lower rate."));
   progress(0.0, "reading");
   const auto text = readTextFile(csv, kMaxRecordingBytes);
   if (!text) return text.error();

@@ -1,7 +1,5 @@
 #include "core/recording/csv_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/number.h"
 
@@ -106,21 +105,22 @@ std::optional<Error> otherFormat(std::string_view text, const std::string& file)
   };
   // Heft reads these, but not where only a table can be.
   static constexpr const char* kOpenWhole =
-      "Give it as the recording itself, or write a CSV of it with heft convert IN OUT.csv.";
+      heft::toSay("Give it as the recording itself, or write a CSV of it with heft convert IN OUT.csv.");
   static constexpr std::array<Magic, 9> kMagics = {
-      Magic{"#ROSBAG", "a ROS 1 bag", kOpenWhole},
-      Magic{"\x89MCAP", "an MCAP recording", kOpenWhole},
-      Magic{"SQLite format 3", "an SQLite database, perhaps a ROS 2 bag", kOpenWhole},
-      Magic{"\x1F\x8B", "a gzip archive", "Unpack it first with gunzip."},
-      Magic{"\x28\xB5\x2F\xFD", "a zstd archive", "Unpack it first with unzstd."},
-      Magic{"PK\x03\x04", "a ZIP archive or an office document", "Save the sheet as CSV first."},
-      Magic{"\xFF\xFE", "UTF-16 text", "Save it as UTF-8 first."},
-      Magic{"\xFE\xFF", "UTF-16 text", "Save it as UTF-8 first."},
-      Magic{"{", "JSON", "Give the CSV of the recording; its meta file is found beside it."},
+      Magic{"#ROSBAG", heft::toSay("a ROS 1 bag"), kOpenWhole},
+      Magic{"\x89MCAP", heft::toSay("an MCAP recording"), kOpenWhole},
+      Magic{"SQLite format 3", heft::toSay("an SQLite database, perhaps a ROS 2 bag"), kOpenWhole},
+      Magic{"\x1F\x8B", heft::toSay("a gzip archive"), heft::toSay("Unpack it first with gunzip.")},
+      Magic{"\x28\xB5\x2F\xFD", heft::toSay("a zstd archive"), heft::toSay("Unpack it first with unzstd.")},
+      Magic{"PK\x03\x04", heft::toSay("a ZIP archive or an office document"), heft::toSay("Save the sheet as CSV first.")},
+      Magic{"\xFF\xFE", heft::toSay("UTF-16 text"), heft::toSay("Save it as UTF-8 first.")},
+      Magic{"\xFE\xFF", heft::toSay("UTF-16 text"), heft::toSay("Save it as UTF-8 first.")},
+      Magic{"{", "JSON", heft::toSay("Give the CSV of the recording; its meta file is found beside it.")},
   };
   for (const auto& magic : kMagics)
     if (text.starts_with(magic.start))
-      return errorAt({file, 0, 0}, fmt::format("this is {}, not CSV.", magic.what), magic.remedy);
+      return errorAt({file, 0, 0}, heft::say("this is {}, not CSV.", heft::say(fmt::runtime(magic.what))),
+                     heft::say(fmt::runtime(magic.remedy)));
   return std::nullopt;
 }
 
@@ -130,13 +130,13 @@ Error notANumber(std::string_view cell, const Header& header, std::size_t field,
                             isNumber(cell.substr(0, comma)) && isNumber(cell.substr(comma + 1));
   double value = 0.0;
   const char* const rest = parseNumber(cell.data(), cell.data() + cell.size(), value);
-  std::string remedy = "Correct or delete that row.";
+  std::string remedy = heft::say("Correct or delete that row.");
   if (decimalComma)
-    remedy = "Write decimal points instead of decimal commas.";
+    remedy = heft::say("Write decimal points instead of decimal commas.");
   else if (rest != cell.data() && isBlank(*rest))
-    remedy = "Write the number alone, in SI units.";
+    remedy = heft::say("Write the number alone, in SI units.");
   return errorAt(where,
-                 fmt::format("\"{}\" in column {} is not a number.", printable(cell), printable(header.names[field])),
+                 heft::say("\"{}\" in column {} is not a number.", printable(cell), printable(header.names[field])),
                  remedy);
 }
 
@@ -165,7 +165,7 @@ class RowReader {
       if (blankLine != 0 && rows_.firstBlankLine == 0) rows_.firstBlankLine = blankLine;
       if (auto failure = readRow()) return *failure;
       if (rows_.lines.size() % 65536 == 65535) {
-        if (progress.cancelled()) return Error{"Reading was stopped.", true};
+        if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
         progress(static_cast<double>(at_ - header_.body.data()) / static_cast<double>(header_.body.size()), "reading");
       }
     }
@@ -202,8 +202,8 @@ class RowReader {
         return std::nullopt;
       }
       return errorAt({file_, line_, 0},
-                     fmt::format("this row has {} cells but the header names {} columns.", f + 1, count),
-                     "Complete or delete the row.");
+                     heft::say("this row has {} cells but the header names {} columns.", f + 1, count),
+                     heft::say("Complete or delete the row."));
     }
     if (at_ != end_ && *at_ == separator_) {
       const char* const next = at_ + 1;
@@ -246,12 +246,12 @@ class RowReader {
   Error tooManyCells(const char* from, const char* to) const {
     const auto count = fields_.size();
     const auto more = splitLine({from, static_cast<std::size_t>(to - from)}, separator_).size();
-    std::string remedy = "Give every column a name in the header, or delete the row.";
+    std::string remedy = heft::say("Give every column a name in the header, or delete the row.");
     if (separator_ == ',' && count + more + 1 >= 2 * count)
-      remedy =
-          "If these are decimal commas, write decimal points, or separate the columns by semicolons and write points.";
+      remedy = heft::say(
+          "If these are decimal commas, write decimal points, or separate the columns by semicolons and write points.");
     return errorAt({file_, line_, static_cast<long>(count) + 1},
-                   fmt::format("this row has {} cells but the header names {} columns.", count + more, count), remedy);
+                   heft::say("this row has {} cells but the header names {} columns.", count + more, count), remedy);
   }
 
   const Header& header_;
@@ -268,14 +268,13 @@ class RowReader {
 }  // namespace
 
 Result<Header> readHeader(std::string_view text, const std::string& file) {
-  const std::string remedy = "A recording starts with a row of column names, then one row a sample.";
-  if (text.empty()) return errorAt({file, 0, 0}, "the file is empty.", remedy);
+  const std::string remedy = heft::say("A recording starts with a row of column names, then one row a sample.");
+  if (text.empty()) return errorAt({file, 0, 0}, heft::say("the file is empty."), remedy);
   if (auto other = otherFormat(text, file)) return *other;
   if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
-    return errorAt({file, line, 0},
-                   fmt::format("this is a binary or damaged file (byte {} is zero), not CSV.", nul + 1),
-                   "Export the recording as CSV text.");
+    return errorAt({file, line, 0}, heft::say("this is a binary or damaged file (byte {} is zero), not CSV.", nul + 1),
+                   heft::say("Export the recording as CSV text."));
   }
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
 
@@ -283,24 +282,25 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
   header.newline = text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos ? '\r' : '\n';
   std::string_view line;
   for (;; ++header.line) {
-    if (text.empty()) return errorAt({file, 0, 0}, "the file holds nothing but blank lines.", remedy);
+    if (text.empty()) return errorAt({file, 0, 0}, heft::say("the file holds nothing but blank lines."), remedy);
     const auto stop = text.find(header.newline);
     line = text.substr(0, stop);
     text = stop == std::string_view::npos ? std::string_view() : text.substr(stop + 1);
     if (!trimmed(line).empty()) break;
   }
   if (line.size() > kMaxHeaderBytes)
-    return errorAt({file, header.line, 0},
-                   fmt::format("the first line is {} MB long and no header.", line.size() >> 20), remedy);
+    return errorAt({file, header.line, 0}, heft::say("the first line is {} MB long and no header.", line.size() >> 20),
+                   remedy);
   header.body = text;
   header.separator = findSeparator(line);
   header.names = splitLine(line, header.separator);
   if (header.names.size() > kMaxColumns)
-    return errorAt({file, header.line, 0}, fmt::format("the header has more than {} columns.", kMaxColumns), remedy);
+    return errorAt({file, header.line, 0}, heft::say("the header has more than {} columns.", kMaxColumns), remedy);
   if (std::all_of(header.names.begin(), header.names.end(),
                   [](const std::string& name) { return name.empty() || isNumber(name); }))
-    return errorAt({file, header.line, 0}, "the first row holds no column names.",
-                   "Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.");
+    return errorAt(
+        {file, header.line, 0}, heft::say("the first row holds no column names."),
+        heft::say("Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz."));
   if (header.names.size() > 1 && header.names.back().empty()) header.names.pop_back();
   return header;
 }

@@ -23,7 +23,8 @@ class MetaReader {
       : name_(name), folder_(folder), findings_(findings) {}
 
   Result<RecordingMeta> read(const Json& root) {
-    if (!root.is_object()) return fail("", "a meta file must be a JSON object {...}", "See the keys in the manual.");
+    if (!root.is_object())
+      return fail("", heft::say("a meta file must be a JSON object {{...}}"), heft::say("See the keys in the manual."));
     noteUnknown(root, "", {"robot", "kind", "sensor", "gravity_m_s2", "known_payload", "marks", "note"});
     if (auto error = readRobot(root)) return *error;
     if (auto error = readKind(root)) return *error;
@@ -69,7 +70,7 @@ class MetaReader {
   Failure readString(const Json& object, const std::string& path, const char* key, std::string& into) {
     const auto* value = member(object, key);
     if (value == nullptr) return std::nullopt;
-    if (!value->is_string()) return fail(join(path, key), fmt::format("must be a text, not {}", shown(*value)));
+    if (!value->is_string()) return fail(join(path, key), heft::say("must be a text, not {}", shown(*value)));
     into = value->get<std::string>();
     return std::nullopt;
   }
@@ -79,30 +80,30 @@ class MetaReader {
     if (value == nullptr) return std::nullopt;
     const bool numbers = value->is_array() && value->size() == 3 &&
                          std::all_of(value->begin(), value->end(), [](const Json& x) { return x.is_number(); });
-    if (!numbers) return fail(join(path, key), fmt::format("must be three numbers [{}], not {}", unit, shown(*value)));
+    if (!numbers) return fail(join(path, key), heft::say("must be three numbers [{}], not {}", unit, shown(*value)));
     for (int i = 0; i < 3; ++i) into(i) = (*value)[static_cast<std::size_t>(i)].get<double>();
-    if (!into.allFinite()) return fail(join(path, key), "must be finite");
+    if (!into.allFinite()) return fail(join(path, key), heft::say("must be finite"));
     return std::nullopt;
   }
 
   Failure readRobot(const Json& root) {
     const auto* value = member(root, "robot");
     if (value == nullptr) return std::nullopt;
-    const std::string remedy = "Write \"panda\", the path of a URDF, or null.";
+    const std::string remedy = heft::say("Write \"panda\", the path of a URDF, or null.");
     if (!value->is_string() || value->get_ref<const std::string&>().empty())
-      return fail("robot", fmt::format("must be a text, not {}", shown(*value)), remedy);
+      return fail("robot", heft::say("must be a text, not {}", shown(*value)), remedy);
     const auto& text = value->get_ref<const std::string&>();
     if (text == "panda") {
       meta_.robot = text;
       return std::nullopt;
     }
-    if (text.find('\0') != std::string::npos) return fail("robot", "holds a zero byte", remedy);
+    if (text.find('\0') != std::string::npos) return fail("robot", heft::say("holds a zero byte"), remedy);
     const std::filesystem::path path(text);
     if (path.extension() == ".xacro")
-      return fail("robot", fmt::format("\"{}\" is a xacro file", printable(text)),
-                  "Expand it to a URDF first: xacro in.xacro > out.urdf.");
+      return fail("robot", heft::say("\"{}\" is a xacro file", printable(text)),
+                  heft::say("Expand it to a URDF first: xacro in.xacro > out.urdf."));
     if (!path.has_extension() && path.filename() == path)
-      return fail("robot", fmt::format("\"{}\" is no robot that Heft knows", printable(text)), remedy);
+      return fail("robot", heft::say("\"{}\" is no robot that Heft knows", printable(text)), remedy);
     const auto full = path.is_absolute() ? path : folder_ / path;
     std::error_code ec;
     const auto absolute = std::filesystem::absolute(full, ec);
@@ -118,14 +119,14 @@ class MetaReader {
     else if (*value == "poses")
       meta_.kind = RecordingKind::poses;
     else
-      return fail("kind", fmt::format("must be \"motion\" or \"poses\", not {}", shown(*value)));
+      return fail("kind", heft::say("must be \"motion\" or \"poses\", not {}", shown(*value)));
     return std::nullopt;
   }
 
   Failure readSensor(const Json& root) {
     const auto* sensor = member(root, "sensor");
     if (sensor == nullptr) return std::nullopt;
-    if (!sensor->is_object()) return fail("sensor", fmt::format("must be an object, not {}", shown(*sensor)));
+    if (!sensor->is_object()) return fail("sensor", heft::say("must be an object, not {}", shown(*sensor)));
     noteUnknown(*sensor, "sensor", {"mount", "model", "wrench_sign"});
     if (auto error = readString(*sensor, "sensor", "model", meta_.sensorModel)) return error;
     if (const auto* sign = member(*sensor, "wrench_sign")) {
@@ -135,24 +136,24 @@ class MetaReader {
         meta_.wrenchSign = WrenchSign::payloadOnSensor;
       else
         return fail("sensor.wrench_sign",
-                    fmt::format("must be \"sensor_on_payload\" or \"payload_on_sensor\", not {}", shown(*sign)),
-                    "At rest, a wrench of the sensor on the payload points up.");
+                    heft::say("must be \"sensor_on_payload\" or \"payload_on_sensor\", not {}", shown(*sign)),
+                    heft::say("At rest, a wrench of the sensor on the payload points up."));
     }
     const auto* mount = member(*sensor, "mount");
     if (mount == nullptr) return std::nullopt;
     const std::string path = "sensor.mount";
-    if (!mount->is_object()) return fail(path, fmt::format("must be an object, not {}", shown(*mount)));
+    if (!mount->is_object()) return fail(path, heft::say("must be an object, not {}", shown(*mount)));
     noteUnknown(*mount, path, {"parent", "xyz_m", "rpy_rad"});
     if (auto error = readString(*mount, path, "parent", meta_.mount.parent)) return error;
     if (auto error = readVector(*mount, path, "xyz_m", "m", meta_.mount.xyz)) return error;
     if (auto error = readVector(*mount, path, "rpy_rad", "rad", meta_.mount.rpy)) return error;
     if (meta_.mount.xyz.cwiseAbs().maxCoeff() > 5.0)
-      return fail(path + ".xyz_m", fmt::format("the sensor cannot sit {:.6g} m from its link", meta_.mount.xyz.norm()),
-                  "Give metres, not millimetres.");
+      return fail(path + ".xyz_m", heft::say("the sensor cannot sit {:.6g} m from its link", meta_.mount.xyz.norm()),
+                  heft::say("Give metres, not millimetres."));
     if (meta_.mount.rpy.cwiseAbs().maxCoeff() > 2.0 * std::numbers::pi + 1e-6)
       return fail(path + ".rpy_rad",
-                  fmt::format("an angle of {:.6g} rad is more than a turn", meta_.mount.rpy.cwiseAbs().maxCoeff()),
-                  "Give radians, not degrees.");
+                  heft::say("an angle of {:.6g} rad is more than a turn", meta_.mount.rpy.cwiseAbs().maxCoeff()),
+                  heft::say("Give radians, not degrees."));
     return std::nullopt;
   }
 
@@ -161,8 +162,8 @@ class MetaReader {
     if (auto error = readVector(root, "", key.c_str(), "m/s2", meta_.gravity)) return error;
     const double size = meta_.gravity.norm();
     if (size > 100.0)
-      return fail(key, fmt::format("{:.6g} m/s2 is no gravity on any planet", size),
-                  "Give m/s2; on earth about [0, 0, -9.81].");
+      return fail(key, heft::say("{:.6g} m/s2 is no gravity on any planet", size),
+                  heft::say("Give m/s2; on earth about [0, 0, -9.81]."));
     if (size < 9.7 || size > 9.9)
       note(Severity::warning, "gravity_unusual", key, heft::say("{:.6g} m/s2 is not the gravity on earth", size),
            heft::say("Mass and centre of mass follow this value; on earth it is 9.76 to 9.83."));
@@ -176,7 +177,7 @@ class MetaReader {
     const auto* value = member(root, "known_payload");
     if (value == nullptr) return std::nullopt;
     const std::string path = "known_payload";
-    if (!value->is_object()) return fail(path, fmt::format("must be an object, not {}", shown(*value)));
+    if (!value->is_object()) return fail(path, heft::say("must be an object, not {}", shown(*value)));
     noteUnknown(*value, path, {"mass_kg", "com_m", "inertia_com_kgm2"});
     auto known = partialPayloadFromJson(*value, name_ + ": " + path);
     if (!known) return known.error();
@@ -185,9 +186,8 @@ class MetaReader {
       note(Severity::warning, "known_mass_large", path + ".mass_kg",
            heft::say("{:.6g} kg is more than any arm carries", *known->mass), heft::say("Give kilograms, not grams."));
     if (known->com && known->com->norm() > 5.0)
-      return fail(path + ".com_m",
-                  fmt::format("a centre of mass {:.6g} m from the sensor cannot be", known->com->norm()),
-                  "Give metres, not millimetres.");
+      return fail(path + ".com_m", heft::say("a centre of mass {:.6g} m from the sensor cannot be", known->com->norm()),
+                  heft::say("Give metres, not millimetres."));
     if (known->mass && known->com && known->inertiaCom) {
       const auto check = checkPhysical({*known->mass, *known->com, *known->inertiaCom});
       if (!check.physical)
@@ -202,33 +202,32 @@ class MetaReader {
   Failure readMarks(const Json& root) {
     const auto* marks = member(root, "marks");
     if (marks == nullptr) return std::nullopt;
-    if (!marks->is_array()) return fail("marks", fmt::format("must be a list, not {}", shown(*marks)));
+    if (!marks->is_array()) return fail("marks", heft::say("must be a list, not {}", shown(*marks)));
     for (std::size_t i = 0; i < marks->size(); ++i) {
       const auto& entry = (*marks)[i];
       const auto path = fmt::format("marks[{}]", i);
-      const std::string remedy = "Write {\"from_s\": 1.5, \"to_s\": 3, \"label\": \"contact\"}.";
-      if (!entry.is_object()) return fail(path, fmt::format("must be an object, not {}", shown(entry)), remedy);
+      const std::string remedy = heft::say("Write {{\"from_s\": 1.5, \"to_s\": 3, \"label\": \"contact\"}}.");
+      if (!entry.is_object()) return fail(path, heft::say("must be an object, not {}", shown(entry)), remedy);
       noteUnknown(entry, path, {"from_s", "to_s", "label"});
       Mark mark;
       for (const auto& [key, into] : {std::pair("from_s", &mark.from), std::pair("to_s", &mark.to)}) {
         const auto* value = member(entry, key);
-        if (value == nullptr) return fail(join(path, key), "is missing", remedy);
+        if (value == nullptr) return fail(join(path, key), heft::say("is missing"), remedy);
         if (!value->is_number() || !std::isfinite(value->get<double>()))
-          return fail(join(path, key), fmt::format("must be a time [s], not {}", shown(*value)), remedy);
+          return fail(join(path, key), heft::say("must be a time [s], not {}", shown(*value)), remedy);
         *into = value->get<double>();
       }
       if (mark.to < mark.from)
-        return fail(path, fmt::format("ends at {} s, before it begins at {} s", mark.to, mark.from),
-                    "Swap from_s and to_s.");
+        return fail(path, heft::say("ends at {} s, before it begins at {} s", mark.to, mark.from),
+                    heft::say("Swap from_s and to_s."));
       const auto* label = member(entry, "label");
       const auto known = label != nullptr && label->is_string()
                              ? markLabelFromString(label->get_ref<const std::string&>())
                              : std::nullopt;
       if (!known)
         return fail(join(path, "label"),
-                    label == nullptr
-                        ? "is missing"
-                        : fmt::format("must be \"free\", \"contact\" or \"ignore\", not {}", shown(*label)),
+                    label == nullptr ? heft::say("is missing")
+                                     : heft::say("must be \"free\", \"contact\" or \"ignore\", not {}", shown(*label)),
                     remedy);
       mark.label = *known;
       for (std::size_t k = 0; k < meta_.marks.size(); ++k)

@@ -56,19 +56,22 @@ std::optional<Error> judgeRates(const Examined& examined, const RateFit& fit, co
   if (!fit.moves || fit.factor == 0.0) return std::nullopt;
   const auto where = examined.column(field);
   if (fit.correlation > 0.8) {
-    const auto text = [&](const char* what) {
-      return fmt::format("{} {} ({:.4g} times the change of the positions).", columns, what, fit.factor);
+    const auto text = [&](const std::string& what) {
+      return heft::say("{} {} ({:.4g} times the change of the positions).", columns, what, fit.factor);
     };
     if (angle && near(fit.factor, kDegrees))
-      return errorAt(where, text("are in degrees per second"), "Convert them to rad/s.");
+      return errorAt(where, text(heft::say("are in degrees per second")), heft::say("Convert them to rad/s."));
     if (angle && near(fit.factor, 1.0 / kDegrees))
-      return errorAt(where, text("do not fit: the angles are in degrees"), "Convert the angles to rad.");
+      return errorAt(where, text(heft::say("do not fit: the angles are in degrees")),
+                     heft::say("Convert the angles to rad."));
     if (near(fit.factor, 1000.0))
       return errorAt(where,
-                     text(angle ? "do not fit: time is in milliseconds" : "are in mm/s, or time is in milliseconds"),
-                     "Convert all columns to SI units.");
+                     text(angle ? heft::say("do not fit: time is in milliseconds")
+                                : heft::say("are in mm/s, or time is in milliseconds")),
+                     heft::say("Convert all columns to SI units."));
     if (!angle && near(fit.factor, 1e-3))
-      return errorAt(where, text("do not fit: the positions are in millimetres"), "Convert all columns to SI units.");
+      return errorAt(where, text(heft::say("do not fit: the positions are in millimetres")),
+                     heft::say("Convert all columns to SI units."));
     if (fit.factor > 0.5 && fit.factor < 2.0) return std::nullopt;
   } else if (fit.correlation > 0.6 && fit.factor > 0.5 && fit.factor < 2.0) {
     return std::nullopt;  // rough or late, as velocities of many controllers are
@@ -92,10 +95,10 @@ std::optional<Error> checkJointAngles(const Examined& examined) {
   const auto field = examined.map.joints[static_cast<std::size_t>(joint)];
   if (ownArm || largest > 4.0 * kTurn)
     return errorAt(examined.at(row, field),
-                   fmt::format("{} is {:.6g}, more than a turn in radians.",
-                               columnName(Role::joint, static_cast<int>(joint)), q(row, joint)),
-                   fmt::format("If the joints are in degrees, convert {} to radians.",
-                               q.cols() == 1 ? "q1" : fmt::format("q1..q{}", q.cols())));
+                   heft::say("{} is {:.6g}, more than a turn in radians.",
+                             columnName(Role::joint, static_cast<int>(joint)), q(row, joint)),
+                   heft::say("If the joints are in degrees, convert {} to radians.",
+                             q.cols() == 1 ? "q1" : fmt::format("q1..q{}", q.cols())));
   examined.note(Severity::warning, "joint_angle_large", examined.at(row, field),
                 heft::say("{} reaches {:.6g} rad, more than a turn.", columnName(Role::joint, static_cast<int>(joint)),
                           q(row, joint)),
@@ -111,9 +114,9 @@ std::optional<Error> checkPositions(const Examined& examined) {
   const double largest = position.cwiseAbs().maxCoeff(&row, &axis);
   if (largest <= kLargestReach) return std::nullopt;
   return errorAt(examined.at(row, examined.map.position[static_cast<std::size_t>(axis)]),
-                 fmt::format("{} is {:.6g}: no arm reaches that many metres from its base.",
-                             columnName(Role::position, static_cast<int>(axis)), position(row, axis)),
-                 "If positions are in millimetres, convert px, py, pz to metres.");
+                 heft::say("{} is {:.6g}: no arm reaches that many metres from its base.",
+                           columnName(Role::position, static_cast<int>(axis)), position(row, axis)),
+                 heft::say("If positions are in millimetres, convert px, py, pz to metres."));
 }
 
 Quaterniond quaternionAt(const Recording& recording, Eigen::Index row) {
@@ -145,7 +148,7 @@ std::optional<Error> checkRates(const Examined& examined) {
         },
         [&](Eigen::Index k) { return recording.twist.row(k).head<3>().transpose(); });
     if (auto failure = judgeRates(examined, fit, "vx, vy, vz", examined.map.twist[0], false,
-                                  " (base axes, at the sensor's origin)"))
+                                  heft::say(" (base axes, at the sensor's origin)")))
       return failure;
   }
   const auto fit = fitRates(
@@ -175,10 +178,10 @@ std::optional<Error> checkQuaternions(const Examined& examined) {
     const double off = std::abs(norm - 1.0);
     if (!(off <= kFar))
       return errorAt(examined.at(k, examined.map.quaternion[0]),
-                     fmt::format("the quaternion ({:.4g}, {:.4g}, {:.4g}, {:.4g}) has length {:.4g} instead of 1.",
-                                 quaternions(k, 0), quaternions(k, 1), quaternions(k, 2), quaternions(k, 3), norm),
-                     norm < 1e-6 ? "Delete the rows in which the robot sent no pose yet."
-                                 : "Check that the columns qx, qy, qz, qw hold a unit quaternion.");
+                     heft::say("the quaternion ({:.4g}, {:.4g}, {:.4g}, {:.4g}) has length {:.4g} instead of 1.",
+                               quaternions(k, 0), quaternions(k, 1), quaternions(k, 2), quaternions(k, 3), norm),
+                     norm < 1e-6 ? heft::say("Delete the rows in which the robot sent no pose yet.")
+                                 : heft::say("Check that the columns qx, qy, qz, qw hold a unit quaternion."));
     if (off > kFew) ++odd;
     if (off > worst) {
       worst = off;

@@ -238,7 +238,7 @@ class SignalChecker {
       return countAndFirst;
     };
     const auto report = [&](const std::pair<Eigen::Index, Eigen::Index>& found, long field, const std::string& what,
-                            double size, const char* unit) {
+                            double size, const std::string& unit) {
       if (found.first == 0) return;
       const bool turn = std::abs(size - 2.0 * std::numbers::pi) < 0.2 && recording_.q.rows() > 0;
       examined_.note(Severity::warning, "motion_jump", examined_.at(found.second, field),
@@ -265,7 +265,7 @@ class SignalChecker {
       };
       const auto found = find(step, kFastest, 0.2);
       report(found, examined_.map.quaternion[0], heft::say("The orientation"),
-             found.first > 0 ? step(found.second) : 0.0, "rad (about)");
+             found.first > 0 ? step(found.second) : 0.0, heft::say("rad (about)"));
     }
     if (recording_.position.rows() > 0) {
       const auto step = [&](Eigen::Index k) {

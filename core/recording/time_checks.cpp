@@ -16,7 +16,7 @@ constexpr double kSlowestMotion = 2.0;  ///< [s] A step above it is a wrong unit
 constexpr double kLowestRate = 50.0;    ///< [Hz] Below it accelerations of a hand-guided arm are lost.
 
 std::string seconds(double value) {
-  return value < 0.1 ? fmt::format("{:.4g} ms", 1e3 * value) : fmt::format("{:.4g} s", value);
+  return value < 0.1 ? heft::say("{:.4g} ms", 1e3 * value) : heft::say("{:.4g} s", value);
 }
 
 /// Drops rows whose time does not exceed the time before; falling time fails.
@@ -35,8 +35,9 @@ std::optional<Error> makeRise(const Examined& examined) {
     }
     if (time(k) < latest)
       return errorAt(
-          examined.at(k, field), fmt::format("time falls from {} s to {} s.", latest, time(k)),
-          "Time must rise from row to row: split the file there if two recordings were joined, or sort the rows.");
+          examined.at(k, field), heft::say("time falls from {} s to {} s.", latest, time(k)),
+          heft::say(
+              "Time must rise from row to row: split the file there if two recordings were joined, or sort the rows."));
     if (repeated++ == 0) {
       first = k;
       keep.assign(static_cast<std::size_t>(rows), 1);
@@ -45,8 +46,8 @@ std::optional<Error> makeRise(const Examined& examined) {
   }
   if (repeated == 0) return std::nullopt;
   if (repeated == rows - 1)
-    return errorAt(examined.at(1, field), fmt::format("time stays at {} s in all {} rows.", time(0), rows),
-                   "Write the time of each sample in seconds, or say \"kind\": \"poses\" in the meta file.");
+    return errorAt(examined.at(1, field), heft::say("time stays at {} s in all {} rows.", time(0), rows),
+                   heft::say("Write the time of each sample in seconds, or say \"kind\": \"poses\" in the meta file."));
   const double share = static_cast<double>(repeated) / static_cast<double>(rows);
   examined.note(Severity::warning, "time_repeated", examined.at(first, field),
                 heft::say("{} of {} rows ({}) repeat the time of the row before and were left out.", repeated, rows,
@@ -73,9 +74,11 @@ std::optional<Error> checkSteps(const Examined& examined) {
 
   // Nobody guides an arm for hours at one sample a second: such times are milliseconds or nanoseconds.
   if (median > kSlowestMotion || (median > 0.2 && time.size() > 1000))
-    return errorAt(examined.at(1, field), fmt::format("the time rises by {:.6g} s from row to row (median).", median),
-                   fmt::format("Write time in seconds{}; for standing poses say \"kind\": \"poses\" in the meta file.",
-                               median >= 1e5 ? ", not nanoseconds or microseconds" : ", not milliseconds"));
+    return errorAt(examined.at(1, field), heft::say("the time rises by {:.6g} s from row to row (median).", median),
+                   median >= 1e5 ? heft::say("Write time in seconds, not nanoseconds or microseconds; for standing "
+                                             "poses say \"kind\": \"poses\" in the meta file.")
+                                 : heft::say("Write time in seconds, not milliseconds; for standing poses say "
+                                             "\"kind\": \"poses\" in the meta file."));
   if (median < 2e-5)
     examined.note(Severity::warning, "time_unit", examined.column(field),
                   heft::say("The rate would be {:.4g} Hz, more than wrist sensors give.", 1.0 / median),

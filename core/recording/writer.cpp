@@ -1,10 +1,9 @@
 // Recording to CSV and meta file. Doubles are written in the shortest form that reads back to the same bits.
-#include <fmt/format.h>
-
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/columns.h"
 #include "core/recording/csv_reader.h"
@@ -25,12 +24,12 @@ std::optional<Error> addSeries(std::vector<Series>& series, const Matrix& values
                                double sign = 1.0) {
   if (values.rows() == 0) return std::nullopt;
   if (values.rows() != rows)
-    return Error{fmt::format("The recording cannot be written: {} has {} rows but time has {}.", columnName(role, 0),
-                             values.rows(), rows)};
+    return Error{heft::say("The recording cannot be written: {} has {} rows but time has {}.", columnName(role, 0),
+                           values.rows(), rows)};
   for (Eigen::Index c = 0; c < values.cols(); ++c) {
     const auto name = columnName(role, static_cast<int>(c));
     if (!values.col(c).allFinite())
-      return Error{fmt::format("The recording cannot be written: {} holds values that are not finite.", name)};
+      return Error{heft::say("The recording cannot be written: {} holds values that are not finite.", name)};
     series.push_back({name, values.col(c).data(), sign});
   }
   return std::nullopt;
@@ -60,7 +59,7 @@ void appendText(std::string& out, std::string_view cell) {
 
 Result<std::string> csvText(const Recording& recording) {
   const auto rows = recording.rows();
-  if (rows == 0) return Error{"The recording cannot be written: it has no rows."};
+  if (rows == 0) return Error{heft::say("The recording cannot be written: it has no rows.")};
   const double sign = recording.meta.wrenchSign == WrenchSign::payloadOnSensor ? -1.0 : 1.0;
   std::vector<Series> series;
   if (auto error = addSeries(series, recording.time, Role::time, rows)) return *error;
@@ -74,11 +73,11 @@ Result<std::string> csvText(const Recording& recording) {
   const bool labels = !recording.labels.empty();
   if (labels && recording.labels.size() != count)
     return Error{
-        fmt::format("The recording cannot be written: it has {} labels for {} rows.", recording.labels.size(), rows)};
+        heft::say("The recording cannot be written: it has {} labels for {} rows.", recording.labels.size(), rows)};
   for (const auto& extra : recording.extra)
     if (extra.cells.size() != count)
-      return Error{fmt::format("The recording cannot be written: column {} has {} cells for {} rows.",
-                               printable(extra.name), extra.cells.size(), rows)};
+      return Error{heft::say("The recording cannot be written: column {} has {} cells for {} rows.",
+                             printable(extra.name), extra.cells.size(), rows)};
 
   std::string out;
   out.reserve(count * (series.size() * 18 + 12 * recording.extra.size() + 10));
@@ -144,8 +143,8 @@ Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::p
   try {
     return root.dump(1) + "\n";
   } catch (const nlohmann::json::exception&) {
-    return Error{fmt::format("{} cannot be written: a text in it, perhaps the robot's path, is not valid UTF-8.",
-                             displayName(metaFile))};
+    return Error{heft::say("{} cannot be written: a text in it, perhaps the robot's path, is not valid UTF-8.",
+                           displayName(metaFile))};
   }
 }
 

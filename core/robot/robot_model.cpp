@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
 
@@ -53,8 +54,8 @@ Result<RobotModel> RobotModel::fromUrdfText(const std::string& urdf, const std::
 Result<RobotModel> RobotModel::assemble(UrdfTree tree, const std::string& file, Findings& findings) {
   const std::vector<int> columns = chooseColumns(tree);
   if (columns.empty()) {
-    return errorAt({file, 0, 0}, fmt::format("Robot \"{}\" has no joint that moves.", printable(tree.name)),
-                   "Give an arm's URDF.");
+    return errorAt({file, 0, 0}, heft::say("Robot \"{}\" has no joint that moves.", printable(tree.name)),
+                   heft::say("Give an arm's URDF."));
   }
   for (std::size_t k = 0; k < columns.size(); ++k) tree.joints[columns[k]].joint.index = static_cast<int>(k);
   followMimics(tree);

@@ -1,13 +1,13 @@
 #include "core/robot/urdf_reader.h"
 
 #include <console_bridge/console.h>
-#include <fmt/format.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
 #include <mutex>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -147,7 +147,7 @@ Error firstError(const Findings& findings, std::size_t from) {
     if (!first) first = &findings[k];
     ++count;
   }
-  const std::string more = count > 1 ? fmt::format("{} more error(s) in this file.", count - 1) : std::string();
+  const std::string more = count > 1 ? heft::say("{} more error(s) in this file.", count - 1) : std::string();
   return errorAt(first->where, first->text + (first->remedy.empty() ? "" : " " + first->remedy), more);
 }
 
@@ -167,7 +167,7 @@ Result<UrdfTree> readUrdf(const std::string& text, const std::string& file, cons
   if (!parsed.model || !parsed.model->getRoot()) {
     std::string reason = printable(parsed.problem, 200);
     if (!reason.empty() && reason.back() != '.') reason += '.';
-    return errorAt({file, 0, 0}, "The URDF cannot be read.", reason);
+    return errorAt({file, 0, 0}, heft::say("The URDF cannot be read."), reason);
   }
   UrdfTree tree = TreeBuilder(*root, *parsed.model).run(readVisuals(*root, file, baseFolder, findings));
   for (const auto& [name, link] : parsed.model->links_) {  // A detached loop owns itself and would never be freed.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -40,7 +41,7 @@ class Parser {
 
   Result<XmlElement> run() {
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") pos_ = lineStart_ = 3;
-    if (text_.find('\0') != std::string_view::npos) return Error{name_ + " is a binary file, not XML."};
+    if (text_.find('\0') != std::string_view::npos) return Error{heft::say("{} is a binary file, not XML.", name_)};
     while (true) {
       skipText();
       if (pos_ >= text_.size()) break;
@@ -48,10 +49,10 @@ class Parser {
     }
     if (!open_.empty()) {
       const XmlElement& last = open_.back();
-      return Error{fmt::format("{}:{}:{}: <{}> is never closed; the file may be cut off.", name_, last.line,
-                               last.column, last.name)};
+      return Error{heft::say("{}:{}:{}: <{}> is never closed; the file may be cut off.", name_, last.line, last.column,
+                             last.name)};
     }
-    if (!root_) return Error{name_ + " contains no XML element."};
+    if (!root_) return Error{heft::say("{} contains no XML element.", name_)};
     return std::move(*root_);
   }
 
@@ -77,9 +78,9 @@ class Parser {
   void skipSpace() {
     while (pos_ < text_.size() && isSpace(text_[pos_])) advance(1);
   }
-  bool skipPast(std::string_view end, const char* what) {
+  bool skipPast(std::string_view end, const std::string& what) {
     const std::size_t found = text_.find(end, pos_);
-    if (found == std::string_view::npos) return fail(fmt::format("this {} is never closed.", what));
+    if (found == std::string_view::npos) return fail(heft::say("this {} is never closed.", what));
     advance(found + end.size() - pos_);
     return true;
   }
@@ -92,13 +93,13 @@ class Parser {
       if (c == ']') --brackets;
       if (c == '>' && brackets <= 0) return true;
     }
-    return fail("this DOCTYPE is never closed.");
+    return fail(heft::say("this DOCTYPE is never closed."));
   }
 
   bool markup() {
-    if (startsWith("<!--")) return skipPast("-->", "comment");
-    if (startsWith("<![CDATA[")) return skipPast("]]>", "CDATA block");
-    if (startsWith("<?")) return skipPast("?>", "processing instruction");
+    if (startsWith("<!--")) return skipPast("-->", heft::say("comment"));
+    if (startsWith("<![CDATA[")) return skipPast("]]>", heft::say("CDATA block"));
+    if (startsWith("<?")) return skipPast("?>", heft::say("processing instruction"));
     if (startsWith("<!")) return skipDoctype();
     if (startsWith("</")) return closingTag();
     return openingTag();
@@ -111,16 +112,17 @@ class Parser {
   }
 
   bool closingTag() {
-    if (open_.empty()) return fail("this closing tag has no opening one.");
+    if (open_.empty()) return fail(heft::say("this closing tag has no opening one."));
     const XmlElement& last = open_.back();
     const std::string_view rest = text_.substr(pos_ + 2);
     const bool matches =
         rest.starts_with(last.name) && (rest.size() == last.name.size() || isNameEnd(rest[last.name.size()]));
-    if (!matches) return fail(fmt::format("this closing tag does not match <{}> of line {}.", last.name, last.line));
+    if (!matches) return fail(heft::say("this closing tag does not match <{}> of line {}.", last.name, last.line));
     advance(2);
     readName();
     skipSpace();
-    if (pos_ >= text_.size() || text_[pos_] != '>') return fail("'>' is missing after a closing tag's name.");
+    if (pos_ >= text_.size() || text_[pos_] != '>')
+      return fail(heft::say("'>' is missing after a closing tag's name."));
     advance(1);
     XmlElement done = std::move(open_.back());
     open_.pop_back();
@@ -131,7 +133,7 @@ class Parser {
     if (!open_.empty()) {
       open_.back().children.push_back(std::move(done));
     } else if (root_) {
-      return fail("there is a second root element; an XML file has one.");
+      return fail(heft::say("there is a second root element; an XML file has one."));
     } else {
       root_ = std::move(done);
     }
@@ -144,11 +146,12 @@ class Parser {
     element.column = static_cast<long>(pos_ - lineStart_) + 1;
     advance(1);
     element.name = readName();
-    if (element.name.empty()) return fail("a tag's name is missing after '<' (a plain '<' is written &lt;).");
-    if (open_.size() >= kMaxDepth) return fail(fmt::format("elements are nested deeper than {}.", kMaxDepth));
+    if (element.name.empty())
+      return fail(heft::say("a tag's name is missing after '<' (a plain '<' is written &lt;)."));
+    if (open_.size() >= kMaxDepth) return fail(heft::say("elements are nested deeper than {}.", kMaxDepth));
     while (true) {
       skipSpace();
-      if (pos_ >= text_.size()) return fail(fmt::format("the tag <{}> is never closed.", element.name));
+      if (pos_ >= text_.size()) return fail(heft::say("the tag <{}> is never closed.", element.name));
       if (startsWith("/>")) {
         advance(2);
         return finish(std::move(element));
@@ -164,24 +167,23 @@ class Parser {
 
   bool attribute(XmlElement& element) {
     if (element.attributes.size() >= kMaxAttributes)
-      return fail(fmt::format("<{}> has too many attributes.", element.name));
+      return fail(heft::say("<{}> has too many attributes.", element.name));
     XmlAttribute found;
     found.name = readName();
-    if (found.name.empty()) return fail(fmt::format("an attribute's name is missing in <{}>.", element.name));
+    if (found.name.empty()) return fail(heft::say("an attribute's name is missing in <{}>.", element.name));
     if (element.attribute(found.name)) {
-      return fail(fmt::format("attribute \"{}\" stands twice in <{}>.", found.name, element.name));
+      return fail(heft::say("attribute \"{}\" stands twice in <{}>.", found.name, element.name));
     }
     skipSpace();
-    if (pos_ >= text_.size() || text_[pos_] != '=')
-      return fail(fmt::format("'=' is missing after \"{}\".", found.name));
+    if (pos_ >= text_.size() || text_[pos_] != '=') return fail(heft::say("'=' is missing after \"{}\".", found.name));
     advance(1);
     skipSpace();
     if (pos_ >= text_.size() || (text_[pos_] != '"' && text_[pos_] != '\'')) {
-      return fail(fmt::format("the value of \"{}\" is not in quotation marks.", found.name));
+      return fail(heft::say("the value of \"{}\" is not in quotation marks.", found.name));
     }
     const char quote = text_[pos_];
     const std::size_t end = text_.find(quote, pos_ + 1);
-    if (end == std::string_view::npos) return fail(fmt::format("the value of \"{}\" is never closed.", found.name));
+    if (end == std::string_view::npos) return fail(heft::say("the value of \"{}\" is never closed.", found.name));
     if (!decode(text_.substr(pos_ + 1, end - pos_ - 1), found.value)) return false;
     advance(end + 1 - pos_);
     element.attributes.push_back(std::move(found));
@@ -195,7 +197,7 @@ class Parser {
         continue;
       }
       const std::size_t end = raw.find(';', i);
-      if (end == std::string_view::npos) return fail("a plain '&' is written &amp;.");
+      if (end == std::string_view::npos) return fail(heft::say("a plain '&' is written &amp;."));
       const std::string_view entity = raw.substr(i + 1, end - i - 1);
       if (entity == "amp") {
         out += '&';
@@ -208,7 +210,7 @@ class Parser {
       } else if (entity == "apos") {
         out += '\'';
       } else if (!numericEntity(entity, out)) {
-        return fail(fmt::format("\"&{}\" is not a known entity (a plain '&' is written &amp;).", entity.substr(0, 20)));
+        return fail(heft::say("\"&{}\" is not a known entity (a plain '&' is written &amp;).", entity.substr(0, 20)));
       }
       i = end;
     }

@@ -1,9 +1,8 @@
 #include "core/simulation/virtual_rig.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/simulation/random.h"
 #include "core/simulation/sensor.h"
 #include "core/wrench/regressor.h"
@@ -36,12 +35,12 @@ VirtualRig::~VirtualRig() = default;
 
 Result<VirtualRig> VirtualRig::create(const RobotModel& robot, const VirtualRigOptions& options) {
   if (const auto physical = checkPhysical(options.payload); !physical.physical)
-    return Error{"The virtual tool cannot exist: " + physical.reason};
+    return Error{heft::say("The virtual tool cannot exist: {}", physical.reason)};
   if (!(options.rateHz >= 200.0 && options.rateHz <= 10000.0))
-    return Error{fmt::format("The virtual arm samples at 200 to 10000 Hz, not at {} Hz.", options.rateHz)};
+    return Error{heft::say("The virtual arm samples at 200 to 10000 Hz, not at {} Hz.", options.rateHz)};
   const auto link = robot.findLink(options.mount.parent);
   if (!link)
-    return Error{fmt::format("The robot {} has no link {} to mount the sensor on.", robot.name(), options.mount.parent)};
+    return Error{heft::say("The robot {} has no link {} to mount the sensor on.", robot.name(), options.mount.parent)};
   return VirtualRig(std::make_unique<Impl>(robot, options, *link));
 }
 
@@ -71,7 +70,7 @@ const VirtualSample& VirtualRig::next() {
 
 Result<bool> VirtualRig::changeTool(const Payload& payload) {
   if (const auto physical = checkPhysical(payload); !physical.physical)
-    return Error{"The virtual tool cannot exist: " + physical.reason};
+    return Error{heft::say("The virtual tool cannot exist: {}", physical.reason)};
   impl_->options.payload = payload;
   return true;
 }

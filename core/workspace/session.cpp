@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
+#include "core/base/say.h"
 #include "core/base/text.h"
 
 namespace heft {
@@ -104,14 +105,14 @@ struct Reader {
   std::string name;
 
   Error wrong(std::string_view where, std::string_view what) const {
-    return Error{fmt::format("{}: \"{}\" {}. The file is damaged or was not written by Heft.", name, where, what)};
+    return Error{heft::say("{}: \"{}\" {}. The file is damaged or was not written by Heft.", name, where, what)};
   }
 };
 
 Result<std::vector<Mark>> readMarks(const json& value, const Reader& reader) {
   std::vector<Mark> marks;
   if (value.is_null()) return marks;
-  if (!value.is_array() || value.size() > kMostMarks) return reader.wrong("marks", "should be a list");
+  if (!value.is_array() || value.size() > kMostMarks) return reader.wrong("marks", heft::say("should be a list"));
   for (const json& entry : value) {
     const auto number = [&](const char* key) {
       return entry.is_object() && entry.contains(key) && entry[key].is_number() ? entry[key].get<double>() : NAN;
@@ -121,7 +122,7 @@ Result<std::vector<Mark>> readMarks(const json& value, const Reader& reader) {
                            ? markLabelFromString(entry["label"].get<std::string>())
                            : std::nullopt;
     if (!std::isfinite(from) || !std::isfinite(to) || to < from || !label)
-      return reader.wrong("marks", "should hold from_s, to_s and a label free, contact or ignore");
+      return reader.wrong("marks", heft::say("should hold from_s, to_s and a label free, contact or ignore"));
     marks.push_back({from, to, *label});
   }
   return marks;
@@ -147,7 +148,8 @@ std::string othersOf(const json& object, std::initializer_list<std::string_view>
 }
 
 Result<SessionRecording> readRecordingEntry(const json& entry, const Reader& reader, const fs::path& folder) {
-  if (!entry.is_object() || textOf(entry, "file").empty()) return reader.wrong("recordings", "should name files");
+  if (!entry.is_object() || textOf(entry, "file").empty())
+    return reader.wrong("recordings", heft::say("should name files"));
   SessionRecording out;
   const fs::path relative = textOf(entry, "file");
   out.file = (relative.is_absolute() ? relative : folder / relative).lexically_normal();
@@ -163,7 +165,7 @@ Result<SessionRecording> readRecordingEntry(const json& entry, const Reader& rea
   const json& corrections = memberOf(entry, "corrections");
   if (corrections.is_object() && memberOf(corrections, "found").is_object() && memberOf(corrections, "causes").is_array()) {
     for (const json& cause : corrections["causes"]) {
-      if (!cause.is_string()) return reader.wrong("corrections", "should name causes");
+      if (!cause.is_string()) return reader.wrong("corrections", heft::say("should name causes"));
       out.corrections.causes.push_back(cause.get<std::string>());
     }
     if (!out.corrections.causes.empty()) out.corrections.found = corrections["found"].dump();
@@ -197,7 +199,8 @@ Result<EstimateSettings> readSettings(const json& object, const json& knownPaylo
     if (memberOf(object, "bias").is_boolean()) out.bias = object["bias"].get<bool>();
     if (memberOf(object, "trim").is_number()) {
       out.trim = object["trim"].get<double>();
-      if (!(out.trim >= 0.0 && out.trim <= 0.45)) return reader.wrong("trim", "should be between 0 and 0.45");
+      if (!(out.trim >= 0.0 && out.trim <= 0.45))
+        return reader.wrong("trim", heft::say("should be between 0 and 0.45"));
     }
   }
   if (knownPayload.is_object()) {
@@ -218,9 +221,9 @@ Result<ExportChoice> readExport(const json& object, const Reader& reader) {
   if (memberOf(object, "mounted_answered").is_boolean()) out.mountedAnswered = object["mounted_answered"].get<bool>();
   const json& mounted = memberOf(object, "mounted");
   if (mounted.is_null()) return out;
-  if (!mounted.is_array()) return reader.wrong("mounted", "should be a list");
+  if (!mounted.is_array()) return reader.wrong("mounted", heft::say("should be a list"));
   for (const json& entry : mounted) {
-    if (!entry.is_object()) return reader.wrong("mounted", "should hold a name and a payload");
+    if (!entry.is_object()) return reader.wrong("mounted", heft::say("should hold a name and a payload"));
     auto payload = payloadFromJson(memberOf(entry, "payload"), reader.name + ": mounted");
     if (!payload) return payload.error();
     const json& present = memberOf(entry, "present");
@@ -275,23 +278,24 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   const Reader reader{name};
   const std::string schema = object.is_object() ? textOf(object, "schema") : std::string();
   if (!schema.starts_with(kSchema))
-    return Error{fmt::format("{} is no session of Heft Studio: its \"schema\" should be \"{}{}\".", name, kSchema,
-                             kSessionVersion)};
+    return Error{heft::say("{} is no session of Heft Studio: its \"schema\" should be \"{}{}\".", name, kSchema,
+                           kSessionVersion)};
   int version = 0;
   for (const char c : schema.substr(kSchema.size())) {
-    if (c < '0' || c > '9' || version > 100000) return reader.wrong("schema", "should end in a number");
+    if (c < '0' || c > '9' || version > 100000) return reader.wrong("schema", heft::say("should end in a number"));
     version = 10 * version + (c - '0');
   }
   if (version > kSessionVersion)
-    return Error{fmt::format("{} was saved by a newer Heft (session format {}; this one reads up to {}). Update Heft to "
-                             "open it; the file was not changed.",
-                             name, version, kSessionVersion)};
-  if (version < 1) return reader.wrong("schema", "should end in a number from 1");
+    return Error{
+        heft::say("{} was saved by a newer Heft (session format {}; this one reads up to {}). Update Heft to "
+                  "open it; the file was not changed.",
+                  name, version, kSessionVersion)};
+  if (version < 1) return reader.wrong("schema", heft::say("should end in a number from 1"));
 
   Session out;
   const json& recordings = memberOf(object, "recordings");
   if (!recordings.is_null() && (!recordings.is_array() || recordings.size() > kMostRecordings))
-    return reader.wrong("recordings", "should be a list");
+    return reader.wrong("recordings", heft::say("should be a list"));
   for (const json& entry : recordings) {
     auto recording = readRecordingEntry(entry, reader, folder);
     if (!recording) return recording.error();

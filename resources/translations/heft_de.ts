@@ -155,10 +155,6 @@
         <translation>Schwerpunkt %1 %2 → %3 mm</translation>
     </message>
     <message>
-        <source>Error in %1, unseen stretch [%2]</source>
-        <translation>Fehler in %1, ungesehen [%2]</translation>
-    </message>
-    <message>
         <source>Time [s]</source>
         <translation>Zeit [s]</translation>
     </message>
@@ -294,104 +290,28 @@
         <source>Leads to Record; what to do stays in view there</source>
         <translation>Führt zum Aufnehmen; was zu tun ist, bleibt dort im Blick</translation>
     </message>
+    <message>
+        <source>Error in %1 [%2]</source>
+        <translation>Fehler: %1 [%2]</translation>
+    </message>
 </context>
 <context>
     <name>ExportText</name>
     <message>
-        <source>Franka Desk</source>
-        <translation>Franka Desk</translation>
-    </message>
-    <message>
-        <source>end effector, JSON</source>
-        <translation>Endeffektor, JSON</translation>
-    </message>
-    <message>
         <source>Franka profile</source>
         <translation>Franka-Profil</translation>
-    </message>
-    <message>
-        <source>libfranka</source>
-        <translation>libfranka</translation>
-    </message>
-    <message>
-        <source>setLoad, C++</source>
-        <translation>setLoad, C++</translation>
-    </message>
-    <message>
-        <source>ROS 1</source>
-        <translation>ROS 1</translation>
-    </message>
-    <message>
-        <source>franka_ros, YAML</source>
-        <translation>franka_ros, YAML</translation>
-    </message>
-    <message>
-        <source>ROS 2</source>
-        <translation>ROS 2</translation>
-    </message>
-    <message>
-        <source>franka_ros2, YAML</source>
-        <translation>franka_ros2, YAML</translation>
-    </message>
-    <message>
-        <source>URDF</source>
-        <translation>URDF</translation>
     </message>
     <message>
         <source>link with inertia</source>
         <translation>Glied mit Trägheit</translation>
     </message>
     <message>
-        <source>SDFormat</source>
-        <translation>SDFormat</translation>
-    </message>
-    <message>
         <source>Gazebo model</source>
         <translation>Gazebo-Modell</translation>
     </message>
     <message>
-        <source>MuJoCo</source>
-        <translation>MuJoCo</translation>
-    </message>
-    <message>
-        <source>body, XML</source>
-        <translation>Körper, XML</translation>
-    </message>
-    <message>
-        <source>UR</source>
-        <translation>UR</translation>
-    </message>
-    <message>
-        <source>URScript</source>
-        <translation>URScript</translation>
-    </message>
-    <message>
-        <source>KUKA</source>
-        <translation>KUKA</translation>
-    </message>
-    <message>
-        <source>LOAD_DATA</source>
-        <translation>LOAD_DATA</translation>
-    </message>
-    <message>
-        <source>ABB</source>
-        <translation>ABB</translation>
-    </message>
-    <message>
-        <source>loaddata</source>
-        <translation>loaddata</translation>
-    </message>
-    <message>
-        <source>FANUC</source>
-        <translation>FANUC</translation>
-    </message>
-    <message>
         <source>payload schedule</source>
         <translation>Payload-Tabelle</translation>
-    </message>
-    <message>
-        <source>Heft JSON</source>
-        <translation>Heft JSON</translation>
     </message>
     <message>
         <source>for programs</source>
@@ -428,6 +348,14 @@
     <message>
         <source>Well inside the arm’s limit of %1 kg.</source>
         <translation>Deutlich unter der Grenze des Arms von %1 kg.</translation>
+    </message>
+    <message>
+        <source>end effector</source>
+        <translation>Endeffektor</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
     </message>
 </context>
 <context>
@@ -1241,6 +1169,18 @@
         <source>The smallest size of each cause that this motion and this sensor would have shown.</source>
         <translation>Die kleinste Größe jeder Ursache, die diese Bewegung und dieser Sensor gezeigt hätten.</translation>
     </message>
+    <message>
+        <source>Your result stayed the same.</source>
+        <translation>Ihr Ergebnis ist gleich geblieben.</translation>
+    </message>
+    <message>
+        <source>Your result stays the same.</source>
+        <translation>Ihr Ergebnis bleibt gleich.</translation>
+    </message>
+    <message>
+        <source>Mass and centre change by less than their last digit here.</source>
+        <translation>Masse und Schwerpunkt ändern sich um weniger als die letzte gezeigte Stelle.</translation>
+    </message>
 </context>
 <context>
     <name>ResultText</name>
@@ -1578,10 +1518,6 @@
         <translation>%1 hat %2 Gelenke, die Aufnahme %3: Wählen Sie die Beschreibung des Roboters, der aufgenommen wurde.</translation>
     </message>
     <message>
-        <source>%1 is no meta file.</source>
-        <translation>%1 ist keine Meta-Datei.</translation>
-    </message>
-    <message>
         <source>%1 has no link &quot;%2&quot;, where the sensor is mounted: set sensor.mount.parent in %3 to the right one.</source>
         <translation>%1 hat kein Glied „%2“, an dem der Sensor sitzt: Setzen Sie sensor.mount.parent in %3 auf das richtige.</translation>
     </message>
@@ -1803,6 +1739,10 @@
     <message>
         <source>Heft report</source>
         <translation>Heft-Bericht</translation>
+    </message>
+    <message>
+        <source>With all causes mass and centre stay the same.</source>
+        <translation>Mit allen Ursachen bleiben Masse und Schwerpunkt gleich.</translation>
     </message>
 </context>
 <context>
@@ -2227,10 +2167,6 @@
     <message>
         <source>The tool was not tilted into enough directions to tell where its centre of mass lies along {}.</source>
         <translation>Das Werkzeug wurde nicht in genug Richtungen geneigt, um zu sagen, wo sein Schwerpunkt entlang {} liegt.</translation>
-    </message>
-    <message>
-        <source>Rotation about {} was never fast enough (it sped up by {:.1f} rad/s2 on average): turn the tool to and fro about it.</source>
-        <translation>Zu langsam gedreht um: {} (im Mittel {:.1f} rad/s² Beschleunigung). Drehen Sie das Werkzeug darum schneller hin und her.</translation>
     </message>
     <message>
         <source>Recording {} contradicts the others: {:.3f} kg against {:.3f} kg, centre of mass {:.0f} mm apart. It was left out.</source>
@@ -3556,16 +3492,1577 @@
         <source>The numbers do not depend on it.</source>
         <translation>Die Zahlen hängen nicht davon ab.</translation>
     </message>
-</context>
-<context>
-    <name>heft::Causes</name>
     <message>
-        <source>Sensor’s zero jumped</source>
+        <source>column {}</source>
+        <translation>Spalte {}</translation>
+    </message>
+    <message>
+        <source>{}: this JSON is nested more than {} levels deep.</source>
+        <translation>{}: Dieses JSON ist tiefer als {} Ebenen verschachtelt.</translation>
+    </message>
+    <message>
+        <source>{}:{}:{}: this is not valid JSON ({}).</source>
+        <translation>{}:{}:{}: Das ist kein gültiges JSON ({}).</translation>
+    </message>
+    <message>
+        <source>{}: this JSON cannot be used ({}).</source>
+        <translation>{}: Dieses JSON ist nicht zu gebrauchen ({}).</translation>
+    </message>
+    <message>
+        <source>{}: there is no such file.</source>
+        <translation>{}: Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{} cannot be opened: {}.</source>
+        <translation>{} lässt sich nicht öffnen: {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: {}.</source>
+        <translation>{} lässt sich nicht lesen: {}.</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not a file.</source>
+        <translation>{} ist ein Ordner, keine Datei.</translation>
+    </message>
+    <message>
+        <source>{} has {} MB; at most {} MB can be read.</source>
+        <translation>{} hat {} MB; höchstens {} MB können gelesen werden.</translation>
+    </message>
+    <message>
+        <source>{} has more than the {} MB that can be read.</source>
+        <translation>{} hat mehr als die {} MB, die gelesen werden können.</translation>
+    </message>
+    <message>
+        <source>The output cannot be written to stdout.</source>
+        <translation>Die Ausgabe lässt sich nicht nach stdout schreiben.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}.</source>
+        <translation>{} lässt sich nicht schreiben: {}.</translation>
+    </message>
+    <message>
+        <source>A proposed motion needs a speed above zero and at least one second.</source>
+        <translation>Eine vorgeschlagene Bewegung braucht ein Tempo über null und mindestens eine Sekunde.</translation>
+    </message>
+    <message>
+        <source>The posture lies outside the joints&apos; ranges: no motion can start there.</source>
+        <translation>Die Haltung liegt außerhalb der Gelenkbereiche: Von dort kann keine Bewegung beginnen.</translation>
+    </message>
+    <message>
+        <source>No motion from this posture keeps all limits. Bring the arm into the middle of its joints&apos; ranges first.</source>
+        <translation>Keine Bewegung aus dieser Haltung hält alle Grenzen ein. Bringen Sie den Arm zuerst in die Mitte seiner Gelenkbereiche.</translation>
+    </message>
+    <message>
+        <source>The coach has no motion called &quot;{}&quot;.</source>
+        <translation>Der Coach kennt keine Bewegung namens „{}“.</translation>
+    </message>
+    <message>
+        <source>This motion does not keep the limits from here. Bring the arm into the middle of its joints&apos; ranges.</source>
+        <translation>Diese Bewegung hält von hier aus die Grenzen nicht ein. Bringen Sie den Arm in die Mitte seiner Gelenkbereiche.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have. Set sensor.mount.parent in the meta file.</source>
+        <translation>Der Sensor soll am Glied „{}“ sitzen, das der Roboter „{}“ nicht hat. Setzen Sie sensor.mount.parent in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>Standing poses show too little to look for causes; record a motion.</source>
+        <translation>Ruhige Posen zeigen zu wenig, um nach Ursachen zu suchen; nehmen Sie eine Bewegung auf.</translation>
+    </message>
+    <message>
+        <source>Looking at single readings</source>
+        <translation>Einzelne Messwerte werden angesehen</translation>
+    </message>
+    <message>
+        <source>Measuring the gain on unseen stretches</source>
+        <translation>Der Gewinn auf ungesehenen Abschnitten wird gemessen</translation>
+    </message>
+    <message>
+        <source>Estimating the payload again</source>
+        <translation>Die Last wird neu geschätzt</translation>
+    </message>
+    <message>
+        <source>Nothing in {} touches nothing for long enough to check a cause on it.</source>
+        <translation>In {} ist kein Stück lange genug ohne Berührung, um eine Ursache daran zu prüfen.</translation>
+    </message>
+    <message>
+        <source>Trying causes</source>
+        <translation>Ursachen werden ausprobiert</translation>
+    </message>
+    <message>
+        <source>Comparing what could stand in its place</source>
+        <translation>Es wird verglichen, was an deren Stelle stehen könnte</translation>
+    </message>
+    <message>
+        <source>Trying the search on simulated clean recordings</source>
+        <translation>Die Suche wird an simulierten sauberen Aufnahmen erprobt</translation>
+    </message>
+    <message>
+        <source>Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.</source>
+        <translation>Nur {:.1f} s der Aufnahme lassen sich beurteilen; mindestens 2 s ohne Berührung sind nötig.</translation>
+    </message>
+    <message>
+        <source>The trim is a fraction of the duration at each end, from 0 to below 0.5, not {}.</source>
+        <translation>Der Beschnitt ist ein Anteil der Dauer an jedem Ende, von 0 bis unter 0,5, nicht {}.</translation>
+    </message>
+    <message>
+        <source>Holding the mass inside the shape needs a shape, the method map and the parameters full.</source>
+        <translation>Um die Masse in der Form zu halten, braucht es eine Form, das Verfahren map und alle Parameter (full).</translation>
+    </message>
+    <message>
+        <source>Converged: the gradient vanished.</source>
+        <translation>Konvergiert: Der Gradient ist verschwunden.</translation>
+    </message>
+    <message>
+        <source>Stopped before the gradient vanished.</source>
+        <translation>Angehalten, bevor der Gradient verschwunden war.</translation>
+    </message>
+    <message>
+        <source>Total least squares has no solution here: the smallest singular value belongs to the regressor.</source>
+        <translation>Die vollständigen kleinsten Quadrate haben hier keine Lösung: Der kleinste Singulärwert gehört zum Regressor.</translation>
+    </message>
+    <message>
+        <source>Singular value decomposition done.</source>
+        <translation>Singulärwertzerlegung ausgeführt.</translation>
+    </message>
+    <message>
+        <source>No free motion is left to estimate from: of {:.1f} s only {:.1f} s touch nothing inside the trimmed range. Check the marks, or lower the trim.</source>
+        <translation>Es bleibt keine freie Bewegung für die Schätzung: Von {:.1f} s berühren im beschnittenen Bereich nur {:.1f} s nichts. Prüfen Sie die Markierungen, oder beschneiden Sie weniger.</translation>
+    </message>
+    <message>
+        <source>Only {} standing poses are there; at least 6 in different tilts are needed.</source>
+        <translation>Es gibt nur {} ruhige Posen; mindestens 6 in verschiedenen Neigungen sind nötig.</translation>
+    </message>
+    <message>
+        <source>Working out how the tool moved</source>
+        <translation>Es wird ermittelt, wie sich das Werkzeug bewegt hat</translation>
+    </message>
+    <message>
+        <source>Learning the sensor&apos;s noise</source>
+        <translation>Das Rauschen des Sensors wird gelernt</translation>
+    </message>
+    <message>
+        <source>Standing poses have no segments: each row is a measurement of its own.</source>
+        <translation>Ruhige Posen haben keine Abschnitte: Jede Zeile ist eine Messung für sich.</translation>
+    </message>
+    <message>
+        <source>This payload cannot exist, so no {} file is written: {}</source>
+        <translation>Diese Last kann es nicht geben, darum wird keine {}-Datei geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>The tool centre point is not a pose: its rotation must be orthonormal and right-handed.</source>
+        <translation>Der Werkzeugmittelpunkt (TCP) ist keine Pose: Seine Drehung muss orthonormal und rechtshändig sein.</translation>
+    </message>
+    <message>
+        <source>This payload is too small to be written: {}</source>
+        <translation>Diese Last ist zu klein, um geschrieben zu werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: {} of the sensor mount must be three numbers.</source>
+        <translation>{}: {} der Sensormontage muss aus drei Zahlen bestehen.</translation>
+    </message>
+    <message>
+        <source>The sensor is mounted on {}, which moves against the flange: state its pose on the flange.</source>
+        <translation>Der Sensor sitzt an {}, das sich gegen den Flansch bewegt: Geben Sie seine Pose am Flansch an.</translation>
+    </message>
+    <message>
+        <source>{} holds no sensor mount: expected &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} as in a meta file.</source>
+        <translation>{} enthält keine Sensormontage: Erwartet wird &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} wie in einer Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>{} is a {} file, which holds no payload; give the --json file of &apos;heft estimate&apos;.</source>
+        <translation>{} ist eine {}-Datei, die keine Last enthält; geben Sie die mit --json geschriebene Datei von „heft estimate“ an.</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened.</source>
+        <translation>die Datei lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>Check its name and its permissions.</source>
+        <translation>Prüfen Sie Namen und Leserechte.</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file.</source>
+        <translation>das ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>Give a recording&apos;s file.</source>
+        <translation>Geben Sie die Datei einer Aufnahme an.</translation>
+    </message>
+    <message>
+        <source>names of the columns</source>
+        <translation>Namen der Spalten</translation>
+    </message>
+    <message>
+        <source>type {}</source>
+        <translation>Typ {}</translation>
+    </message>
+    <message>
+        <source>an estimate or a compensated wrench: the tool&apos;s own weight may be taken out of it</source>
+        <translation>eine Schätzung oder eine bereinigte Kraft: Das Eigengewicht des Werkzeugs könnte schon abgezogen sein</translation>
+    </message>
+    <message>
+        <source>names of the arm&apos;s joints</source>
+        <translation>Namen der Armgelenke</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>a compound type</source>
+        <translation>ein zusammengesetzter Typ</translation>
+    </message>
+    <message>
+        <source>lists of different lengths</source>
+        <translation>verschieden lange Listen</translation>
+    </message>
+    <message>
+        <source>an array type</source>
+        <translation>ein Feldtyp</translation>
+    </message>
+    <message>
+        <source>names of states</source>
+        <translation>Namen von Zuständen</translation>
+    </message>
+    <message>
+        <source>no plain numbers</source>
+        <translation>keine einfachen Zahlen</translation>
+    </message>
+    <message>
+        <source>{} dimensions</source>
+        <translation>{} Dimensionen</translation>
+    </message>
+    <message>
+        <source>this HDF5 file cannot be opened: it is cut off or damaged.</source>
+        <translation>diese HDF5-Datei lässt sich nicht öffnen: Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>Close the file in the recording program before copying it; &quot;h5clear -s FILE&quot; may mend it.</source>
+        <translation>Schließen Sie die Datei im Aufnahmeprogramm, bevor Sie sie kopieren; „h5clear -s DATEI“ kann sie vielleicht retten.</translation>
+    </message>
+    <message>
+        <source>{} more</source>
+        <translation>{} weitere</translation>
+    </message>
+    <message>
+        <source>no dataset of this HDF5 file is a table of numbers: {}.</source>
+        <translation>kein Datensatz dieser HDF5-Datei ist eine Zahlentabelle: {}.</translation>
+    </message>
+    <message>
+        <source>Reading was stopped.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a recording.</source>
+        <translation>das ist ein Ordner, keine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Give the recording&apos;s file, or the folder of a ROS 2 bag.</source>
+        <translation>Geben Sie die Datei der Aufnahme an oder den Ordner eines ROS-2-Bags.</translation>
+    </message>
+    <message>
+        <source>unknown kind of file</source>
+        <translation>unbekannte Dateiart</translation>
+    </message>
+    <message>
+        <source>the recording does not fit into the memory.</source>
+        <translation>die Aufnahme passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>Split it, or record fewer topics.</source>
+        <translation>Teilen Sie sie, oder nehmen Sie weniger Topics auf.</translation>
+    </message>
+    <message>
+        <source>it is cut off or damaged before the first message that could be read.</source>
+        <translation>sie ist vor der ersten lesbaren Nachricht abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>Copy it again from where it was recorded.</source>
+        <translation>Kopieren Sie sie noch einmal von dort, wo sie aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>nothing that Heft can read is in it.</source>
+        <translation>es ist nichts darin, was Heft lesen kann.</translation>
+    </message>
+    <message>
+        <source>Record the sensor&apos;s wrench and the joints or the pose; &apos;heft convert IN --list&apos; shows what there is.</source>
+        <translation>Nehmen Sie Kraft und Moment des Sensors und die Gelenke oder die Pose auf; „heft convert IN --list“ zeigt, was da ist.</translation>
+    </message>
+    <message>
+        <source>{} could not be read again.</source>
+        <translation>{} ließ sich kein zweites Mal lesen.</translation>
+    </message>
+    <message>
+        <source>Was the file changed meanwhile?</source>
+        <translation>Wurde die Datei inzwischen geändert?</translation>
+    </message>
+    <message>
+        <source>{} has fewer than two complete samples.</source>
+        <translation>{} hat weniger als zwei vollständige Messwerte.</translation>
+    </message>
+    <message>
+        <source>Record again, or choose other columns.</source>
+        <translation>Nehmen Sie noch einmal auf, oder wählen Sie andere Spalten.</translation>
+    </message>
+    <message>
+        <source>State it in a map file, for instance {{&quot;offset_s&quot;: {{&quot;{}&quot;: 0.0}}}} (seconds added to its times).</source>
+        <translation>Nennen Sie sie in einer Zuordnungsdatei, zum Beispiel {{&quot;offset_s&quot;: {{&quot;{}&quot;: 0.0}}}} (Sekunden, die zu ihren Zeiten addiert werden).</translation>
+    </message>
+    <message>
+        <source>{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)</source>
+        <translation>{:.3f} s (± {:.3f} s; die Bewegung erklärt dann {:.0f} % der Kraft)</translation>
+    </message>
+    <message>
+        <source>the clocks of {} and {} have nothing in common, and the data do not tell how much one is later than the other.</source>
+        <translation>die Uhren von {} und {} haben nichts gemeinsam, und aus den Daten geht nicht hervor, um wie viel die eine nachgeht.</translation>
+    </message>
+    <message>
+        <source>{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.</source>
+        <translation>{} und {} überschneiden sich zeitlich nicht: {:.3f} bis {:.3f} s und {:.3f} bis {:.3f} s.</translation>
+    </message>
+    <message>
+        <source>Were they recorded together? State offset_s in a map file if one clock is late.</source>
+        <translation>Wurden sie zusammen aufgenommen? Nennen Sie offset_s in einer Zuordnungsdatei, wenn eine Uhr nachgeht.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no column of a recording.</source>
+        <translation>„{}“ ist keine Spalte einer Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the groups joints, velocities, position, quaternion, wrench.</source>
+        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz und die Gruppen joints, velocities, position, quaternion, wrench.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; has no {} that Heft can find by name.</source>
+        <translation>„{}“ hat kein {}, das Heft am Namen erkennt.</translation>
+    </message>
+    <message>
+        <source>Name its columns one by one, for instance fx=TOPIC:FIELD.</source>
+        <translation>Nennen Sie die Spalten einzeln, zum Beispiel fx=TOPIC:FELD.</translation>
+    </message>
+    <message>
+        <source>there is no &quot;{}&quot;, which {} was to be read from.</source>
+        <translation>es gibt kein „{}“, aus dem {} gelesen werden sollte.</translation>
+    </message>
+    <message>
+        <source>&apos;heft convert IN --list&apos; shows what there is.</source>
+        <translation>„heft convert IN --list“ zeigt, was da ist.</translation>
+    </message>
+    <message>
+        <source>{} has one, but it is {}; --use wrench={} takes it nevertheless.</source>
+        <translation>{} hat sie, aber das ist {}; mit --use wrench={} wird es trotzdem genommen.</translation>
+    </message>
+    <message>
+        <source>no wrench of a sensor was found.</source>
+        <translation>Kraft und Moment eines Sensors wurden nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>of the wrench {} is missing.</source>
+        <translation>von Kraft und Moment fehlt {}.</translation>
+    </message>
+    <message>
+        <source>Add its file with --join FILE, or say which columns it has with --use.</source>
+        <translation>Fügen Sie die Datei davon mit --join DATEI hinzu, oder sagen Sie mit --use, in welchen Spalten es steht.</translation>
+    </message>
+    <message>
+        <source>no motion was found: neither joint positions nor a pose of the sensor.</source>
+        <translation>es wurde keine Bewegung gefunden: weder Gelenkwinkel noch eine Pose des Sensors.</translation>
+    </message>
+    <message>
+        <source>the columns of the {} come from {} and from {}.</source>
+        <translation>die Spalten von {} kommen aus {} und aus {}.</translation>
+    </message>
+    <message>
+        <source>They must share their times.</source>
+        <translation>Sie müssen dieselben Zeiten haben.</translation>
+    </message>
+    <message>
+        <source>{} from {} ({})</source>
+        <translation>{} aus {} ({})</translation>
+    </message>
+    <message>
+        <source>The {} could also be {}.</source>
+        <translation>{} könnte auch {} sein.</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>Choose with --use {}=NAME.</source>
+        <translation>Wählen Sie mit --use {}=NAME.</translation>
+    </message>
+    <message>
+        <source>this is no MCAP file.</source>
+        <translation>das ist keine MCAP-Datei.</translation>
+    </message>
+    <message>
+        <source>Its first eight bytes are others.</source>
+        <translation>Ihre ersten acht Bytes sind andere.</translation>
+    </message>
+    <message>
+        <source>The definition of {} lacks {}.</source>
+        <translation>In der Definition von {} fehlt {}.</translation>
+    </message>
+    <message>
+        <source>The definition of {} has an array without an end.</source>
+        <translation>In der Definition von {} hat ein Feld kein Ende.</translation>
+    </message>
+    <message>
+        <source>The definition of {} has an array of odd length.</source>
+        <translation>In der Definition von {} hat ein Feld eine seltsame Länge.</translation>
+    </message>
+    <message>
+        <source>its encoding is not known</source>
+        <translation>ihre Codierung ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the file does not define its type</source>
+        <translation>die Datei definiert ihren Typ nicht</translation>
+    </message>
+    <message>
+        <source>this database holds no ROS 2 bag ({}).</source>
+        <translation>diese Datenbank enthält kein ROS-2-Bag ({}).</translation>
+    </message>
+    <message>
+        <source>Such a bag has the tables topics and messages.</source>
+        <translation>So ein Bag hat die Tabellen topics und messages.</translation>
+    </message>
+    <message>
+        <source>this database cannot be opened.</source>
+        <translation>diese Datenbank lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>It is damaged at its beginning; &quot;sqlite3 BAG .recover&quot; may save its rows.</source>
+        <translation>Sie ist am Anfang beschädigt; „sqlite3 BAG .recover“ rettet vielleicht ihre Zeilen.</translation>
+    </message>
+    <message>
+        <source>this folder holds no ROS 2 bag.</source>
+        <translation>dieser Ordner enthält kein ROS-2-Bag.</translation>
+    </message>
+    <message>
+        <source>Such a folder has metadata.yaml and .db3 or .mcap files; otherwise give the recording&apos;s file.</source>
+        <translation>So ein Ordner hat metadata.yaml und .db3- oder .mcap-Dateien; geben Sie sonst die Datei der Aufnahme an.</translation>
+    </message>
+    <message>
+        <source>The bag is cut off or damaged at byte {} of {}; what stands before was read.</source>
+        <translation>Das Bag ist bei Byte {} von {} abgeschnitten oder beschädigt; was davor steht, wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The recorder was probably killed; &apos;rosbag reindex&apos; mends the bag for other programs.</source>
+        <translation>Die Aufnahme wurde vermutlich hart beendet; „rosbag reindex“ repariert das Bag für andere Programme.</translation>
+    </message>
+    <message>
+        <source>{} chunks of the bag are damaged; what could be unpacked was read.</source>
+        <translation>{} Blöcke des Bags sind beschädigt; was sich entpacken ließ, wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>this is a ROS bag of an old format.</source>
+        <translation>das ist ein ROS-Bag in einem alten Format.</translation>
+    </message>
+    <message>
+        <source>Bring it to format 2.0 with &apos;rosbag fix&apos; first.</source>
+        <translation>Bringen Sie es zuerst mit „rosbag fix“ auf Format 2.0.</translation>
+    </message>
+    <message>
+        <source>no column holds the time.</source>
+        <translation>keine Spalte enthält die Zeit.</translation>
+    </message>
+    <message>
+        <source>there is no column &quot;{}&quot; for the time.</source>
+        <translation>es gibt keine Spalte „{}“ für die Zeit.</translation>
+    </message>
+    <message>
+        <source>Name it time (in seconds), or say which it is with --use time=COLUMN.</source>
+        <translation>Nennen Sie sie time (in Sekunden), oder sagen Sie mit --use time=SPALTE, welche es ist.</translation>
+    </message>
+    <message>
+        <source>no column of the table holds numbers.</source>
+        <translation>keine Spalte der Tabelle enthält Zahlen.</translation>
+    </message>
+    <message>
+        <source>Check the export.</source>
+        <translation>Prüfen Sie den Export.</translation>
+    </message>
+    <message>
+        <source>the table holds more cells than can be held in memory.</source>
+        <translation>die Tabelle enthält mehr Zellen, als in den Speicher passen.</translation>
+    </message>
+    <message>
+        <source>Export fewer columns or a shorter stretch.</source>
+        <translation>Exportieren Sie weniger Spalten oder ein kürzeres Stück.</translation>
+    </message>
+    <message>
+        <source>the file holds more numbers than can be held in memory.</source>
+        <translation>die Datei enthält mehr Zahlen, als in den Speicher passen.</translation>
+    </message>
+    <message>
+        <source>Record fewer values, or a shorter stretch.</source>
+        <translation>Nehmen Sie weniger Werte auf oder ein kürzeres Stück.</translation>
+    </message>
+    <message>
+        <source>no line of the file is a JSON object.</source>
+        <translation>keine Zeile der Datei ist ein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>JSON recordings have one object a line.</source>
+        <translation>JSON-Aufnahmen haben ein Objekt je Zeile.</translation>
+    </message>
+    <message>
+        <source>The connection to {}:{} broke; it is tried again.</source>
+        <translation>Die Verbindung zu {}:{} ist abgerissen; sie wird wieder versucht.</translation>
+    </message>
+    <message>
+        <source>{} is connected, but no topic with joint states or a wrench sends.</source>
+        <translation>{} ist verbunden, aber kein Topic mit Gelenkwinkeln oder Kräften sendet.</translation>
+    </message>
+    <message>
+        <source>{} is connected, but its topics send nothing.</source>
+        <translation>{} ist verbunden, aber seine Topics senden nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing arrives at {}:{}.</source>
+        <translation>An {}:{} kommt nichts an.</translation>
+    </message>
+    <message>
+        <source>The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.</source>
+        <translation>Die Objekte haben weder q1 bis q7 oder eine Pose noch fx, fy, fz, tx, ty, tz.</translation>
+    </message>
+    <message>
+        <source>{}:{} {}. Check the name, the cable and the firewall.</source>
+        <translation>{}:{} {}. Prüfen Sie Namen, Kabel und Firewall.</translation>
+    </message>
+    <message>
+        <source>is no address of this machine</source>
+        <translation>ist keine Adresse dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Port {} of {} cannot be opened; does another program listen there?</source>
+        <translation>Port {} von {} lässt sich nicht öffnen; lauscht dort ein anderes Programm?</translation>
+    </message>
+    <message>
+        <source>cannot be found</source>
+        <translation>ist nicht zu finden</translation>
+    </message>
+    <message>
+        <source>cannot be reached</source>
+        <translation>ist nicht zu erreichen</translation>
+    </message>
+    <message>
+        <source>does not answer over HTTP</source>
+        <translation>antwortet nicht über HTTP</translation>
+    </message>
+    <message>
+        <source>http://{}:{}{} does not answer as expected (&quot;{}&quot;).</source>
+        <translation>http://{}:{}{} antwortet nicht wie erwartet („{}“).</translation>
+    </message>
+    <message>
+        <source>{} sends nothing. Is RDT enabled on its web page, and does no other program take the stream? It serves one client only.</source>
+        <translation>{} sendet nichts. Ist RDT auf seiner Webseite eingeschaltet, und nimmt kein anderes Programm den Datenstrom? Der Sensor bedient nur eines.</translation>
+    </message>
+    <message>
+        <source>{} Its counts per newton can be given instead: rdt:HOST?cpf=N&amp;cpt=N.</source>
+        <translation>{} Seine Zählschritte je Newton können stattdessen angegeben werden: rdt:HOST?cpf=N&amp;cpt=N.</translation>
+    </message>
+    <message>
+        <source>The sensor is set to {} and {}: choose N and N-m on its web page.</source>
+        <translation>Der Sensor ist auf {} und {} eingestellt: Wählen Sie auf seiner Webseite N und N-m.</translation>
+    </message>
+    <message>
+        <source>The sensor does not state its counts per newton; give them: rdt:HOST?cpf=N&amp;cpt=N.</source>
+        <translation>Der Sensor nennt seine Zählschritte je Newton nicht; geben Sie sie an: rdt:HOST?cpf=N&amp;cpt=N.</translation>
+    </message>
+    <message>
+        <source>{} exists; a recording never replaces a file. Choose another name.</source>
+        <translation>{} gibt es schon; eine Aufnahme ersetzt nie eine Datei. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>{} cannot be made: {}.</source>
+        <translation>{} lässt sich nicht anlegen: {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written any further: {}. What is there can be read.</source>
+        <translation>{} lässt sich nicht weiterschreiben: {}. Was da ist, ist lesbar.</translation>
+    </message>
+    <message>
+        <source>replay of {}</source>
+        <translation>Wiedergabe von {}</translation>
+    </message>
+    <message>
+        <source>{} has {} joints; live samples have seven at most.</source>
+        <translation>{} hat {} Gelenke; live sind höchstens sieben möglich.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
+        <translation>„{}“ ist keine Live-Quelle. Quellen sind rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:ZAHL.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in &quot;{}&quot; is not known.</source>
+        <translation>„{}“ in „{}“ ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>cpf and cpt, the counts per newton and per newton metre, belong together.</source>
+        <translation>cpf und cpt, die Zählschritte je Newton und je Newtonmeter, gehören zusammen.</translation>
+    </message>
+    <message>
+        <source>The virtual arm has seven joints at most.</source>
+        <translation>Der virtuelle Arm hat höchstens sieben Gelenke.</translation>
+    </message>
+    <message>
+        <source>{}:{} cannot be reached over WebSocket ({}). Does the bridge run, and is the port open?</source>
+        <translation>{}:{} ist über WebSocket nicht zu erreichen ({}). Läuft die Bridge, und ist der Port offen?</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>contains no triangle</source>
+        <translation>enthält kein Dreieck</translation>
+    </message>
+    <message>
+        <source>nests nodes deeper than {}</source>
+        <translation>verschachtelt Knoten tiefer als {}</translation>
+    </message>
+    <message>
+        <source>places a mesh by a singular transformation</source>
+        <translation>setzt ein Netz mit einer singulären Transformation ein</translation>
+    </message>
+    <message>
+        <source>contains a vertex that is not a finite number</source>
+        <translation>enthält einen Punkt, der keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>has a triangle that names a vertex which does not exist</source>
+        <translation>hat ein Dreieck mit einem Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>{}: There is no such mesh file.</source>
+        <translation>{}: Diese Netz-Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{}: The mesh file is empty or cannot be read.</source>
+        <translation>{}: Die Netz-Datei ist leer oder lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>{}: The mesh file has {} MB; at most {} MB are read. Decimate it first.</source>
+        <translation>{}: Die Netz-Datei hat {} MB; höchstens {} MB werden gelesen. Vereinfachen Sie das Netz zuerst.</translation>
+    </message>
+    <message>
+        <source>{}: Meshes of kind &quot;{}&quot; are not known. Use .stl, .obj, .ply, .dae or .glb.</source>
+        <translation>{}: Netze der Art „{}“ sind nicht bekannt. Nehmen Sie .stl, .obj, .ply, .dae oder .glb.</translation>
+    </message>
+    <message>
+        <source>{}: The mesh cannot be read: it has no PLY header that ends.</source>
+        <translation>{}: Das Netz lässt sich nicht lesen: Ihm fehlt ein vollständiger PLY-Kopf.</translation>
+    </message>
+    <message>
+        <source>{}: The mesh cannot be read: {}</source>
+        <translation>{}: Das Netz lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>it is incomplete.</source>
+        <translation>es ist unvollständig.</translation>
+    </message>
+    <message>
+        <source>{}: The mesh {}.</source>
+        <translation>{}: Das Netz {}.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have. Set sensor.mount.parent in the meta file to one of: {}.</source>
+        <translation>Der Sensor soll am Glied „{}“ sitzen, das der Roboter „{}“ nicht hat. Setzen Sie sensor.mount.parent in der Meta-Datei auf eines von: {}.</translation>
+    </message>
+    <message>
+        <source>The recording has joint angles but no robot. Name one in the meta file (robot).</source>
+        <translation>Die Aufnahme hat Gelenkwinkel, aber keinen Roboter. Nennen Sie einen in der Meta-Datei (robot).</translation>
+    </message>
+    <message>
+        <source>The recording has {} joints, the robot &quot;{}&quot; has {}. Name the right robot in the meta file.</source>
+        <translation>Die Aufnahme hat {} Gelenke, der Roboter „{}“ hat {}. Nennen Sie in der Meta-Datei den richtigen Roboter.</translation>
+    </message>
+    <message>
+        <source>The recording names no robot.</source>
+        <translation>Die Aufnahme nennt keinen Roboter.</translation>
+    </message>
+    <message>
+        <source>The recording has no rows.</source>
+        <translation>Die Aufnahme hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>Savitzky-Golay needs an order of at least 2 and a window above the order, not order {} and window {}.</source>
+        <translation>Savitzky-Golay braucht mindestens Ordnung 2 und ein Fenster über der Ordnung, nicht Ordnung {} und Fenster {}.</translation>
+    </message>
+    <message>
+        <source>The low-pass cutoff cannot be {} Hz; give a frequency above zero.</source>
+        <translation>Die Grenze des Tiefpasses kann nicht {} Hz sein; geben Sie eine Frequenz über null an.</translation>
+    </message>
+    <message>
+        <source>The recording has {} rows; at least {} are needed to know how the tool moved.</source>
+        <translation>Die Aufnahme hat {} Zeilen; mindestens {} sind nötig, um zu wissen, wie sich das Werkzeug bewegt hat.</translation>
+    </message>
+    <message>
+        <source>The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the recording at its gaps.</source>
+        <translation>Die Zeitschritte sind zu verschieden: {} Zeilen umfassen {:.1f} s, aber die meisten liegen {:.2g} s auseinander. Zerschneiden Sie die Aufnahme an ihren Lücken.</translation>
+    </message>
+    <message>
+        <source>The robot &quot;{}&quot; has {} joints; at most 7 can be followed.</source>
+        <translation>Der Roboter „{}“ hat {} Gelenke; höchstens 7 können verfolgt werden.</translation>
+    </message>
+    <message>
+        <source>must be a list of {} numbers</source>
+        <translation>muss eine Liste aus {} Zahlen sein</translation>
+    </message>
+    <message>
+        <source>holds a number that is not finite</source>
+        <translation>enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>{}: a payload must be a JSON object.</source>
+        <translation>{}: Eine Last muss ein JSON-Objekt sein.</translation>
+    </message>
+    <message>
+        <source>{}: mass_kg must be a number in kilograms.</source>
+        <translation>{}: mass_kg muss eine Zahl in Kilogramm sein.</translation>
+    </message>
+    <message>
+        <source>{}: mass_kg is {}; a mass must be above zero.</source>
+        <translation>{}: mass_kg ist {}; eine Masse muss über null liegen.</translation>
+    </message>
+    <message>
+        <source>{}: com_m {} in metres.</source>
+        <translation>{}: com_m {}, in Metern.</translation>
+    </message>
+    <message>
+        <source>{}: inertia_com_kgm2 must be three rows of three numbers in kg m2.</source>
+        <translation>{}: inertia_com_kgm2 muss aus drei Zeilen zu drei Zahlen in kg m2 bestehen.</translation>
+    </message>
+    <message>
+        <source>{}: inertia_com_kgm2[{}] {} in kg m2.</source>
+        <translation>{}: inertia_com_kgm2[{}] {}, in kg m2.</translation>
+    </message>
+    <message>
+        <source>{}: inertia_com_kgm2 must be symmetric.</source>
+        <translation>{}: inertia_com_kgm2 muss symmetrisch sein.</translation>
+    </message>
+    <message>
+        <source>{}: {} is missing.</source>
+        <translation>{}: {} fehlt.</translation>
+    </message>
+    <message>
+        <source>{:.3g} m</source>
+        <translation>{:.3g} m</translation>
+    </message>
+    <message>
+        <source>{:.3g} mm</source>
+        <translation>{:.3g} mm</translation>
+    </message>
+    <message>
+        <source>{} has no area: all of its triangles are lines.</source>
+        <translation>{} hat keine Fläche: Alle Dreiecke sind Striche.</translation>
+    </message>
+    <message>
+        <source>{} is too thin to have a volume.</source>
+        <translation>{} ist zu dünn, um ein Volumen zu haben.</translation>
+    </message>
+    <message>
+        <source>{} has no triangles: a shape needs a surface.</source>
+        <translation>{} hat keine Dreiecke: Eine Form braucht eine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>{} encloses no volume ({} open edges): export a closed solid, or give its wall thickness so that it counts as a thin shell.</source>
+        <translation>{} umschließt kein Volumen ({} offene Kanten): Exportieren Sie einen geschlossenen Körper, oder geben Sie die Wandstärke an, dann gilt es als dünne Schale.</translation>
+    </message>
+    <message>
+        <source>{} is so flat, or cuts through itself so badly, that its inside cannot be told: export a clean solid, or give its wall thickness.</source>
+        <translation>{} ist so flach oder durchdringt sich selbst so sehr, dass das Innere nicht zu erkennen ist: Exportieren Sie einen sauberen Körper, oder geben Sie die Wandstärke an.</translation>
+    </message>
+    <message>
+        <source>The mesh {}</source>
+        <translation>Das Netz {}</translation>
+    </message>
+    <message>
+        <source>The {} (body {})</source>
+        <translation>{} (Körper {})</translation>
+    </message>
+    <message>
+        <source>The {}</source>
+        <translation>{}</translation>
+    </message>
+    <message>
+        <source>The bodies with a known mass or density weigh {:.4g} kg, more than the total of {:.4g} kg.</source>
+        <translation>Die Körper mit bekannter Masse oder Dichte wiegen {:.4g} kg, mehr als die {:.4g} kg insgesamt.</translation>
+    </message>
+    <message>
+        <source>{}: &apos;{}&apos; is not a number.</source>
+        <translation>{}: „{}“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>the pose has a component that is not a number.</source>
+        <translation>die Pose hat einen Bestandteil, der keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>the pose is not a rotation and a shift.</source>
+        <translation>die Pose ist keine Drehung mit Verschiebung.</translation>
+    </message>
+    <message>
+        <source>the mesh needs a file.</source>
+        <translation>das Netz braucht eine Datei.</translation>
+    </message>
+    <message>
+        <source>the unit of the mesh must be a positive number of metres, not {}.</source>
+        <translation>die Einheit des Netzes muss eine positive Zahl in Metern sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>{} ({}) must be a positive (or zero) number of metres, not {}.</source>
+        <translation>{} ({}) muss eine positive Zahl in Metern (oder null) sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>{} ({}) must be a positive number of metres, not {}.</source>
+        <translation>{} ({}) muss eine positive Zahl in Metern sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>the outer radius of a tube (tube:outer,inner,height) must be larger than the inner one, but {} m and {} m are given.</source>
+        <translation>der äußere Radius eines Rohrs (tube:outer,inner,height) muss größer sein als der innere, angegeben sind aber {} m und {} m.</translation>
+    </message>
+    <message>
+        <source>a tube is hollow already: leave out the wall, or take a cylinder.</source>
+        <translation>ein Rohr ist schon hohl: Lassen Sie die Wand weg, oder nehmen Sie einen Zylinder.</translation>
+    </message>
+    <message>
+        <source>the wall must be a positive number of metres, not {}.</source>
+        <translation>die Wand muss eine positive Zahl in Metern sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>a wall of {} m leaves no hollow: it must be thinner than {:.4g} m, or left out for a solid {}.</source>
+        <translation>eine Wand von {} m lässt keinen Hohlraum: Sie muss dünner sein als {:.4g} m; lassen Sie sie weg, wenn der Körper massiv ist ({}).</translation>
+    </message>
+    <message>
+        <source>a wall of {} m is too thin for this {}: at least {:.2g} m are expected.</source>
+        <translation>eine Wand von {} m ist zu dünn für diese Form ({}): Mindestens {:.2g} m werden erwartet.</translation>
+    </message>
+    <message>
+        <source>give the mass or the density, not both.</source>
+        <translation>geben Sie Masse oder Dichte an, nicht beides.</translation>
+    </message>
+    <message>
+        <source>mass must be a positive number of kg, not {}.</source>
+        <translation>die Masse muss eine positive Zahl in kg sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>density must be a positive number of kg/m3, not {}.</source>
+        <translation>die Dichte muss eine positive Zahl in kg/m3 sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>{}.{} must be a number or null.</source>
+        <translation>{}.{} muss eine Zahl oder null sein.</translation>
+    </message>
+    <message>
+        <source>{}.{} must be a list of three numbers.</source>
+        <translation>{}.{} muss eine Liste aus drei Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>{} must be an object with a kind.</source>
+        <translation>{} muss ein Objekt mit kind sein.</translation>
+    </message>
+    <message>
+        <source>{}.kind must be one of {}.</source>
+        <translation>{}.kind muss eines von {} sein.</translation>
+    </message>
+    <message>
+        <source>{}.kind must be one of {}, not {}.</source>
+        <translation>{}.kind muss eines von {} sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>{}.file must name the mesh file.</source>
+        <translation>{}.file muss die Netz-Datei nennen.</translation>
+    </message>
+    <message>
+        <source>{}.unit must be &quot;m&quot;, &quot;cm&quot;, &quot;mm&quot; or &quot;in&quot;, not {}.</source>
+        <translation>{}.unit muss &quot;m&quot;, &quot;cm&quot;, &quot;mm&quot; oder &quot;in&quot; sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>{}.dims_m must be a list of numbers in metres: {}.</source>
+        <translation>{}.dims_m muss eine Liste von Zahlen in Metern sein: {}.</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>capsule</source>
+        <translation>Kapsel</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>{}: certainty must be &quot;rough&quot;, &quot;good&quot; or &quot;exact&quot;, not {}.</source>
+        <translation>{}: certainty muss &quot;rough&quot;, &quot;good&quot; oder &quot;exact&quot; sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>The shape has no bodies.</source>
+        <translation>Die Form hat keine Körper.</translation>
+    </message>
+    <message>
+        <source>Shape {}: {}</source>
+        <translation>Form {}: {}</translation>
+    </message>
+    <message>
+        <source>Shape body {} ({}): {}</source>
+        <translation>Körper {} der Form ({}): {}</translation>
+    </message>
+    <message>
+        <source>The shape&apos;s total mass must be a positive number of kg, not {}.</source>
+        <translation>Die Gesamtmasse der Form muss eine positive Zahl in kg sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>The bodies of the shape weigh {:.4g} kg, which does not fit their total of {:.4g} kg.</source>
+        <translation>Die Körper der Form wiegen {:.4g} kg, das passt nicht zu ihrer Gesamtmasse von {:.4g} kg.</translation>
+    </message>
+    <message>
+        <source>{}: a shape is an object with the key &quot;bodies&quot;.</source>
+        <translation>{}: Eine Form ist ein Objekt mit dem Schlüssel &quot;bodies&quot;.</translation>
+    </message>
+    <message>
+        <source>{}: &quot;bodies&quot; must be a list with at least one body.</source>
+        <translation>{}: &quot;bodies&quot; muss eine Liste mit mindestens einem Körper sein.</translation>
+    </message>
+    <message>
+        <source>No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange.</source>
+        <translation>Es ist kein Roboter genannt; bei sieben Gelenken wird ein Franka Panda angenommen, mit dem Sensor am Flansch.</translation>
+    </message>
+    <message>
+        <source>Name it in the meta file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
+        <translation>Nennen Sie ihn in der Meta-Datei: &quot;robot&quot;: &quot;panda&quot; oder der Pfad eines URDF.</translation>
+    </message>
+    <message>
+        <source>there are {} joints but no robot is named.</source>
+        <translation>es gibt {} Gelenke, aber es ist kein Roboter genannt.</translation>
+    </message>
+    <message>
+        <source>Name it in the meta file: &quot;robot&quot;: &quot;PATH.urdf&quot;.</source>
+        <translation>Nennen Sie ihn in der Meta-Datei: &quot;robot&quot;: &quot;PFAD.urdf&quot;.</translation>
+    </message>
+    <message>
+        <source>The mark &quot;{}&quot; from {} to {} s lies outside the recording, which runs from {} to {} s.</source>
+        <translation>Die Markierung „{}“ von {} bis {} s liegt außerhalb der Aufnahme, die von {} bis {} s reicht.</translation>
+    </message>
+    <message>
+        <source>Marks are on the clock of the column time.</source>
+        <translation>Markierungen gehen nach der Uhr der Spalte time.</translation>
+    </message>
+    <message>
+        <source>column &quot;{}&quot; is not in SI units.</source>
+        <translation>Spalte „{}“ ist nicht in SI-Einheiten.</translation>
+    </message>
+    <message>
+        <source>Convert it to {} and name it {}.</source>
+        <translation>Rechnen Sie sie in {} um, und nennen Sie sie {}.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; as {}</source>
+        <translation>„{}“ als {}</translation>
+    </message>
+    <message>
+        <source>column {} is there twice: also as column {}.</source>
+        <translation>Spalte {} gibt es zweimal: auch als Spalte {}.</translation>
+    </message>
+    <message>
+        <source>Rename or delete one of them.</source>
+        <translation>Benennen Sie eine davon um, oder löschen Sie sie.</translation>
+    </message>
+    <message>
+        <source>there is no motion: neither joint positions q1..q7 nor the sensor&apos;s pose px, py, pz, qx, qy, qz, qw (qx, qy, qz, qw alone will do)</source>
+        <translation>es gibt keine Bewegung: weder Gelenkwinkel q1..q7 noch die Pose des Sensors px, py, pz, qx, qy, qz, qw (qx, qy, qz, qw allein genügen)</translation>
+    </message>
+    <message>
+        <source>column {} is missing</source>
+        <translation>Spalte {} fehlt</translation>
+    </message>
+    <message>
+        <source>columns {} are missing</source>
+        <translation>Spalten {} fehlen</translation>
+    </message>
+    <message>
+        <source>, and </source>
+        <translation>, und </translation>
+    </message>
+    <message>
+        <source>Add or rename columns; the header has: {}{}.</source>
+        <translation>Ergänzen Sie Spalten, oder benennen Sie sie um; die Kopfzeile hat: {}{}.</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>(ohne Namen)</translation>
+    </message>
+    <message>
+        <source>{} rows of {} columns are more than the {} million numbers that can be held.</source>
+        <translation>{} Zeilen mit {} Spalten sind mehr als die {} Millionen Zahlen, die in den Speicher passen.</translation>
+    </message>
+    <message>
+        <source>Split the recording, or keep fewer columns and a lower rate.</source>
+        <translation>Teilen Sie die Aufnahme, oder behalten Sie weniger Spalten und eine kleinere Rate.</translation>
+    </message>
+    <message>
+        <source>there is a header but no row of data below it.</source>
+        <translation>es gibt eine Kopfzeile, aber keine Daten darunter.</translation>
+    </message>
+    <message>
+        <source>Record again, or check the export.</source>
+        <translation>Nehmen Sie noch einmal auf, oder prüfen Sie den Export.</translation>
+    </message>
+    <message>
+        <source>values are missing or not finite in {} of {} rows, first in column {}.</source>
+        <translation>in {} von {} Zeilen fehlen Werte oder sind nicht endlich, zuerst in Spalte {}.</translation>
+    </message>
+    <message>
+        <source>Merge streams of different rates onto one clock, or delete the rows without values.</source>
+        <translation>Bringen Sie Datenströme verschiedener Raten auf eine Uhr, oder löschen Sie die Zeilen ohne Werte.</translation>
+    </message>
+    <message>
+        <source>there is no sample.</source>
+        <translation>es gibt keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>this is a device, not a recording.</source>
+        <translation>das ist ein Gerät, keine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Give a CSV file or a pipe.</source>
+        <translation>Geben Sie eine CSV-Datei oder eine Pipe an.</translation>
+    </message>
+    <message>
+        <source>Give the CSV file in it.</source>
+        <translation>Geben Sie die CSV-Datei darin an.</translation>
+    </message>
+    <message>
+        <source>the file has {} MB; recordings of up to {} MB are read.</source>
+        <translation>die Datei hat {} MB; Aufnahmen bis {} MB werden gelesen.</translation>
+    </message>
+    <message>
+        <source>Split it, or keep fewer columns and a lower rate.</source>
+        <translation>Teilen Sie sie, oder behalten Sie weniger Spalten und eine kleinere Rate.</translation>
+    </message>
+    <message>
+        <source>this is {}, not CSV.</source>
+        <translation>das ist {}, kein CSV.</translation>
+    </message>
+    <message>
+        <source>Correct or delete that row.</source>
+        <translation>Berichtigen oder löschen Sie diese Zeile.</translation>
+    </message>
+    <message>
+        <source>Write decimal points instead of decimal commas.</source>
+        <translation>Schreiben Sie Dezimalpunkte statt Dezimalkommas.</translation>
+    </message>
+    <message>
+        <source>Write the number alone, in SI units.</source>
+        <translation>Schreiben Sie die Zahl allein, in SI-Einheiten.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in column {} is not a number.</source>
+        <translation>„{}“ in Spalte {} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>this row has {} cells but the header names {} columns.</source>
+        <translation>diese Zeile hat {} Zellen, aber die Kopfzeile nennt {} Spalten.</translation>
+    </message>
+    <message>
+        <source>Complete or delete the row.</source>
+        <translation>Vervollständigen oder löschen Sie die Zeile.</translation>
+    </message>
+    <message>
+        <source>Give every column a name in the header, or delete the row.</source>
+        <translation>Geben Sie in der Kopfzeile jeder Spalte einen Namen, oder löschen Sie die Zeile.</translation>
+    </message>
+    <message>
+        <source>If these are decimal commas, write decimal points, or separate the columns by semicolons and write points.</source>
+        <translation>Wenn das Dezimalkommas sind, schreiben Sie Dezimalpunkte, oder trennen Sie die Spalten mit Semikolons und schreiben Sie Punkte.</translation>
+    </message>
+    <message>
+        <source>A recording starts with a row of column names, then one row a sample.</source>
+        <translation>Eine Aufnahme beginnt mit einer Zeile von Spaltennamen, danach kommt je Messwert eine Zeile.</translation>
+    </message>
+    <message>
+        <source>the file is empty.</source>
+        <translation>die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>this is a binary or damaged file (byte {} is zero), not CSV.</source>
+        <translation>das ist eine binäre oder beschädigte Datei (Byte {} ist null), kein CSV.</translation>
+    </message>
+    <message>
+        <source>Export the recording as CSV text.</source>
+        <translation>Exportieren Sie die Aufnahme als CSV-Text.</translation>
+    </message>
+    <message>
+        <source>the file holds nothing but blank lines.</source>
+        <translation>die Datei enthält nur leere Zeilen.</translation>
+    </message>
+    <message>
+        <source>the first line is {} MB long and no header.</source>
+        <translation>die erste Zeile ist {} MB lang und keine Kopfzeile.</translation>
+    </message>
+    <message>
+        <source>the header has more than {} columns.</source>
+        <translation>die Kopfzeile hat mehr als {} Spalten.</translation>
+    </message>
+    <message>
+        <source>the first row holds no column names.</source>
+        <translation>die erste Zeile enthält keine Spaltennamen.</translation>
+    </message>
+    <message>
+        <source>Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.</source>
+        <translation>Schreiben Sie über die Zahlen eine Kopfzeile, zum Beispiel time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.</translation>
+    </message>
+    <message>
+        <source>a meta file must be a JSON object {{...}}</source>
+        <translation>eine Meta-Datei muss ein JSON-Objekt {{...}} sein</translation>
+    </message>
+    <message>
+        <source>See the keys in the manual.</source>
+        <translation>Die Schlüssel stehen im Handbuch.</translation>
+    </message>
+    <message>
+        <source>must be a text, not {}</source>
+        <translation>muss ein Text sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>must be three numbers [{}], not {}</source>
+        <translation>muss aus drei Zahlen bestehen [{}], nicht {}</translation>
+    </message>
+    <message>
+        <source>must be finite</source>
+        <translation>muss endlich sein</translation>
+    </message>
+    <message>
+        <source>Write &quot;panda&quot;, the path of a URDF, or null.</source>
+        <translation>Schreiben Sie &quot;panda&quot;, den Pfad eines URDF oder null.</translation>
+    </message>
+    <message>
+        <source>holds a zero byte</source>
+        <translation>enthält ein Null-Byte</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a xacro file</source>
+        <translation>„{}“ ist eine xacro-Datei</translation>
+    </message>
+    <message>
+        <source>Expand it to a URDF first: xacro in.xacro &gt; out.urdf.</source>
+        <translation>Wandeln Sie sie zuerst in ein URDF um: xacro in.xacro &gt; out.urdf.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no robot that Heft knows</source>
+        <translation>„{}“ ist kein Roboter, den Heft kennt</translation>
+    </message>
+    <message>
+        <source>must be &quot;motion&quot; or &quot;poses&quot;, not {}</source>
+        <translation>muss &quot;motion&quot; oder &quot;poses&quot; sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>must be an object, not {}</source>
+        <translation>muss ein Objekt sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>must be &quot;sensor_on_payload&quot; or &quot;payload_on_sensor&quot;, not {}</source>
+        <translation>muss &quot;sensor_on_payload&quot; oder &quot;payload_on_sensor&quot; sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>At rest, a wrench of the sensor on the payload points up.</source>
+        <translation>In Ruhe zeigt die Kraft des Sensors auf die Last nach oben.</translation>
+    </message>
+    <message>
+        <source>the sensor cannot sit {:.6g} m from its link</source>
+        <translation>der Sensor kann nicht {:.6g} m von seinem Glied entfernt sitzen</translation>
+    </message>
+    <message>
+        <source>Give metres, not millimetres.</source>
+        <translation>Geben Sie Meter an, nicht Millimeter.</translation>
+    </message>
+    <message>
+        <source>an angle of {:.6g} rad is more than a turn</source>
+        <translation>ein Winkel von {:.6g} rad ist mehr als eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Give radians, not degrees.</source>
+        <translation>Geben Sie Radiant an, nicht Grad.</translation>
+    </message>
+    <message>
+        <source>{:.6g} m/s2 is no gravity on any planet</source>
+        <translation>{:.6g} m/s2 ist auf keinem Planeten die Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Give m/s2; on earth about [0, 0, -9.81].</source>
+        <translation>Geben Sie m/s2 an; auf der Erde etwa [0, 0, -9.81].</translation>
+    </message>
+    <message>
+        <source>a centre of mass {:.6g} m from the sensor cannot be</source>
+        <translation>ein Schwerpunkt {:.6g} m vom Sensor entfernt kann nicht sein</translation>
+    </message>
+    <message>
+        <source>must be a list, not {}</source>
+        <translation>muss eine Liste sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>Write {{&quot;from_s&quot;: 1.5, &quot;to_s&quot;: 3, &quot;label&quot;: &quot;contact&quot;}}.</source>
+        <translation>Schreiben Sie {{&quot;from_s&quot;: 1.5, &quot;to_s&quot;: 3, &quot;label&quot;: &quot;contact&quot;}}.</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>must be a time [s], not {}</source>
+        <translation>muss eine Zeit [s] sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>ends at {} s, before it begins at {} s</source>
+        <translation>endet bei {} s, bevor sie bei {} s beginnt</translation>
+    </message>
+    <message>
+        <source>Swap from_s and to_s.</source>
+        <translation>Vertauschen Sie from_s und to_s.</translation>
+    </message>
+    <message>
+        <source>must be &quot;free&quot;, &quot;contact&quot; or &quot;ignore&quot;, not {}</source>
+        <translation>muss &quot;free&quot;, &quot;contact&quot; oder &quot;ignore&quot; sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} {} ({:.4g} times the change of the positions).</source>
+        <translation>{} {} (das {:.4g}-Fache der Änderung der Positionen).</translation>
+    </message>
+    <message>
+        <source>are in degrees per second</source>
+        <translation>sind in Grad pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Convert them to rad/s.</source>
+        <translation>Rechnen Sie sie in rad/s um.</translation>
+    </message>
+    <message>
+        <source>do not fit: the angles are in degrees</source>
+        <translation>passen nicht: Die Winkel sind in Grad</translation>
+    </message>
+    <message>
+        <source>Convert the angles to rad.</source>
+        <translation>Rechnen Sie die Winkel in rad um.</translation>
+    </message>
+    <message>
+        <source>do not fit: time is in milliseconds</source>
+        <translation>passen nicht: Die Zeit ist in Millisekunden</translation>
+    </message>
+    <message>
+        <source>are in mm/s, or time is in milliseconds</source>
+        <translation>sind in mm/s, oder die Zeit ist in Millisekunden</translation>
+    </message>
+    <message>
+        <source>Convert all columns to SI units.</source>
+        <translation>Rechnen Sie alle Spalten in SI-Einheiten um.</translation>
+    </message>
+    <message>
+        <source>do not fit: the positions are in millimetres</source>
+        <translation>passen nicht: Die Positionen sind in Millimetern</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}, more than a turn in radians.</source>
+        <translation>{} ist {:.6g}, mehr als eine Umdrehung in Radiant.</translation>
+    </message>
+    <message>
+        <source>If the joints are in degrees, convert {} to radians.</source>
+        <translation>Wenn die Gelenke in Grad sind, rechnen Sie {} in Radiant um.</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}: no arm reaches that many metres from its base.</source>
+        <translation>{} ist {:.6g}: Kein Arm reicht so viele Meter weit von seinem Sockel.</translation>
+    </message>
+    <message>
+        <source>If positions are in millimetres, convert px, py, pz to metres.</source>
+        <translation>Wenn die Positionen in Millimetern sind, rechnen Sie px, py, pz in Meter um.</translation>
+    </message>
+    <message>
+        <source> (base axes, at the sensor&apos;s origin)</source>
+        <translation> (Achsen des Sockels, am Ursprung des Sensors)</translation>
+    </message>
+    <message>
+        <source>the quaternion ({:.4g}, {:.4g}, {:.4g}, {:.4g}) has length {:.4g} instead of 1.</source>
+        <translation>das Quaternion ({:.4g}, {:.4g}, {:.4g}, {:.4g}) hat die Länge {:.4g} statt 1.</translation>
+    </message>
+    <message>
+        <source>Delete the rows in which the robot sent no pose yet.</source>
+        <translation>Löschen Sie die Zeilen, in denen der Roboter noch keine Pose gesendet hat.</translation>
+    </message>
+    <message>
+        <source>Check that the columns qx, qy, qz, qw hold a unit quaternion.</source>
+        <translation>Prüfen Sie, ob in den Spalten qx, qy, qz, qw ein Einheitsquaternion steht.</translation>
+    </message>
+    <message>
+        <source>rad (about)</source>
+        <translation>rad (ungefähr)</translation>
+    </message>
+    <message>
+        <source>{:.4g} ms</source>
+        <translation>{:.4g} ms</translation>
+    </message>
+    <message>
+        <source>{:.4g} s</source>
+        <translation>{:.4g} s</translation>
+    </message>
+    <message>
+        <source>time falls from {} s to {} s.</source>
+        <translation>die Zeit fällt von {} s auf {} s.</translation>
+    </message>
+    <message>
+        <source>Time must rise from row to row: split the file there if two recordings were joined, or sort the rows.</source>
+        <translation>Die Zeit muss von Zeile zu Zeile steigen: Teilen Sie die Datei dort, wenn zwei Aufnahmen aneinandergefügt wurden, oder sortieren Sie die Zeilen.</translation>
+    </message>
+    <message>
+        <source>time stays at {} s in all {} rows.</source>
+        <translation>die Zeit bleibt bei {} s stehen, in allen {} Zeilen.</translation>
+    </message>
+    <message>
+        <source>Write the time of each sample in seconds, or say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
+        <translation>Schreiben Sie die Zeit jedes Messwerts in Sekunden, oder setzen Sie in der Meta-Datei &quot;kind&quot;: &quot;poses&quot;.</translation>
+    </message>
+    <message>
+        <source>the time rises by {:.6g} s from row to row (median).</source>
+        <translation>die Zeit steigt von Zeile zu Zeile um {:.6g} s (Median).</translation>
+    </message>
+    <message>
+        <source>Write time in seconds, not nanoseconds or microseconds; for standing poses say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
+        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Nano- oder Mikrosekunden; bei ruhigen Posen setzen Sie in der Meta-Datei &quot;kind&quot;: &quot;poses&quot;.</translation>
+    </message>
+    <message>
+        <source>Write time in seconds, not milliseconds; for standing poses say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
+        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Millisekunden; bei ruhigen Posen setzen Sie in der Meta-Datei &quot;kind&quot;: &quot;poses&quot;.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: {} has {} rows but time has {}.</source>
+        <translation>Die Aufnahme lässt sich nicht schreiben: {} hat {} Zeilen, die Zeit hat {}.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: {} holds values that are not finite.</source>
+        <translation>Die Aufnahme lässt sich nicht schreiben: {} enthält Werte, die nicht endlich sind.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: it has no rows.</source>
+        <translation>Die Aufnahme lässt sich nicht schreiben: Sie hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: it has {} labels for {} rows.</source>
+        <translation>Die Aufnahme lässt sich nicht schreiben: Sie hat {} Kennzeichen für {} Zeilen.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written: column {} has {} cells for {} rows.</source>
+        <translation>Die Aufnahme lässt sich nicht schreiben: Spalte {} hat {} Zellen für {} Zeilen.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: a text in it, perhaps the robot&apos;s path, is not valid UTF-8.</source>
+        <translation>{} lässt sich nicht schreiben: Ein Text darin, vielleicht der Pfad des Roboters, ist kein gültiges UTF-8.</translation>
+    </message>
+    <message>
+        <source>Robot &quot;{}&quot; has no joint that moves.</source>
+        <translation>Der Roboter „{}“ hat kein bewegliches Gelenk.</translation>
+    </message>
+    <message>
+        <source>Give an arm&apos;s URDF.</source>
+        <translation>Geben Sie das URDF eines Arms an.</translation>
+    </message>
+    <message>
+        <source>{} more error(s) in this file.</source>
+        <translation>{} weitere Fehler in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>The URDF cannot be read.</source>
+        <translation>Das URDF lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>{} is a binary file, not XML.</source>
+        <translation>{} ist eine binäre Datei, kein XML.</translation>
+    </message>
+    <message>
+        <source>{}:{}:{}: &lt;{}&gt; is never closed; the file may be cut off.</source>
+        <translation>{}:{}:{}: &lt;{}&gt; wird nie geschlossen; vielleicht ist die Datei abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{} contains no XML element.</source>
+        <translation>{} enthält kein XML-Element.</translation>
+    </message>
+    <message>
+        <source>this {} is never closed.</source>
+        <translation>hier wird etwas nie geschlossen ({}).</translation>
+    </message>
+    <message>
+        <source>this DOCTYPE is never closed.</source>
+        <translation>diese DOCTYPE-Angabe wird nie geschlossen.</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>CDATA block</source>
+        <translation>CDATA-Block</translation>
+    </message>
+    <message>
+        <source>processing instruction</source>
+        <translation>Verarbeitungsanweisung</translation>
+    </message>
+    <message>
+        <source>this closing tag has no opening one.</source>
+        <translation>dieses schließende Tag hat kein öffnendes.</translation>
+    </message>
+    <message>
+        <source>this closing tag does not match &lt;{}&gt; of line {}.</source>
+        <translation>dieses schließende Tag passt nicht zu &lt;{}&gt; in Zeile {}.</translation>
+    </message>
+    <message>
+        <source>&apos;&gt;&apos; is missing after a closing tag&apos;s name.</source>
+        <translation>nach dem Namen eines schließenden Tags fehlt „&gt;“.</translation>
+    </message>
+    <message>
+        <source>there is a second root element; an XML file has one.</source>
+        <translation>es gibt ein zweites Wurzelelement; eine XML-Datei hat eines.</translation>
+    </message>
+    <message>
+        <source>a tag&apos;s name is missing after &apos;&lt;&apos; (a plain &apos;&lt;&apos; is written &amp;lt;).</source>
+        <translation>nach „&lt;“ fehlt der Name eines Tags (ein bloßes „&lt;“ schreibt man &amp;lt;).</translation>
+    </message>
+    <message>
+        <source>elements are nested deeper than {}.</source>
+        <translation>Elemente sind tiefer als {} Ebenen verschachtelt.</translation>
+    </message>
+    <message>
+        <source>the tag &lt;{}&gt; is never closed.</source>
+        <translation>das Tag &lt;{}&gt; wird nie geschlossen.</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has too many attributes.</source>
+        <translation>&lt;{}&gt; hat zu viele Attribute.</translation>
+    </message>
+    <message>
+        <source>an attribute&apos;s name is missing in &lt;{}&gt;.</source>
+        <translation>in &lt;{}&gt; fehlt der Name eines Attributs.</translation>
+    </message>
+    <message>
+        <source>attribute &quot;{}&quot; stands twice in &lt;{}&gt;.</source>
+        <translation>Attribut „{}“ steht in &lt;{}&gt; zweimal.</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; is missing after &quot;{}&quot;.</source>
+        <translation>nach „{}“ fehlt „=“.</translation>
+    </message>
+    <message>
+        <source>the value of &quot;{}&quot; is not in quotation marks.</source>
+        <translation>der Wert von „{}“ steht nicht in Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>the value of &quot;{}&quot; is never closed.</source>
+        <translation>der Wert von „{}“ wird nie geschlossen.</translation>
+    </message>
+    <message>
+        <source>a plain &apos;&amp;&apos; is written &amp;amp;.</source>
+        <translation>ein bloßes „&amp;“ schreibt man &amp;amp;.</translation>
+    </message>
+    <message>
+        <source>&quot;&amp;{}&quot; is not a known entity (a plain &apos;&amp;&apos; is written &amp;amp;).</source>
+        <translation>„&amp;{}“ ist keine bekannte Entität (ein bloßes „&amp;“ schreibt man &amp;amp;).</translation>
+    </message>
+    <message>
+        <source>The virtual tool cannot exist: {}</source>
+        <translation>Das virtuelle Werkzeug kann es nicht geben: {}</translation>
+    </message>
+    <message>
+        <source>The virtual arm samples at 200 to 10000 Hz, not at {} Hz.</source>
+        <translation>Der virtuelle Arm tastet mit 200 bis 10000 Hz ab, nicht mit {} Hz.</translation>
+    </message>
+    <message>
+        <source>The robot {} has no link {} to mount the sensor on.</source>
+        <translation>Der Roboter {} hat kein Glied {}, an dem der Sensor sitzen könnte.</translation>
+    </message>
+    <message>
+        <source>{}: &quot;{}&quot; {}. The file is damaged or was not written by Heft.</source>
+        <translation>{}: „{}“ {}. Die Datei ist beschädigt oder wurde nicht von Heft geschrieben.</translation>
+    </message>
+    <message>
+        <source>should be a list</source>
+        <translation>sollte eine Liste sein</translation>
+    </message>
+    <message>
+        <source>should hold from_s, to_s and a label free, contact or ignore</source>
+        <translation>sollte from_s, to_s und ein label free, contact oder ignore enthalten</translation>
+    </message>
+    <message>
+        <source>should name files</source>
+        <translation>sollte Dateien nennen</translation>
+    </message>
+    <message>
+        <source>should name causes</source>
+        <translation>sollte Ursachen nennen</translation>
+    </message>
+    <message>
+        <source>should be between 0 and 0.45</source>
+        <translation>sollte zwischen 0 und 0,45 liegen</translation>
+    </message>
+    <message>
+        <source>should hold a name and a payload</source>
+        <translation>sollte einen Namen und eine Last enthalten</translation>
+    </message>
+    <message>
+        <source>{} is no session of Heft Studio: its &quot;schema&quot; should be &quot;{}{}&quot;.</source>
+        <translation>{} ist keine Sitzung von Heft Studio: &quot;schema&quot; sollte dort &quot;{}{}&quot; sein.</translation>
+    </message>
+    <message>
+        <source>should end in a number</source>
+        <translation>sollte mit einer Zahl enden</translation>
+    </message>
+    <message>
+        <source>{} was saved by a newer Heft (session format {}; this one reads up to {}). Update Heft to open it; the file was not changed.</source>
+        <translation>{} wurde von einem neueren Heft gespeichert (Sitzungsformat {}; dieses liest bis {}). Aktualisieren Sie Heft, um sie zu öffnen; die Datei wurde nicht verändert.</translation>
+    </message>
+    <message>
+        <source>should end in a number from 1</source>
+        <translation>sollte mit einer Zahl ab 1 enden</translation>
+    </message>
+    <message>
+        <source>The corrections of this session are of a diagnosis that this version of Heft does not understand; run the reality check again.</source>
+        <translation>Die Berichtigungen dieser Sitzung stammen aus einer Realitätsprüfung, die diese Heft-Version nicht versteht; führen Sie die Realitätsprüfung noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>a slow wave in time</source>
+        <translation>einer langsamen Welle in der Zeit</translation>
+    </message>
+    <message>
+        <source>The diagnosis holds no extended model that this version of Heft understands; run heft diagnose again.</source>
+        <translation>Die Realitätsprüfung enthält kein erweitertes Modell, das diese Heft-Version versteht; führen Sie sie noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Sensor&apos;s zero jumped</source>
         <translation>Sensornull gesprungen</translation>
     </message>
     <message>
-        <source>was there a knock, a loose plug, or a program that zeroed the sensor while recording?</source>
-        <translation>gab es einen Stoß, einen losen Stecker oder ein Programm, das den Sensor während der Aufnahme genullt hat?</translation>
+        <source>Was there a knock, a loose plug, or a program that zeroed the sensor while recording?</source>
+        <translation>Gab es einen Stoß, einen losen Stecker oder ein Programm, das den Sensor während der Aufnahme genullt hat?</translation>
     </message>
     <message>
         <source>Turn the tool to another pose after the jump and hold: a jump stays, a load turns with gravity.</source>
@@ -3580,8 +5077,8 @@
         <translation>Sensor wandert</translation>
     </message>
     <message>
-        <source>let the sensor warm up for half an hour, keep draughts off it, and zero it often.</source>
-        <translation>den Sensor eine halbe Stunde warmlaufen lassen, vor Zugluft schützen und oft nullen.</translation>
+        <source>Let the sensor warm up for half an hour, keep draughts off it, and zero it often.</source>
+        <translation>Den Sensor eine halbe Stunde warmlaufen lassen, vor Zugluft schützen und oft nullen.</translation>
     </message>
     <message>
         <source>Come back to the same pose three times: a drift reads differently each time.</source>
@@ -3596,8 +5093,8 @@
         <translation>Messwerte verspätet</translation>
     </message>
     <message>
-        <source>do force and joint angles get their time from one clock, at the source?</source>
-        <translation>bekommen Kraft und Gelenkwinkel ihre Zeit von einer Uhr, gleich an der Quelle?</translation>
+        <source>Do force and joint angles get their time from one clock, at the source?</source>
+        <translation>Bekommen Kraft und Gelenkwinkel ihre Zeit von einer Uhr, gleich an der Quelle?</translation>
     </message>
     <message>
         <source>Shake the tool quickly for ten seconds, two to four times a second.</source>
@@ -3612,8 +5109,8 @@
         <translation>Messwerte geglättet</translation>
     </message>
     <message>
-        <source>is a filter or averaging switched on in the sensor’s amplifier or driver?</source>
-        <translation>ist im Verstärker oder Treiber des Sensors ein Filter oder eine Mittelung eingeschaltet?</translation>
+        <source>Is a filter or averaging switched on in the sensor&apos;s amplifier or driver?</source>
+        <translation>Ist im Verstärker oder Treiber des Sensors ein Filter oder eine Mittelung eingeschaltet?</translation>
     </message>
     <message>
         <source>Shake the tool quickly for ten seconds: smoothing makes fast forces smaller, a delay does not.</source>
@@ -3628,8 +5125,8 @@
         <translation>Beschleunigungen verspätet</translation>
     </message>
     <message>
-        <source>record the plain joint angles at the full rate, without smoothing.</source>
-        <translation>die reinen Gelenkwinkel mit voller Rate aufnehmen, ohne Glättung.</translation>
+        <source>Record the plain joint angles at the full rate, without smoothing.</source>
+        <translation>Die reinen Gelenkwinkel mit voller Rate aufnehmen, ohne Glättung.</translation>
     </message>
     <message>
         <source>Turn the tool slowly through large angles: late readings show then too, late accelerations do not.</source>
@@ -3644,8 +5141,8 @@
         <translation>Sensor verdreht montiert</translation>
     </message>
     <message>
-        <source>compare the arrows printed on the sensor with the mount in the meta file.</source>
-        <translation>die Pfeile auf dem Sensor mit der Montage in der Meta-Datei vergleichen.</translation>
+        <source>Compare the arrows printed on the sensor with the mount in the meta file.</source>
+        <translation>Die Pfeile auf dem Sensor mit der Montage in der Meta-Datei vergleichen.</translation>
     </message>
     <message>
         <source>Turn the last joint by half a turn and hold, then tilt the tool.</source>
@@ -3660,15 +5157,15 @@
         <translation>Robotersockel schief</translation>
     </message>
     <message>
-        <source>put a spirit level on the robot’s base, or state the true gravity in the meta file.</source>
-        <translation>eine Wasserwaage auf den Robotersockel legen oder die wahre Schwerkraft in die Meta-Datei schreiben.</translation>
+        <source>Put a spirit level on the robot&apos;s base, or state the true gravity in the meta file.</source>
+        <translation>Eine Wasserwaage auf den Robotersockel legen oder die wahre Schwerkraft in die Meta-Datei schreiben.</translation>
     </message>
     <message>
         <source>Record once more with a heavier tool: a tilt grows with the weight, a pull does not.</source>
         <translation>Noch einmal mit einem schwereren Werkzeug aufnehmen: Eine Neigung wächst mit dem Gewicht, ein Zug nicht.</translation>
     </message>
     <message>
-        <source>A difference that keeps its direction in the room and grows with the tool’s weight.</source>
+        <source>A difference that keeps its direction in the room and grows with the tool&apos;s weight.</source>
         <translation>Eine Abweichung, die ihre Richtung im Raum behält und mit dem Gewicht des Werkzeugs wächst.</translation>
     </message>
     <message>
@@ -3676,8 +5173,8 @@
         <translation>Ein Kanal misst falsch</translation>
     </message>
     <message>
-        <source>hang a known weight from each side of the sensor; check its calibration file.</source>
-        <translation>ein bekanntes Gewicht an jede Seite des Sensors hängen; seine Kalibrierdatei prüfen.</translation>
+        <source>Hang a known weight from each side of the sensor; check its calibration file.</source>
+        <translation>Ein bekanntes Gewicht an jede Seite des Sensors hängen; seine Kalibrierdatei prüfen.</translation>
     </message>
     <message>
         <source>Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale.</source>
@@ -3692,8 +5189,8 @@
         <translation>Ein Kanal wirkt auf einen anderen</translation>
     </message>
     <message>
-        <source>is the sensor’s own calibration matrix loaded (serial number)?</source>
-        <translation>ist die Kalibriermatrix dieses Sensors geladen (Seriennummer)?</translation>
+        <source>Is the sensor&apos;s own calibration matrix loaded (serial number)?</source>
+        <translation>Ist die Kalibriermatrix dieses Sensors geladen (Seriennummer)?</translation>
     </message>
     <message>
         <source>Tilt the tool so that its weight lies on each axis of the sensor in turn.</source>
@@ -3708,8 +5205,8 @@
         <translation>Kabel oder Schlauch zieht</translation>
     </message>
     <message>
-        <source>does the cable or hose hang free of the wrist, with slack in every pose?</source>
-        <translation>hängt das Kabel oder der Schlauch frei vom Handgelenk, mit Spiel in jeder Lage?</translation>
+        <source>Does the cable or hose hang free of the wrist, with slack in every pose?</source>
+        <translation>Hängt das Kabel oder der Schlauch frei vom Handgelenk, mit Spiel in jeder Lage?</translation>
     </message>
     <message>
         <source>Move the tool through a larger space, to where the cable is taut and where it is slack.</source>
@@ -3724,8 +5221,8 @@
         <translation>Steter Zug von außen</translation>
     </message>
     <message>
-        <source>is there a balancer, a hose or a weight that pulls in one direction?</source>
-        <translation>gibt es einen Federzug, einen Schlauch oder ein Gewicht, das in eine Richtung zieht?</translation>
+        <source>Is there a balancer, a hose or a weight that pulls in one direction?</source>
+        <translation>Gibt es einen Federzug, einen Schlauch oder ein Gewicht, das in eine Richtung zieht?</translation>
     </message>
     <message>
         <source>A difference that keeps its direction in the room, whatever the tool weighs.</source>
@@ -3736,8 +5233,8 @@
         <translation>Widerstand wächst mit dem Tempo</translation>
     </message>
     <message>
-        <source>does the tool drag hoses full of liquid, dampers, bellows or covers along?</source>
-        <translation>zieht das Werkzeug gefüllte Schläuche, Dämpfer, Bälge oder Hüllen mit?</translation>
+        <source>Does the tool drag hoses full of liquid, dampers, bellows or covers along?</source>
+        <translation>Zieht das Werkzeug gefüllte Schläuche, Dämpfer, Bälge oder Hüllen mit?</translation>
     </message>
     <message>
         <source>Repeat one movement slowly, faster and fast.</source>
@@ -3752,8 +5249,8 @@
         <translation>Etwas reibt</translation>
     </message>
     <message>
-        <source>does a cable rub in a clamp, a cover scrape, a sheath stiffen?</source>
-        <translation>reibt ein Kabel in einer Klemme, schleift eine Hülle, ist ein Mantel steif?</translation>
+        <source>Does a cable rub in a clamp, a cover scrape, a sheath stiffen?</source>
+        <translation>Reibt ein Kabel in einer Klemme, schleift eine Hülle, ist ein Mantel steif?</translation>
     </message>
     <message>
         <source>Repeat one movement at several speeds, and turn back after short and long ways.</source>
@@ -3768,8 +5265,8 @@
         <translation>Etwas Loses im Werkzeug</translation>
     </message>
     <message>
-        <source>shake the tool by hand and listen: a loose part, a liquid, a hanging hose?</source>
-        <translation>das Werkzeug von Hand schütteln und lauschen: ein loses Teil, eine Flüssigkeit, ein hängender Schlauch?</translation>
+        <source>Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?</source>
+        <translation>Das Werkzeug von Hand schütteln und lauschen: ein loses Teil, eine Flüssigkeit, ein hängender Schlauch?</translation>
     </message>
     <message>
         <source>Move and stop abruptly a few times in different directions: what is loose rings on.</source>
@@ -3784,8 +5281,8 @@
         <translation>Montage gibt nach</translation>
     </message>
     <message>
-        <source>tighten the screws between arm, sensor and tool; look for rubber or thin adapters.</source>
-        <translation>die Schrauben zwischen Arm, Sensor und Werkzeug anziehen; nach Gummi oder dünnen Zwischenplatten sehen.</translation>
+        <source>Tighten the screws between arm, sensor and tool; look for rubber or thin adapters.</source>
+        <translation>Die Schrauben zwischen Arm, Sensor und Werkzeug anziehen; nach Gummi oder dünnen Zwischenplatten sehen.</translation>
     </message>
     <message>
         <source>Tap the tool with a finger while the arm holds still.</source>
@@ -3800,8 +5297,8 @@
         <translation>Last änderte sich unterwegs</translation>
     </message>
     <message>
-        <source>was a part picked up or put down? Mark only the stretch that you mean.</source>
-        <translation>wurde ein Teil aufgenommen oder abgelegt? Nur den gemeinten Abschnitt markieren.</translation>
+        <source>Was a part picked up or put down? Mark only the stretch that you mean.</source>
+        <translation>Wurde ein Teil aufgenommen oder abgelegt? Nur den gemeinten Abschnitt markieren.</translation>
     </message>
     <message>
         <source>Turn the tool to another pose after the change: a load turns with gravity, a jump does not.</source>
@@ -3816,8 +5313,8 @@
         <translation>Das Werkzeug berührte etwas</translation>
     </message>
     <message>
-        <source>was the tool set down, bumped, or held by its front?</source>
-        <translation>wurde das Werkzeug abgesetzt, angestoßen oder vorn angefasst?</translation>
+        <source>Was the tool set down, bumped, or held by its front?</source>
+        <translation>Wurde das Werkzeug abgesetzt, angestoßen oder vorn angefasst?</translation>
     </message>
     <message>
         <source>Repeat the motion without touching anything.</source>
@@ -3832,8 +5329,8 @@
         <translation>Sensor am Anschlag</translation>
     </message>
     <message>
-        <source>use a range that fits the load, and check the sensor’s zero.</source>
-        <translation>einen Messbereich benutzen, der zur Last passt, und die Null des Sensors prüfen.</translation>
+        <source>Use a range that fits the load, and check the sensor&apos;s zero.</source>
+        <translation>Einen Messbereich benutzen, der zur Last passt, und die Null des Sensors prüfen.</translation>
     </message>
     <message>
         <source>Repeat the motion more slowly, or with a lighter tool.</source>
@@ -3848,8 +5345,8 @@
         <translation>Gelenkwinkel daneben</translation>
     </message>
     <message>
-        <source>check that joint’s calibration and the robot description of this recording.</source>
-        <translation>die Kalibrierung dieses Gelenks und die Roboterbeschreibung dieser Aufnahme prüfen.</translation>
+        <source>Check that joint&apos;s calibration and the robot description of this recording.</source>
+        <translation>Die Kalibrierung dieses Gelenks und die Roboterbeschreibung dieser Aufnahme prüfen.</translation>
     </message>
     <message>
         <source>Visit poses in which the other joints stand very differently, elbow high and low.</source>
@@ -3864,7 +5361,7 @@
         <translation>Ausreißer</translation>
     </message>
     <message>
-        <source>check the sensor’s cable and plug, and what switches on nearby.</source>
+        <source>Check the sensor&apos;s cable and plug, and what switches on nearby.</source>
         <translation>Kabel und Stecker des Sensors prüfen, und was in der Nähe schaltet.</translation>
     </message>
     <message>
@@ -3876,12 +5373,12 @@
         <translation>Einzelne Werte weit daneben, mit gewöhnlichen zu beiden Seiten.</translation>
     </message>
     <message>
-        <source>Sensor’s place is wrong</source>
+        <source>Sensor&apos;s place is wrong</source>
         <translation>Ort des Sensors stimmt nicht</translation>
     </message>
     <message>
-        <source>measure from the flange to the sensor’s origin and compare with the meta file.</source>
-        <translation>vom Flansch zum Ursprung des Sensors messen und mit der Meta-Datei vergleichen.</translation>
+        <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file.</source>
+        <translation>Vom Flansch zum Ursprung des Sensors messen und mit der Meta-Datei vergleichen.</translation>
     </message>
     <message>
         <source>Turn the tool fast to and fro about all three axes.</source>
@@ -3896,7 +5393,7 @@
         <translation>Beschleunigungen daneben</translation>
     </message>
     <message>
-        <source>record joint angles at the full rate; check the size of gravity in the meta file.</source>
+        <source>Record joint angles at the full rate; check the size of gravity in the meta file.</source>
         <translation>Gelenkwinkel mit voller Rate aufnehmen; den Betrag der Schwerkraft in der Meta-Datei prüfen.</translation>
     </message>
     <message>
@@ -3912,8 +5409,8 @@
         <translation>Sensor merkt sich seine Last</translation>
     </message>
     <message>
-        <source>was the sensor overloaded, glued or pinched? Check its screws.</source>
-        <translation>wurde der Sensor überlastet, verklebt oder eingeklemmt? Seine Schrauben prüfen.</translation>
+        <source>Was the sensor overloaded, glued or pinched? Check its screws.</source>
+        <translation>Wurde der Sensor überlastet, verklebt oder eingeklemmt? Seine Schrauben prüfen.</translation>
     </message>
     <message>
         <source>Load the sensor slowly up and down in one direction, in small and large steps.</source>
@@ -3928,8 +5425,8 @@
         <translation>Achsen oder Vorzeichen vertauscht</translation>
     </message>
     <message>
-        <source>compare the sensor’s manual with the meta file: axes, signs, gravity.</source>
-        <translation>das Handbuch des Sensors mit der Meta-Datei vergleichen: Achsen, Vorzeichen, Schwerkraft.</translation>
+        <source>Compare the sensor&apos;s manual with the meta file: axes, signs, gravity.</source>
+        <translation>Das Handbuch des Sensors mit der Meta-Datei vergleichen: Achsen, Vorzeichen, Schwerkraft.</translation>
     </message>
     <message>
         <source>None is needed: the mistake is too large to be overlooked.</source>
@@ -3944,8 +5441,8 @@
         <translation>Messwerte verloren oder wiederholt</translation>
     </message>
     <message>
-        <source>check the connection, and record at the sensor’s own rate.</source>
-        <translation>die Verbindung prüfen und mit der Rate des Sensors aufnehmen.</translation>
+        <source>Check the connection, and record at the sensor&apos;s own rate.</source>
+        <translation>Die Verbindung prüfen und mit der Rate des Sensors aufnehmen.</translation>
     </message>
     <message>
         <source>None is needed: the readings show it.</source>
@@ -3956,12 +5453,40 @@
         <translation>Die gemessene Kurve hat Stufen oder Löcher, wo sie weiterlaufen sollte.</translation>
     </message>
     <message>
-        <source>The sensor’s zero drifts: %1 by %2 %3 per second.</source>
-        <translation>Die Null des Sensors wandert: %1 um %2 %3 pro Sekunde.</translation>
+        <source>Uneven time stamps</source>
+        <translation>Ungleichmäßige Zeitstempel</translation>
     </message>
     <message>
-        <source>The sensor’s zero creeps: %1 by %2 %3 before it settles.</source>
-        <translation>Die Null des Sensors kriecht: %1 um %2 %3, bis sie sich beruhigt.</translation>
+        <source>Let the sensor or the robot stamp the readings, not a busy computer.</source>
+        <translation>Lassen Sie Sensor oder Roboter die Werte stempeln, nicht einen beschäftigten Rechner.</translation>
+    </message>
+    <message>
+        <source>None is needed: the time stamps show it.</source>
+        <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
+    </message>
+    <message>
+        <source>In fast motion the measured curve trembles forth and back in time.</source>
+        <translation>Bei schneller Bewegung zittert die gemessene Kurve zeitlich vor und zurück.</translation>
+    </message>
+    <message>
+        <source>Coarse readings</source>
+        <translation>Grobe Messwerte</translation>
+    </message>
+    <message>
+        <source>Choose a finer measuring range, or a file format with more digits.</source>
+        <translation>Wählen Sie einen feineren Messbereich, oder ein Dateiformat mit mehr Stellen.</translation>
+    </message>
+    <message>
+        <source>The measured curve climbs in stairs where the simulated one is smooth.</source>
+        <translation>Die gemessene Kurve steigt in Stufen, wo die simulierte glatt ist.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero drifts: {} by {} {} per second.</source>
+        <translation>Die Null des Sensors wandert: {} um {} {} pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
+        <translation>Die Null des Sensors kriecht: {} um {} {}, bis sie sich beruhigt.</translation>
     </message>
     <message>
         <source>Forces have the opposite sign: the file holds what the tool does to the sensor.</source>
@@ -3976,160 +5501,208 @@
         <translation>Die Orientierungen sind umgekehrt gespeichert: Basis im Sensor statt Sensor in der Basis.</translation>
     </message>
     <message>
-        <source>The sensor is mounted turned by %1° against the meta file.</source>
-        <translation>Der Sensor ist gegenüber der Meta-Datei um %1° verdreht montiert.</translation>
+        <source>The sensor is mounted turned by {} degrees against the meta file.</source>
+        <translation>Der Sensor ist gegenüber der Meta-Datei um {} Grad verdreht montiert.</translation>
     </message>
     <message>
-        <source>The force’s axes are mirrored: two are swapped, or one has the wrong sign.</source>
+        <source>The force&apos;s axes are mirrored: two are swapped, or one has the wrong sign.</source>
         <translation>Die Achsen der Kraft sind gespiegelt: Zwei sind vertauscht, oder eine hat das falsche Vorzeichen.</translation>
     </message>
     <message>
-        <source>%1 % of the readings are zero throughout: lost packets.</source>
-        <translation>%1 % der Messwerte sind durchweg null: verlorene Pakete.</translation>
+        <source>{} % of the readings are zero throughout: lost packets.</source>
+        <translation>{} % der Messwerte sind durchweg null: verlorene Pakete.</translation>
     </message>
     <message>
-        <source>%1 % of the readings are missing.</source>
-        <translation>%1 % der Messwerte fehlen.</translation>
+        <source>{} % of the readings are missing.</source>
+        <translation>{} % der Messwerte fehlen.</translation>
     </message>
     <message>
-        <source>%1 % of the force readings repeat the one before.</source>
-        <translation>%1 % der Kraftwerte wiederholen den davor.</translation>
+        <source>{} % of the force readings repeat the one before.</source>
+        <translation>{} % der Kraftwerte wiederholen den davor.</translation>
     </message>
     <message>
-        <source>force %1</source>
-        <translation>Kraft %1</translation>
+        <source>A cable twists back as the tool turns: {} N m per radian.</source>
+        <translation>Ein Kabel dreht zurück, wenn sich das Werkzeug dreht: {} N m pro Radiant.</translation>
     </message>
     <message>
-        <source>torque %1</source>
-        <translation>Drehmoment %1</translation>
+        <source>A cable or hose pulls the tool towards one spot: {} N per metre.</source>
+        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zu einer Stelle hin: {} N pro Meter.</translation>
     </message>
     <message>
-        <source>At %1 s the sensor’s zero jumped by %2 N.</source>
-        <translation>Bei %1 s sprang die Null des Sensors um %2 N.</translation>
+        <source>A cable or hose pulls the tool back, by up to {} N per metre.</source>
+        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zurück, mit bis zu {} N pro Meter.</translation>
     </message>
     <message>
-        <source>The force readings arrive %1 ms late.</source>
-        <translation>Die Kraftwerte kommen %1 ms zu spät.</translation>
+        <source>The channel {} reads {} % too much.</source>
+        <translation>Der Kanal {} zeigt {} % zu viel.</translation>
     </message>
     <message>
-        <source>The force readings arrive %1 ms before the motion.</source>
-        <translation>Die Kraftwerte kommen %1 ms vor der Bewegung.</translation>
+        <source>The channel {} reads {} % too little.</source>
+        <translation>Der Kanal {} zeigt {} % zu wenig.</translation>
     </message>
     <message>
-        <source>The force readings are smoothed over %1 ms.</source>
-        <translation>Die Kraftwerte sind über %1 ms geglättet.</translation>
+        <source>{} of {} shows up in {}.</source>
+        <translation>{} von {} erscheint in {}.</translation>
     </message>
     <message>
-        <source>The reported joint velocities come %1 ms late; Heft can use the angles instead.</source>
-        <translation>Die gemeldeten Gelenkgeschwindigkeiten kommen %1 ms zu spät; Heft kann stattdessen die Winkel benutzen.</translation>
+        <source>Joint {} is really {} degrees away from what was recorded.</source>
+        <translation>Gelenk {} steht in Wahrheit {} Grad neben dem aufgenommenen Winkel.</translation>
     </message>
     <message>
-        <source>Accelerations come %1 ms late; the angles do not.</source>
-        <translation>Beschleunigungen kommen %1 ms zu spät; die Winkel nicht.</translation>
+        <source>The sensor remembers {} of its load: it reads differently going up and coming down.</source>
+        <translation>Der Sensor merkt sich {} seiner Last: Er zeigt beim Belasten anderes als beim Entlasten.</translation>
     </message>
     <message>
-        <source>The sensor sits turned by %1°.</source>
-        <translation>Der Sensor sitzt um %1° verdreht.</translation>
+        <source>At {} s the sensor&apos;s zero jumped by {} N.</source>
+        <translation>Bei {} s sprang die Null des Sensors um {} N.</translation>
     </message>
     <message>
-        <source>The robot’s base is tilted by %1° against the stated gravity.</source>
-        <translation>Der Robotersockel ist um %1° gegen die angegebene Schwerkraft geneigt.</translation>
+        <source>The force readings arrive {} ms late.</source>
+        <translation>Die Kraftwerte kommen {} ms zu spät.</translation>
     </message>
     <message>
-        <source>The channel %1 reads %2 % too much.</source>
-        <translation>Der Kanal %1 zeigt %2 % zu viel.</translation>
+        <source>The force readings arrive {} ms before the motion.</source>
+        <translation>Die Kraftwerte kommen {} ms vor der Bewegung.</translation>
     </message>
     <message>
-        <source>The channel %1 reads %2 % too little.</source>
-        <translation>Der Kanal %1 zeigt %2 % zu wenig.</translation>
+        <source>The force readings are smoothed over {} ms.</source>
+        <translation>Die Kraftwerte sind über {} ms geglättet.</translation>
     </message>
     <message>
-        <source>%1 of %2 shows up in %3.</source>
-        <translation>%1 von %2 erscheint in %3.</translation>
+        <source>The reported joint velocities come {} ms late; Heft can use the angles instead.</source>
+        <translation>Die gemeldeten Gelenkgeschwindigkeiten kommen {} ms zu spät; Heft kann stattdessen die Winkel benutzen.</translation>
     </message>
     <message>
-        <source>A cable twists back as the tool turns: %1 N m per radian.</source>
-        <translation>Ein Kabel dreht zurück, wenn sich das Werkzeug dreht: %1 N m pro Radiant.</translation>
+        <source>Accelerations come {} ms late; the angles do not.</source>
+        <translation>Beschleunigungen kommen {} ms zu spät; die Winkel nicht.</translation>
     </message>
     <message>
-        <source>A cable or hose pulls the tool towards one spot: %1 N per metre.</source>
-        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zu einer Stelle hin: %1 N pro Meter.</translation>
+        <source>The sensor sits turned by {} degrees.</source>
+        <translation>Der Sensor sitzt um {} Grad verdreht.</translation>
     </message>
     <message>
-        <source>A cable or hose pulls the tool back, by up to %1 N per metre.</source>
-        <translation>Ein Kabel oder Schlauch zieht das Werkzeug zurück, mit bis zu %1 N pro Meter.</translation>
+        <source>The robot&apos;s base is tilted by {} degrees against the stated gravity.</source>
+        <translation>Der Robotersockel ist um {} Grad gegen die angegebene Schwerkraft geneigt.</translation>
     </message>
     <message>
-        <source>Something pulls at the tool with %1 N, always in the same direction.</source>
-        <translation>Etwas zieht mit %1 N am Werkzeug, immer in dieselbe Richtung.</translation>
+        <source>Something pulls at the tool with {} N, always in the same direction.</source>
+        <translation>Etwas zieht mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
     </message>
     <message>
-        <source>Something holds the tool back: %1 N per metre per second.</source>
-        <translation>Etwas bremst das Werkzeug: %1 N pro Meter pro Sekunde.</translation>
+        <source>Something resists turning: {} N m per radian per second.</source>
+        <translation>Etwas bremst das Drehen: {} N m pro Radiant pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something resists turning: %1 N m per radian per second.</source>
-        <translation>Etwas bremst das Drehen: %1 N m pro Radiant pro Sekunde.</translation>
+        <source>Something holds the tool back: {} N per metre per second.</source>
+        <translation>Etwas bremst das Werkzeug: {} N pro Meter pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something rubs and holds the tool back with %1 N.</source>
-        <translation>Etwas reibt und hält das Werkzeug mit %1 N zurück.</translation>
+        <source>Something rubs and holds the tool back with {} N.</source>
+        <translation>Etwas reibt und hält das Werkzeug mit {} N zurück.</translation>
     </message>
     <message>
-        <source>Something rubs and resists turning with %1 N m.</source>
-        <translation>Etwas reibt und bremst das Drehen mit %1 N m.</translation>
+        <source>Something rubs and resists turning with {} N m.</source>
+        <translation>Etwas reibt und bremst das Drehen mit {} N m.</translation>
     </message>
     <message>
-        <source>About %1 g in the tool are loose and swing %2 times a second.</source>
-        <translation>Etwa %1 g im Werkzeug sind lose und schwingen %2-mal pro Sekunde.</translation>
+        <source>About {} g in the tool are loose and swing {} times a second.</source>
+        <translation>Etwa {} g im Werkzeug sind lose und schwingen {}-mal pro Sekunde.</translation>
     </message>
     <message>
-        <source>The tool’s mount gives and rings at %1 Hz.</source>
-        <translation>Die Montage des Werkzeugs gibt nach und klingt mit %1 Hz.</translation>
+        <source>The tool&apos;s mount gives and rings at {} Hz.</source>
+        <translation>Die Montage des Werkzeugs gibt nach und klingt mit {} Hz.</translation>
     </message>
     <message>
-        <source>At %1 s the load became %2 g heavier.</source>
-        <translation>Bei %1 s wurde die Last %2 g schwerer.</translation>
+        <source>At {} s the load became {} g heavier.</source>
+        <translation>Bei {} s wurde die Last {} g schwerer.</translation>
     </message>
     <message>
-        <source>At %1 s the load became %2 g lighter.</source>
-        <translation>Bei %1 s wurde die Last %2 g leichter.</translation>
+        <source>At {} s the load became {} g lighter.</source>
+        <translation>Bei {} s wurde die Last {} g leichter.</translation>
     </message>
     <message>
-        <source>The tool touched something from %1 to %2 s, with up to %3 N.</source>
-        <translation>Das Werkzeug berührte von %1 bis %2 s etwas, mit bis zu %3 N.</translation>
+        <source>The tool touched something from {} to {} s, with up to {} N.</source>
+        <translation>Das Werkzeug berührte von {} bis {} s etwas, mit bis zu {} N.</translation>
     </message>
     <message>
-        <source>The tool touched something %1 times, with up to %2 N.</source>
-        <translation>Das Werkzeug berührte %1-mal etwas, mit bis zu %2 N.</translation>
+        <source>The tool touched something {} times, with up to {} N.</source>
+        <translation>Das Werkzeug berührte {}-mal etwas, mit bis zu {} N.</translation>
     </message>
     <message>
-        <source>The sensor reached the end of its range in %1 % of the readings.</source>
-        <translation>Der Sensor war in %1 % der Messwerte am Ende seines Bereichs.</translation>
+        <source>The sensor reached the end of its range in {} % of the readings.</source>
+        <translation>Der Sensor war in {} % der Messwerte am Ende seines Bereichs.</translation>
     </message>
     <message>
-        <source>Joint %1 is really %2° away from what was recorded.</source>
-        <translation>Gelenk %1 steht in Wirklichkeit %2° neben dem Aufgenommenen.</translation>
+        <source>{} readings are isolated spikes; Heft replaced them by their neighbours.</source>
+        <translation>{} Messwerte sind einzelne Ausreißer; Heft hat sie durch ihre Nachbarn ersetzt.</translation>
     </message>
     <message>
-        <source>%1 readings are isolated spikes; Heft replaced them by their neighbours.</source>
-        <translation>%1 Messwerte sind einzelne Ausreißer; Heft hat sie durch ihre Nachbarn ersetzt.</translation>
+        <source>The sensor&apos;s origin sits {} mm away from where the meta file puts it.</source>
+        <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
     </message>
     <message>
-        <source>The sensor’s origin sits %1 mm away from where the meta file puts it.</source>
-        <translation>Der Ursprung des Sensors sitzt %1 mm neben der Stelle aus der Meta-Datei.</translation>
+        <source>The reported joint velocities are {} % off; Heft can use the angles instead.</source>
+        <translation>Die gemeldeten Gelenkgeschwindigkeiten liegen {} % daneben; Heft kann stattdessen die Winkel benutzen.</translation>
     </message>
     <message>
-        <source>The reported joint velocities are %1 % off; Heft can use the angles instead.</source>
-        <translation>Die gemeldeten Gelenkgeschwindigkeiten liegen %1 % daneben; Heft kann stattdessen die Winkel benutzen.</translation>
+        <source>The forces of acceleration are {} % off what the motion says.</source>
+        <translation>Die Beschleunigungskräfte liegen {} % neben dem, was die Bewegung sagt.</translation>
     </message>
     <message>
-        <source>The forces of acceleration are %1 % off what the motion says.</source>
-        <translation>Die Beschleunigungskräfte liegen %1 % neben dem, was die Bewegung sagt.</translation>
+        <source>The time stamps come up to {} ms early or late; Heft takes the rows as evenly spaced.</source>
+        <translation>Die Zeitstempel kommen bis zu {} ms zu früh oder zu spät; Heft nimmt die Zeilen als gleichmäßig verteilt.</translation>
     </message>
     <message>
-        <source>The sensor remembers %1 of its load: it reads differently going up and coming down.</source>
-        <translation>Der Sensor merkt sich %1 seiner Last: Er zeigt beim Belasten anderes als beim Entlasten.</translation>
+        <source>The force readings come in steps of {}.</source>
+        <translation>Die Kraftwerte kommen in Stufen von {}.</translation>
+    </message>
+    <message>
+        <source>The torque readings come in steps of {}.</source>
+        <translation>Die Momentwerte kommen in Stufen von {}.</translation>
+    </message>
+    <message>
+        <source>Set sensor.wrench_sign to &quot;payload_on_sensor&quot; (or back) in the meta file.</source>
+        <translation>Setzen Sie sensor.wrench_sign in der Meta-Datei auf &quot;payload_on_sensor&quot; (oder zurück).</translation>
+    </message>
+    <message>
+        <source>Turn gravity_m_s2 round in the meta file.</source>
+        <translation>Kehren Sie gravity_m_s2 in der Meta-Datei um.</translation>
+    </message>
+    <message>
+        <source>Invert the quaternions (qx, qy, qz with the opposite sign).</source>
+        <translation>Kehren Sie die Quaternionen um (qx, qy, qz mit anderem Vorzeichen).</translation>
+    </message>
+    <message>
+        <source>Correct sensor.mount.rpy_rad in the meta file.</source>
+        <translation>Berichtigen Sie sensor.mount.rpy_rad in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor&apos;s manual.</source>
+        <translation>Vergleichen Sie Reihenfolge und Vorzeichen von fx, fy, fz und tx, ty, tz mit dem Handbuch des Sensors.</translation>
+    </message>
+    <message>
+        <source>force {}</source>
+        <translation>Kraft {}</translation>
+    </message>
+    <message>
+        <source>torque {}</source>
+        <translation>Drehmoment {}</translation>
+    </message>
+    <message>
+        <source>a rhythm of {:.2g} Hz</source>
+        <translation>einem Rhythmus von {:.2g} Hz</translation>
+    </message>
+    <message>
+        <source>slow swings, {:.1f} to {:.0f} times a second</source>
+        <translation>langsamem Schwingen, {:.1f}- bis {:.0f}-mal in der Sekunde</translation>
+    </message>
+    <message>
+        <source>The tool was never turned fast enough about {}: turn it to and fro about that axis, faster.</source>
+        <translation>Das Werkzeug wurde nie schnell genug um {} gedreht: Drehen Sie es um diese Achse hin und her, schneller.</translation>
+    </message>
+    <message>
+        <source>{} is no meta file.</source>
+        <translation>{} ist keine Meta-Datei.</translation>
     </message>
     <message>
         <source>where the tool is</source>
@@ -4160,7 +5733,7 @@
         <translation>der Last am Sensor</translation>
     </message>
     <message>
-        <source>the load’s size</source>
+        <source>the load&apos;s size</source>
         <translation>der Größe der Last</translation>
     </message>
     <message>
@@ -4180,13 +5753,72 @@
         <translation>dem Wechsel des Drehtempos</translation>
     </message>
     <message>
-        <source>a slow wave in time</source>
-        <translation>einer langsamen Welle in der Zeit</translation>
+        <source>Give it as the recording itself, or write a CSV of it with heft convert IN OUT.csv.</source>
+        <translation>Öffnen Sie sie selbst als Aufnahme, oder machen Sie daraus ein CSV mit heft convert IN OUT.csv.</translation>
     </message>
     <message>
-        <source>a rhythm of %1</source>
-        <translation>einem Rhythmus von %1</translation>
+        <source>a ROS 1 bag</source>
+        <translation>ein ROS-1-Bag</translation>
     </message>
+    <message>
+        <source>an MCAP recording</source>
+        <translation>eine MCAP-Aufnahme</translation>
+    </message>
+    <message>
+        <source>an SQLite database, perhaps a ROS 2 bag</source>
+        <translation>eine SQLite-Datenbank, vielleicht ein ROS-2-Bag</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>Unpack it first with gunzip.</source>
+        <translation>Entpacken Sie es zuerst mit gunzip.</translation>
+    </message>
+    <message>
+        <source>a zstd archive</source>
+        <translation>ein zstd-Archiv</translation>
+    </message>
+    <message>
+        <source>Unpack it first with unzstd.</source>
+        <translation>Entpacken Sie es zuerst mit unzstd.</translation>
+    </message>
+    <message>
+        <source>a ZIP archive or an office document</source>
+        <translation>ein ZIP-Archiv oder ein Office-Dokument</translation>
+    </message>
+    <message>
+        <source>Save the sheet as CSV first.</source>
+        <translation>Speichern Sie die Tabelle zuerst als CSV.</translation>
+    </message>
+    <message>
+        <source>UTF-16 text</source>
+        <translation>UTF-16-Text</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8 first.</source>
+        <translation>Speichern Sie ihn zuerst als UTF-8.</translation>
+    </message>
+    <message>
+        <source>Give the CSV of the recording; its meta file is found beside it.</source>
+        <translation>Öffnen Sie das CSV der Aufnahme; die Meta-Datei daneben wird gefunden.</translation>
+    </message>
+    <message>
+        <source>{} needs 1 dimension in metres ({}), but {} are given.</source>
+        <translation>{} braucht 1 Maß in Metern ({}), angegeben sind aber {}.</translation>
+    </message>
+    <message>
+        <source>{} needs {} dimensions in metres ({}), but 1 is given.</source>
+        <translation>{} braucht {} Maße in Metern ({}), angegeben ist aber 1.</translation>
+    </message>
+    <message>
+        <source>{} needs {} dimensions in metres ({}), but {} are given.</source>
+        <translation>{} braucht {} Maße in Metern ({}), angegeben sind aber {}.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::Causes</name>
     <message>
         <source>load changes under %1</source>
         <translation>Laständerungen unter %1</translation>
@@ -4234,46 +5866,6 @@
     <message>
         <source>a sensor misplaced by less than %1</source>
         <translation>ein Sensor weniger als %1 am falschen Ort</translation>
-    </message>
-    <message>
-        <source>Uneven time stamps</source>
-        <translation>Ungleichmäßige Zeitstempel</translation>
-    </message>
-    <message>
-        <source>let the sensor or the robot stamp the readings, not a busy computer.</source>
-        <translation>lassen Sie Sensor oder Roboter die Werte stempeln, nicht einen beschäftigten Rechner.</translation>
-    </message>
-    <message>
-        <source>None is needed: the time stamps show it.</source>
-        <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
-    </message>
-    <message>
-        <source>In fast motion the measured curve trembles forth and back in time.</source>
-        <translation>Bei schneller Bewegung zittert die gemessene Kurve zeitlich vor und zurück.</translation>
-    </message>
-    <message>
-        <source>Coarse readings</source>
-        <translation>Grobe Messwerte</translation>
-    </message>
-    <message>
-        <source>choose a finer measuring range, or a file format with more digits.</source>
-        <translation>wählen Sie einen feineren Messbereich, oder ein Dateiformat mit mehr Stellen.</translation>
-    </message>
-    <message>
-        <source>The measured curve climbs in stairs where the simulated one is smooth.</source>
-        <translation>Die gemessene Kurve steigt in Stufen, wo die simulierte glatt ist.</translation>
-    </message>
-    <message>
-        <source>The time stamps come up to %1 ms early or late; Heft takes the rows as evenly spaced.</source>
-        <translation>Die Zeitstempel kommen bis zu %1 ms zu früh oder zu spät; Heft nimmt die Zeilen als gleichmäßig verteilt.</translation>
-    </message>
-    <message>
-        <source>The force readings come in steps of %1.</source>
-        <translation>Die Kraftwerte kommen in Stufen von %1.</translation>
-    </message>
-    <message>
-        <source>The torque readings come in steps of %1.</source>
-        <translation>Die Momentwerte kommen in Stufen von %1.</translation>
     </message>
 </context>
 <context>
@@ -4608,6 +6200,10 @@
     <message>
         <source>The sensor itself weighs something, too: add it under “Something else …” unless the controller knows it already, or tick “Nothing else”.</source>
         <translation>Der Sensor selbst wiegt auch etwas: Fügen Sie ihn unter „Etwas anderes …“ hinzu, wenn die Steuerung ihn noch nicht kennt, oder wählen Sie „Nichts weiter“.</translation>
+    </message>
+    <message>
+        <source>Say above whether this is the robot’s own tool or something it picked up; then it can be saved.</source>
+        <translation>Sagen Sie oben, ob das das eigene Werkzeug des Roboters ist oder etwas, das er aufgenommen hat; dann lässt es sich speichern.</translation>
     </message>
 </context>
 <context>
@@ -6263,6 +7859,10 @@
         <translation>Sichtbaren Abschnitt als CSV speichern</translation>
     </message>
     <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
         <source>Drawing the curves</source>
         <translation>Die Kurven werden gezeichnet</translation>
     </message>
@@ -6364,6 +7964,10 @@
     <message>
         <source>Change what you know …</source>
         <translation>Ändern, was Sie wissen …</translation>
+    </message>
+    <message>
+        <source>Look for the cause</source>
+        <translation>Ursache suchen</translation>
     </message>
 </context>
 <context>
@@ -6627,7 +8231,7 @@
     </message>
     <message>
         <source>Heft uses the motion alone</source>
-        <translation>Heft nutzt nur die Bewegung</translation>
+        <translation>nur die Bewegung zählt</translation>
     </message>
     <message>
         <source>unit of the mesh</source>

@@ -15,49 +15,23 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
-#include <QTemporaryDir>
-#include <QTest>
 #include <set>
 
-#include "core/recording/csv_reader.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/virtual_rig.h"
-#include "tests/gl/pictures.h"
-#include "ui/controller/workspace.h"
-#include "ui/main_window/main_window.h"
+#include "tests/gl/window_fixture.h"
 #include "ui/record_panel/record_panel.h"
 
 namespace heft {
 namespace {
 
-class AccessTest : public testing::Test {
+class AccessTest : public RealWindowTest {
  protected:
-  AccessTest() : window(&workspace, false) {
-    qputenv("XDG_STATE_HOME", state.path().toUtf8());
-    window.resize(1440, 900);
-    window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-    QApplication::setActiveWindow(&window);
-    settle();
-  }
-  ~AccessTest() override {
-    keepPicture(window, "access");
-    qunsetenv("XDG_STATE_HOME");
-  }
-  void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));
-    QTest::qWait(50);
-  }
+  AccessTest() : RealWindowTest("access") { QApplication::setActiveWindow(&window); }
   void open() {
     SimulateOptions options;
     options.motion = MotionKind::excitation;
     options.duration = 8.0;
-    const auto simulated = simulate(RobotModel::panda(), practiceTool(3), options);
-    ASSERT_TRUE(simulated.ok());
-    ASSERT_TRUE(writeRecording(simulated->recording, state.filePath("a.csv").toStdString()).ok());
-    workspace.open(state.filePath("a.csv"));
-    settle();
-    ASSERT_TRUE(workspace.report());
+    RealWindowTest::open(writeSimulated(folder, practiceTool(3), options));
   }
 
   static std::string describe(const QWidget* widget) {
@@ -153,10 +127,6 @@ class AccessTest : public testing::Test {
           << "Tab goes left from " << describe(way[k - 1]) << " to " << describe(way[k]);
     }
   }
-
-  QTemporaryDir state;
-  Workspace workspace;
-  MainWindow window;
 };
 
 TEST_F(AccessTest, BeforeAnythingIsOpen) {

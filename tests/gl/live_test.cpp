@@ -2,16 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <QPushButton>
-#include <QTemporaryDir>
-#include <QTest>
 #include <cmath>
 
-#include "tests/gl/pictures.h"
-#include "ui/controller/workspace.h"
-#include "ui/main_window/main_window.h"
+#include "tests/gl/window_fixture.h"
 #include "ui/record_panel/flange_guide.h"
 #include "ui/record_panel/record_panel.h"
-#include "ui/robot_view/robot_view.h"
 #include "ui/robot_view/viewport.h"
 #include "ui/theme/theme.h"
 #include "ui/wrench_plots/recording_pane.h"
@@ -20,24 +15,11 @@
 namespace heft {
 namespace {
 
-class LiveWindowTest : public testing::Test {
+class LiveWindowTest : public RealWindowTest {
  protected:
-  LiveWindowTest() : window(&workspace, false) {
-    qputenv("XDG_STATE_HOME", state.path().toUtf8());
-    window.resize(1440, 900);
-    window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-    settle();
+  LiveWindowTest() : RealWindowTest("live") {
     panel = dynamic_cast<RecordPanel*>(window.panel(Step::record));
     viewport = window.robotView()->findChild<Viewport*>("viewport");
-  }
-  ~LiveWindowTest() override {
-    keepPicture(window, "live");
-    qunsetenv("XDG_STATE_HOME");
-  }
-  void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));
-    QTest::qWait(100);
   }
   void pass(double seconds) {
     panel->run()->pass(seconds);
@@ -54,9 +36,6 @@ class LiveWindowTest : public testing::Test {
     }
   }
 
-  QTemporaryDir state;
-  Workspace workspace;
-  MainWindow window;
   RecordPanel* panel = nullptr;
   Viewport* viewport = nullptr;
 };

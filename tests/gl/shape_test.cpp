@@ -6,16 +6,9 @@
 #include <QDir>
 #include <QLineEdit>
 #include <QMouseEvent>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QUndoStack>
 
-#include "core/recording/csv_reader.h"
-#include "core/simulation/simulate.h"
-#include "tests/gl/pictures.h"
-#include "ui/controller/workspace.h"
-#include "ui/main_window/main_window.h"
-#include "ui/robot_view/robot_view.h"
+#include "tests/gl/window_fixture.h"
 #include "ui/shape_panel/shape_panel.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/stepper.h"
@@ -23,21 +16,9 @@
 namespace heft {
 namespace {
 
-class ShapeWindowTest : public testing::Test {
+class ShapeWindowTest : public RealWindowTest {
  protected:
-  ShapeWindowTest() : window(&workspace, false) {
-    window.resize(1440, 900);
-    window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-    settle();
-  }
-  ~ShapeWindowTest() override {
-    keepPicture(window, "shape");
-  }
-  void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));
-    QTest::qWait(100);
-  }
+  ShapeWindowTest() : RealWindowTest("shape") {}
   /// A tool of 60 x 40 x 120 mm, all even, moved mostly without turning fast.
   void openSimulated() {
     Payload payload;
@@ -47,13 +28,7 @@ class ShapeWindowTest : public testing::Test {
     SimulateOptions options;
     options.motion = MotionKind::pickAndPlace;
     options.duration = 8.0;
-    const auto simulated = simulate(RobotModel::panda(), payload, options);
-    ASSERT_TRUE(simulated.ok()) << simulated.error().message;
-    const QString path = folder.filePath("simulated.csv");
-    ASSERT_TRUE(writeRecording(simulated->recording, path.toStdString()).ok());
-    workspace.open(path);
-    settle();
-    ASSERT_TRUE(workspace.report());
+    open(writeSimulated(folder, payload, options));
   }
   ShapePanel* panel() { return static_cast<ShapePanel*>(window.panel(Step::shape)); }
   void click(const char* name) {
@@ -69,14 +44,6 @@ class ShapeWindowTest : public testing::Test {
     QMouseEvent event(type, at, type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
     QApplication::sendEvent(viewport(), &event);
   }
-  QImage viewPicture() {
-    window.robotView()->renderNow();
-    return window.robotView()->grab().toImage().convertToFormat(QImage::Format_RGB32);
-  }
-
-  QTemporaryDir folder;
-  Workspace workspace;
-  MainWindow window;
 };
 
 TEST_F(ShapeWindowTest, AHandleIsDraggedWithTheMouseInOneUndoStep) {

@@ -6,8 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTemporaryDir>
-#include <QTest>
 #include <atomic>
 #include <cstring>
 #include <thread>
@@ -15,16 +13,11 @@
 #include <fmt/format.h>
 
 #include "core/live/network.h"
-#include "core/recording/csv_reader.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/virtual_rig.h"
-#include "tests/gl/pictures.h"
+#include "tests/gl/window_fixture.h"
 #include "tests/support/live_servers.h"
-#include "ui/controller/workspace.h"
 #include "ui/live/live_run.h"
-#include "ui/main_window/main_window.h"
 #include "ui/record_panel/record_panel.h"
-#include "ui/robot_view/robot_view.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/wrench_plots/recording_pane.h"
 #include "ui/wrench_plots/wrench_plots.h"
@@ -116,21 +109,10 @@ const char* const kTopics =
     R"({"op":"service_response","service":"/rosapi/topics","result":true,"values":{"topics":["/ft","/joint_states"],)"
     R"("types":["geometry_msgs/WrenchStamped","sensor_msgs/JointState"]}})";
 
-class SourcesTest : public testing::Test {
+class SourcesTest : public RealWindowTest {
  protected:
-  SourcesTest() : window(&workspace, false) {
-    qputenv("XDG_STATE_HOME", state.path().toUtf8());
-    window.resize(1440, 900);
-    window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-    EXPECT_TRUE(soon([&] { return window.settled(); }));
-    panel = dynamic_cast<RecordPanel*>(window.panel(Step::record));
-  }
-  ~SourcesTest() override {
-    keepPicture(window, "sources");
-    panel->run()->stop();
-    qunsetenv("XDG_STATE_HOME");
-  }
+  SourcesTest() : RealWindowTest("sources") { panel = dynamic_cast<RecordPanel*>(window.panel(Step::record)); }
+  ~SourcesTest() override { panel->run()->stop(); }
 
   static bool soon(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience); }
   void click(const char* name) {
@@ -198,7 +180,7 @@ class SourcesTest : public testing::Test {
   /// Stops by the button; what is on disk is what was opened, and of the tool that was sent.
   void keep() {
     const QString file = panel->run()->file();
-    EXPECT_TRUE(file.startsWith(state.path()));
+    EXPECT_TRUE(file.startsWith(folder.path()));
     click("mainButton");
     ASSERT_TRUE(soon([&] { return workspace.opened() && window.settled(); }));
     const auto read = readRecording(file.toStdString());
@@ -213,9 +195,6 @@ class SourcesTest : public testing::Test {
     EXPECT_GT(recording.wrench.leftCols<3>().cwiseAbs().maxCoeff(), 1.0);
   }
 
-  QTemporaryDir state;
-  Workspace workspace;
-  MainWindow window;
   RecordPanel* panel = nullptr;
 };
 
@@ -316,7 +295,7 @@ TEST_F(SourcesTest, ARecordingIsPlayedToItsEnd) {
   options.duration = 3.0;
   const auto simulated = simulate(RobotModel::panda(), payload, options);
   ASSERT_TRUE(simulated.ok());
-  const QString file = state.filePath("played.csv");
+  const QString file = folder.filePath("played.csv");
   ASSERT_TRUE(writeRecording(simulated->recording, file.toStdString()).ok());
   connectTo("sourceReplay", file);
   EXPECT_TRUE(soon([&] { return reads("played to its end"); })) << words().toStdString();
@@ -330,7 +309,7 @@ TEST_F(SourcesTest, ARecordingIsPlayedToItsEnd) {
 }
 
 TEST_F(SourcesTest, WhatCannotBeReadOrReachedIsSaidInAPlainSentence) {
-  const QString broken = state.filePath("broken.csv");
+  const QString broken = folder.filePath("broken.csv");
   QFile file(broken);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("this is no recording\n1\n");
@@ -341,7 +320,7 @@ TEST_F(SourcesTest, WhatCannotBeReadOrReachedIsSaidInAPlainSentence) {
   click("mainButton");
   EXPECT_TRUE(soon([&] { return !panel->run()->running(); }));
   EXPECT_TRUE(window.messageBar()->text().contains("broken.csv")) << window.messageBar()->text().toStdString();
-  EXPECT_TRUE(QDir(state.filePath("heft/recordings")).isEmpty()) << "nothing came, nothing is left";
+  EXPECT_TRUE(QDir(folder.filePath("heft/recordings")).isEmpty()) << "nothing came, nothing is left";
   // Back at the form; nobody listens at this port.
   std::uint16_t port = 0;
   { port = FakeWebPage("").port(); }

@@ -6,20 +6,14 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QLabel>
+#include <QLayout>
 #include <QMimeData>
 #include <QPushButton>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <QUrl>
 #include <set>
 
-#include "core/recording/csv_reader.h"
-#include "core/simulation/simulate.h"
-#include "tests/gl/pictures.h"
-#include "ui/controller/workspace.h"
-#include "ui/main_window/main_window.h"
-#include "ui/robot_view/robot_view.h"
+#include "tests/gl/window_fixture.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/wrench_plots/recording_pane.h"
 #include "ui/wrench_plots/wrench_plots.h"
@@ -41,12 +35,7 @@ const QString& simulatedFile() {
     options.motion = MotionKind::excitation;
     options.duration = 8.0;
     options.seed = 3;
-    const auto simulated = simulate(RobotModel::panda(), payload, options);
-    if (!simulated) throw std::runtime_error(simulated.error().message);
-    const QString path = folder.filePath("simulated.csv");
-    const auto written = writeRecording(simulated->recording, path.toStdString());
-    if (!written) throw std::runtime_error(written.error().message);
-    return path;
+    return writeSimulated(folder, payload, options);
   }();
   return file;
 }
@@ -58,34 +47,11 @@ int distinctColours(const QImage& image) {
   return static_cast<int>(colours.size());
 }
 
-class WindowTest : public testing::Test {
+class WindowTest : public RealWindowTest {
  protected:
-  WindowTest() : window(&workspace, false) {
-    window.resize(1440, 900);
-    window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-  }
-  ~WindowTest() override {
-    keepPicture(window, "window");
-  }
-
-  void waitUntilSettled() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.settled(); }, 120000));
-    QTest::qWait(250);
-  }
-  void openSimulated() {
-    workspace.open(simulatedFile());
-    waitUntilSettled();
-    ASSERT_TRUE(workspace.opened());
-    ASSERT_TRUE(workspace.report());
-  }
-  QImage viewPicture() {
-    window.robotView()->renderNow();
-    return window.robotView()->grab().toImage().convertToFormat(QImage::Format_RGB32);
-  }
-
-  Workspace workspace;
-  MainWindow window;
+  WindowTest() : RealWindowTest("window") {}
+  void waitUntilSettled() { settle(250); }
+  void openSimulated() { open(simulatedFile()); }
 };
 
 TEST_F(WindowTest, WelcomesWithAnArmAndOneThingToDo) {
@@ -95,6 +61,25 @@ TEST_F(WindowTest, WelcomesWithAnArmAndOneThingToDo) {
   ASSERT_NE(main, nullptr);
   EXPECT_TRUE(main->isVisible());
   EXPECT_GT(distinctColours(viewPicture()), 500);
+}
+
+TEST_F(WindowTest, APanelIsAsHighAsItNeedsWheneverAStepIsEntered) {
+  window.resize(1280, 800);
+  openSimulated();
+  for (int round = 0; round < 2; ++round) {
+    for (const Step step : {Step::shape, Step::exportFile, Step::mark, Step::result}) {
+      window.showStep(step);
+      QApplication::processEvents();
+      QTest::qWait(100);
+      const auto* content = window.panel(step)->findChild<QWidget*>("panelContent");
+      ASSERT_NE(content, nullptr);
+      EXPECT_GE(content->height(), content->layout()->totalHeightForWidth(content->width())) << stepId(step) << ", round " << round;
+      for (const auto* label : content->findChildren<QLabel*>())
+        if (label->isVisible() && label->wordWrap()) {
+          EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+        }
+    }
+  }
 }
 
 TEST_F(WindowTest, StepsSwitchByMouseAndKeys) {
@@ -189,7 +174,6 @@ TEST_F(WindowTest, SpacePlaysAndPauses) {
 
 TEST_F(WindowTest, ABadFileIsOneSentenceAndKeepsWhatIsOpen) {
   openSimulated();
-  QTemporaryDir folder;
   const QString bad = folder.filePath("bad.csv");
   QFile file(bad);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));

@@ -250,12 +250,12 @@ TEST(CauseWords, EveryCauseHasAllItsWords) {
   for (const auto& cause : diagnosis::catalogue()) ids.emplace_back(cause->id());
   for (const auto& id : ids) {
     if (id == diagnosis::kWandering) continue;
-    EXPECT_NE(causeTitle(id), QString::fromStdString(id));
-    EXPECT_FALSE(causeCheck(id).isEmpty()) << id;
-    EXPECT_FALSE(causeDecides(id).isEmpty()) << id;
-    EXPECT_FALSE(causeLooks(id).isEmpty()) << id;
+    EXPECT_NE(titleOf(id), QString::fromStdString(id));
+    EXPECT_FALSE(checkOf(id).isEmpty()) << id;
+    EXPECT_FALSE(decidesOf(id).isEmpty()) << id;
+    EXPECT_FALSE(looksOf(id).isEmpty()) << id;
   }
-  for (const auto& id : practiceKinds()) EXPECT_FALSE(causeLooks(id).isEmpty()) << id;
+  for (const auto& id : practiceKinds()) EXPECT_FALSE(looksOf(id).isEmpty()) << id;
 }
 
 TEST(CauseWords, NumbersStandInTheSentence) {
@@ -263,13 +263,13 @@ TEST(CauseWords, NumbersStandInTheSentence) {
   DiagnosedCause late;
   late.id = "time_offset";
   late.parameters = {{"delay", "ms", 8.13, 0.9}};
-  EXPECT_EQ(causeSentence(late, report), "The force readings arrive 8.1 ± 0.9 ms late.");
+  EXPECT_EQ(sentenceOf(late, report), "The force readings arrive 8.1 ± 0.9 ms late.");
   late.parameters[0].value = -8.13;
-  EXPECT_TRUE(causeSentence(late, report).contains("before the motion"));
+  EXPECT_TRUE(sentenceOf(late, report).contains("before the motion"));
   DiagnosedCause cross;
   cross.id = "crosstalk";
   cross.parameters = {{"fx_to_ty", "%", 3.0, 0.2}};
-  EXPECT_EQ(causeSentence(cross, report), "3.0 ± 0.2 % of force x shows up in torque y.");
+  EXPECT_EQ(sentenceOf(cross, report), "3.0 ± 0.2 % of force x shows up in torque y.");
 }
 
 TEST(CauseCards, ATieShowsTheMotionThatDecidesAndLeadsToRecordingIt) {

@@ -2,11 +2,11 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
 #include "core/motion/motion.h"
 #include "core/recording/csv_reader.h"
+#include "core/recording/meta_file.h"
 
 namespace heft {
 namespace {
@@ -40,15 +40,9 @@ Result<bool> nameRobot(const OpenRecording& opened, const QString& urdf) {
                        .toStdString()};
   }
   const std::filesystem::path file = metaFileBeside(opened).toStdString();
-  nlohmann::json object = nlohmann::json::object();
-  if (std::filesystem::exists(file)) {
-    auto there = readJsonFile(file);
-    if (!there) return there.error();
-    object = std::move(*there);
-    if (!object.is_object()) return Error{RobotChoice::tr("%1 is no meta file.").arg(metaFileBeside(opened)).toStdString()};
-  }
-  object["robot"] = *meta.robot;
-  return writeTextFile(file, object.dump(2) + "\n");
+  const auto merged = mergedMeta(file, {{"robot", *meta.robot}});
+  if (!merged) return merged.error();
+  return writeTextFile(file, merged->dump(2) + "\n");
 }
 
 }  // namespace heft

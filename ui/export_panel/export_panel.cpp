@@ -126,7 +126,7 @@ void ExportPanel::addFormats(QVBoxLayout* column, const ExportChoice& choice) {
     const FormatName name = formatName(*format);
     auto* card = new ChoiceCard(name.name, name.detail, content);
     card->setObjectName(QStringLiteral("format_") + fromView(id));
-    card->setToolTip(fromView(format->title));
+    card->setToolTip(name.whole());
     card->setChecked(choice.format == id);
     front = front || choice.format == id;
     connect(card, &QAbstractButton::clicked, this, [this, key = std::string(id)] { chooseFormat(key); });
@@ -144,7 +144,7 @@ void ExportPanel::addFormats(QVBoxLayout* column, const ExportChoice& choice) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (const ExportFormat& format : exportFormats()) {
       if (std::find(std::begin(kFront), std::end(kFront), format.id) != std::end(kFront)) continue;
-      menu->addAction(fromView(format.title), this, [this, id = std::string(format.id)] { chooseFormat(id); });
+      menu->addAction(formatName(format).whole(), this, [this, id = std::string(format.id)] { chooseFormat(id); });
     }
     menu->popup(more->mapToGlobal(QPoint(0, more->height())));
   });
@@ -209,6 +209,8 @@ void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
                  "“Nothing else”.");
     checks.insert(checks.begin(), {Severity::warning, false, asks});
   }
+  if (choice.role == ExportChoice::Role::unasked)
+    checks.insert(checks.begin(), {Severity::warning, false, tr("Say above whether this is the robot’s own tool or something it picked up; then it can be saved.")});
   for (const Check& check : checks) {
     const bool warns = !check.good;
     const Light light = check.good                             ? Light::measured

@@ -34,26 +34,31 @@ bool centreMeasured(const EstimateReport& report) {
 
 }  // namespace
 
+QString FormatName::whole() const {
+  const QString more = file.isEmpty() ? detail : detail + QStringLiteral(", ") + file;
+  return more.isEmpty() ? name : name + QStringLiteral(": ") + more;
+}
+
 FormatName formatName(const ExportFormat& format) {
   const struct {
     std::string_view id;
     FormatName name;
-  } names[] = {{"franka-desk", {Words::tr("Franka Desk"), Words::tr("end effector, JSON")}},
-               {"franka-profile", {Words::tr("Franka profile"), Words::tr("end effector, JSON")}},
-               {"libfranka", {Words::tr("libfranka"), Words::tr("setLoad, C++")}},
-               {"franka-ros", {Words::tr("ROS 1"), Words::tr("franka_ros, YAML")}},
-               {"franka-ros2", {Words::tr("ROS 2"), Words::tr("franka_ros2, YAML")}},
-               {"urdf", {Words::tr("URDF"), Words::tr("link with inertia")}},
-               {"sdf", {Words::tr("SDFormat"), Words::tr("Gazebo model")}},
-               {"mjcf", {Words::tr("MuJoCo"), Words::tr("body, XML")}},
-               {"ur", {Words::tr("UR"), Words::tr("URScript")}},
-               {"kuka", {Words::tr("KUKA"), Words::tr("LOAD_DATA")}},
-               {"abb", {Words::tr("ABB"), Words::tr("loaddata")}},
-               {"fanuc", {Words::tr("FANUC"), Words::tr("payload schedule")}},
-               {"json", {Words::tr("Heft JSON"), Words::tr("for programs")}}};
+  } names[] = {{"franka-desk", {"Franka Desk", Words::tr("end effector"), "JSON"}},
+               {"franka-profile", {Words::tr("Franka profile"), Words::tr("end effector"), "JSON"}},
+               {"libfranka", {"libfranka", "setLoad", "C++"}},
+               {"franka-ros", {"ROS 1", "franka_ros", "YAML"}},
+               {"franka-ros2", {"ROS 2", "franka_ros2", "YAML"}},
+               {"urdf", {"URDF", Words::tr("link with inertia"), "XML"}},
+               {"sdf", {"SDFormat", Words::tr("Gazebo model"), "XML"}},
+               {"mjcf", {"MuJoCo", Words::tr("body"), "XML"}},
+               {"ur", {"UR", "URScript", {}}},
+               {"kuka", {"KUKA", "LOAD_DATA", "KRL"}},
+               {"abb", {"ABB", "loaddata", "RAPID"}},
+               {"fanuc", {"FANUC", Words::tr("payload schedule"), {}}},
+               {"json", {"Heft JSON", Words::tr("for programs"), "JSON"}}};
   for (const auto& [id, name] : names)
     if (id == format.id) return name;
-  return {QString::fromUtf8(format.title.data(), static_cast<int>(format.title.size())), {}};
+  return {QString::fromUtf8(format.title.data(), static_cast<int>(format.title.size())), {}, {}};
 }
 
 QString roleAdvice(std::string_view formatId, ExportChoice::Role role) {

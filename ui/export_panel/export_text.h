@@ -14,7 +14,10 @@ namespace heft {
 
 struct FormatName {
   QString name;    ///< "Franka Desk"
-  QString detail;  ///< "end effector, JSON"
+  QString detail;  ///< "end effector"
+  QString file;    ///< "JSON"
+  /// "Franka Desk: end effector, JSON"
+  QString whole() const;
 };
 FormatName formatName(const ExportFormat& format);
 

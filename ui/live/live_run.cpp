@@ -28,12 +28,6 @@ LiveRun::LiveRun(QObject* parent) : QObject(parent) {
 
 LiveRun::~LiveRun() { stop(); }
 
-LiveRun* LiveRun::of(QObject& owner) {
-  for (QObject* child : owner.children())
-    if (auto* there = qobject_cast<LiveRun*>(child)) return there;
-  return new LiveRun(&owner);
-}
-
 Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   stop();
   auto session = std::make_shared<LiveSession>(30000);

@@ -40,8 +40,6 @@ class LiveRun : public QObject {
  public:
   explicit LiveRun(QObject* parent = nullptr);
   ~LiveRun() override;
-  /// The one run that belongs to `owner`: it outlives the window, which is replaced when the language changes.
-  static LiveRun* of(QObject& owner);
 
   /// With `byClock` a virtual arm's time passes as on the wall; without it by pass() alone.
   Result<bool> start(LiveSetup setup, bool byClock);

@@ -88,10 +88,9 @@ void MainWindow::assemble() {
   below_->addWidget(pane_);
   below_->hide();
   panelStack_ = new QStackedWidget(across_);
-  for (QSplitter* splitter : {across_, down_}) {
-    splitter->setStretchFactor(0, 1);
-    splitter->setStretchFactor(1, 0);
-  }
+  // A wider window makes the picture wider; a higher one makes both higher.
+  across_->setStretchFactor(0, 1);
+  across_->setStretchFactor(1, 0);
   across_->setSizes({1000, kPanelWidth});
   column->addWidget(across_, 1);
   status_ = new StatusBar(window);
@@ -200,7 +199,8 @@ void MainWindow::showStep(Step step) {
   StepPanel* before = panels_.value(step_);
   if (isVisible()) {
     panelWidths_[step_] = across_->sizes().value(1, kPanelWidth);
-    downSizes_[step_] = down_->saveState();
+    const QList<int> down = down_->sizes();
+    if (down.value(1) > 0) viewShares_[step_] = static_cast<double>(down[0]) / (down[0] + down[1]);
   }
   before->left();
   step_ = step;
@@ -220,12 +220,8 @@ void MainWindow::arrangeFor(StepPanel* panel) {
   below_->setMaximumHeight(!own && pane_->folded() ? pane_->foldedHeight() : QWIDGETSIZE_MAX);
   const int panelWidth = panelWidths_.value(step_, kPanelWidth);
   across_->setSizes({across_->width() - panelWidth, panelWidth});
-  if (downSizes_.contains(step_)) {
-    down_->restoreState(downSizes_[step_]);
-  } else {
-    const int view = static_cast<int>(down_->height() * panel->viewShare());
-    down_->setSizes({view, down_->height() - view});
-  }
+  const int view = static_cast<int>(down_->height() * viewShares_.value(step_, panel->viewShare()));
+  down_->setSizes({view, down_->height() - view});
 }
 
 bool MainWindow::settled() const {

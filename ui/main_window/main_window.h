@@ -117,7 +117,7 @@ class MainWindow : public QMainWindow {
   bool arranged_ = false;
   QMap<Step, StepPanel*> panels_;
   QMap<Step, int> panelWidths_;       ///< Each step keeps its own, whatever the window's width is by then;
-  QMap<Step, QByteArray> downSizes_;  ///< and its own share of the height.
+  QMap<Step, double> viewShares_;     ///< and the 3D view's share of the height.
 };
 
 }  // namespace heft

@@ -65,7 +65,9 @@ std::pair<std::vector<Segment>, std::vector<bool>> MarkPanel::shown() const {
 void MarkPanel::changeEvent(QEvent* event) {
   StepPanel::changeEvent(event);
   // The swatches are pictures in the colours of the theme.
-  if (event->type() == QEvent::PaletteChange) QTimer::singleShot(0, this, &MarkPanel::refresh);
+  if (event->type() != QEvent::PaletteChange || drawnIn_ == theme().text) return;
+  drawnIn_ = theme().text;
+  QTimer::singleShot(0, this, &MarkPanel::refresh);
 }
 
 StepState MarkPanel::state() const {

@@ -1,5 +1,6 @@
 #pragma once
 // The step "Mark": which stretches touched nothing. Heft proposes, the user decides or paints over it.
+#include <QColor>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -48,6 +49,7 @@ class MarkPanel : public StepPanel {
 
   MarkLabel brush_ = MarkLabel::contact;
   bool here_ = false;
+  QColor drawnIn_;  ///< The theme's text colour when that was last asked.
   Segments* brushes_ = nullptr;
 };
 

@@ -213,16 +213,18 @@ StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& repo
 ChangeText payloadChange(const DiagnosisReport& report) {
   const Payload &a = report.before.payload, &b = report.after.payload, &s = report.before.std;
   ChangeText out;
-  const auto offer = [&](double from, double to, double std, const QString& text) {
+  const auto offer = [&](double from, double to, double std, const QString& before, const QString& after,
+                         const QString& text) {
+    if (before == after) return;  // Nothing that one could see.
     const double sigmas = std > 0.0 ? std::abs(to - from) / std : 0.0;
     if (!out.text.isEmpty() && sigmas <= out.sigmas) return;
-    out = {text, sigmas};
+    out = {text.arg(before, after), sigmas};
   };
   const int digits = std::abs(a.mass - b.mass) < 0.01 ? 4 : std::abs(a.mass - b.mass) < 0.1 ? 3 : 2;
-  offer(a.mass, b.mass, s.mass, Say::tr("mass %1 → %2 kg").arg(numberText(a.mass, digits), numberText(b.mass, digits)));
+  offer(a.mass, b.mass, s.mass, numberText(a.mass, digits), numberText(b.mass, digits), Say::tr("mass %1 → %2 kg"));
   for (int i = 0; i < 3; ++i)
-    offer(a.com(i), b.com(i), s.com(i),
-          Say::tr("centre %1 %2 → %3 mm").arg(QChar('x' + i)).arg(numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1)));
+    offer(a.com(i), b.com(i), s.com(i), numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1),
+          Say::tr("centre %1 %2 → %3 mm").arg(QChar('x' + i)));
   return out;
 }
 
@@ -230,7 +232,7 @@ Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
   Chart chart;
   const bool torque = stretch.channel >= 3;
-  chart.yTitle = Say::tr("Error in %1, unseen stretch [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
+  chart.yTitle = Say::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
   chart.xUnit = QStringLiteral("s");
   chart.band = 2.0 * (torque ? report.noise.torque : report.noise.force);
   chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before, pointsOf(report, cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to), true});
@@ -278,7 +280,7 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   const StrengthText strength = strengthOf(cause, report);
   card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Cause found"), Light::measured, true, card.frame), strength.word, strength.meaning, card.frame));
-  QLabel* sentence = wrappedLabel(causeSentence(cause, report), "cardTitle", card.frame);
+  QLabel* sentence = wrappedLabel(sentenceOf(cause, report), "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
   card.layout->addWidget(sentence);
   if (!state.applied && cause.before.cols() > 0) {
@@ -297,7 +299,7 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
                                         "caption", card.frame));
   }
   if (!state.applied) {
-    QLabel* check = boldFirst(Say::tr("Check on the rig:"), causeCheck(cause.id), card.frame);
+    QLabel* check = boldFirst(Say::tr("Check on the rig:"), checkOf(cause, report), card.frame);
     card.layout->addWidget(check);
     card.layout->addWidget(boldFirst(strength.word.left(1).toUpper() + strength.word.mid(1) + ":", strength.meaning, card.frame));
   }
@@ -331,20 +333,20 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
     column->addStretch(1);
     return frame;
   };
-  grid->addWidget(box(causeTitle(cause.id), causeSentence(cause, report)), 0, 0);
+  grid->addWidget(box(titleOf(cause.id), sentenceOf(cause, report)), 0, 0);
   grid->addWidget(styledLabel(Say::tr("or"), "caption", card.frame), 0, 1, Qt::AlignCenter);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(2, 1);
   int place = 1;
   for (const auto& id : cause.alternatives) {
-    grid->addWidget(box(causeTitle(id), causeCheck(id)), place / 2, 2 * (place % 2));
+    grid->addWidget(box(titleOf(id), checkOf(id)), place / 2, 2 * (place % 2));
     ++place;
   }
   card.layout->addLayout(grid);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(new IconLabel("bulb", 20, card.frame), 0, Qt::AlignTop);
-  row->addWidget(boldFirst(Say::tr("To decide:"), causeDecides(cause.id), card.frame), 1);
+  row->addWidget(boldFirst(Say::tr("To decide:"), decidesOf(cause.id), card.frame), 1);
   card.layout->addLayout(row);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);

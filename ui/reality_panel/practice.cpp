@@ -53,10 +53,10 @@ void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(s
   grid->setSpacing(8);
   int place = 0;
   for (const auto& id : practiceKinds()) {
-    auto* button = new QPushButton(causeTitle(id), parent);
+    auto* button = new QPushButton(titleOf(id), parent);
     button->setObjectName("guess_" + QString::fromStdString(id));
     button->setProperty("role", "plain");
-    button->setToolTip(causeLooks(id));
+    button->setToolTip(looksOf(id));
     QObject::connect(button, &QPushButton::clicked, parent, [guessed, id] { guessed(id); });
     grid->addWidget(button, place / 2, place % 2);
     ++place;
@@ -70,11 +70,14 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
   const Card card = makeCard(right ? "card" : "cardLook", parent);
   card.frame->setProperty("role", "feedback");
   card.layout->addWidget(makeVerdictTag(right ? Words::tr("Right") : Words::tr("Not this one"), right ? Light::measured : Light::look, false, card.frame));
-  card.layout->addWidget(wrappedLabel(Words::tr("Hidden was: %1.").arg(causeTitle(truth)), "cardTitle", card.frame));
-  card.layout->addWidget(wrappedLabel(causeLooks(truth), "body", card.frame));
+  card.layout->addWidget(wrappedLabel(Words::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
+  card.layout->addWidget(wrappedLabel(looksOf(truth), "body", card.frame));
   if (!right) {
-    card.layout->addWidget(wrappedLabel(Words::tr("Your guess, “%1”, would look like this: %2").arg(causeTitle(guess), causeLooks(guess)), "caption", card.frame));
-    card.layout->addWidget(wrappedLabel(Words::tr("To tell them apart on a real rig: %1").arg(causeDecides(truth)), "caption", card.frame));
+    card.layout->addWidget(
+        wrappedLabel(Words::tr("Your guess, “%1”, would look like this: %2").arg(titleOf(guess), looksOf(guess)),
+                     "caption", card.frame));
+    card.layout->addWidget(
+        wrappedLabel(Words::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)), "caption", card.frame));
   }
   auto* next = new QPushButton(Words::tr("Another one"), card.frame);
   next->setObjectName("anotherRiddle");

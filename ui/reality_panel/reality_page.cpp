@@ -48,6 +48,14 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
   row->addWidget(new LightIcon(much && !applied ? Light::look : Light::measured, 20, card.frame));
   QLabel* text = wrappedLabel({}, "body", card.frame);
   text->setTextFormat(Qt::RichText);
+  if (change.text.isEmpty()) {
+    text->setText(applied ? Words::tr("Your result stayed the same.") : Words::tr("Your result stays the same."));
+    row->addWidget(text, 1);
+    card.layout->addLayout(row);
+    card.layout->addWidget(
+        wrappedLabel(Words::tr("Mass and centre change by less than their last digit here."), "caption", card.frame));
+    return column->addWidget(card.frame);
+  }
   const QString begin = applied ? Words::tr("Your result changed:") : Words::tr("Your result changes:");
   text->setText(QStringLiteral("%1 <b>%2</b>").arg(begin.toHtmlEscaped(), change.text.toHtmlEscaped()));
   row->addWidget(text, 1);
@@ -111,7 +119,7 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
 
 void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report) {
   QStringList names;
-  for (const auto& s : report.smallest) names << causeTitle(s.cause);
+  for (const auto& s : report.smallest) names << titleOf(s.cause);
   if (names.isEmpty()) return;
   auto* head = new QPushButton(Words::tr("Also considered: %n cause(s)", "", names.size()), parent);
   head->setObjectName("consideredButton");

@@ -17,8 +17,10 @@
 
 #include "core/base/json_file.h"
 #include "core/recording/csv_reader.h"
+#include "core/recording/meta_file.h"
 #include "core/simulation/practice.h"
 #include "ui/controller/diagnosis.h"
+#include "ui/controller/only_child.h"
 #include "ui/controller/workspace.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
@@ -65,14 +67,8 @@ Result<bool> refusal(const QString& sentence) { return Error{sentence.toStdStrin
 
 }  // namespace
 
-RealityFindings* RealityFindings::of(Workspace& workspace) {
-  for (QObject* child : workspace.children())
-    if (auto* there = dynamic_cast<RealityFindings*>(child)) return there;
-  return new RealityFindings(&workspace);
-}
-
 RealityPanel::RealityPanel(const StudioParts& parts)
-    : StepPanel(parts), pane_(new DifferencePane), found_(RealityFindings::of(*parts.workspace)->found) {
+    : StepPanel(parts), pane_(new DifferencePane), found_(onlyChild<RealityFindings>(*parts.workspace)->found) {
   parts.followJobs(&jobs_);
   if (parts.view) {
     motion_ = new DecidingMotion(parts.workspace, parts.view, parts.playback, this);
@@ -164,8 +160,9 @@ void RealityPanel::showMotion(const std::string& cause) {
 
 void RealityPanel::recordFor(const std::string& cause) {
   parts().goTo(Step::record);
-  parts().say(Severity::info, cause.empty() ? tr("To find out more: record the same motion once more, without touching anything.")
-                                            : tr("To decide about “%1”: %2").arg(causeTitle(cause), causeDecides(cause)));
+  parts().say(Severity::info, cause.empty()
+                                  ? tr("To find out more: record the same motion once more, without touching anything.")
+                                  : tr("To decide about “%1”: %2").arg(titleOf(cause), decidesOf(cause)));
 }
 
 /// A cable's spring in the 3D view, from the tool to where it would be slack.
@@ -288,14 +285,14 @@ void RealityPanel::apply(const std::string& cause) {
     next.found = found()->json;
   }
   next.causes.push_back(cause);
-  workspace().setCorrections(next, tr("apply “%1”").arg(causeTitle(cause)));
+  workspace().setCorrections(next, tr("apply “%1”").arg(titleOf(cause)));
 }
 
 void RealityPanel::takeBack(const std::string& cause) {
   Corrections next = workspace().corrections();
   std::erase(next.causes, cause);
   if (next.causes.empty()) next.found.clear();
-  workspace().setCorrections(next, tr("take back “%1”").arg(causeTitle(cause)));
+  workspace().setCorrections(next, tr("take back “%1”").arg(titleOf(cause)));
 }
 
 std::vector<int> RealityPanel::others() const {
@@ -330,15 +327,9 @@ Result<bool> RealityPanel::writeMeta(const QString& file, bool replace) {
   const nlohmann::json changes = found()->report->metaChanges();
   if (changes.empty()) return refusal(tr("The reality check proposes no change of the meta file."));
   if (!replace && QFileInfo::exists(file)) return refusal(tr("%1 exists already and was not replaced.").arg(file));
-  nlohmann::json meta = nlohmann::json::object();
-  const auto from = metaFileOf(opened->path.toStdString());
-  if (std::filesystem::exists(from)) {
-    auto old = readJsonFile(from);
-    if (!old) return old.error();
-    meta = std::move(*old);
-  }
-  meta.merge_patch(changes);
-  return writeTextFile(file.toStdString(), meta.dump(2) + "\n");
+  const auto meta = mergedMeta(metaFileOf(opened->path.toStdString()), changes);
+  if (!meta) return meta.error();
+  return writeTextFile(file.toStdString(), meta->dump(2) + "\n");
 }
 
 void RealityPanel::saveMeta() {

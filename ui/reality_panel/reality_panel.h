@@ -15,9 +15,10 @@ class DecidingMotion;
 class DifferencePane;
 struct OpenRecording;
 
-/// What was found, by path. It belongs to the workspace, so that it outlives the window (a change of language).
+/// What was found, by path. The workspace's only child of its kind.
 class RealityFindings : public QObject {
  public:
+  using QObject::QObject;
   struct Found {
     std::weak_ptr<const OpenRecording> of;
     std::shared_ptr<const DiagnosisReport> report;
@@ -26,11 +27,7 @@ class RealityFindings : public QObject {
     std::vector<Mark> marks;  ///< That it was made with.
     std::string guess;        ///< Of a practice recording
   };
-  static RealityFindings* of(Workspace& workspace);
   QMap<QString, Found> found;
-
- private:
-  using QObject::QObject;
 };
 
 class RealityPanel : public StepPanel {

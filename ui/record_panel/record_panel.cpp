@@ -16,6 +16,7 @@
 #include "core/recording/csv_reader.h"
 #include "core/workspace/session.h"
 #include "ui/controller/autosave.h"
+#include "ui/controller/only_child.h"
 #include "ui/controller/workspace.h"
 #include "ui/live/live_words.h"
 #include "ui/models/numbers.h"
@@ -49,7 +50,7 @@ QString nameNow(const char* what) {
 
 }  // namespace
 
-RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(LiveRun::of(*parts.workspace)) {
+RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(onlyChild<LiveRun>(*parts.workspace)) {
   if (parts.view) {
     auto* playback = new Playback(this);
     ownPane_ = new RecordingPane(playback);

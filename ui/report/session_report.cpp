@@ -137,21 +137,23 @@ QString marksPart(const Workspace& workspace) {
 }
 
 QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bool applied) {
-  QString out = QStringLiteral("<h3>%1</h3>\n").arg(escaped(causeTitle(cause.id)));
-  out += QStringLiteral("<p><b>%1</b>%2</p>\n").arg(escaped(causeSentence(cause, report)), applied ? escaped(Words::tr(" (applied)")) : QString());
+  QString out = QStringLiteral("<h3>%1</h3>\n").arg(escaped(titleOf(cause.id)));
+  out += QStringLiteral("<p><b>%1</b>%2</p>\n")
+             .arg(escaped(sentenceOf(cause, report)), applied ? escaped(Words::tr(" (applied)")) : QString());
   if (cause.before.cols() > 0) out += pictureOf(errorChart(report, cause), 150);
   if (cause.gain.forceBefore > 0.0)
     out += paragraph(Words::tr("Unseen error %1 → %2; noise floor %3.")
                          .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)));
   if (isTied(cause)) {
     QStringList names;
-    for (const auto& id : cause.alternatives) names << causeTitle(id);
-    out += paragraph(Words::tr("Equally possible with this motion: %1. To decide: %2").arg(names.join(", "), causeDecides(cause.id)));
+    for (const auto& id : cause.alternatives) names << titleOf(id);
+    out += paragraph(
+        Words::tr("Equally possible with this motion: %1. To decide: %2").arg(names.join(", "), decidesOf(cause.id)));
   }
   QString rows;
   for (const auto& p : cause.parameters) rows += row({QString::fromStdString(p.name), parameterText(p)});
   out += table(rows);
-  out += paragraph(Words::tr("Check on the rig: %1").arg(causeCheck(cause.id)));
+  out += paragraph(Words::tr("Check on the rig: %1").arg(checkOf(cause, report)));
   const StrengthText strength = strengthOf(cause, report);
   return out + paragraph(QStringLiteral("%1: %2").arg(strength.word.left(1).toUpper() + strength.word.mid(1), strength.meaning));
 }
@@ -166,7 +168,10 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
     out += paragraph(Words::tr("Something is left that goes with %1; no known cause accounts for it.").arg(goesWithText(report.remaining.goesWith)));
   if (!report.causes.empty()) {
     const ChangeText change = payloadChange(report);
-    out += paragraph(Words::tr("With all causes the result changes: %1, %2 times its stated uncertainty.").arg(change.text, numberText(change.sigmas, 1)));
+    out += paragraph(change.text.isEmpty()
+                         ? Words::tr("With all causes mass and centre stay the same.")
+                         : Words::tr("With all causes the result changes: %1, %2 times its stated uncertainty.")
+                               .arg(change.text, numberText(change.sigmas, 1)));
   }
   for (const bool torque : {false, true}) {
     const auto spectrum = diagnosis::spectrumOf(report.series, torque);

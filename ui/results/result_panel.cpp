@@ -39,6 +39,21 @@ QString tagText(Source source, bool doubtful) {
   return doubtful && source == Source::data ? ResultPanel::tr("measured, check first") : sourceWord(source);
 }
 
+/// Where there is little room.
+QString shortTagText(Source source) {
+  return source == Source::none ? ResultPanel::tr("not known") : sourceWord(source);
+}
+
+/// What a row of parts needs to stand side by side.
+int widthOf(const std::vector<QWidget*>& parts, int spacing) {
+  int needed = 0;
+  for (QWidget* part : parts) {
+    part->ensurePolished();
+    needed += part->sizeHint().width() + spacing;
+  }
+  return needed;
+}
+
 }  // namespace
 
 ResultPanel::ResultPanel(QWidget* parent) : PanelPage(parent) {}
@@ -115,10 +130,15 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
   auto* foot = new QHBoxLayout;
   foot->addWidget(
-      makeTag(tagText(result.mass.source, result.doubtful), lightOf(result.mass.source, result.doubtful), content));
-  foot->addStretch(1);
-  if (!result.massNote.isEmpty())
-    foot->addWidget(styledLabel(QStringLiteral("| ") + result.massNote, "caption", content));
+      makeTag(tagText(result.mass.source, result.doubtful), lightOf(result.mass.source, result.doubtful), content), 0,
+      Qt::AlignTop);
+  if (result.massNote.isEmpty()) {
+    foot->addStretch(1);
+  } else {
+    QLabel* note = wrappedLabel(QStringLiteral("| ") + result.massNote, "caption", content);
+    note->setAlignment(Qt::AlignRight | Qt::AlignTop);
+    foot->addWidget(note, 1);
+  }
   card.layout->addLayout(foot);
   column->addWidget(card.frame);
 }
@@ -134,31 +154,40 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   const Source joint = jointSource(result.com);
   const bool same =
       std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
-  if (same) row->addWidget(makeTag(tagText(joint, result.doubtful), lightOf(joint, result.doubtful), content));
+  if (same) row->addWidget(makeTag(shortTagText(joint), lightOf(joint, result.doubtful), content));
   card.layout->addLayout(row);
 
-  auto* numbers = new QHBoxLayout;
-  numbers->setSpacing(4);
+  // Side by side, or below each other where the numbers are long.
+  constexpr int kSpacing = 4, kAround = 2 * 20 + 2 * 16 + 12;  // margins of page and card, scroll bar
+  std::vector<QWidget*> parts;
   for (int i = 0; i < static_cast<int>(result.com.size()); ++i) {
     const NumberText& n = result.com[i];
-    if (i > 0) numbers->addStretch(1);
-    numbers->addWidget(new AxisDot(i, content), 0, Qt::AlignVCenter);
-    numbers->addWidget(styledLabel(n.name, "rowName", content));
     QLabel* value = styledLabel(n.value, "midNumber", content);
     value->setToolTip(n.tip);
     value->setAccessibleName(n.name + QStringLiteral(" ") + n.value + QStringLiteral(" ") + n.plusMinus);
-    numbers->addWidget(value);
     QLabel* spread = styledLabel(n.plusMinus, "plusMinus", content);
     spread->setToolTip(n.tip);
-    numbers->addWidget(spread);
+    for (QWidget* part : std::initializer_list<QWidget*>{new AxisDot(i, content),
+                                                         styledLabel(n.name, "rowName", content), value, spread})
+      parts.push_back(part);
   }
+  const bool narrow = widthOf(parts, kSpacing) > (isVisible() ? width() : minimumWidth()) - kAround;
+  auto* numbers = new QGridLayout;
+  numbers->setHorizontalSpacing(kSpacing);
+  numbers->setVerticalSpacing(2);
+  constexpr int kParts = 4;
+  for (int k = 0; k < static_cast<int>(parts.size()); ++k) {
+    const int axis = k / kParts, part = k % kParts;
+    numbers->addWidget(parts[k], narrow ? axis : 0, narrow ? part : (kParts + 1) * axis + part,
+                       narrow && part == 2 ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignVCenter);
+  }
+  for (const int gap : {kParts, 2 * kParts + 1}) numbers->setColumnStretch(gap, 1);
   card.layout->addLayout(numbers);
   if (!same) {
     auto* tags = new QHBoxLayout;
     for (const NumberText& n : result.com) {
       tags->addWidget(
-          makeTag(n.name + QStringLiteral(": ") + (n.source == Source::none ? tr("not known") : sourceWord(n.source)),
-                  lightOf(n.source, result.doubtful), content));
+          makeTag(n.name + QStringLiteral(": ") + shortTagText(n.source), lightOf(n.source, result.doubtful), content));
     }
     tags->addStretch(1);
     card.layout->addLayout(tags);
@@ -176,8 +205,9 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
   row->setSpacing(10);
   row->addWidget(new LightIcon(jointLight(result.inertia, result.doubtful), 22, content));
   row->addWidget(styledLabel(tr("Inertia"), "cardTitle", content));
-  row->addStretch(1);
-  row->addWidget(styledLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content));
+  QLabel* unit = wrappedLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content);
+  unit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(unit, 1);
   card.layout->addLayout(row);
   card.layout->addSpacing(8);
 
@@ -193,7 +223,7 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
     QLabel* name = styledLabel(n.name, "rowName", line);
     name->setMinimumWidth(40);
     lineRow->addWidget(name);
-    lineRow->addWidget(makeTag(tagText(n.source, result.doubtful), lightOf(n.source, result.doubtful), line));
+    lineRow->addWidget(makeTag(shortTagText(n.source), lightOf(n.source, result.doubtful), line));
     lineRow->addStretch(1);
     QLabel* value = styledLabel(n.value, "smallNumber", line);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -230,6 +260,13 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
     if (!finding.remedy.isEmpty()) text->addWidget(wrappedLabel(finding.remedy, "caption", content));
     row->addLayout(text, 1);
     card.layout->addLayout(row);
+  }
+  if (std::any_of(findings.begin(), findings.end(), [](const FindingText& finding) { return finding.doubt; })) {
+    auto* look = new QPushButton(tr("Look for the cause"), content);
+    look->setObjectName("smallButton");
+    look->setProperty("role", "cause");
+    connect(look, &QPushButton::clicked, this, &ResultPanel::causeWanted);
+    card.layout->addWidget(look, 0, Qt::AlignRight);
   }
   column->addWidget(card.frame);
 }

@@ -30,6 +30,7 @@ class ResultPanel : public PanelPage {
   void estimateWanted();
   void exportWanted();
   void recordWanted();
+  void causeWanted();
   void methodsWanted();
   void knownWanted();
 

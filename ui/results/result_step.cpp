@@ -19,6 +19,7 @@ ResultStep::ResultStep(const StudioParts& parts)
     : StepPanel(parts, new ResultPanel), panel_(static_cast<ResultPanel*>(page())), methods_(new MethodPane) {
   parts.followJobs(&jobs_);
   connect(panel_, &ResultPanel::recordWanted, this, [this] { this->parts().goTo(Step::record); });
+  connect(panel_, &ResultPanel::causeWanted, this, [this] { this->parts().goTo(Step::realityCheck); });
   connect(panel_, &ResultPanel::methodsWanted, this, &ResultStep::compare);
   connect(panel_, &ResultPanel::knownWanted, this, &ResultStep::askKnown);
   connect(methods_, &MethodPane::closeWanted, this, &ResultStep::endComparison);

@@ -66,8 +66,8 @@ BodyForm::BodyForm(const QString& title, const ShapeBody& body, int index, QWidg
   const auto measures = measuresOf(body);
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const QString name = lengthName(measures[m].length);
-    const double least = measures[m].length == Length::innerDiameter ? 0.0 : 0.5;
-    auto* stepper = new Stepper(capitalised(name), QStringLiteral("mm"), {least, 5000.0, 1.0, 1}, this);
+    const double least = measures[m].length == Length::innerDiameter ? 0.0 : kLeastLength;
+    auto* stepper = new Stepper(capitalised(name), QStringLiteral("mm"), {least, kMostLength, 1.0, 1}, this);
     stepper->setObjectName(QStringLiteral("size_%1_%2").arg(index).arg(m));
     addColumn(grid, static_cast<int>(m), measures[m].axis, name, stepper, this);
     connect(stepper, &Stepper::begun, this, &BodyForm::begun);
@@ -107,7 +107,7 @@ PlaceForm::PlaceForm(QWidget* parent) : QWidget(parent) {
   column->addWidget(error_);
   for (int a = 0; a < 3; ++a) {
     const QString axis(QChar("xyz"[a]));
-    auto* shift = new Stepper(tr("Place along %1").arg(axis), QStringLiteral("mm"), {-5000.0, 5000.0, 1.0, 1}, this);
+    auto* shift = new Stepper(tr("Place along %1").arg(axis), QStringLiteral("mm"), {-kMostLength, kMostLength, 1.0, 1}, this);
     shift->setObjectName(QStringLiteral("place_") + axis);
     addColumn(place, a, a, axis, shift, this);
     auto* turn = new Stepper(tr("Tilt about %1").arg(axis), QString(QChar(0xb0)), {-180.0, 180.0, 1.0, 1}, this);

@@ -12,6 +12,8 @@ namespace heft {
 
 class Stepper;
 
+constexpr double kLeastLength = 0.5, kMostLength = 5000.0;  ///< [mm] of a tool
+
 /// The sentence under a row of fields; hidden while there is nothing to say.
 QLabel* makeFieldError(QWidget* parent);
 void showFieldError(QLabel* label, const QString& sentence);

@@ -11,6 +11,18 @@ namespace heft {
 
 using Answer = ShapeChoice::Answer;
 
+namespace {
+
+ShapeBody meshOf(const QString& file) {
+  ShapeBody body;
+  body.kind = BodyKind::mesh;
+  body.file = QFileInfo(file).absoluteFilePath().toStdString();
+  body.unit = 0.0;  // To be guessed.
+  return body;
+}
+
+}  // namespace
+
 void ShapePanel::chooseMesh() {
   const auto opened = workspace().opened();
   const QString folder = opened ? QFileInfo(opened->path).absolutePath() : QString();
@@ -26,10 +38,7 @@ void ShapePanel::useFile(const QString& file) {
 }
 
 void ShapePanel::addMeshPart(const QString& file) {
-  ShapeBody wanted;
-  wanted.kind = BodyKind::mesh;
-  wanted.file = QFileInfo(file).absoluteFilePath().toStdString();
-  wanted.unit = 0.0;  // To be guessed.
+  const ShapeBody wanted = meshOf(file);
   meshJobs_.start(
       tr("Reading %1").arg(bodyTitle(wanted)), [wanted](const Progress&) { return loadToolMesh(wanted); },
       [this, key = wanted.file.string()](const Result<LoadedMesh>& result) {
@@ -47,19 +56,14 @@ void ShapePanel::addMeshPart(const QString& file) {
         const double end = taken.isEmpty() ? 0.0 : taken.max().z();
         if (!box.isEmpty())
           part.X_SB.pretranslate(Vector3d(-box.center().x(), -box.center().y(), end - box.min().z()));
-        next.bodies.push_back(part);
-        selected_ = static_cast<int>(next.bodies.size()) - 1;
         mode_ = ToolMode::move;
-        const QString why = change(next, tr("add a part"), 0);
+        const QString why = addPart(next, part);
         if (!why.isEmpty()) parts().say(Severity::error, why);
       });
 }
 
 void ShapePanel::replaceByMesh(const QString& file) {
-  ShapeBody wanted;
-  wanted.kind = BodyKind::mesh;
-  wanted.file = QFileInfo(file).absoluteFilePath().toStdString();
-  wanted.unit = 0.0;  // To be guessed.
+  const ShapeBody wanted = meshOf(file);
   meshes_.erase(wanted.file.string());  // It may have been written anew.
   pendingMesh_ = true;
   mesh_.reset();

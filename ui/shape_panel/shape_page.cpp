@@ -173,10 +173,7 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
       change(next, tr("take a part away"), 0);
     });
     connect(partsList_, &PartsList::addWanted, this, [this](BodyKind kind) {
-      Shape next = choice().shape;
-      next.bodies.push_back(nextBody(kind, next));
-      selected_ = static_cast<int>(next.bodies.size()) - 1;
-      change(next, tr("add a part"), 0);
+      addPart(choice().shape, nextBody(kind, choice().shape));
     });
     connect(partsList_, &PartsList::addMeshWanted, this, &ShapePanel::chooseMesh);
     column->addWidget(partsList_);

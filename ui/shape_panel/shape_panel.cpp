@@ -24,10 +24,6 @@ namespace heft {
 
 using Answer = ShapeChoice::Answer;
 
-namespace {
-constexpr double kLeastLength = 0.5, kMostLength = 5000.0;  ///< [mm]
-}
-
 ShapePanel::ShapePanel(const StudioParts& parts) : StepPanel(parts), handles_(HandleSet::Frame::sensor) {
   setAcceptDrops(true);
   parts.followJobs(&meshJobs_);
@@ -216,6 +212,12 @@ QString ShapePanel::change(Shape next, const QString& text, int key) {
   edited.shape = std::move(next);
   setChoice(edited, text, key);
   return {};
+}
+
+QString ShapePanel::addPart(Shape shape, const ShapeBody& part) {
+  shape.bodies.push_back(part);
+  selected_ = static_cast<int>(shape.bodies.size()) - 1;
+  return change(std::move(shape), tr("add a part"), 0);
 }
 
 void ShapePanel::setLength(int body, int measure, double metres) {

@@ -76,6 +76,8 @@ class ShapePanel : public StepPanel {
   void pickUnknown();
   /// Puts the shape in place if it can be; else says why not and changes nothing.
   QString change(Shape next, const QString& text, int key);
+  /// Chooses it, too. Why not, where it cannot be.
+  QString addPart(Shape shape, const ShapeBody& part);
   void setChoice(const ShapeChoice& next, const QString& text, int key = 0);
   void setLength(int body, int measure, double metres);
   /// A length that was typed in the 3D view.

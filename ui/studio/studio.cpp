@@ -61,10 +61,8 @@ void Studio::useTexts(const QString& language) {
   // Core speaks the same language: its texts stand under this heading (packaging/update-texts.sh).
   if (language == "en") return setTranslator({});
   setTranslator(
-      [](const char* pattern) {
-        const QString text = QCoreApplication::translate("heft", pattern);
-        return text == QLatin1String(pattern) ? std::string() : text.toStdString();
-      },
+      // A text that is the same in both languages counts, too: its numbers differ.
+      [](const char* pattern) { return QCoreApplication::translate("heft", pattern).toStdString(); },
       QLocale().decimalPoint().toLatin1());
 }
 

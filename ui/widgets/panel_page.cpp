@@ -16,14 +16,19 @@
 namespace heft {
 namespace {
 
-/// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for.
+/// What scrolls: as high as its text needs at the present width, which a layout alone does not ask for. Parts that were
+/// just added are shown and styled before they are measured; Qt would do so only after a first, wrong picture.
 class PanelContent : public QWidget {
  public:
   PanelContent() {
     setObjectName("panelContent");
     later_.setSingleShot(true);
     later_.setInterval(0);
-    connect(&later_, &QTimer::timeout, this, [this] { fitHeight(); });
+    connect(&later_, &QTimer::timeout, this, [this] {
+      showParts();
+      fitHeight();
+    });
+    later_.start();
   }
 
  protected:
@@ -32,16 +37,29 @@ class PanelContent : public QWidget {
     fitHeight();
   }
   bool event(QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) showParts();
     const bool handled = QWidget::event(event);
     if (event->type() == QEvent::LayoutRequest) {
       fitHeight();
-      // Parts just added are still hidden and unstyled, and count for nothing in this first measure.
+      // Once more: a layout within it may have learned its width only now.
       later_.start();
     }
     return handled;
   }
 
  private:
+  void showParts() {
+    if (!isVisible()) return;
+    for (auto* part : findChildren<QWidget*>()) {
+      part->ensurePolished();
+      const QWidget* parent = part->parentWidget();
+      if (part->isWindow() || !part->isHidden() || part->testAttribute(Qt::WA_WState_ExplicitShowHide) ||
+          !parent->isVisible() || !parent->layout())
+        continue;
+      part->show();
+    }
+    if (layout()) layout()->activate();
+  }
   void fitHeight() {
     if (!layout() || width() <= 0) return;
     const int needed = layout()->totalHeightForWidth(width());

@@ -21,9 +21,20 @@ LegendEntry::LegendEntry(WrenchPlots::Shown what, const QString& text, QWidget* 
 
 int LegendEntry::sampleWidth() const { return static_cast<int>(what_) < 3 ? 12 : 26; }
 
-QSize LegendEntry::sizeHint() const {
-  return {sampleWidth() + 8 + QFontMetrics(uiFont(type::kCaption)).horizontalAdvance(text()) + 8, 24};
+void LegendEntry::setShortText(const QString& text) {
+  if (short_ == text) return;
+  short_ = text;
+  updateGeometry();
+  update();
 }
+
+int LegendEntry::widthWith(const QString& text) const {
+  return sampleWidth() + 8 + QFontMetrics(uiFont(type::kCaption)).horizontalAdvance(text) + 8;
+}
+
+QSize LegendEntry::sizeHint() const { return {widthWith(shown()), 24}; }
+
+QSize LegendEntry::minimumSizeHint() const { return sizeHint(); }
 
 void LegendEntry::paintEvent(QPaintEvent*) {
   const Theme& t = theme();
@@ -56,7 +67,7 @@ void LegendEntry::paintEvent(QPaintEvent*) {
   painter.setFont(font);
   painter.setPen(t.text2);
   painter.drawText(QRectF(sample.right() + 8, 0, width() - sample.right() - 8, height()),
-                   Qt::AlignVCenter | Qt::AlignLeft, text());
+                   Qt::AlignVCenter | Qt::AlignLeft, shown());
   if (hasFocus()) {
     painter.setOpacity(1.0);
     painter.setPen(QPen(t.accent, 1));

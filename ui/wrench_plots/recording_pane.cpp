@@ -1,5 +1,6 @@
 #include "ui/wrench_plots/recording_pane.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -17,6 +18,31 @@
 #include "ui/wrench_plots/wrench_plots.h"
 
 namespace heft {
+namespace {
+
+/// An entry of the legend that says less where the header has no room for all of its parts.
+class LegendFitter : public QObject {
+ public:
+  LegendFitter(LegendEntry* entry, const QString& shortText, QWidget* header)
+      : QObject(header), entry_(entry), short_(shortText), header_(header) {}
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    // A button of the header was shown or hidden, or the header was resized.
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) {
+      const int others = header_->layout()->sizeHint().width() - entry_->sizeHint().width();
+      entry_->setShortText(others + entry_->wholeWidth() > header_->width() ? short_ : QString());
+    }
+    return false;
+  }
+
+ private:
+  LegendEntry* entry_;
+  QString short_;
+  QWidget* header_;
+};
+
+}  // namespace
 
 RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(parent), playback_(playback) {
   const PaneHeader top = dressAsPane(this, tr("Force and torque at the sensor"));
@@ -52,6 +78,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     connect(entry, &QAbstractButton::toggled, plots_, [this, shown = what](bool on) { plots_->setShown(shown, on); });
     row->addWidget(entry);
     if (what == Shown::z) row->addSpacing(10);
+    if (what == Shown::difference) header->installEventFilter(new LegendFitter(entry, tr("difference"), header));
   }
   row->addStretch(1);
   paint_ = new QPushButton(tr("Paint"), header);

@@ -11,28 +11,7 @@ const char* unitOf(int channel) { return channel < 3 ? "N" : "N m"; }
 class BiasDrift final : public Cause {
  public:
   std::string_view id() const override { return "bias_drift"; }
-  Words words() const override {
-    return {"Sensor drifts",
-            "Let the sensor warm up for half an hour before recording; keep drafts and motor heat away; zero it often.",
-            "Come back to the same pose a few times: a drift reads differently each time.",
-            {"payload_change", "sensor_bias"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    Eigen::Index c = 0;
-    double best = -1.0;
-    for (Eigen::Index i = 0; i < 6; ++i) {
-      const double z = std(i) > 0.0 ? std::abs(v(i)) / std(i) : 0.0;
-      if (z > best) {
-        best = z;
-        c = i;
-      }
-    }
-    if (form.choice[0] == 1)
-      return fmt::format("The sensor's zero creeps: {} by {} {} before it settles.", channelName(c), plusMinus(v(c), std(c)),
-                         unitOf(static_cast<int>(c)));
-    return fmt::format("The sensor's zero drifts: {} by {} {} per second{}.", channelName(c), plusMinus(v(c), std(c)),
-                       unitOf(static_cast<int>(c)), form.choice[0] == 2 ? " on average, not evenly" : "");
-  }
+  std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const double T = std::max(1.0, signals.duration());
@@ -84,16 +63,7 @@ class BiasDrift final : public Cause {
 class SensorBias final : public Cause {
  public:
   std::string_view id() const override { return "sensor_bias"; }
-  Words words() const override {
-    return {"Sensor's zero jumped",
-            "Look for a knock, a loose connector, or a program that zeroed the sensor during the recording.",
-            "Turn the tool to another pose after the jump: a jump of the sensor stays, a load turns with gravity.",
-            {"payload_change", "bias_drift"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd&) const override {
-    return fmt::format("At {:.1f} s the sensor's zero jumped by {:.2f} N and {:.3f} N m.", v(0), v.segment<3>(1).norm(),
-                       v.segment<3>(4).norm());
-  }
+  std::vector<std::string> lookAlikes() const override { return {"payload_change", "bias_drift"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const double end = signals.startTime + signals.duration();
@@ -122,13 +92,7 @@ class SensorBias final : public Cause {
 class Wandering final : public Cause {
  public:
   std::string_view id() const override { return kWandering; }
-  Words words() const override {
-    return {"Sensor's zero wanders", "Let the sensor warm up, and keep recordings short.",
-            "Come back to the same pose a few times.", {"bias_drift"}};
-  }
-  std::string sentence(const Form&, const VectorXd&, const VectorXd&) const override {
-    return "The sensor's zero wanders slowly.";
-  }
+  std::vector<std::string> lookAlikes() const override { return {"bias_drift"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Parameter> parameters;
     for (int k = 1; k <= kHalfWaves; ++k)

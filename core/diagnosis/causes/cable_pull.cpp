@@ -10,20 +10,7 @@ Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean
 class CablePull final : public Cause {
  public:
   std::string_view id() const override { return "cable_pull"; }
-  Words words() const override {
-    return {"Cable pulls",
-            "Look at cables and hoses between arm and tool: give them slack, or lead them along the arm.",
-            "Move the tool through a larger space, to where the cable is taut and where it is slack.",
-            {"constant_pull", "gravity_tilt"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    if (form.choice[0] == 3)
-      return fmt::format("A cable twists back as the tool turns, with {} N m per radian.", plusMinus(v(0), std(0)));
-    if (form.choice[0] == 2)
-      return fmt::format("A cable pulls the tool back as it moves away, by {:.1f}, {:.1f} and {:.1f} N per metre along x, y "
-                         "and z.", v(0), v(1), v(2));
-    return fmt::format("A cable pulls the tool back as it moves away, by {} N per metre.", plusMinus(v(0), std(0)));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"constant_pull", "gravity_tilt"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const Parameter stiffness{"stiffness", "N/m", 1.0, 1.0, 0.0, 400.0};

@@ -25,10 +25,4 @@ const Cause* findCause(std::string_view id) {
   return nullptr;
 }
 
-std::string plusMinus(double value, double std) {
-  if (!(std > 0.0) || !std::isfinite(std)) return fmt::format("{:.3g}", value);
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(std))));
-  return fmt::format("{:.{}f} ± {:.{}f}", value, digits, std, digits);
-}
-
 }  // namespace heft::diagnosis

@@ -8,16 +8,7 @@ namespace {
 class ConstantPull final : public Cause {
  public:
   std::string_view id() const override { return "constant_pull"; }
-  Words words() const override {
-    return {"Steady pull from outside",
-            "Look for a balancer, a hose or a weight that always pulls in the same direction.",
-            "Record once with a heavier tool: a tilt grows with the weight, a pull does not.",
-            {"gravity_tilt", "cable_pull"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("Something pulls at the tool with {} N, always in the same direction.",
-                       plusMinus(v.head<3>().norm(), std.head<3>().maxCoeff()));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "cable_pull"}; }
   std::vector<Form> forms(const Signals&) const override {
     const std::vector<Parameter> pull{{"force_x", "N", 1.0, 0.3, -60.0, 60.0},
                                 {"force_y", "N", 1.0, 0.3, -60.0, 60.0},

@@ -8,17 +8,7 @@ namespace {
 class Crosstalk final : public Cause {
  public:
   std::string_view id() const override { return "crosstalk"; }
-  Words words() const override {
-    return {"One axis shows on another",
-            "Check that the sensor's own calibration matrix is loaded (serial number), and that nothing bridges it.",
-            "Tilt the tool so that its weight lies on each axis of the sensor in turn.",
-            {"sensor_rotation", "gain_error"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    const Parameter& p = form.parameters[0];
-    return fmt::format("{} shows on {}: {} {}.", channelName(form.choice[1]), channelName(form.choice[0]),
-                       plusMinus(v(0) * p.scale, std(0) * p.scale), p.unit);
-  }
+  std::vector<std::string> lookAlikes() const override { return {"sensor_rotation", "gain_error"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (int to = 0; to < 6; ++to)

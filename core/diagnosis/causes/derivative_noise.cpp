@@ -8,16 +8,7 @@ namespace {
 class DerivativeNoise final : public Cause {
  public:
   std::string_view id() const override { return "derivative_noise"; }
-  Words words() const override {
-    return {"Accelerations too noisy or too smooth",
-            "Record joint angles at the full rate and resolution; check the size of gravity in the meta file.",
-            "Record once more and compare with stronger smoothing (--cutoff): noise loses more then, a wrong gravity does not.",
-            {"motion_lag"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("The forces of acceleration differ from what the motion says by {} %.",
-                       plusMinus(-v(0) * 100.0, std(0) * 100.0));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"motion_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (!signals.positionKnown) return {};
     return {formOf(this, "", {{"loss", "%", 100.0, 0.05, -0.5, 0.5}})};

@@ -37,17 +37,7 @@ class Resistance : public Cause {
 class ViscousDrag final : public Resistance {
  public:
   std::string_view id() const override { return "viscous_drag"; }
-  Words words() const override {
-    return {"Resistance that grows with speed",
-            "Look for hoses full of liquid, dampers, bellows or covers that the tool drags along.",
-            "Repeat the same movement at several speeds.",
-            {"coulomb_friction", "low_pass_lag"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    if (form.choice[0] == 1)
-      return fmt::format("Something resists turning by {} N m per radian per second.", plusMinus(v(0), std(0)));
-    return fmt::format("Something resists the tool's movement by {} N per metre per second.", plusMinus(v(0), std(0)));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     auto out = common(signals, {"drag", "N s/m", 1.0, 0.3, 0.0, 200.0}, {"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0});
     if (!signals.positionKnown) return out;
@@ -74,17 +64,7 @@ class ViscousDrag final : public Resistance {
 class CoulombFriction final : public Resistance {
  public:
   std::string_view id() const override { return "coulomb_friction"; }
-  Words words() const override {
-    return {"Friction",
-            "Look for something that rubs: a cable in a clamp, a cover, a stiff sheath.",
-            "Repeat the same movement at several speeds, and turn back after short and long ways.",
-            {"viscous_drag", "hysteresis"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    if (form.choice[0] == 1) return fmt::format("Friction resists turning with {} N m.", plusMinus(v(0), std(0)));
-    return fmt::format("Friction holds the tool back with {} N{}.", plusMinus(v(0), std(0)),
-                       form.choice[0] == 4 ? ", and gives way slowly after each turn" : "");
-  }
+  std::vector<std::string> lookAlikes() const override { return {"viscous_drag", "hysteresis"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0};
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});

@@ -8,18 +8,7 @@ namespace {
 class GainError final : public Cause {
  public:
   std::string_view id() const override { return "gain_error"; }
-  Words words() const override {
-    return {"Sensor reads too much or too little",
-            "Hang a known weight from each side of the sensor and check its calibration file.",
-            "Tilt the tool so that its weight lies on each axis of the sensor in turn. A gain that is the same on all axes "
-            "cannot be told from a heavier tool by any motion: weigh the tool.",
-            {"crosstalk", "lever_arm"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("The sensor's channel {} reads {} % {} than it should, against the others.",
-                       channelName(form.choice[0]), plusMinus(std::abs(v(0)) * 100.0, std(0) * 100.0),
-                       v(0) > 0.0 ? "more" : "less");
-  }
+  std::vector<std::string> lookAlikes() const override { return {"crosstalk", "lever_arm"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (int c = 0; c < 6; ++c) {

@@ -8,16 +8,7 @@ namespace {
 class GravityTilt final : public Cause {
  public:
   std::string_view id() const override { return "gravity_tilt"; }
-  Words words() const override {
-    return {"Robot base tilted",
-            "Put a spirit level on the robot's base, or state the true gravity in the meta file (gravity_m_s2).",
-            "Record once with a heavier tool: a tilt grows with the weight, a pull does not.",
-            {"constant_pull", "joint_offset"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("Gravity is tilted by {} degrees against the robot's base.",
-                       plusMinus(v.norm() * kDegrees, std.maxCoeff() * kDegrees));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"constant_pull", "joint_offset"}; }
   std::vector<Form> forms(const Signals&) const override {
     const double size = 1.0 / kDegrees;
     return {formOf(this, "", {{"tilt_x", "deg", kDegrees, size, -3.0, 3.0}, {"tilt_y", "deg", kDegrees, size, -3.0, 3.0}})};

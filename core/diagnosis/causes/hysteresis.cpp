@@ -8,16 +8,7 @@ namespace {
 class Hysteresis final : public Cause {
  public:
   std::string_view id() const override { return "hysteresis"; }
-  Words words() const override {
-    return {"Sensor remembers its load",
-            "Check the sensor's overload history and its mounting screws; a glued or pinched sensor behaves like this.",
-            "Load the sensor slowly up and down in one direction, in small and large steps.",
-            {"coulomb_friction", "low_pass_lag"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd&) const override {
-    return fmt::format("The sensor reads differently when the load grows and when it falls, by up to {:.1f} % of the load.",
-                       100.0 * v.cwiseAbs().maxCoeff());
-  }
+  std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (const int percent : {5, 20, 60}) {

@@ -8,16 +8,7 @@ namespace {
 class JointOffset final : public Cause {
  public:
   std::string_view id() const override { return "joint_offset"; }
-  Words words() const override {
-    return {"Joint angle off",
-            "Check the calibration of that joint, or the robot description used for this recording.",
-            "Visit poses in which the other joints stand very differently, elbow high and low.",
-            {"gravity_tilt", "sensor_rotation"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("Joint {} is really {} degrees from what was recorded.", form.choice[0] + 1,
-                       plusMinus(v(0) * kDegrees, std(0) * kDegrees));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "sensor_rotation"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     for (int joint = 0; signals.robot != nullptr && joint < signals.q.rows(); ++joint) {

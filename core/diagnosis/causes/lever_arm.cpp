@@ -8,16 +8,7 @@ namespace {
 class LeverArm final : public Cause {
  public:
   std::string_view id() const override { return "lever_arm"; }
-  Words words() const override {
-    return {"Sensor's place on the arm is wrong",
-            "Measure from the flange to the sensor's origin and compare with the meta file (sensor.mount.xyz_m).",
-            "Turn the tool fast to and fro about all three axes.",
-            {"gain_error", "derivative_noise"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("The sensor's origin is {} mm away from where the meta file puts it (x, y, z: {:.1f}, {:.1f}, {:.1f} mm).",
-                       plusMinus(v.norm() * kMilli, std.maxCoeff() * kMilli), v(0) * kMilli, v(1) * kMilli, v(2) * kMilli);
-  }
+  std::vector<std::string> lookAlikes() const override { return {"gain_error", "derivative_noise"}; }
   std::vector<Form> forms(const Signals&) const override {
     Form form = formOf(this, "", {{"dx", "mm", kMilli, 0.01, -0.5, 0.5},
                                   {"dy", "mm", kMilli, 0.01, -0.5, 0.5},

@@ -8,18 +8,7 @@ namespace {
 class LowPassLag final : public Cause {
  public:
   std::string_view id() const override { return "low_pass_lag"; }
-  Words words() const override {
-    return {"Filter in the force sensor",
-            "Look for a low-pass or averaging setting in the sensor's amplifier or driver, and switch it off or raise its "
-            "frequency.",
-            "Shake the tool quickly for a few seconds, two to four times a second: a filter also makes fast forces smaller, a "
-            "delay does not.",
-            {"time_offset", "motion_lag"}};
-  }
-  std::string sentence(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("The force readings pass a {}filter with a time constant of {} ms.",
-                       form.choice[0] == 2 ? "two-stage " : "", plusMinus(v(0) * kMilli, std(0) * kMilli));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"time_offset", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (const int stages : {1, 2}) {

@@ -17,16 +17,7 @@ Eigen::Matrix3Xd rotated(const Signals& signals, const Eigen::Matrix3Xd& value, 
 class MotionLag final : public Cause {
  public:
   std::string_view id() const override { return "motion_lag"; }
-  Words words() const override {
-    return {"Late accelerations",
-            "Look for smoothing of the robot's reported velocities; record the plain joint angles at the full rate.",
-            "Turn the tool slowly through large angles: late readings show then too, late accelerations do not.",
-            {"time_offset", "derivative_noise"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("The recorded accelerations lag behind the real ones by {} ms; the angles do not.",
-                       plusMinus(v(0) * kMilli, std(0) * kMilli));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"time_offset", "derivative_noise"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (const int kind : {0, 1}) {

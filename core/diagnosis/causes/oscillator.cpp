@@ -73,16 +73,7 @@ class Oscillator : public Cause {
 class LooseMass final : public Oscillator {
  public:
   std::string_view id() const override { return "loose_mass"; }
-  Words words() const override {
-    return {"Something loose in the tool",
-            "Shake the tool by hand and listen: a loose part, a liquid, a hanging hose.",
-            "Move and stop abruptly a few times, in different directions: what is loose rings on.",
-            {"flexible_mount", "low_pass_lag"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("About {} g in the tool are loose and swing {:.1f} times a second.",
-                       plusMinus(v(0) * kMilli, std(0) * kMilli), v(4));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"flexible_mount", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     return at({0.8, 1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5, 10.0}, 0.4, 13.0);
   }
@@ -91,15 +82,7 @@ class LooseMass final : public Oscillator {
 class FlexibleMount final : public Oscillator {
  public:
   std::string_view id() const override { return "flexible_mount"; }
-  Words words() const override {
-    return {"Mount gives",
-            "Tighten the screws between arm, sensor and tool; look for rubber or thin adapters.",
-            "Tap the tool with a finger while the arm holds still.",
-            {"loose_mass"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd&) const override {
-    return fmt::format("The tool's mount gives and rings at {:.0f} Hz.", v(4));
-  }
+  std::vector<std::string> lookAlikes() const override { return {"loose_mass"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (signals.rateHz < 100.0) return {};
     return at({13.0, 15.0, 17.5, 20.0, 23.0}, 11.0, 60.0);

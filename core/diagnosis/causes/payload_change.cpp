@@ -9,16 +9,7 @@ namespace {
 class PayloadChange final : public Cause {
  public:
   std::string_view id() const override { return "payload_change"; }
-  Words words() const override {
-    return {"The load changed on the way",
-            "Was a part picked up or put down? Mark only the stretch with the tool that you mean.",
-            "Turn the tool to another pose after the change: a load turns with gravity, a jump of the sensor does not.",
-            {"sensor_bias", "contact"}};
-  }
-  std::string sentence(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    return fmt::format("At {:.1f} s the load became {} g {}.", v(0), plusMinus(std::abs(v(1)) * kMilli, std(1) * kMilli),
-                       v(1) > 0.0 ? "heavier" : "lighter");
-  }
+  std::vector<std::string> lookAlikes() const override { return {"sensor_bias", "contact"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const double end = signals.startTime + signals.duration();

@@ -42,7 +42,7 @@ TEST(DiagnosisReport, TextAndPageNameTheCause) {
   EXPECT_NE(toText(made().report).find("time_offset"), std::string::npos);
   const std::string page = toHtml(made().report);
   EXPECT_NE(page.find("<svg"), std::string::npos);
-  EXPECT_NE(page.find("Force readings out of step"), std::string::npos);
+  EXPECT_NE(page.find("Readings late"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos) << "A page on its own fetches nothing.";
   EXPECT_EQ(page.find("nan"), std::string::npos);
 }

@@ -1,0 +1,424 @@
+#include "core/diagnosis/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+
+#include "core/base/say.h"
+
+namespace heft {
+namespace {
+
+using diagnosis::FrameMistake;
+
+struct Words {
+  const char *title, *check, *decides, *looks;
+};
+
+const std::map<std::string_view, Words>& words() {
+  static const std::map<std::string_view, Words> kWords{
+      {"sensor_bias",
+       {heft::toSay("Sensor's zero jumped"),
+        heft::toSay("Was there a knock, a loose plug, or a program that zeroed the sensor while recording?"),
+        heft::toSay("Turn the tool to another pose after the jump and hold: a jump stays, a load turns with gravity."),
+        heft::toSay("The difference is flat, steps once, and is flat again, however the tool is held.")}},
+      {"bias_drift",
+       {heft::toSay("Sensor drifts"),
+        heft::toSay("Let the sensor warm up for half an hour, keep draughts off it, and zero it often."),
+        heft::toSay("Come back to the same pose three times: a drift reads differently each time."),
+        heft::toSay("The difference climbs or sinks slowly over the whole recording and ignores the motion.")}},
+      {"time_offset",
+       {heft::toSay("Readings late"), heft::toSay("Do force and joint angles get their time from one clock, at the source?"),
+        heft::toSay("Shake the tool quickly for ten seconds, two to four times a second."),
+        heft::toSay("The difference is large where the force changes fast and zero where it rests, with the full height "
+              "kept.")}},
+      {"low_pass_lag",
+       {heft::toSay("Readings smoothed"), heft::toSay("Is a filter or averaging switched on in the sensor's amplifier or driver?"),
+        heft::toSay("Shake the tool quickly for ten seconds: smoothing makes fast forces smaller, a delay does not."),
+        heft::toSay("Late like a delay, but peaks are also cut down, and the noise looks soft.")}},
+      {"motion_lag",
+       {heft::toSay("Accelerations late"), heft::toSay("Record the plain joint angles at the full rate, without smoothing."),
+        heft::toSay("Turn the tool slowly through large angles: late readings show then too, late accelerations do not."),
+        heft::toSay("Slow turning fits well; only starts and stops leave a difference.")}},
+      {"sensor_rotation",
+       {heft::toSay("Sensor mounted turned"),
+        heft::toSay("Compare the arrows printed on the sensor with the mount in the meta file."),
+        heft::toSay("Turn the last joint by half a turn and hold, then tilt the tool."),
+        heft::toSay("The weight shows up on the wrong axis of the sensor, always the same one.")}},
+      {"gravity_tilt",
+       {heft::toSay("Robot base tilted"),
+        heft::toSay("Put a spirit level on the robot's base, or state the true gravity in the meta file."),
+        heft::toSay("Record once more with a heavier tool: a tilt grows with the weight, a pull does not."),
+        heft::toSay("A difference that keeps its direction in the room and grows with the tool's weight.")}},
+      {"gain_error",
+       {heft::toSay("One channel reads wrong"),
+        heft::toSay("Hang a known weight from each side of the sensor; check its calibration file."),
+        heft::toSay("Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale."),
+        heft::toSay("The difference on one channel is a small copy of that channel itself.")}},
+      {"crosstalk",
+       {heft::toSay("One channel shows on another"), heft::toSay("Is the sensor's own calibration matrix loaded (serial number)?"),
+        heft::toSay("Tilt the tool so that its weight lies on each axis of the sensor in turn."),
+        heft::toSay("The difference on one channel is a small copy of another channel.")}},
+      {"cable_pull",
+       {heft::toSay("Cable or hose pulls"), heft::toSay("Does the cable or hose hang free of the wrist, with slack in every pose?"),
+        heft::toSay("Move the tool through a larger space, to where the cable is taut and where it is slack."),
+        heft::toSay("The difference goes with the place of the tool: the same spot, the same pull, at any speed.")}},
+      {"constant_pull",
+       {heft::toSay("Steady pull from outside"),
+        heft::toSay("Is there a balancer, a hose or a weight that pulls in one direction?"),
+        heft::toSay("Record once more with a heavier tool: a tilt grows with the weight, a pull does not."),
+        heft::toSay("A difference that keeps its direction in the room, whatever the tool weighs.")}},
+      {"viscous_drag",
+       {heft::toSay("Resistance grows with speed"),
+        heft::toSay("Does the tool drag hoses full of liquid, dampers, bellows or covers along?"),
+        heft::toSay("Repeat one movement slowly, faster and fast."),
+        heft::toSay("The difference follows the speed: none at rest, twice as much at twice the speed.")}},
+      {"coulomb_friction",
+       {heft::toSay("Something rubs"), heft::toSay("Does a cable rub in a clamp, a cover scrape, a sheath stiffen?"),
+        heft::toSay("Repeat one movement at several speeds, and turn back after short and long ways."),
+        heft::toSay("The difference jumps to the other side whenever the motion reverses, at any speed.")}},
+      {"loose_mass",
+       {heft::toSay("Something loose in the tool"),
+        heft::toSay("Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?"),
+        heft::toSay("Move and stop abruptly a few times in different directions: what is loose rings on."),
+        heft::toSay("After each stop the difference swings on for a while, a few times a second.")}},
+      {"flexible_mount",
+       {heft::toSay("Mount gives"),
+        heft::toSay("Tighten the screws between arm, sensor and tool; look for rubber or thin adapters."),
+        heft::toSay("Tap the tool with a finger while the arm holds still."),
+        heft::toSay("A fine, fast ringing after every jerk, always at the same pitch.")}},
+      {"payload_change",
+       {heft::toSay("Load changed on the way"),
+        heft::toSay("Was a part picked up or put down? Mark only the stretch that you mean."),
+        heft::toSay("Turn the tool to another pose after the change: a load turns with gravity, a jump does not."),
+        heft::toSay("From one moment on there is a difference that turns with the tool, as a weight does.")}},
+      {"contact",
+       {heft::toSay("The tool touched something"), heft::toSay("Was the tool set down, bumped, or held by its front?"),
+        heft::toSay("Repeat the motion without touching anything."),
+        heft::toSay("Short, large differences at a few moments; between them everything fits.")}},
+      {"saturation",
+       {heft::toSay("Sensor at its limit"), heft::toSay("Use a range that fits the load, and check the sensor's zero."),
+        heft::toSay("Repeat the motion more slowly, or with a lighter tool."),
+        heft::toSay("The measured curve is cut off flat at the top.")}},
+      {"joint_offset",
+       {heft::toSay("Joint angle off"), heft::toSay("Check that joint's calibration and the robot description of this recording."),
+        heft::toSay("Visit poses in which the other joints stand very differently, elbow high and low."),
+        heft::toSay("A difference that depends on the pose: a tilt that is not the same everywhere.")}},
+      {"spikes",
+       {heft::toSay("Spikes"), heft::toSay("Check the sensor's cable and plug, and what switches on nearby."),
+        heft::toSay("Hold still for a few seconds: spikes come without motion."),
+        heft::toSay("Single readings far off, with normal ones on both sides.")}},
+      {"lever_arm",
+       {heft::toSay("Sensor's place is wrong"),
+        heft::toSay("Measure from the flange to the sensor's origin and compare with the meta file."),
+        heft::toSay("Turn the tool fast to and fro about all three axes."),
+        heft::toSay("Slow motion fits; fast turning leaves a difference that grows with the square of its speed.")}},
+      {"derivative_noise",
+       {heft::toSay("Accelerations off"),
+        heft::toSay("Record joint angles at the full rate; check the size of gravity in the meta file."),
+        heft::toSay("Record once more with stronger smoothing and compare."),
+        heft::toSay("The fast parts of the motion are too large or too small in the simulation, the slow ones fit.")}},
+      {"hysteresis",
+       {heft::toSay("Sensor remembers its load"), heft::toSay("Was the sensor overloaded, glued or pinched? Check its screws."),
+        heft::toSay("Load the sensor slowly up and down in one direction, in small and large steps."),
+        heft::toSay("The difference lags behind the load itself: one value on the way up, another on the way down.")}},
+      {"frame_error",
+       {heft::toSay("Frames or signs mixed up"),
+        heft::toSay("Compare the sensor's manual with the meta file: axes, signs, gravity."),
+        heft::toSay("None is needed: the mistake is too large to be overlooked."),
+        heft::toSay("Nothing fits: the simulated curves run against the measured ones.")}},
+      {"dropouts",
+       {heft::toSay("Readings lost or repeated"), heft::toSay("Check the connection, and record at the sensor's own rate."),
+        heft::toSay("None is needed: the readings show it."),
+        heft::toSay("The measured curve has flat steps or holes where it should run on.")}},
+      {"jitter",
+       {heft::toSay("Uneven time stamps"), heft::toSay("Let the sensor or the robot stamp the readings, not a busy computer."),
+        heft::toSay("None is needed: the time stamps show it."),
+        heft::toSay("In fast motion the measured curve trembles forth and back in time.")}},
+      {"quantisation",
+       {heft::toSay("Coarse readings"), heft::toSay("Choose a finer measuring range, or a file format with more digits."),
+        heft::toSay("None is needed: the readings show it."),
+        heft::toSay("The measured curve climbs in stairs where the simulated one is smooth.")}},
+  };
+  return kWords;
+}
+
+std::string said(std::string_view id, const char* Words::*member) {
+  const auto it = words().find(id);
+  return it == words().end() ? std::string() : heft::say(fmt::runtime(it->second.*member));
+}
+
+std::string number(double value, int decimals) {
+  constexpr const char* kPatterns[] = {"{:.0f}", "{:.1f}", "{:.2f}", "{:.3f}", "{:.4f}"};
+  const double unit = std::pow(10.0, -decimals);
+  if (std::abs(value) < 0.5 * unit) value = 0.0;  // Never -0.0
+  return heft::say(fmt::runtime(kPatterns[std::clamp(decimals, 0, 4)]), value);
+}
+
+/// As many decimals as the deviation bears.
+std::string plusMinus(double value, double std) {
+  if (!(std > 0.0) || !std::isfinite(std))
+    return number(value, std::abs(value) >= 100 ? 0 : std::abs(value) >= 1 ? 1 : 2);
+  const double exponent = std::floor(std::log10(std));
+  const bool small = std / std::pow(10.0, exponent) < 1.95;
+  const int decimals = std::clamp(static_cast<int>(-exponent) + (small ? 1 : 0), 0, 4);
+  return number(value, decimals) + " \u00b1 " + number(std, decimals);
+}
+
+/// The parameters of one occurrence: those of the second end in _2, and so on.
+struct Values {
+  const DiagnosedCause& cause;
+  std::string ending;
+
+  const CauseParameter* find(std::string_view name) const {
+    const auto it = std::find_if(cause.parameters.begin(), cause.parameters.end(),
+                                 [&](const CauseParameter& p) { return p.name == std::string(name) + ending; });
+    return it == cause.parameters.end() ? nullptr : &*it;
+  }
+  double value(std::string_view name) const {
+    const auto* p = find(name);
+    return p ? p->value : 0.0;
+  }
+  std::string size(std::string_view name) const {
+    const auto* p = find(name);
+    return p ? plusMinus(std::abs(p->value), p->std) : "0";
+  }
+  /// Length of up to three parameters with the largest of their deviations.
+  std::string norm(std::initializer_list<std::string_view> names) const {
+    double sum = 0.0, std = 0.0;
+    for (const auto name : names)
+      if (const auto* p = find(name)) {
+        sum += p->value * p->value;
+        std = std::max(std, p->std);
+      }
+    return plusMinus(std::sqrt(sum), std);
+  }
+  /// The one that stands out most from its deviation.
+  const CauseParameter* strongest() const {
+    const CauseParameter* best = nullptr;
+    double most = -1.0;
+    for (const auto& p : cause.parameters) {
+      if (p.name.starts_with("time")) continue;
+      const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
+      if (z > most) {
+        most = z;
+        best = &p;
+      }
+    }
+    return best;
+  }
+};
+
+int channelOf(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kNames{"fx", "fy", "fz", "tx", "ty", "tz"};
+  for (std::size_t c = 0; c < kNames.size(); ++c)
+    if (name.starts_with(kNames[c])) return static_cast<int>(c);
+  return 0;
+}
+
+std::string driftSentence(const Values& v) {
+  const CauseParameter* p = v.strongest();
+  if (!p) return {};
+  const std::string channel = channelWords(channelOf(p->name)), size = plusMinus(p->value, p->std);
+  if (p->unit.ends_with("/s"))
+    return heft::say("The sensor's zero drifts: {} by {} {} per second.", channel, size,
+                     p->unit.substr(0, p->unit.size() - 2));
+  return heft::say("The sensor's zero creeps: {} by {} {} before it settles.", channel, size, p->unit);
+}
+
+std::string mistakeSentence(const FrameMistake& mistake) {
+  switch (mistake.kind) {
+    case FrameMistake::Kind::wrenchSign:
+      return heft::say("Forces have the opposite sign: the file holds what the tool does to the sensor.");
+    case FrameMistake::Kind::gravitySign:
+      return heft::say("Gravity points up in the meta file; it should point down.");
+    case FrameMistake::Kind::transposed:
+      return heft::say("Orientations are stored the other way round: base in sensor instead of sensor in base.");
+    case FrameMistake::Kind::turned:
+      return heft::say("The sensor is mounted turned by {} degrees against the meta file.",
+                       number(mistake.angle * 180.0 / std::numbers::pi, 0));
+    case FrameMistake::Kind::mirrored:
+      return heft::say("The force's axes are mirrored: two are swapped, or one has the wrong sign.");
+    case FrameMistake::Kind::none:
+      break;
+  }
+  return {};
+}
+
+std::string dropoutSentence(const Values& v) {
+  if (v.value("zero") > 0.0)
+    return heft::say("{} % of the readings are zero throughout: lost packets.", v.size("zero"));
+  if (v.value("missing") > v.value("repeated"))
+    return heft::say("{} % of the readings are missing.", v.size("missing"));
+  return heft::say("{} % of the force readings repeat the one before.", v.size("repeated"));
+}
+
+std::string cableSentence(const Values& v) {
+  if (v.find("twist_stiffness"))
+    return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
+  if (v.find("stiffness"))
+    return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
+  double most = 0.0;
+  for (const char* name : {"stiffness_x", "stiffness_y", "stiffness_z"}) most = std::max(most, std::abs(v.value(name)));
+  return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.", number(most, 1));
+}
+
+/// Of those causes that change a reading: one parameter says which and how much.
+std::string readingSentence(const std::string& id, const CauseParameter& p) {
+  if (id == "gain_error") {
+    const std::string channel = channelWords(channelOf(std::string_view(p.name).substr(5)));
+    return p.value > 0.0 ? heft::say("The channel {} reads {} % too much.", channel, plusMinus(p.value, p.std))
+                         : heft::say("The channel {} reads {} % too little.", channel, plusMinus(-p.value, p.std));
+  }
+  if (id == "crosstalk") {
+    const auto to = p.name.find("_to_");
+    return heft::say("{} of {} shows up in {}.", parameterWords(p), channelWords(channelOf(p.name)),
+                     channelWords(to == std::string::npos ? 0 : channelOf(std::string_view(p.name).substr(to + 4))));
+  }
+  if (id == "joint_offset")
+    return heft::say("Joint {} is really {} degrees away from what was recorded.", p.name.substr(1, 1),
+                     plusMinus(std::abs(p.value), p.std));
+  return heft::say("The sensor remembers {} of its load: it reads differently going up and coming down.",
+                   parameterWords(p));
+}
+
+std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mistake) {
+  const DiagnosedCause& cause = v.cause;
+  const std::string& id = cause.id;
+  if (id == "frame_error" || (id == "sensor_rotation" && cause.direct))
+    return mistake ? mistakeSentence(*mistake) : std::string();
+  if (id == "sensor_bias")
+    return heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1),
+                     v.norm({"fx", "fy", "fz"}));
+  if (id == "bias_drift") return driftSentence(v);
+  if (id == "time_offset")
+    return v.value("delay") > 0.0 ? heft::say("The force readings arrive {} ms late.", v.size("delay"))
+                                  : heft::say("The force readings arrive {} ms before the motion.", v.size("delay"));
+  if (id == "low_pass_lag") return heft::say("The force readings are smoothed over {} ms.", v.size("time_constant"));
+  if (id == "motion_lag")
+    return cause.direct ? heft::say("The reported joint velocities come {} ms late; Heft can use the angles instead.",
+                                    v.size("lag"))
+                        : heft::say("Accelerations come {} ms late; the angles do not.", v.size("lag"));
+  if (id == "sensor_rotation") return heft::say("The sensor sits turned by {} degrees.", v.norm({"rx", "ry", "rz"}));
+  if (id == "gravity_tilt")
+    return heft::say("The robot's base is tilted by {} degrees against the stated gravity.",
+                     v.norm({"tilt_x", "tilt_y"}));
+  if (id == "gain_error" || id == "crosstalk" || id == "joint_offset" || id == "hysteresis")
+    return v.strongest() ? readingSentence(id, *v.strongest()) : std::string();
+  if (id == "cable_pull") return cableSentence(v);
+  if (id == "constant_pull")
+    return heft::say("Something pulls at the tool with {} N, always in the same direction.",
+                     v.norm({"force_x", "force_y", "force_z"}));
+  if (id == "viscous_drag")
+    return v.find("turning_drag") && !v.find("drag")
+               ? heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"))
+               : heft::say("Something holds the tool back: {} N per metre per second.",
+                           v.find("drag") ? v.size("drag") : v.norm({"drag_x", "drag_y", "drag_z"}));
+  if (id == "coulomb_friction")
+    return v.find("friction")
+               ? heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"))
+               : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
+  if (id == "loose_mass")
+    return heft::say("About {} g in the tool are loose and swing {} times a second.", v.size("mass"),
+                     number(v.value("frequency"), 1));
+  if (id == "flexible_mount")
+    return heft::say("The tool's mount gives and rings at {} Hz.", number(v.value("frequency"), 0));
+  if (id == "payload_change")
+    return v.value("mass") > 0.0
+               ? heft::say("At {} s the load became {} g heavier.", number(v.value("time"), 1), v.size("mass"))
+               : heft::say("At {} s the load became {} g lighter.", number(v.value("time"), 1), v.size("mass"));
+  if (id == "contact")
+    return cause.when.size() == 1 ? heft::say("The tool touched something from {} to {} s, with up to {} N.",
+                                              number(cause.when[0].first, 1), number(cause.when[0].second, 1),
+                                              number(v.value("peak_force"), 1))
+                                  : heft::say("The tool touched something {} times, with up to {} N.",
+                                              cause.when.size(), number(v.value("peak_force"), 1));
+  if (id == "saturation")
+    return heft::say("The sensor reached the end of its range in {} % of the readings.", v.size("share"));
+  if (id == "spikes")
+    return heft::say("{} readings are isolated spikes; Heft replaced them by their neighbours.",
+                     number(v.value("count"), 0));
+  if (id == "lever_arm")
+    return heft::say("The sensor's origin sits {} mm away from where the meta file puts it.",
+                     v.norm({"dx", "dy", "dz"}));
+  if (id == "derivative_noise")
+    return cause.direct ? heft::say("The reported joint velocities are {} % off; Heft can use the angles instead.",
+                                    v.size("loss"))
+                        : heft::say("The forces of acceleration are {} % off what the motion says.", v.size("loss"));
+  if (id == "dropouts") return dropoutSentence(v);
+  if (id == "jitter")
+    return heft::say("The time stamps come up to {} ms early or late; Heft takes the rows as evenly spaced.",
+                     number(0.5 * v.value("spread"), 1));
+  if (id == "quantisation")
+    return v.find("step_force")
+               ? heft::say("The force readings come in steps of {}.", parameterWords(*v.find("step_force")))
+           : v.find("step_torque")
+               ? heft::say("The torque readings come in steps of {}.", parameterWords(*v.find("step_torque")))
+               : std::string();
+  return {};
+}
+
+}  // namespace
+
+std::string causeTitle(std::string_view id) {
+  const std::string title = said(id, &Words::title);
+  return title.empty() ? std::string(id) : title;
+}
+std::string causeCheck(std::string_view id) { return said(id, &Words::check); }
+std::string causeDecides(std::string_view id) { return said(id, &Words::decides); }
+std::string causeLooks(std::string_view id) { return said(id, &Words::looks); }
+
+std::string causeCheck(const DiagnosedCause& cause, const std::optional<FrameMistake>& mistake) {
+  const bool mixedUp = cause.direct && (cause.id == "frame_error" || cause.id == "sensor_rotation");
+  switch (mixedUp && mistake ? mistake->kind : FrameMistake::Kind::none) {
+    case FrameMistake::Kind::wrenchSign:
+      return heft::say("Set sensor.wrench_sign to \"payload_on_sensor\" (or back) in the meta file.");
+    case FrameMistake::Kind::gravitySign:
+      return heft::say("Turn gravity_m_s2 round in the meta file.");
+    case FrameMistake::Kind::transposed:
+      return heft::say("Invert the quaternions (qx, qy, qz with the opposite sign).");
+    case FrameMistake::Kind::turned:
+      return heft::say("Correct sensor.mount.rpy_rad in the meta file.");
+    case FrameMistake::Kind::mirrored:
+      return heft::say("Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor's manual.");
+    case FrameMistake::Kind::none:
+      break;
+  }
+  return causeCheck(cause.id);
+}
+
+std::string channelWords(int channel) {
+  const std::string axis(1, static_cast<char>('x' + channel % 3));
+  return channel < 3 ? heft::say("force {}", axis) : heft::say("torque {}", axis);
+}
+
+std::string parameterWords(const CauseParameter& p) {
+  return plusMinus(p.value, p.std) + (p.unit.empty() ? "" : " " + p.unit);
+}
+
+std::string causeSentence(const DiagnosedCause& cause, const std::optional<FrameMistake>& mistake) {
+  std::string text = sentenceOf({cause, {}}, mistake);
+  for (int i = 2;; ++i) {
+    const std::string ending = fmt::format("_{}", i);
+    if (std::none_of(cause.parameters.begin(), cause.parameters.end(),
+                     [&](const auto& p) { return p.name.ends_with(ending); }))
+      break;
+    text += " " + sentenceOf({cause, ending}, mistake);
+  }
+  return text.empty() ? cause.sentence : text;
+}
+
+std::string goesWithWords(const std::string& goesWith) {
+  double from = 0.0, to = 0.0;
+  if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1) return heft::say("a rhythm of {:.2g} Hz", from);
+  if (std::sscanf(goesWith.c_str(), "slow swings, %lf to %lf times", &from, &to) == 2)
+    return heft::say("slow swings, {:.1f} to {:.0f} times a second", from, to);
+  return heft::say(fmt::runtime(goesWith));
+}
+
+}  // namespace heft

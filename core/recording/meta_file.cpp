@@ -1,0 +1,21 @@
+#include "core/recording/meta_file.h"
+
+#include "core/base/json_file.h"
+#include "core/base/say.h"
+#include "core/base/text.h"
+
+namespace heft {
+
+Result<nlohmann::json> mergedMeta(const std::filesystem::path& file, const nlohmann::json& changes) {
+  nlohmann::json merged = nlohmann::json::object();
+  if (std::filesystem::exists(file)) {
+    auto there = readJsonFile(file);
+    if (!there) return there.error();
+    if (!there->is_object()) return Error{heft::say("{} is no meta file.", displayName(file))};
+    merged = std::move(*there);
+  }
+  merged.merge_patch(changes);
+  return merged;
+}
+
+}  // namespace heft
