@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/between_rows.h"
 #include "core/diagnosis/time_stamps.h"
 
 namespace heft {
@@ -86,14 +87,10 @@ void widen(EstimateReport& report, const json& found) {
 
 /// Adds to both series what the correction took off, between the recording's rows by a straight line.
 void addBack(WrenchSeries& series, const Recording& raw, const Recording& cleaned) {
-  Eigen::Index row = 0;
+  const Eigen::Matrix<double, Eigen::Dynamic, 6> taken = raw.wrench - cleaned.wrench;
+  BetweenRows rows(raw.time);
   for (Eigen::Index k = 0; k < series.time.size(); ++k) {
-    while (row + 2 < raw.rows() && raw.time(row + 1) < series.time(k)) ++row;
-    const Eigen::Index next = std::min(row + 1, raw.rows() - 1);
-    const double step = raw.time(next) - raw.time(row);
-    const double share = step > 0.0 ? std::clamp((series.time(k) - raw.time(row)) / step, 0.0, 1.0) : 0.0;
-    const Eigen::Matrix<double, 1, 6> effect = (1.0 - share) * (raw.wrench.row(row) - cleaned.wrench.row(row)) +
-                                               share * (raw.wrench.row(next) - cleaned.wrench.row(next));
+    const Eigen::Matrix<double, 1, 6> effect = rows.at(taken, series.time(k));
     series.measured.row(k) += effect;
     series.simulated.row(k) += effect;
   }

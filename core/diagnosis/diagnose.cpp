@@ -8,13 +8,13 @@
 #include <cmath>
 
 #include "core/base/say.h"
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/named.h"
+#include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
 #include "core/diagnosis/words.h"
-#include "core/diagnosis/work.h"
 #include "core/estimation/prepare.h"
 
 namespace heft {
@@ -25,113 +25,220 @@ namespace {
 
 constexpr double kUnexplained = 12.0;
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
+constexpr double kWholeTool = 0.5;           ///< Share of the payload that is hardly a part of the tool any more
 
-WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  WrenchRms out;
-  double count = 0.0;
-  for (const auto& s : stretches)
-    for (Eigen::Index n = s.from; n < s.to; ++n) {
-      out.force += residual.col(n).head<3>().squaredNorm();
-      out.torque += residual.col(n).tail<3>().squaredNorm();
-      count += 3.0;
-    }
-  out.force = std::sqrt(out.force / std::max(1.0, count));
-  out.torque = std::sqrt(out.torque / std::max(1.0, count));
-  return out;
-}
+bool contains(const std::vector<std::string>& list, std::string_view id) { return std::ranges::find(list, id) != list.end(); }
 
-std::vector<CauseParameter> parametersOf(const Fit& fit, std::string_view cause,
-                                         std::vector<std::pair<double, double>>& when, const Signals& signals) {
-  std::vector<CauseParameter> out;
-  const VectorXd std = fit.std();
-  Eigen::Index at = kLinear;
-  for (const auto& term : fit.model.terms) {
-    const Eigen::Index n = term.v.size();
-    if (term.form->cause->id() == cause) {
-      VectorXd deviation = std.segment(at, n);
-      for (Eigen::Index p = 0; p < n; ++p) {
-        if (!term.moves(p)) {
-          deviation(p) = 0.0;
-          continue;
-        }
-        const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
-        std::string name = parameter.name;
-        for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
-          name = fmt::format("{}_{}", parameter.name, i);
-        out.push_back({name, parameter.unit, term.v(p) * parameter.scale, deviation(p) * std::abs(parameter.scale)});
-      }
-      for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) when.push_back(stretch);
+/// What single readings say, and the recording without what they spoil.
+struct Readings {
+  Recording cleaned;
+  Motion motion;
+  std::vector<Direct> directs;
+  std::vector<bool> bad;  ///< Rows that are not judged: one a row, or none
+};
+
+Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
+  Readings out;
+  out.cleaned = recording;
+  Eigen::Index spikes = 0;
+  out.cleaned.wrench = withoutSpikes(recording.wrench, spikes);
+  const auto stamps = unevenStamps(recording);
+  if (stamps && !contains(options.hidden, "jitter")) out.cleaned.time = stamps->even;
+  MotionOptions smoothing;
+  smoothing.cutoffHz = kDefaultCutoffHz;
+  auto motion = motionOf(out.cleaned, robot, smoothing);
+  if (!motion) return motion.error();
+  out.motion = std::move(*motion);
+  out.directs = sampleTests(recording, out.motion, stamps);
+  std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
+  for (const auto& direct : out.directs) {
+    // Velocities that disagree with the angles are not used, here or for the payload.
+    if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") out.cleaned.dq.resize(0, out.cleaned.dq.cols());
+    for (std::size_t i = 0; i < direct.rows.size(); ++i) {
+      out.bad.resize(direct.rows.size(), false);
+      out.bad[i] = out.bad[i] || direct.rows[i];
     }
-    at += n;
   }
   return out;
 }
 
-DiagnosedCause fromDirect(const Direct& direct) {
-  DiagnosedCause out;
-  out.id = direct.cause;
-  for (const auto& p : direct.parameters) out.parameters.push_back({p.name, p.unit, p.value, p.std});
-  out.when = direct.when;
-  out.direct = true;
-  out.pValue = direct.pValue;
-  out.alternatives = direct.alternatives;
-  return out;
-}
+/// A search, and the chance of finding something where nothing is.
+struct Searched {
+  Work work;
+  double threshold = kThreshold;
+  Surrogates chance;  ///< Empty where none were asked for, or nothing was found
+};
 
-DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after) {
-  DiagnosedCause out;
-  const double degrees = mistake.angle * 180.0 / 3.14159265358979323846;
-  // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
-  const bool mount = mistake.kind == FrameMistake::Kind::turned && std::abs(degrees - 180.0) > 4.0;
-  out.id = mount ? "sensor_rotation" : "frame_error";
-  out.direct = true;
-  if (mistake.kind == FrameMistake::Kind::turned) {
-    const Vector3d v = vectorFromRotation(mistake.turn) * (180.0 / 3.14159265358979323846);
-    out.parameters = {{"rx", "deg", v.x(), 0.5}, {"ry", "deg", v.y(), 0.5}, {"rz", "deg", v.z(), 0.5}};
-    out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
+/// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
+/// cause hides it: then the final model does.
+Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
+                          const DiagnoseOptions& options, const Progress& progress) {
+  constexpr std::array<double, 3> kCutoffs{kDefaultCutoffHz, 12.0, 6.0};
+  constexpr double kClearly = 30.0, kSlightly = 10.0;  // Evidence for less, and among less, than the usual cutoff
+  std::vector<Way> ways;
+  for (const double cutoff : kCutoffs) {
+    auto way = wayOf(recording, readings.cleaned, robot, cutoff, options, readings.bad);
+    if (!way) return way.error();
+    ways.push_back(std::move(*way));
   }
-  out.gain.forceBefore = before.force;
-  out.gain.forceAfter = after.force;
-  out.gain.torqueBefore = before.torque;
-  out.gain.torqueAfter = after.torque;
-  out.gain.explainedFraction = 1.0 - std::pow(after.force / std::max(1e-12, before.force), 2);
-  return out;
-}
-
-/// Deviations of mass and centre may not be smaller than the joint fit of payload and causes finds them.
-void widen(EstimateReport& report, const Fit& fit) {
-  const VectorXd std = fit.std();
-  const double m = std::max(0.02, std::abs(fit.model.x(6)));
-  const auto grow = [](double& deviation, Interval& interval, double least) {
-    if (!(deviation < least) || !(deviation > 0.0)) return;
-    const double factor = least / deviation, middle = 0.5 * (interval.lower + interval.upper);
-    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
-    deviation = least;
+  lookForContact(ways.front(), readings.cleaned, options);
+  const std::vector<double> plain = nullEvidence(ways);
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < plain.size(); ++i)
+    if (plain[i] > plain[at] + (at == 0 ? kClearly : kSlightly)) at = i;
+  const auto searchedOn = [&](std::size_t i, double threshold) {
+    lookForContact(ways[i], readings.cleaned, options);
+    return worked(ways[i], options, threshold, progress);
   };
-  grow(report.std.mass, report.interval95.mass, std(6));
-  for (int i = 0; i < 3; ++i) {
-    const double c = fit.model.x(7 + i) / m;
-    const double variance = fit.covariance(7 + i, 7 + i) - 2.0 * c * fit.covariance(6, 7 + i) + c * c * fit.covariance(6, 6);
-    grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], std::sqrt(std::max(0.0, variance)) / m);
+  Searched out;
+  auto found = searchedOn(at, kThreshold);
+  if (!found) return found.error();
+  if (!progress.cancelled()) {
+    std::vector<double> gains(ways.size(), 0.0);
+    onTwoThreads(ways.size(), [&](std::size_t i) {
+      if (i != at) gains[i] = evidenceAt(ways[i], *found);
+    });
+    const auto other = static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin());
+    if (gains[other] > kClearly) {
+      auto again = searchedOn(other, kThreshold);
+      if (again) {
+        found = std::move(again);
+        at = other;
+      }
+    }
   }
-}
-
-/// Unseen stretches come out no worse in force and torque, and better in one.
-bool predictsBetter(const EstimateReport& is, const EstimateReport& was) {
-  return is.heldoutForceRms < 1.02 * was.heldoutForceRms && is.heldoutTorqueRms < 1.02 * was.heldoutTorqueRms &&
-         (is.heldoutForceRms < 0.95 * was.heldoutForceRms || is.heldoutTorqueRms < 0.95 * was.heldoutTorqueRms);
-}
-
-/// The recording as the sensor and the robot would have told it without the causes.
-Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Work& work) {
-  Recording out = cleaned;
-  if (work.mistake) out = undone(std::move(out), *work.mistake);
-  if (!work.search.final.model.terms.empty()) {
-    auto effect = effectOf(work.search.final.model, out, robot);
-    if (!effect) return effect.error();
-    out.wrench -= *effect;
+  if (progress.cancelled()) return Error{"Stopped.", true};
+  if (options.surrogates > 0 && !found->search.found.empty()) {
+    const auto bank = signaturesOf(found->signals, found->search.null.model, options.hidden);
+    // Noise as the final model leaves it, around the motion and payload of the baseline.
+    Fit base = found->search.null;
+    base.noise = found->search.final.noise;
+    out.chance = surrogates(found->stretches, base, bank, options.surrogates, options.seed, progress);
+    out.threshold = out.chance.threshold;
+    if (std::ranges::any_of(found->search.found, [&](const Found& f) { return f.gain < out.threshold; })) {
+      auto again = searchedOn(at, out.threshold);
+      if (again) found = std::move(again);
+    }
   }
+  if (progress.cancelled()) return Error{"Stopped.", true};
+  out.work = std::move(*found);
   return out;
+}
+
+/// Of the payload's mass, how much swings in terms of `cause`.
+double swingingShare(const Fit& fit, std::string_view cause) {
+  double mass = 0.0;
+  for (const auto& term : fit.model.terms)
+    if (term.form->cause->id() == cause) mass += term.v(0);
+  return mass / std::max(0.02, fit.model.x(6));
+}
+
+/// What could be meant instead, for whoever mends the rig. `held`: readings were repeated.
+std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held) {
+  std::vector<std::string> out;
+  const auto add = [&](const std::string& id) {
+    if (id != found.cause && !contains(out, id)) out.push_back(id);
+  };
+  // To whoever mends the rig a wandering zero is one that drifts.
+  for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
+  // A jump is a drift that took no time.
+  if (found.cause == "sensor_bias") add("bias_drift");
+  // What weighs as much as the tool is the tool on its mount.
+  if (found.cause == "loose_mass" && swingingShare(fit, found.cause) > kWholeTool) add("flexible_mount");
+  // What is held until the next reading comes late and cut down at once.
+  if (held && found.cause == "time_offset") add("low_pass_lag");
+  if (held && found.cause == "low_pass_lag") add("time_offset");
+  return out;
+}
+
+/// Causes that hold on unseen stretches, in the order of acceptance; others are taken out of the work's final model.
+struct Judged {
+  std::vector<DiagnosedCause> causes;
+  Wrenches first, last;  ///< 6 x N, left over on unseen stretches by bias and payload alone, and with all causes
+  bool dropped = false;
+};
+
+/// `needed`: share of the unseen misfit that a cause must explain.
+Judged judged(Work& work, double needed, const Surrogates& chance, const std::vector<Direct>& directs) {
+  Judged out;
+  const bool held = std::ranges::any_of(directs, [](const Direct& d) { return d.cause == "dropouts"; });
+  Search& search = work.search;
+  out.first = heldOutResidual(work.signals, work.stretches, search.null);
+  Wrenches before = out.first;
+  Model nested;
+  nested.x = search.null.model.x;
+  for (const auto& accepted : search.found) {
+    for (const auto& term : search.final.model.terms)
+      if (term.form->cause->id() == accepted.cause) nested.terms.push_back(term);
+    const Fit fit = nested.terms.size() == search.final.model.terms.size() ? search.final
+                                                                         : fitModel(work.signals, work.stretches, nested);
+    Wrenches after = heldOutResidual(work.signals, work.stretches, fit);
+    if (accepted.cause == kWandering || (work.mistake && work.mistake->kind == FrameMistake::Kind::turned &&
+                                         accepted.cause == "sensor_rotation")) {
+      // Part of the model, but no cause that somebody could mend.
+      before = std::move(after);
+      continue;
+    }
+    const Gain gain = gainOf(work.stretches, fit.noise, before, after);
+    const bool local = std::ranges::any_of(nested.terms, [&](const Term& t) {
+      return t.form->cause->id() == accepted.cause && t.form->local;
+    });
+    if (!local && !(gain.explainedFraction > needed && 2 * gain.blocksBetter >= gain.blocks)) {
+      // Nothing is gained where it was not fitted: it is no cause.
+      nested = without(nested, accepted.cause);
+      search.final = fitModel(work.signals, work.stretches, without(search.final.model, accepted.cause));
+      out.dropped = true;
+      continue;
+    }
+    DiagnosedCause cause;
+    cause.id = accepted.cause;
+    cause.deltaBic = accepted.gain;
+    cause.pValue = chance.best.empty() ? std::exp(-0.5 * accepted.gain) : chance.pValue(accepted.gain);
+    cause.gain = gain;
+    cause.alternatives = alternativesOf(accepted, fit, held);
+    cause.before = std::move(before);
+    cause.after = after;
+    out.causes.push_back(std::move(cause));
+    before = std::move(after);
+  }
+  out.last = std::move(before);
+  for (auto& cause : out.causes) describe(cause, search.final, work.signals);
+  return out;
+}
+
+/// What is left over when nothing allows for a zero that wanders; says so where something did.
+Wrenches steadyResidual(const Work& work, Findings& findings) {
+  const Fit& final = work.search.final;
+  Model still = without(final.model, kWandering);
+  if (still.terms.size() == final.model.terms.size()) return final.residual;
+  findings.push_back({Severity::info, "zero_wanders",
+                      heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
+                      heft::say("Let the sensor warm up, and keep recordings short."), {}});
+  return fitModel(work.signals, work.stretches, std::move(still)).residual;
+}
+
+/// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in coarse
+/// steps: these add a little noise and no more. Contact belongs to the task more often than to the rig: it comes last.
+void sortByStrength(std::vector<DiagnosedCause>& causes) {
+  const auto rank = [](const DiagnosedCause& c) {
+    return c.id == "contact" ? -1e300 : c.id == "quantisation" ? 0.0 : c.direct ? 1e300 : c.deltaBic;
+  };
+  std::ranges::stable_sort(causes, [&](const DiagnosedCause& a, const DiagnosedCause& b) { return rank(a) > rank(b); });
+}
+
+/// Several causes, each of which next to nothing speaks for: a crutch for something that the catalogue lacks.
+bool allFaint(const std::vector<DiagnosedCause>& causes) {
+  const auto fitted = std::ranges::count_if(causes, [](const DiagnosedCause& c) { return !c.direct; });
+  return fitted > 1 && std::ranges::all_of(causes, [](const DiagnosedCause& c) { return c.direct || c.deltaBic < kFaint; });
+}
+
+Verdict verdictOf(const DiagnosisReport& report) {
+  double total = 0.0;
+  for (const auto& cause : report.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
+  if (report.remaining.gain > std::max(kUnexplained, 0.03 * total)) return Verdict::unexplained;
+  if (report.causes.empty()) return Verdict::clean;
+  const bool tied = std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
+  return tied ? Verdict::ambiguous : Verdict::explained;
 }
 
 std::string verdictSentence(const DiagnosisReport& report) {
@@ -139,11 +246,9 @@ std::string verdictSentence(const DiagnosisReport& report) {
     case Verdict::clean:
       return "The model fits: nothing is left but the sensor's noise.";
     case Verdict::ambiguous: {
-      const auto tied = std::find_if(report.causes.begin(), report.causes.end(),
-                                     [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
+      const auto tied = std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
       std::string others;
-      for (const auto& other : tied->alternatives)
-        others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
+      for (const auto& other : tied->alternatives) others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
       return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title, others);
     }
     case Verdict::unexplained:
@@ -154,6 +259,30 @@ std::string verdictSentence(const DiagnosisReport& report) {
   return report.causes.size() == 1 ? "Cause found: " + report.causes.front().sentence
                                    : fmt::format("{} causes found; the strongest: {}", report.causes.size(),
                                                  report.causes.front().sentence);
+}
+
+/// How large each cause that was not named would have to be, with this motion and noise.
+std::vector<Smallest> smallestVisible(const Work& work, const std::vector<DiagnosedCause>& named,
+                                      const std::vector<std::string>& hidden, double threshold) {
+  std::vector<Smallest> out;
+  const auto bank = signaturesOf(work.signals, work.search.final.model, hidden);
+  const auto visible = leastVisible(work.stretches, work.search.final, bank, threshold);
+  for (std::size_t b = 0; b < bank.size(); ++b) {
+    const Signature& signature = bank[b];
+    const std::string id(signature.form.cause->id());
+    if (id == kWandering || std::ranges::any_of(named, [&](const auto& c) { return c.id == id; })) continue;
+    const VectorXd& size = visible[b];
+    for (Eigen::Index i = 0; i < size.size(); ++i) {
+      const Parameter& p = signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
+      const double value = size(i) * std::abs(p.scale);
+      const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
+      if (known == out.end())
+        out.push_back({id, p.name, p.unit, value});
+      else if (value < known->value && p.unit == known->unit)
+        *known = {id, p.name, p.unit, value};
+    }
+  }
+  return out;
 }
 
 }  // namespace
@@ -181,265 +310,61 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.file = recording.file;
   out.meta = recording.meta;
   progress(0.02, heft::say("Looking at single readings"));
-  Eigen::Index spikes = 0;
-  Recording cleaned = recording;
-  cleaned.wrench = withoutSpikes(recording.wrench, spikes);
-  const bool evened = std::ranges::find(options.hidden, "jitter") == options.hidden.end();
-  if (auto stamps = evened ? unevenStamps(recording) : std::nullopt) cleaned.time = std::move(stamps->even);
-  MotionOptions smoothing;
-  smoothing.cutoffHz = kDefaultCutoffHz;
-  const auto motion = motionOf(cleaned, robot, smoothing);
-  if (!motion) return motion.error();
-  auto directs = sampleTests(recording, *motion);
-  std::erase_if(directs, [&](const Direct& d) {
-    return std::find(options.hidden.begin(), options.hidden.end(), d.cause) != options.hidden.end();
-  });
-  // Velocities that disagree with the angles are not used, here or for the payload.
-  if (std::any_of(directs.begin(), directs.end(),
-                  [](const Direct& d) { return d.cause == "motion_lag" || d.cause == "derivative_noise"; }))
-    cleaned.dq.resize(0, cleaned.dq.cols());
-  std::vector<bool> bad;
-  for (const auto& direct : directs)
-    for (std::size_t i = 0; i < direct.rows.size(); ++i) {
-      bad.resize(direct.rows.size(), false);
-      bad[i] = bad[i] || direct.rows[i];
-    }
-
-  // Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
-  // cause hides it: then the final model does.
-  constexpr std::array<double, 3> kCutoffs{kDefaultCutoffHz, 12.0, 6.0};
-  std::vector<Way> ways;
-  for (const double cutoff : kCutoffs) {
-    auto way = wayOf(recording, cleaned, robot, cutoff, options, bad);
-    if (!way) return way.error();
-    ways.push_back(std::move(*way));
-  }
-  const auto best = [](const std::vector<double>& gains, double margin) {
-    std::size_t at = 0;
-    for (std::size_t i = 1; i < gains.size(); ++i)
-      if (gains[i] > gains[at] + (at == 0 ? margin : 10.0)) at = i;
-    return at;
-  };
-  lookForContact(ways.front(), cleaned, options);
-  std::size_t way = best(nullEvidence(ways), 30.0);
-  const auto searched = [&](std::size_t i, double threshold) {
-    lookForContact(ways[i], cleaned, options);
-    return worked(ways[i], options, threshold, progress);
-  };
-  auto found = searched(way, kThreshold);
+  const auto readings = readingsOf(recording, robot, options);
+  if (!readings) return readings.error();
+  auto found = searched(recording, *readings, robot, options, progress);
   if (!found) return found.error();
-  if (!progress.cancelled()) {
-    std::vector<double> gains(ways.size(), 0.0);
-    onTwoThreads(ways.size(), [&](std::size_t i) {
-      if (i != way) gains[i] = evidenceAt(ways[i], *found);
-    });
-    const auto other = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
-    if (gains[other] > 30.0) {
-      auto again = searched(other, kThreshold);
-      if (again) {
-        found = std::move(again);
-        way = other;
-      }
-    }
-  }
-  if (progress.cancelled()) return Error{"Stopped.", true};
-
-  out.threshold = kThreshold;
-  Surrogates chance;
-  if (options.surrogates > 0 && !found->search.found.empty()) {
-    const auto bank = signaturesOf(found->signals, found->search.null.model, options.hidden);
-    // Noise as the final model leaves it, around the motion and payload of the baseline.
-    Fit base = found->search.null;
-    base.noise = found->search.final.noise;
-    chance = surrogates(found->stretches, base, bank, options.surrogates, options.seed, progress);
-    out.threshold = chance.threshold;
-    out.surrogates = static_cast<int>(chance.best.size());
-    const bool weak = std::any_of(found->search.found.begin(), found->search.found.end(),
-                                  [&](const Found& f) { return f.gain < out.threshold; });
-    if (weak) {
-      auto again = searched(way, out.threshold);
-      if (again) found = std::move(again);
-    }
-  }
-  if (progress.cancelled()) return Error{"Stopped.", true};
-  Work& work = *found;
+  Work& work = found->work;
+  out.threshold = found->threshold;
+  out.surrogates = static_cast<int>(found->chance.best.size());
 
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   out.remaining = structureIn(work.signals, work.stretches, work.search.final);
-  const double needed = out.remaining.gain > kUnexplained ? kGainBesideUnknown : 0.0;
-  bool dropped = false;
-  // Nested models, in the order of acceptance.
-  Wrenches before = heldOutResidual(work.signals, work.stretches, work.search.null);
-  out.series.before = work.signals.measured - before;
-  out.baseline = rmsOf(work.stretches, work.search.null.residual);
-  std::vector<DiagnosedCause> fitted;
-  Model nested;
-  nested.x = work.search.null.model.x;
-  for (const auto& accepted : work.search.found) {
-    const bool nuisance = accepted.cause == kWandering || (work.mistake && work.mistake->kind == FrameMistake::Kind::turned &&
-                                                           accepted.cause == "sensor_rotation");
-    for (const auto& term : work.search.final.model.terms)
-      if (term.form->cause->id() == accepted.cause) nested.terms.push_back(term);
-    Fit fit = nested.terms.size() == work.search.final.model.terms.size() ? work.search.final
-                                                                          : fitModel(work.signals, work.stretches, nested);
-    const Wrenches after = heldOutResidual(work.signals, work.stretches, fit);
-    if (nuisance) {
-      // Part of the model, but no cause that somebody could mend.
-      before = after;
-      continue;
-    }
-    const Gain gain = gainOf(work.stretches, fit.noise, before, after);
-    const bool local = std::any_of(nested.terms.begin(), nested.terms.end(), [&](const Term& t) {
-      return t.form->cause->id() == accepted.cause && t.form->local;
-    });
-    if (!local && !(gain.explainedFraction > needed && 2 * gain.blocksBetter >= gain.blocks)) {
-      // Nothing is gained where it was not fitted: it is no cause.
-      nested = without(nested, accepted.cause);
-      work.search.final.model = without(work.search.final.model, accepted.cause);
-      work.search.final = fitModel(work.signals, work.stretches, work.search.final.model);
-      dropped = true;
-      continue;
-    }
-    DiagnosedCause cause;
-    cause.id = accepted.cause;
-    cause.deltaBic = accepted.gain;
-    cause.pValue = chance.best.empty() ? std::exp(-0.5 * accepted.gain) : chance.pValue(accepted.gain);
-    cause.gain = gain;
-    for (const auto& rival : accepted.rivals) {
-      // To whoever mends the rig a wandering zero is one that drifts.
-      const std::string other = rival.cause == kWandering ? "bias_drift" : rival.cause;
-      if (other != cause.id && std::ranges::find(cause.alternatives, other) == cause.alternatives.end())
-        cause.alternatives.push_back(other);
-    }
-    // A jump is a drift that took no time.
-    if (cause.id == "sensor_bias" && std::ranges::find(cause.alternatives, "bias_drift") == cause.alternatives.end())
-      cause.alternatives.push_back("bias_drift");
-    cause.before = before;
-    cause.after = after;
-    fitted.push_back(std::move(cause));
-    before = after;
-  }
+  Judged fitted = judged(work, out.remaining.gain > kUnexplained ? kGainBesideUnknown : 0.0, found->chance, readings->directs);
   const Fit& final = work.search.final;
-  Wrenches steady = final.residual;
-  if (Model still = without(final.model, kWandering); still.terms.size() < final.model.terms.size()) {
-    steady = fitModel(work.signals, work.stretches, std::move(still)).residual;
-    out.findings.push_back({Severity::info, "zero_wanders",
-                              heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
-                              heft::say("Let the sensor warm up, and keep recordings short."), {}});
-  }
-  for (auto& cause : fitted) cause.parameters = parametersOf(final, cause.id, cause.when, work.signals);
-
-  if (dropped) out.remaining = structureIn(work.signals, work.stretches, final);
-  if (const double excess = slowWave(work.signals, work.stretches, steady);
+  if (fitted.dropped) out.remaining = structureIn(work.signals, work.stretches, final);
+  if (const double excess = slowWave(work.signals, work.stretches, steadyResidual(work, out.findings));
       excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
   }
+  out.baseline = rmsOf(work.stretches, work.search.null.residual);
   out.noise = rmsOf(work.stretches, final.residual);
   const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
 
   if (work.mistake) {
-    const Fit stated = fitModel(work.signals, work.stretches, Model{});
     WrenchRms was = out.baseline;
     was.force = work.mistake->rmsBefore;
-    DiagnosedCause cause = fromMistake(*work.mistake, was, rmsOf(work.stretches, stated.residual));
+    out.causes.push_back(fromMistake(*work.mistake, was, out.baseline));
     out.baseline.force = std::max(out.baseline.force, was.force);
-    out.causes.push_back(std::move(cause));
   }
-  for (const auto& direct : directs) out.causes.push_back(fromDirect(direct));
-  if (!work.contacts.empty()) {
-    DiagnosedCause cause;
-    cause.id = "contact";
-    double peak = 0.0, evidence = 0.0;
-    for (const auto& contact : work.contacts) {
-      cause.when.push_back({contact.from, contact.to});
-      peak = std::max(peak, contact.peakForce);
-      evidence += contact.evidence;
-    }
-    cause.parameters = {{"peak_force", "N", peak, out.noise.force}};
-    cause.deltaBic = evidence;
-    cause.pValue = std::exp(-0.5 * std::min(1000.0, evidence));
-    cause.direct = true;
-    out.causes.push_back(std::move(cause));
+  for (const auto& direct : readings->directs) out.causes.push_back(fromDirect(direct));
+  if (!work.contacts.empty()) out.causes.push_back(fromContacts(work.contacts, out.noise.force));
+  for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
+  sortByStrength(out.causes);
+  if (allFaint(out.causes) && out.remaining.gain <= kUnexplained) {
+    out.remaining = structureIn(work.signals, work.stretches, work.search.null);
+    out.verdict = Verdict::unexplained;
+  } else {
+    out.verdict = verdictOf(out);
   }
-  for (auto& cause : fitted) out.causes.push_back(std::move(cause));
-  // Strongest first: what was tested on samples has no evidence to compare and stays in front.
-  std::stable_sort(out.causes.begin(), out.causes.end(), [](const DiagnosedCause& a, const DiagnosedCause& b) {
-    // Contact belongs to the task more often than to the rig: it comes last.
-    const auto rank = [](const DiagnosedCause& c) { return c.id == "contact" ? -1e300 : c.direct ? 1e300 : c.deltaBic; };
-    return rank(a) > rank(b);
-  });
-
-  double total = 0.0;
-  for (const auto& cause : out.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
-  const bool left = out.remaining.gain > std::max(kUnexplained, 0.03 * total);
-  const bool tied = std::any_of(out.causes.begin(), out.causes.end(),
-                                [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
-  out.verdict = left ? Verdict::unexplained
-                : out.causes.empty() ? Verdict::clean
-                : tied ? Verdict::ambiguous
-                       : Verdict::explained;
 
   progress(0.93, heft::say("Estimating the payload again"));
-  auto was = estimate(recording, robot, options.estimate, Progress{progress.stop, {}});
-  if (!was) return was.error();
-  out.before = std::move(*was);
-  out.after = out.before;
-  if (!out.causes.empty()) {
-    auto clean = freed(cleaned, robot, work);
-    if (!clean) return clean.error();
-    auto is = estimate(*clean, robot, options.estimate, Progress{progress.stop, {}});
-    if (is) {
-      out.after = std::move(*is);
-      widen(out.after, final);
-      // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
-      const auto sane = [](const EstimateReport& r) {
-        return r.payload.mass > 3.0 * r.std.mass && r.payload.com.norm() < 0.4;
-      };
-      if (sane(out.before) && !sane(out.after)) {
-        out.after = out.before;
-        out.verdict = Verdict::unexplained;
-        out.findings.push_back({Severity::warning, "causes_not_believable",
-                                heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
-                                heft::say("Repeat the recording without touching anything."), {}});
-      } else if (out.verdict == Verdict::unexplained && !predictsBetter(out.after, out.before)) {
-        out.after = out.before;
-        out.findings.push_back({Severity::warning, "payload_left_as_it_was",
-                                heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
-                                heft::say("Find what is unknown first: record the motion once more, more slowly."), {}});
-      }
-    }
-  }
+  if (auto error = estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))
+    return *error;
   out.model = final.model;
   out.mistake = work.mistake;
-  const auto bank = signaturesOf(work.signals, final.model, options.hidden);
-  const auto visible = leastVisible(work.stretches, final, bank, out.threshold);
-  for (std::size_t b = 0; b < bank.size(); ++b) {
-    const Signature& signature = bank[b];
-    const std::string id(signature.form.cause->id());
-    if (id == kWandering) continue;
-    const bool named = std::any_of(out.causes.begin(), out.causes.end(), [&](const auto& c) { return c.id == id; });
-    if (named) continue;
-    const VectorXd& size = visible[b];
-    for (Eigen::Index i = 0; i < size.size(); ++i) {
-      const Parameter& p = signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
-      const double value = size(i) * std::abs(p.scale);
-      auto known = std::find_if(out.smallest.begin(), out.smallest.end(), [&](const Smallest& s) { return s.cause == id; });
-      if (known == out.smallest.end())
-        out.smallest.push_back({id, p.name, p.unit, value});
-      else if (value < known->value && p.unit == known->unit)
-        *known = {id, p.name, p.unit, value};
-    }
-  }
+  out.smallest = smallestVisible(work, out.causes, options.hidden, out.threshold);
   out.series.time.resize(work.signals.blocks());
   for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) out.series.time(n) = work.signals.blockTime(n);
   out.series.measured = work.signals.measured;
-  out.series.after = work.signals.measured - before;
+  out.series.before = work.signals.measured - fitted.first;
+  out.series.after = work.signals.measured - fitted.last;
   out.series.judged = work.signals.usable;
-  out.findings.insert(out.findings.begin(), motion->findings.begin(), motion->findings.end());
+  out.findings.insert(out.findings.begin(), readings->motion.findings.begin(), readings->motion.findings.end());
   for (auto& cause : out.causes) {
     cause.title = causeTitle(cause.id);
     cause.sentence = causeSentence(cause, out.mistake);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace heft::diagnosis {
 
@@ -36,21 +37,62 @@ double misfit(const Signals& signals, const std::vector<Stretch>& stretches, con
   return whitened(flat(r), noise, stretches).squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
 }
 
-/// Directions of the causes' parameters that the motion tells apart from bias and payload.
-int toldDirections(const MatrixXd& information, Eigen::Index linear) {
-  const Eigen::Index n = information.rows() - linear;
-  if (n == 0) return 0;
+/// Information that is left of the parameters in `own` when all in `others` are unknown; both are indices.
+MatrixXd informationBeside(const MatrixXd& information, const std::vector<Eigen::Index>& own,
+                           const std::vector<Eigen::Index>& others) {
+  const MatrixXd B = information(others, own);
+  MatrixXd A = information(others, others);
+  A.diagonal().array() += 1e-9;
+  return information(own, own) - B.transpose() * A.ldlt().solve(B);
+}
+
+struct Price {
+  int dimensions = 0;
+  double price = 0.0;
+};
+
+/// Directions of the causes' parameters that the motion tells apart from bias and payload, and what they cost.
+Price priceOfTerms(const MatrixXd& information, const Model& model, double lnN) {
+  Price out;
+  if (model.terms.empty()) return out;
   const VectorXd scale = information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const MatrixXd unit = scale.asDiagonal() * information * scale.asDiagonal();
-  MatrixXd A = unit.topLeftCorner(linear, linear);
-  A.diagonal().array() += 1e-9;
-  const MatrixXd B = unit.topRightCorner(linear, n);
-  const MatrixXd schur = unit.bottomRightCorner(n, n) - B.transpose() * A.ldlt().solve(B);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(schur, Eigen::EigenvaluesOnly);
-  return static_cast<int>((eigen.eigenvalues().array() > 1e-6).count());
+  std::vector<Eigen::Index> linear(kLinear), causes(static_cast<std::size_t>(model.size() - kLinear));
+  std::iota(linear.begin(), linear.end(), Eigen::Index{0});
+  std::iota(causes.begin(), causes.end(), Eigen::Index{kLinear});
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(informationBeside(unit, causes, linear), Eigen::EigenvaluesOnly);
+  out.dimensions = static_cast<int>((eigen.eigenvalues().array() > 1e-6).count());
+  double all = 0.0;
+  Eigen::Index at = kLinear;
+  for (const Term& term : model.terms) {
+    // How far the term stands out: its amplitudes over what bias, payload and the other terms leave known of them.
+    std::vector<Eigen::Index> own, others(linear);
+    double count = 0.0;
+    for (Eigen::Index p = 0; p < term.v.size(); ++p) count += term.moves(p) ? 1.0 : 0.0;
+    for (const int p : term.form->scan)
+      if (term.moves(p)) own.push_back(at + p);
+    for (Eigen::Index i = kLinear; i < model.size(); ++i)
+      if (i < at || i >= at + term.v.size()) others.push_back(i);
+    VectorXd size(static_cast<Eigen::Index>(own.size()));
+    for (std::size_t i = 0; i < own.size(); ++i)
+      size(static_cast<Eigen::Index>(i)) = (term.v(own[i] - at) - term.form->start(own[i] - at)) / scale(own[i]);
+    // A form that leaves out what does not pay has had its choice of parameters: each costs in full.
+    const double gain = term.form->subset ? 1e300 : size.dot(informationBeside(unit, own, others) * size);
+    out.price += priceOf(gain, count, lnN);
+    all += count;
+    at += term.v.size();
+  }
+  if (all > 0.0) out.price *= out.dimensions / all;
+  return out;
 }
 
 }  // namespace
+
+double priceOf(double gain, double count, double lnN) {
+  constexpr double kWidth = 3.5;  // 2 ln of how many widths there are to choose from
+  if (count <= 0.0) return 0.0;
+  return std::min(count * lnN, kWidth + count * (1.0 + std::log(std::max(1.0, gain / count))));
+}
 
 Normal::Normal(const MatrixXd& J, const VectorXd& sd) {
   information = MatrixXd::Zero(J.cols(), J.cols());
@@ -111,8 +153,10 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   const Normal normal(J, sd);
   fit.information = normal.information;
   fit.covariance = normal.inverse();
-  fit.dimensions = toldDirections(fit.information, kLinear);
-  fit.evidence = fit.noise.evidence - fit.dimensions * std::log(std::max(2.0, fit.noise.samples));
+  const Price price = priceOfTerms(fit.information, fit.model, std::log(std::max(2.0, fit.noise.samples)));
+  fit.dimensions = price.dimensions;
+  fit.price = price.price;
+  fit.evidence = fit.noise.evidence - fit.price;
   fit.jacobian = std::move(at.jacobian);
   for (const auto& term : fit.model.terms)
     for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {

@@ -13,11 +13,17 @@ struct Fit {
   MatrixXd information;  ///< Of the whitened problem, model.size() squared, without priors
   MatrixXd covariance;   ///< Its inverse with a whisper of prior
   int dimensions = 0;    ///< Parameters of the causes that the motion can tell at all
-  double evidence = 0.0;
+  double price = 0.0;    ///< What these cost, see priceOf()
+  double evidence = 0.0;  ///< Twice the log-likelihood less the price
   bool atBound = false;
 
   VectorXd std() const { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
 };
+
+/// What `count` parameters cost, in units of twice the log-likelihood, that together gain about `gain`. How large an effect
+/// is nobody knows by orders of magnitude: each parameter's prior is as wide as what the data say of all of them, and the
+/// choice of that width costs a little, too. Never more than BIC's ln n (`lnN`) each, which stands for the widest.
+double priceOf(double gain, double count, double lnN);
 
 /// Normal equations of whitened columns `J` with a prior of deviations `sd` around zero, scaled to a unit diagonal.
 class Normal {

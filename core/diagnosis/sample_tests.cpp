@@ -157,10 +157,9 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
 
 }  // namespace
 
-std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion) {
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps) {
   std::vector<Direct> out;
   if (auto found = saturation(recording)) out.push_back(std::move(*found));
-  const auto stamps = unevenStamps(recording);
   if (stamps) out.push_back(jitter(*stamps));
   if (auto found = dropouts(recording, !stamps)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/cause.h"
+#include "core/diagnosis/time_stamps.h"
 #include "core/motion/motion.h"
 
 namespace heft::diagnosis {
@@ -22,7 +23,7 @@ struct Direct {
   std::vector<bool> rows;  ///< Of the recording: not to be trusted; empty: all are fine.
 };
 
-/// Tests on a recording as it was read; `motion` as worked out from it.
-std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion);
+/// Tests on a recording as it was read; `motion` as worked out from it, `stamps` as of unevenStamps(recording).
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps);
 
 }  // namespace heft::diagnosis

@@ -29,6 +29,7 @@ class Weighting {
   struct Answer {
     VectorXd gamma;
     std::vector<bool> kept;
+    double gain = 0.0;  ///< Twice the log-likelihood
     double score = -1e300;
   };
 
@@ -97,7 +98,9 @@ class Weighting {
     const VectorXd delta = inverse_ * (Jr_ - JC * out.gamma);
     Wrenches residual = fit_.residual;
     Eigen::Map<VectorXd>(residual.data(), residual.size()) -= signature.columns * out.gamma + fit_.jacobian * delta;
-    out.score = fitNoise(residual, stretches_).evidence - fit_.noise.evidence - static_cast<double>(dimensions) * lnN;
+    out.gain = fitNoise(residual, stretches_).evidence - fit_.noise.evidence;
+    const auto count = static_cast<double>(dimensions);
+    out.score = out.gain - (signature.form.subset ? count * lnN : priceOf(out.gain, count, lnN));
     return out;
   }
 

@@ -1,6 +1,7 @@
 #include "core/diagnosis/search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -16,9 +17,8 @@ constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
 constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of another
 constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
 constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
-constexpr double kBesideWandering = 10.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
+constexpr double kBesideWandering = 30.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
 constexpr double kChance = 3.0;      ///< Twice the log-likelihood that an idle parameter hardly ever gains
-constexpr double kFaint = 50.0;      ///< Evidence below which simplicity alone does not name a cause
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
 
 std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
@@ -31,6 +31,7 @@ struct Trial {
   std::string cause;
   Fit fit;
   double penalty = 0.0;
+  double promised = 0.0;  ///< By the first look
   double gain = -1e300;
 };
 
@@ -72,6 +73,7 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   model.terms.push_back({std::make_shared<const Form>(candidate.form), candidate.v, candidate.active});
   if (candidate.form.local && candidate.score > 0.0) model = timed(signals, stretches, std::move(model));
   out.penalty = candidate.choicePenalty;
+  out.promised = candidate.score;
   out.fit = fitModel(signals, stretches, std::move(model), 3);
   // A walk makes steps of its own, too: a jump of the zero, or of the load where the zero is known to walk, is more.
   const bool maybeWalk = out.cause == "bias_drift" || out.cause == "sensor_bias" ||
@@ -88,31 +90,38 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
 std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                           const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
   std::vector<const Candidate*> chosen;
-  std::map<std::string_view, int> forms;
+  // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less: the two
+  // do not compete for places.
+  std::array<std::map<std::string_view, std::vector<const Candidate*>>, 2> forms;
   for (const auto& candidate : ranked) {
-    // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less.
     const bool whole = candidate.form.scan.size() == candidate.form.parameters.size();
-    if (candidate.score < (whole ? -4.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
+    if (candidate.score < (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
+    auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
-    auto known = forms.find(id);
-    if (known == forms.end()) {
-      if (forms.size() >= causes) continue;
-      known = forms.emplace(id, 0).first;
-    }
-    // Neighbours in time are the same event: few starts are enough.
-    const int most = candidate.form.local ? 2 : forms.size() <= 3 ? 4 : 2;
-    if (known->second >= most) continue;
-    ++known->second;
+    if (known.size() >= causes && !known.contains(id)) continue;
+    const std::size_t most = known.size() > 3 ? 2 : whole ? 4 : 8;
+    std::vector<const Candidate*>& same = known[id];
+    // Neighbours in frequency or time are the same thing.
+    const auto alike = std::count_if(same.begin(), same.end(),
+                                     [&](const Candidate* other) { return other->form.choice == candidate.form.choice; });
+    if (same.size() >= most || (alike >= 2 && !whole)) continue;
+    same.push_back(&candidate);
     chosen.push_back(&candidate);
   }
   std::vector<Trial> all(chosen.size());
   onTwoThreads(chosen.size(), [&](std::size_t i) { all[i] = tried(signals, stretches, base, *chosen[i]); });
   sortByGain(all);
-  // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest.
-  onTwoThreads(std::min(kFinished, all.size()), [&](std::size_t i) {
-    if (all[i].gain < -1e299) return;
-    all[i].fit = fitModel(signals, stretches, all[i].fit.model);
-    all[i].gain = believable(all[i].fit) ? all[i].fit.evidence - base.evidence - all[i].penalty : -1e300;
+  // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those that
+  // promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned alongside.
+  std::vector<Trial*> resting;
+  for (std::size_t i = 0; i < all.size() && resting.size() < 2 * kFinished; ++i) {
+    const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie;
+    if (all[i].gain > -1e299 && (i < kFinished || hopeful)) resting.push_back(&all[i]);
+  }
+  onTwoThreads(resting.size(), [&](std::size_t i) {
+    Trial& trial = *resting[i];
+    trial.fit = fitModel(signals, stretches, trial.fit.model);
+    trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
   });
   sortByGain(all);
   return all;
@@ -152,6 +161,13 @@ bool believable(const Fit& fit) {
   const double mass = fit.model.x(6), sd = std::sqrt(std::max(0.0, fit.covariance(6, 6)));
   if (mass < -3.0 * sd || mass > 60.0) return false;
   if (!fit.model.packed().allFinite()) return false;
+  // What swings is a part of the payload, or all of it.
+  Eigen::Index at = kLinear;
+  for (const auto& term : fit.model.terms) {
+    const bool swings = causeOf(term) == "loose_mass" || causeOf(term) == "flexible_mount";
+    if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;
+    at += term.v.size();
+  }
   const Vector3d com = Vector3d(fit.model.x.segment<3>(7)) / std::max(mass, 0.02);
   return com.norm() < 1.5;
 }
@@ -164,10 +180,10 @@ Model without(const Model& model, std::string_view cause) {
 
 namespace {
 
-Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted, double lnN) {
-  const int extra = trial.fit.dimensions - accepted.dimensions;
+Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
   const double behind = found.gain - trial.gain;
-  return {trial.cause, behind, behind - lnN * extra - trial.penalty, extra};
+  return {trial.cause, behind, behind - (trial.fit.price - accepted.price) - trial.penalty,
+          trial.fit.dimensions - accepted.dimensions};
 }
 
 }  // namespace
@@ -199,7 +215,6 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
   Search out;
   out.null = fitModel(signals, stretches, Model{});
   out.final = out.null;
-  const double lnN = std::log(std::max(2.0, out.null.noise.samples));
   std::vector<std::string> order;
   Tried latest, accepted;
   for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
@@ -251,7 +266,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
         if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)
-          found.rivals.push_back(rivalOf(found, trial, out.final, lnN));
+          found.rivals.push_back(rivalOf(found, trial, out.final));
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
       if (!found.rivals.empty() && found.rivals.front().behind < -2.0) {

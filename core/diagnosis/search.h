@@ -11,6 +11,9 @@ constexpr double kThreshold = 10.0;
 /// Evidence within which two causes are equal.
 constexpr double kTie = 10.0;
 
+/// Evidence below which simplicity alone does not name a cause.
+constexpr double kFaint = 50.0;
+
 struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;

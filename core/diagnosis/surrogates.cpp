@@ -80,9 +80,11 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
       const MatrixXd z = direction.Q.transpose() * noise;
       for (Eigen::Index j = 0; j < batch; ++j) {
         double gain = -direction.penalty;
-        for (Eigen::Index k = 0; k < z.rows(); ++k) {
-          const double each = z(k, j) * z(k, j) - lnN;
-          gain += direction.subset ? std::max(0.0, each) : each;
+        if (direction.subset) {
+          for (Eigen::Index k = 0; k < z.rows(); ++k) gain += std::max(0.0, z(k, j) * z(k, j) - lnN);
+        } else {
+          const double explained = z.col(j).squaredNorm();
+          gain += explained - priceOf(explained, static_cast<double>(z.rows()), lnN);
         }
         if (direction.subset && gain == -direction.penalty) continue;
         gains(j, static_cast<Eigen::Index>(i)) = gain;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/diagnosis/between_rows.h"
 #include "core/diagnosis/signals.h"
 
 namespace heft::diagnosis {
@@ -91,13 +92,8 @@ const std::array<Reporting, 3>& reportings() {
 /// The reported velocities at the motion's instants, dof x K.
 MatrixXd reportedAt(const Recording& recording, const Motion& motion) {
   MatrixXd out(recording.dq.cols(), motion.size());
-  Eigen::Index row = 0;
-  for (Eigen::Index k = 0; k < motion.size(); ++k) {
-    while (row + 2 < recording.rows() && recording.time(row + 1) < motion.time(k)) ++row;
-    const double step = recording.time(row + 1) - recording.time(row);
-    const double share = step > 0.0 ? std::clamp((motion.time(k) - recording.time(row)) / step, 0.0, 1.0) : 0.0;
-    out.col(k) = ((1.0 - share) * recording.dq.row(row) + share * recording.dq.row(row + 1)).transpose();
-  }
+  BetweenRows rows(recording.time);
+  for (Eigen::Index k = 0; k < motion.size(); ++k) out.col(k) = rows.at(recording.dq, motion.time(k)).transpose();
   return out;
 }
 

@@ -1,4 +1,6 @@
 // The sensor's zero moves: slowly, or at once.
+#include <utility>
+
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -104,11 +106,19 @@ class Wandering final : public Cause {
   }
   int order() const override { return 84; }
   void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
-    for (int k = 1; k <= kHalfWaves; ++k) {
-      const Vector6d amplitude = v.segment<6>(6 * (k - 1));
-      if (amplitude.isZero(0.0)) continue;
-      const double step = std::numbers::pi * k / static_cast<double>(signals.size());
-      for (Eigen::Index i = 0; i < w.cols(); ++i) w.col(i) += std::cos(step * (static_cast<double>(i) + 0.5)) * amplitude;
+    const Eigen::Map<const Eigen::Matrix<double, 6, kHalfWaves>> amplitudes(v.data());
+    int highest = kHalfWaves;
+    while (highest > 0 && amplitudes.col(highest - 1).isZero(0.0)) --highest;
+    if (highest == 0) return;
+    const double step = std::numbers::pi / static_cast<double>(signals.size());
+    for (Eigen::Index i = 0; i < w.cols(); ++i) {
+      // cos((k + 1) x) = 2 cos(x) cos(k x) - cos((k - 1) x)
+      const double first = std::cos(step * (static_cast<double>(i) + 0.5));
+      double before = 1.0, now = first;
+      for (int k = 0; k < highest; ++k) {
+        w.col(i) += now * amplitudes.col(k);
+        before = std::exchange(now, 2.0 * first * now - before);
+      }
     }
   }
 

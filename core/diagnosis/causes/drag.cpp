@@ -70,7 +70,7 @@ class CoulombFriction final : public Resistance {
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
     for (const double way : {0.003, 0.015, 0.06}) {
-      add(out, 4, "giving way", {linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}});
+      add(out, 4, "giving way", withPlace({linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}}));
       out.back().start(1) = way;
       out.back().scan = {0};
     }
@@ -87,7 +87,7 @@ class CoulombFriction final : public Resistance {
         w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
       if (kind == 1) continue;
-      const Vector3d r = kind == 3 ? Vector3d(v.segment<3>(1)) : Vector3d(Vector3d::Zero());
+      const Vector3d r = kind >= 3 ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, k, r);
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + kStick * kStick);
       if (kind == 4) {

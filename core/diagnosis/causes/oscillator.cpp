@@ -7,26 +7,48 @@
 namespace heft::diagnosis {
 namespace {
 
-/// x'' of x'' + 2 z w x' + w^2 x = -u for each row of u, started in balance; the exact response to u linear between
-/// samples.
-Eigen::Matrix3Xd acceleration(const Eigen::Matrix3Xd& u, double frequency, double damping, double rateHz) {
+/// How a mass on a damped spring moves about its seat, 3 x K, S axes.
+struct Swing {
+  Eigen::Matrix3Xd pull;   ///< Acceleration less gravity of the seat: what the mass needs there per kilogram [N/kg]
+  Eigen::Matrix3Xd place;  ///< From its seat [m]
+  Eigen::Matrix3Xd extra;  ///< What the spring gives it beyond `pull`, along `way` where it moves one way only [N/kg]
+};
+
+/// Started in balance. Each step is exact for a pull that is linear in time; what turning adds (Coriolis) is taken from
+/// half a step ahead. `way`: unit vector, or zero where the mass moves all ways.
+Swing swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping, double rateHz) {
   const double w = 2.0 * std::numbers::pi * frequency, z = std::min(damping, 0.98), dt = 1.0 / rateHz;
   const double wd = w * std::sqrt(1.0 - z * z), decay = std::exp(-z * w * dt);
   const double c = std::cos(wd * dt), s = std::sin(wd * dt);
   // Homogeneous solution over a step: [x; x'] = Phi [x; x'].
   const double p11 = decay * (c + z * w / wd * s), p12 = decay * s / wd, p21 = -decay * w * w / wd * s,
                p22 = decay * (c - z * w / wd * s);
-  Eigen::Matrix3Xd out(3, u.cols());
-  Vector3d x = -u.col(0) / (w * w), v = Vector3d::Zero();
-  out.col(0).setZero();
-  for (Eigen::Index k = 0; k + 1 < u.cols(); ++k) {
+  const Matrix3d along = way.isZero(0.0) ? Matrix3d(Matrix3d::Identity()) : Matrix3d(way * way.transpose());
+  const auto carried = [&](Eigen::Index k, const Vector3d& r) -> Vector3d {
+    const Vector3d o = kin.omega.col(k);
+    return Vector3d(kin.alpha.col(k)).cross(r) + o.cross(o.cross(r));
+  };
+  const Eigen::Index n = kin.omega.cols();
+  Swing out{kin.specificForce, Eigen::Matrix3Xd(3, n), Eigen::Matrix3Xd(3, n)};
+  if (!seat.isZero(0.0))
+    for (Eigen::Index k = 0; k < n; ++k) out.pull.col(k) += carried(k, seat);
+  Vector3d u = along * out.pull.col(0), x = -u / (w * w), v = Vector3d::Zero(), a = Vector3d::Zero();
+  out.place.col(0) = x;
+  out.extra.col(0).setZero();
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    const Vector3d turning =
+        along * (2.0 * Vector3d(kin.omega.col(k)).cross(Vector3d(v + 0.5 * dt * a)) + carried(k, x + 0.5 * dt * v));
+    const Vector3d next = along * out.pull.col(k + 1);
     // Particular solution for u = a + b t: x = -(a + b t) / w^2 + 2 z b / w^3.
-    const Vector3d b = (u.col(k + 1) - u.col(k)) * rateHz;
-    const Vector3d x0 = -u.col(k) / (w * w) + 2.0 * z * b / (w * w * w), v0 = -b / (w * w);
-    const Vector3d dx = x - x0, dv = v - v0;
-    x = p11 * dx + p12 * dv - u.col(k + 1) / (w * w) + 2.0 * z * b / (w * w * w);
-    v = p21 * dx + p22 * dv + v0;
-    out.col(k + 1) = -u.col(k + 1) - 2.0 * z * w * v - w * w * x;
+    const Vector3d b = (next - u) * rateHz, from = u + turning, to = next + turning;
+    const Vector3d shift = 2.0 * z / (w * w * w) * b;
+    const Vector3d dx = x + from / (w * w) - shift, dv = v + b / (w * w);
+    x = p11 * dx + p12 * dv - to / (w * w) + shift;
+    v = p21 * dx + p22 * dv - b / (w * w);
+    out.place.col(k + 1) = x;
+    out.extra.col(k + 1) = -next - 2.0 * z * w * v - w * w * x;
+    a = out.extra.col(k + 1) - turning;
+    u = next;
   }
   return out;
 }
@@ -34,16 +56,18 @@ Eigen::Matrix3Xd acceleration(const Eigen::Matrix3Xd& u, double frequency, doubl
 class Oscillator : public Cause {
  public:
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
-    Eigen::Matrix3Xd u = kin.specificForce;
-    if (form.choice[0] < 3)
-      for (int i = 0; i < 3; ++i)
-        if (i != form.choice[0]) u.row(i).setZero();
-    const Eigen::Matrix3Xd xdd = acceleration(u, v(4), v(5), signals.rateHz);
+    const double mass = v(0);
     const Vector3d moment = v.segment<3>(1);
+    // Where it sits; nowhere in particular as long as there is hardly any mass.
+    constexpr double kLeast = 1e-3, kFarthest = 0.4;
+    Vector3d seat = Vector3d::Zero();
+    if (mass > kLeast && moment.norm() < kFarthest * mass) seat = moment / mass;
+    const Swing found = swing(kin, seat, form.choice[0] < 3 ? directionOf(form, v) : Vector3d(Vector3d::Zero()), v(4), v(5),
+                              signals.rateHz);
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const Vector3d a = xdd.col(k);
-      w.col(k).head<3>() += v(0) * a;
-      w.col(k).tail<3>() += moment.cross(a);
+      const Vector3d extra = found.extra.col(k);
+      w.col(k).head<3>() += mass * extra;
+      w.col(k).tail<3>() += moment.cross(extra) + mass * Vector3d(found.place.col(k)).cross(Vector3d(found.pull.col(k) + extra));
     }
   }
 
@@ -53,13 +77,17 @@ class Oscillator : public Cause {
     for (const double frequency : frequencies)
       for (const int axis : {3, 0, 1, 2}) {
         constexpr std::array<const char*, 4> kAxis{" along x", " along y", " along z", ""};
-        Form form = formOf(this, fmt::format("{:.1f} Hz{}", frequency, kAxis[static_cast<std::size_t>(axis)]),
-                           {{"mass", "g", kMilli, 0.03, 0.0, 5.0},
-                            {"moment_x", "kg m", 1.0, 0.003, -1.0, 1.0},
-                            {"moment_y", "kg m", 1.0, 0.003, -1.0, 1.0},
-                            {"moment_z", "kg m", 1.0, 0.003, -1.0, 1.0},
-                            {"frequency", "Hz", 1.0, 0.3, lowest, highest},
-                            {"damping", "", 1.0, 0.05, 0.001, 0.9}});
+        std::vector<Parameter> parameters{{"mass", "g", kMilli, 0.03, 0.0, 5.0},
+                                          {"moment_x", "kg m", 1.0, 0.003, -1.0, 1.0},
+                                          {"moment_y", "kg m", 1.0, 0.003, -1.0, 1.0},
+                                          {"moment_z", "kg m", 1.0, 0.003, -1.0, 1.0},
+                                          {"frequency", "Hz", 1.0, 0.3, lowest, highest},
+                                          // What is damped more does not swing: it would stand for any filter.
+                                          {"damping", "", 1.0, 0.05, 0.001, 0.35}};
+        // How much of the next axis, and of the one after that, there is for one of this.
+        for (int i = 1; i < 3 && axis < 3; ++i)
+          parameters.push_back({fmt::format("slope_{}", "xyz"[(axis + i) % 3]), "", 1.0, 0.2, -1.5, 1.5});
+        Form form = formOf(this, fmt::format("{:.1f} Hz{}", frequency, kAxis[static_cast<std::size_t>(axis)]), std::move(parameters));
         form.start(4) = frequency;
         form.start(5) = 0.06;
         form.scan = {0, 1, 2, 3};
@@ -67,6 +95,15 @@ class Oscillator : public Cause {
         out.push_back(form);
       }
     return out;
+  }
+
+ private:
+  /// Of a mass that moves one way only: mostly along the axis that the form is about.
+  static Vector3d directionOf(const Form& form, const VectorXd& v) {
+    Vector3d out = Vector3d::Unit(form.choice[0]);
+    out((form.choice[0] + 1) % 3) = v(6);
+    out((form.choice[0] + 2) % 3) = v(7);
+    return out.normalized();
   }
 };
 

@@ -87,6 +87,54 @@ TEST(Catalogue, WhatTheModelPutsInTheFitFindsAgain) {
   }
 }
 
+TEST(Fit, PriceRisesWithCountAndGainAndIsNeverAboveBic) {
+  constexpr double kLnN = 8.7;
+  for (const double count : {1.0, 4.0, 8.0})
+    for (const double gain : {0.0, 10.0, 100.0, 1e4, 1e8}) {
+      const double price = priceOf(gain, count, kLnN);
+      EXPECT_LE(price, count * kLnN);
+      EXPECT_LE(price, priceOf(10.0 * gain, count, kLnN));
+      EXPECT_LT(price, priceOf(gain, count + 1.0, kLnN));
+      EXPECT_GT(price, count) << "an idle parameter gains one on average";
+    }
+  EXPECT_DOUBLE_EQ(priceOf(1e8, 4.0, kLnN), 4.0 * kLnN) << "plain to see: as BIC has it";
+  EXPECT_EQ(priceOf(100.0, 0.0, kLnN), 0.0);
+}
+
+/// A mass on a spring is heavy after a stop as before it, and carries its weight: over a slow motion nothing shows but the
+/// sag, which moves the weight by g / w^2.
+TEST(Catalogue, ASlowlyTurnedLooseMassOnlySags) {
+  constexpr double kMass = 0.1, kHz = 8.0, kRate = 200.0;
+  Signals signals;
+  signals.rateHz = kRate;
+  const Eigen::Index n = 4000;
+  signals.kinematics.specificForce = Eigen::Matrix3Xd::Zero(3, n);
+  signals.kinematics.omega = Eigen::Matrix3Xd::Zero(3, n);
+  signals.kinematics.alpha = Eigen::Matrix3Xd::Zero(3, n);
+  // Half a turn about y in 20 s, taken up slowly.
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double u = static_cast<double>(k) / static_cast<double>(n), T = static_cast<double>(n) / kRate;
+    const double angle = EIGEN_PI * (u - std::sin(2.0 * EIGEN_PI * u) / (2.0 * EIGEN_PI));
+    signals.kinematics.specificForce.col(k) = 9.81 * Vector3d(-std::sin(angle), 0.0, std::cos(angle));
+    signals.kinematics.omega(1, k) = EIGEN_PI * (1.0 - std::cos(2.0 * EIGEN_PI * u)) / T;
+    signals.kinematics.alpha(1, k) = EIGEN_PI * 2.0 * EIGEN_PI * std::sin(2.0 * EIGEN_PI * u) / (T * T);
+  }
+  const Cause* cause = findCause("loose_mass");
+  for (const auto& form : cause->forms(signals)) {
+    if (form.choice[0] != 2 && form.choice[0] != 3) continue;
+    VectorXd v = form.start;
+    v(0) = kMass;
+    v(4) = kHz;
+    Wrenches w = Wrenches::Zero(6, n);
+    cause->force(form, v, signals, signals.kinematics, w);
+    EXPECT_LT(w.topRows<3>().cwiseAbs().maxCoeff(), 0.02 * kMass * 9.81) << form.name;
+    // All ways: along the weight, so without a moment. Along z only: the weight across times the sag along.
+    const double sag = 9.81 / std::pow(2.0 * EIGEN_PI * kHz, 2);
+    const double largest = form.choice[0] == 3 ? 0.0 : 0.5 * kMass * 9.81 * sag;
+    EXPECT_NEAR(w.bottomRows<3>().cwiseAbs().maxCoeff(), largest, 0.05 * kMass * 9.81 * sag) << form.name;
+  }
+}
+
 TEST(Scan, JacobianIsTheDerivative) {
   const auto& p = prepared();
   Model model = p.model;

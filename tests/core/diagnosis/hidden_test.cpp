@@ -50,6 +50,33 @@ TEST(Diagnose, NamesWhatIsHidden) {
   }
 }
 
+TEST(Diagnose, NamesWhatActsAwayFromTheSensorOrOneWayOnly) {
+  const std::vector<EffectRequest> effects{
+      {"coulomb_friction", "dahl", 0.6}, {"loose_mass", "rail", 120.0}, {"flexible_mount", "one-way", 2.3}};
+  std::uint64_t seed = 150;
+  for (const auto& effect : effects) {
+    const auto report = diagnosed(aRecording(MotionKind::free, ++seed, {effect}));
+    EXPECT_TRUE(namedFirstOrTied(report, effect.id)) << effect.id << ": " << said(report);
+  }
+}
+
+TEST(Diagnose, SeesSmallEffectsOfManyParameters) {
+  const std::vector<EffectRequest> effects{{"cable_pull", "", 0.4}, {"loose_mass", "", 20.0}, {"payload_change", "", 8.0}};
+  std::uint64_t seed = 160;
+  for (const auto& effect : effects) {
+    const auto report = diagnosed(aRecording(MotionKind::excitation, ++seed, {effect}));
+    EXPECT_TRUE(namedFirstOrTied(report, effect.id)) << effect.id << ": " << said(report);
+  }
+}
+
+TEST(Diagnose, CoarseReadingsComeAfterWhatMattersMore) {
+  const auto report =
+      diagnosed(aRecording(MotionKind::free, 304, {{"quantisation", "", 0.5}, {"time_offset", "", 15.0}}));
+  ASSERT_GE(report.causes.size(), 2u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "time_offset") << said(report);
+  EXPECT_TRUE(std::ranges::any_of(report.causes, [](const auto& c) { return c.id == "quantisation"; })) << said(report);
+}
+
 TEST(Diagnose, TwoAtOnce) {
   const auto report =
       diagnosed(aRecording(MotionKind::free, 301, {{"time_offset", "", 15.0}, {"gravity_tilt", "", 2.0}}));

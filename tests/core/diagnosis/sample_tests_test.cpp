@@ -18,7 +18,7 @@ std::vector<std::string> directCauses(const Recording& recording) {
   options.cutoffHz = 25.0;
   const auto motion = motionOf(recording, &RobotModel::panda(), options);
   std::vector<std::string> out;
-  for (const auto& direct : diagnosis::sampleTests(recording, *motion)) out.push_back(direct.cause);
+  for (const auto& direct : diagnosis::sampleTests(recording, *motion, diagnosis::unevenStamps(recording))) out.push_back(direct.cause);
   return out;
 }
 

@@ -1,0 +1,95 @@
+#include "core/diagnosis/named.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace heft::diagnosis {
+
+WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  WrenchRms out;
+  double count = 0.0;
+  for (const auto& s : stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      out.force += residual.col(n).head<3>().squaredNorm();
+      out.torque += residual.col(n).tail<3>().squaredNorm();
+      count += 3.0;
+    }
+  out.force = std::sqrt(out.force / std::max(1.0, count));
+  out.torque = std::sqrt(out.torque / std::max(1.0, count));
+  return out;
+}
+
+void describe(DiagnosedCause& cause, const Fit& fit, const Signals& signals) {
+  std::vector<CauseParameter>& out = cause.parameters;
+  const VectorXd std = fit.std();
+  Eigen::Index at = kLinear;
+  for (const auto& term : fit.model.terms) {
+    const Eigen::Index n = term.v.size();
+    if (term.form->cause->id() == cause.id) {
+      VectorXd deviation = std.segment(at, n);
+      for (Eigen::Index p = 0; p < n; ++p) {
+        if (!term.moves(p)) {
+          deviation(p) = 0.0;
+          continue;
+        }
+        const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+        std::string name = parameter.name;
+        for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
+          name = fmt::format("{}_{}", parameter.name, i);
+        out.push_back({name, parameter.unit, term.v(p) * parameter.scale, deviation(p) * std::abs(parameter.scale)});
+      }
+      for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) cause.when.push_back(stretch);
+    }
+    at += n;
+  }
+}
+
+DiagnosedCause fromDirect(const Direct& direct) {
+  DiagnosedCause out;
+  out.id = direct.cause;
+  for (const auto& p : direct.parameters) out.parameters.push_back({p.name, p.unit, p.value, p.std});
+  out.when = direct.when;
+  out.direct = true;
+  out.pValue = direct.pValue;
+  out.alternatives = direct.alternatives;
+  return out;
+}
+
+DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after) {
+  DiagnosedCause out;
+  const double degrees = mistake.angle * 180.0 / 3.14159265358979323846;
+  // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
+  const bool mount = mistake.kind == FrameMistake::Kind::turned && std::abs(degrees - 180.0) > 4.0;
+  out.id = mount ? "sensor_rotation" : "frame_error";
+  out.direct = true;
+  if (mistake.kind == FrameMistake::Kind::turned) {
+    const Vector3d v = vectorFromRotation(mistake.turn) * (180.0 / 3.14159265358979323846);
+    out.parameters = {{"rx", "deg", v.x(), 0.5}, {"ry", "deg", v.y(), 0.5}, {"rz", "deg", v.z(), 0.5}};
+    out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
+  }
+  out.gain.forceBefore = before.force;
+  out.gain.forceAfter = after.force;
+  out.gain.torqueBefore = before.torque;
+  out.gain.torqueAfter = after.torque;
+  out.gain.explainedFraction = 1.0 - std::pow(after.force / std::max(1e-12, before.force), 2);
+  return out;
+}
+
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, double noise) {
+  DiagnosedCause out;
+  out.id = "contact";
+  double peak = 0.0;
+  for (const auto& contact : contacts) {
+    out.when.push_back({contact.from, contact.to});
+    peak = std::max(peak, contact.peakForce);
+    out.deltaBic += contact.evidence;
+  }
+  out.parameters = {{"peak_force", "N", peak, noise}};
+  out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
+  out.direct = true;
+  return out;
+}
+
+}  // namespace heft::diagnosis

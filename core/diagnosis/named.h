@@ -1,0 +1,20 @@
+#pragma once
+// What is said of a cause, by the way in which it was found.
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/events.h"
+
+namespace heft::diagnosis {
+
+/// Root mean squares of the blocks in `stretches`; `residual` 6 x N.
+WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual);
+
+/// Fills parameters and time of a cause of `fit`.
+void describe(DiagnosedCause& cause, const Fit& fit, const Signals& signals);
+
+DiagnosedCause fromDirect(const Direct& direct);
+/// `before` and `after` undoing the mistake.
+DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
+/// `contacts` must not be empty; `noise` [N] is how well the peak is known.
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, double noise);
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,89 @@
+#include "core/diagnosis/payload_after.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/say.h"
+#include "core/diagnosis/corrected.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+/// Deviations of mass and centre may not be smaller than the joint fit of payload and causes finds them.
+void widen(EstimateReport& report, const Fit& fit) {
+  const VectorXd std = fit.std();
+  const double m = std::max(0.02, std::abs(fit.model.x(6)));
+  const auto grow = [](double& deviation, Interval& interval, double least) {
+    if (!(deviation < least) || !(deviation > 0.0)) return;
+    const double factor = least / deviation, middle = 0.5 * (interval.lower + interval.upper);
+    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
+    deviation = least;
+  };
+  grow(report.std.mass, report.interval95.mass, std(6));
+  for (int i = 0; i < 3; ++i) {
+    const double c = fit.model.x(7 + i) / m;
+    const double variance = fit.covariance(7 + i, 7 + i) - 2.0 * c * fit.covariance(6, 7 + i) + c * c * fit.covariance(6, 6);
+    grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], std::sqrt(std::max(0.0, variance)) / m);
+  }
+}
+
+/// Unseen stretches come out no worse in force and torque, and better in one.
+bool predictsBetter(const EstimateReport& is, const EstimateReport& was) {
+  return is.heldoutForceRms < 1.02 * was.heldoutForceRms && is.heldoutTorqueRms < 1.02 * was.heldoutTorqueRms &&
+         (is.heldoutForceRms < 0.95 * was.heldoutForceRms || is.heldoutTorqueRms < 0.95 * was.heldoutTorqueRms);
+}
+
+/// The recording as the sensor and the robot would have told it without the causes.
+Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Work& work) {
+  Recording out = cleaned;
+  if (work.mistake) out = undone(std::move(out), *work.mistake);
+  if (!work.search.final.model.terms.empty()) {
+    auto effect = effectOf(work.search.final.model, out, robot);
+    if (!effect) return effect.error();
+    out.wrench -= *effect;
+  }
+  return out;
+}
+
+/// Heavy enough to be there, and near the sensor.
+bool possible(const EstimateReport& report) {
+  return report.payload.mass > 3.0 * report.std.mass && report.payload.com.norm() < 0.4;
+}
+
+void leaveAsItWas(DiagnosisReport& report, const char* code, std::string text, std::string remedy) {
+  report.after = report.before;
+  report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
+}
+
+}  // namespace
+
+std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
+                                   const RobotModel* robot, const Work& work, const EstimateOptions& options,
+                                   const Progress& progress) {
+  auto was = estimate(recording, robot, options, progress);
+  if (!was) return was.error();
+  report.before = std::move(*was);
+  report.after = report.before;
+  if (report.causes.empty()) return std::nullopt;
+  const auto clean = freed(cleaned, robot, work);
+  if (!clean) return clean.error();
+  auto is = estimate(*clean, robot, options, progress);
+  if (!is) return std::nullopt;
+  report.after = std::move(*is);
+  widen(report.after, work.search.final);
+  if (possible(report.before) && !possible(report.after)) {
+    // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
+    report.verdict = Verdict::unexplained;
+    leaveAsItWas(report, "causes_not_believable",
+                 heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
+                 heft::say("Repeat the recording without touching anything."));
+  } else if (report.verdict == Verdict::unexplained && !predictsBetter(report.after, report.before)) {
+    leaveAsItWas(report, "payload_left_as_it_was",
+                 heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
+                 heft::say("Find what is unknown first: record the motion once more, more slowly."));
+  }
+  return std::nullopt;
+}
+
+}  // namespace heft::diagnosis
