@@ -12,8 +12,7 @@
 namespace heft {
 namespace {
 
-constexpr int kTick = 33;              ///< [ms]
-constexpr int kRefresh = 66;           ///< [ms] Learning is shown so often.
+constexpr int kTick = 33;              ///< [ms] What was learned is shown so often.
 constexpr double kPiece = 0.5;         ///< [s] of virtual time at once
 constexpr double kAdviseEvery = 2.5;   ///< [s] A ghost that is older stands where the arm no longer is.
 constexpr double kFirstAdvice = 0.5;   ///< [s]
@@ -72,7 +71,6 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   removals_.clear();
   owed_ = 0.0;
   clock_.start();
-  sinceRefresh_.start();
   if (byClock_ || !virtualArm_) timer_.start();
   emit started();
   return true;
@@ -97,7 +95,7 @@ bool LiveRun::finished() const {
 void LiveRun::tick() {
   const double passed = std::min(kLongestTick, static_cast<double>(clock_.restart()) / 1000.0);
   if (virtualArm_ && !paused_) virtualArm_->advance(passed);
-  if (sinceRefresh_.elapsed() >= kRefresh) pump();
+  pump();
 }
 
 void LiveRun::pass(double seconds) {
@@ -144,7 +142,6 @@ void LiveRun::pump() {
     owed_ = owed_ - piece < 1e-9 ? 0.0 : owed_ - piece;
     virtualArm_->advance(piece);
   }
-  sinceRefresh_.restart();
   for (const SourceStatus& source : session_->status().sources) {
     if (source.state != LinkState::failed) continue;
     stop();
@@ -177,8 +174,13 @@ void LiveRun::pump() {
         if (view_.poses.size() != poses) emit poseTaken();
         emit refreshed();
         coach();
-        pump();
+        goOn();
       });
+}
+
+/// Where a clock runs, the next turn is its: without pause the window would be drawn as fast as it can.
+void LiveRun::goOn() {
+  if (!timer_.isActive()) pump();
 }
 
 void LiveRun::coach() {
@@ -195,8 +197,7 @@ void LiveRun::coach() {
   advisedAt_ = view_.time;
   coaching().start(
       QString(),
-      [robot = robot_, meta = meta_, q = *view_.q, information = view_.information](
-          const Progress&) -> Result<Advice> {
+      [robot = robot_, meta = meta_, q = *view_.q, information = view_.information](const Progress&) -> Result<Advice> {
         auto tool = guidedTool(*robot, meta.mount);
         if (!tool) return tool.error();
         return advise(information ? std::optional(*information) : std::nullopt, *tool, meta.gravity,
@@ -209,7 +210,7 @@ void LiveRun::coach() {
         if (result) advice_ = std::move(*result);
         advisedAt_ = view_.time;
         emit adviceChanged();
-        pump();
+        goOn();
       });
 }
 
@@ -223,7 +224,9 @@ bool LiveRun::makeAdvised() {
   if (!advice_ || !advice_->needed || advice_->motion.size() < 2) return false;
   GuidedPath path;
   path.duration = advice_->motion.duration();
-  path.at = [motion = advice_->motion](double t, VectorXd& q, VectorXd& dq, VectorXd& ddq) { motion.at(t, q, dq, ddq); };
+  path.at = [motion = advice_->motion](double t, VectorXd& q, VectorXd& dq, VectorXd& ddq) {
+    motion.at(t, q, dq, ddq);
+  };
   virtualArm_->guide([&](GuidedArm& arm) { arm.follow(path); });
   return true;
 }

@@ -92,6 +92,7 @@ class LiveRun : public QObject {
  private:
   void tick();
   void pump();
+  void goOn();
   bool prepare();
   void coach();
 
@@ -114,7 +115,7 @@ class LiveRun : public QObject {
   double owed_ = 0.0;  ///< [s] that are still to pass
   quint64 run_ = 0;    ///< Results of an earlier run are dropped.
   QTimer timer_;
-  QElapsedTimer clock_, sinceRefresh_;
+  QElapsedTimer clock_;
   JobRunner& learning() { return learning_[byClock_ ? 1 : 0]; }
   JobRunner& coaching() { return coaching_[byClock_ ? 1 : 0]; }
   JobRunner learning_[2], coaching_[2];  ///< Stepped, and by the clock

@@ -8,11 +8,14 @@
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <chrono>
 
 #include "ui/robot_view/scene3d.h"
 
 namespace heft {
 namespace {
+
+constexpr double kPause = 0.5;  ///< Of the time that a picture took, where drawing takes the processor's.
 
 /// VTK's half, in the drawing thread while its context is current.
 class Studio {
@@ -34,6 +37,9 @@ class Studio {
     window_->Finalize();
   }
 
+  /// No graphics card: drawing takes every core there is.
+  bool software() const { return software_; }
+
   ScenePicture draw(const PictureOrder& order) {
     QElapsedTimer clock;
     clock.start();
@@ -47,9 +53,10 @@ class Studio {
     ScenePicture picture;
     window_->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, pixels_);
     // From the lower edge upwards, as OpenGL has it.
-    picture.image = QImage(pixels_->GetPointer(0), size.width(), size.height(), 4 * size.width(), QImage::Format_RGBX8888)
-                        .mirrored()
-                        .convertToFormat(QImage::Format_RGB32);
+    picture.image =
+        QImage(pixels_->GetPointer(0), size.width(), size.height(), 4 * size.width(), QImage::Format_RGBX8888)
+            .mirrored()
+            .convertToFormat(QImage::Format_RGB32);
     picture.image.setDevicePixelRatio(order.pixelRatio);
     picture.camera = order.camera;
     picture.anchors = order.state.anchors();
@@ -119,14 +126,18 @@ void SceneRenderer::run() {
   context_->makeCurrent(&surface_);
   auto studio = std::make_unique<Studio>(*context_);
   std::unique_lock lock(mutex_);
+  auto rested = std::chrono::steady_clock::now();
   while (true) {
     changed_.wait(lock, [&] { return ending_ || order_; });
+    if (studio->software()) changed_.wait_until(lock, rested, [&] { return ending_ || !order_->moving; });
     if (ending_) break;
     const PictureOrder order = std::move(*order_);
     order_.reset();
     const std::uint64_t number = ordered_;
     lock.unlock();
     ScenePicture picture = studio->draw(order);
+    rested = std::chrono::steady_clock::now() +
+             std::chrono::microseconds(static_cast<int>(kPause * 1e3 * picture.milliseconds));
     lock.lock();
     picture_ = std::move(picture);
     done_ = number;

@@ -26,6 +26,7 @@ struct PictureOrder {
   QSize size;               ///< [widget pixels]
   double pixelRatio = 1.0;  ///< Device pixels a widget pixel
   bool smooth = false;      ///< Without a graphics card smoothing costs too much while things move; else always done.
+  bool moving = false;  ///< Things move by themselves: the picture may come a little later, for the sake of the rest.
 };
 
 struct ScenePicture {

@@ -1,5 +1,6 @@
 #include "ui/robot_view/viewport.h"
 
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -57,7 +58,10 @@ void Viewport::showCursor() {
   setToolTip(handles_ && !handles_->dragging() ? handles_->tip() : QString());
 }
 
-PictureOrder Viewport::order(bool smooth) const { return {scene_, &theme(), camera_, size(), devicePixelRatioF(), smooth}; }
+PictureOrder Viewport::order(bool smooth) const {
+  const bool byHand = QGuiApplication::mouseButtons() != Qt::NoButton;
+  return {scene_, &theme(), camera_, size(), devicePixelRatioF(), smooth, !smooth && !byHand};
+}
 
 void Viewport::requestFrame() {
   if (!frame_.isActive()) frame_.start();
@@ -91,8 +95,9 @@ void Viewport::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), theme().skyBottom);
   if (renderer_.works()) return;
   painter.setPen(theme().text2);
-  painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                   tr("The 3D view needs OpenGL, which this computer does not offer. Everything else works without it."));
+  painter.drawText(
+      rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+      tr("The 3D view needs OpenGL, which this computer does not offer. Everything else works without it."));
 }
 
 void Viewport::cameraChanged() {
