@@ -51,7 +51,7 @@ Result<UdpSocket> UdpSocket::listening(const std::string& host, std::uint16_t po
   const auto addresses = resolve(host, port, SOCK_DGRAM);
   if (!addresses) return unreachable(host, port, heft::say("is no address of this machine"));
   UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  const int room = 1 << 20;
+  const int room = 1 << 22;
   ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));
   if (out.number_ < 0 || ::bind(out.number_, addresses->ai_addr, addresses->ai_addrlen) != 0)
     return Error{
@@ -63,7 +63,7 @@ Result<UdpSocket> UdpSocket::connected(const std::string& host, std::uint16_t po
   const auto addresses = resolve(host, port, SOCK_DGRAM);
   if (!addresses) return unreachable(host, port, heft::say("cannot be found"));
   UdpSocket out(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  const int room = 1 << 20;
+  const int room = 1 << 22;
   ::setsockopt(out.number_, SOL_SOCKET, SO_RCVBUF, &room, sizeof(room));
   if (out.number_ < 0 || ::connect(out.number_, addresses->ai_addr, addresses->ai_addrlen) != 0)
     return unreachable(host, port, heft::say("cannot be reached"));

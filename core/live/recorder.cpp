@@ -1,12 +1,9 @@
 #include "core/live/recorder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <utility>
 
 #include "core/base/say.h"
 #include "core/base/text.h"
@@ -17,7 +14,6 @@ namespace heft {
 namespace {
 
 constexpr double kHandOver = 0.2;  ///< [s]
-constexpr double kSync = 1.0;      ///< [s]
 
 }  // namespace
 
@@ -29,39 +25,19 @@ Result<Recorder> Recorder::create(const std::filesystem::path& csv, const Record
   if (const auto written = writeMeta(meta, metaFile); !written) return written.error();
   Recorder out;
   out.file_ = csv;
-  out.descriptor_ = ::open(csv.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
-  if (out.descriptor_ < 0) return Error{heft::say("{} cannot be made: {}.", displayName(csv), std::strerror(errno))};
+  auto disk = GrowingFile::create(csv);
+  if (!disk) return disk.error();
+  out.disk_ = std::move(*disk);
   return out;
 }
 
-Recorder::Recorder(Recorder&& other) noexcept { *this = std::move(other); }
-
-Recorder& Recorder::operator=(Recorder&& other) noexcept {
-  std::swap(file_, other.file_);
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(pending_, other.pending_);
-  std::swap(problem_, other.problem_);
-  std::swap(rows_, other.rows_);
-  std::swap(origin_, other.origin_);
-  std::swap(handed_, other.handed_);
-  std::swap(synced_, other.synced_);
-  std::swap(joints_, other.joints_);
-  std::swap(q_, other.q_);
-  std::swap(dq_, other.dq_);
-  std::swap(orientation_, other.orientation_);
-  std::swap(position_, other.position_);
-  return *this;
-}
-
 Recorder::~Recorder() {
-  if (descriptor_ < 0) return;
-  flush();
-  ::close(descriptor_);
+  if (disk_) handOver();
 }
 
 void Recorder::begin(const LiveSample& first) {
   origin_ = first.time;
-  handed_ = synced_ = hostNow();
+  handed_ = hostNow();
   joints_ = std::clamp(first.joints, 0, 7);
   q_ = first.q.has_value();
   dq_ = q_ && first.dq.has_value();
@@ -80,7 +56,7 @@ void Recorder::begin(const LiveSample& first) {
 void Recorder::number(double value) { fmt::format_to(std::back_inserter(pending_), ",{}", value); }
 
 bool Recorder::add(const LiveSample& sample) {
-  if (descriptor_ < 0 || !problem_.empty()) return false;
+  if (failed_) return false;
   if (!sample.wrench || !sample.hasMotion()) return true;
   if (rows_ == 0) begin(sample);
   // A row without what the header promises would be a hole; the motion's other form may be there for a moment only.
@@ -104,30 +80,18 @@ bool Recorder::add(const LiveSample& sample) {
   for (const double value : *sample.wrench) number(value);
   pending_ += '\n';
   ++rows_;
-  return hostNow() - handed_ < kHandOver || flush();
+  return hostNow() - handed_ < kHandOver || handOver();
+}
+
+bool Recorder::handOver() {
+  handed_ = hostNow();
+  failed_ = !disk_->append(std::exchange(pending_, {}));
+  return !failed_;
 }
 
 bool Recorder::flush() {
-  if (descriptor_ < 0 || !problem_.empty()) return false;
-  std::string_view left = pending_;
-  while (!left.empty()) {
-    const auto written = ::write(descriptor_, left.data(), left.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      problem_ = heft::say("{} cannot be written any further: {}. What is there can be read.", displayName(file_),
-                           std::strerror(errno));
-      pending_.assign(left);
-      return false;
-    }
-    left.remove_prefix(static_cast<std::size_t>(written));
-  }
-  pending_.clear();
-  handed_ = hostNow();
-  if (handed_ - synced_ > kSync) {
-    ::fdatasync(descriptor_);
-    synced_ = handed_;
-  }
-  return true;
+  failed_ = !(handOver() && disk_->finish());
+  return !failed_;
 }
 
 }  // namespace heft

@@ -5816,6 +5816,10 @@
         <source>{} needs {} dimensions in metres ({}), but {} are given.</source>
         <translation>{} braucht {} Maße in Metern ({}), angegeben sind aber {}.</translation>
     </message>
+    <message>
+        <source>{} cannot be written as fast as samples come. What is there can be read.</source>
+        <translation>{} kann nicht so schnell geschrieben werden, wie Messwerte kommen. Was schon da ist, lässt sich lesen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

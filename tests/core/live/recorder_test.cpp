@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <cmath>
@@ -62,6 +63,29 @@ TEST_F(LiveRecording, NeverReplacesAFile) {
   EXPECT_FALSE(Recorder::create(folder_ / "live.csv", panda()).ok());
   EXPECT_EQ(read(folder_ / "live.csv"), "mine");
   EXPECT_FALSE(Recorder::create(folder_ / "no_such_folder" / "live.csv", panda()).ok());
+}
+
+TEST_F(LiveRecording, AFullDiskIsSaidAndWhatIsThereCanBeRead) {
+  const auto file = folder_ / "live.csv";
+  auto recorder = Recorder::create(file, panda());
+  ASSERT_TRUE(recorder.ok()) << recorder.error().message;
+  // The system lets this process write no further: for the recorder the same as a disk without room.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{20000, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  for (int k = 0; k < 500; ++k) recorder->add(sampleAt(1000.0 + 0.002 * k));
+  const bool whole = recorder->flush();
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(whole);
+  EXPECT_NE(recorder->problem().find("cannot be written any further"), std::string::npos) << recorder->problem();
+  EXPECT_NE(recorder->problem().find("live.csv"), std::string::npos) << recorder->problem();
+  EXPECT_FALSE(recorder->add(sampleAt(1001.0)));
+  const auto read = readRecording(file);
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_GT(read->recording.rows(), 20);
 }
 
 TEST_F(LiveRecording, AKilledProgramLosesLessThanASecond) {

@@ -1,0 +1,47 @@
+#pragma once
+// A file that grows in a thread of its own: whoever measures waits for no disk.
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/base/result.h"
+
+namespace heft {
+
+/// Text is handed to the system as soon as it is appended and to the disk every second. All functions may be called
+/// from any thread.
+class GrowingFile {
+ public:
+  /// Fails if the file exists or cannot be made.
+  static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file);
+  ~GrowingFile();  ///< Writes what is left.
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  /// Returns at once. False once the disk is full, gone, or far too slow; problem() says so.
+  bool append(std::string text);
+  /// Waits until everything is handed to the system. False if there is a problem.
+  bool finish();
+  std::string problem() const;
+
+ private:
+  GrowingFile(std::filesystem::path file, int descriptor);
+  void run();
+  /// What went wrong, or nothing.
+  std::string write(const std::string& text) const;
+
+  std::filesystem::path file_;
+  int descriptor_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::string waiting_;
+  std::string problem_;
+  bool writing_ = false, ending_ = false;
+  std::thread thread_;  ///< Last, so that it sees everything else made.
+};
+
+}  // namespace heft
