@@ -2,7 +2,8 @@
 //   bench_window frames [MINUTES]    a recording of ten minutes at 1 kHz, opened as a user opens it: what one frame of
 //                                    zooming, panning and playing takes with plots, marks and the 3D view together
 //   bench_window start PROGRAM       from the start of heft-studio until its window, and its arm, stand on the screen
-//   bench_window live [MINUTES]      a robot that sends 1 kHz over UDP: once a minute what came, what was drawn, how long
+//   bench_window live [MINUTES]      a robot that sends 1 kHz over UDP: once a minute what came, what was drawn, how
+//   long
 //                                    the window was deaf at most, and the memory held
 #include <arpa/inet.h>
 #include <fmt/format.h>
@@ -48,6 +49,12 @@ namespace {
 
 constexpr QSize kWindow(1440, 900);
 
+double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// Knows how long the window was busy with one event, that is deaf to the user.
 class TimedApplication : public QApplication {
  public:
@@ -55,17 +62,26 @@ class TimedApplication : public QApplication {
   bool notify(QObject* receiver, QEvent* event) override {
     if (depth_ > 0) return QApplication::notify(receiver, event);
     ++depth_;
+    const char* name = receiver->metaObject()->className();  // It may be gone afterwards.
+    const auto type = static_cast<int>(event->type());
     QElapsedTimer clock;
     clock.start();
+    const double before = threadSeconds();
     const bool done = QApplication::notify(receiver, event);
     --depth_;
     const double milliseconds = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     longest = std::max(longest, milliseconds);
-    if (milliseconds > 30.0) ++over30;
+    if (milliseconds > 30.0) {
+      ++over30;
+      if (slow.size() < 20)
+        slow.push_back(fmt::format("{} event {}: {:.0f} ms, {:.0f} of the processor's", name, type, milliseconds,
+                                   1e3 * (threadSeconds() - before)));
+    }
     return done;
   }
   double longest = 0.0;  ///< [ms]
   int over30 = 0;
+  std::vector<std::string> slow;  ///< Which events those were, the first ones
 
  private:
   int depth_ = 0;
@@ -148,11 +164,19 @@ int frames(double minutes) {
   turnUntil([&] { return window.settled(); });
   turnFor(500);
   if (!workspace.report()) return fmt::print(stderr, "no result\n"), 1;
-  fmt::print("{} samples opened and estimated in {:.1f} s; meanwhile the window was deaf for {:.0f} ms at most, {} times "
-             "over 30 ms; {:.0f} MB; load of the machine {:.1f}\n\n",
-             workspace.opened()->recording.rows(), static_cast<double>(opening.elapsed()) / 1000, application.longest,
-             application.over30, residentMegabytes(), machineLoad());
-  fmt::print("{:34}  {:>8}  {:>8}  {:>8}  {:>14}\n", "wall time of a frame [ms]", "median", "95 %", "longest",
+  fmt::print(
+      "{} samples opened and estimated in {:.1f} s; meanwhile the window was deaf for {:.0f} ms at most, {} times "
+      "over 30 ms; {:.0f} MB; load of the machine {:.1f}\n\n",
+      workspace.opened()->recording.rows(), static_cast<double>(opening.elapsed()) / 1000, application.longest,
+      application.over30, residentMegabytes(), machineLoad());
+  for (const Step step : kAllSteps) {
+    window.showStep(step);
+    turnFor(300);
+  }
+  fmt::print("{} times over 30 ms with every step shown once{}", application.over30,
+             application.slow.empty() ? "" : ":\n");
+  for (const std::string& event : application.slow) fmt::print("  {}\n", event);
+  fmt::print("\n{:34}  {:>8}  {:>8}  {:>8}  {:>14}\n", "wall time of a frame [ms]", "median", "95 %", "longest",
              "processor, ms");
   TimeAxis* axis = window.recordingPane()->timeAxis();
   const double end = axis->fullUpper();
@@ -228,13 +252,15 @@ int start(const QString& program) {
 /// A robot of its own: what it measures goes to 127.0.0.1, a datagram each sample, at the machine's clock.
 class SendingRobot {
  public:
-  explicit SendingRobot(std::uint16_t port) : thread_([this, port](const std::stop_token& stopping) { run(stopping, port); }) {}
+  explicit SendingRobot(std::uint16_t port)
+      : thread_([this, port](const std::stop_token& stopping) { run(stopping, port); }) {}
   std::uint64_t sent() const { return sent_; }
 
  private:
   void run(const std::stop_token& stopping, std::uint16_t port) {
     VirtualRigOptions options;
     options.payload = practiceTool(1);
+    options.mount = SensorMount{};  // Where a meta file without a place says it is
     auto rig = VirtualRig::create(RobotModel::panda(), options).value();
     rig.arm().wander();
     const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
@@ -246,8 +272,8 @@ class SendingRobot {
     std::string text;
     while (!stopping.stop_requested()) {
       const VirtualSample& s = rig.next();
-      text = fmt::format(R"({{"time":{:.6f},"fx":{:.5f},"fy":{:.5f},"fz":{:.5f},"tx":{:.6f},"ty":{:.6f},"tz":{:.6f})", s.time,
-                         s.wrench(0), s.wrench(1), s.wrench(2), s.wrench(3), s.wrench(4), s.wrench(5));
+      text = fmt::format(R"({{"time":{:.6f},"fx":{:.5f},"fy":{:.5f},"fz":{:.5f},"tx":{:.6f},"ty":{:.6f},"tz":{:.6f})",
+                         s.time, s.wrench(0), s.wrench(1), s.wrench(2), s.wrench(3), s.wrench(4), s.wrench(5));
       for (int j = 0; j < 7; ++j) text += fmt::format(R"(,"q{}":{:.7f},"dq{}":{:.5f})", j + 1, s.q(j), j + 1, s.dq(j));
       text += '}';
       if (::sendto(socket, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to) > 0) ++sent_;
@@ -281,7 +307,8 @@ int live(int minutes) {
   auto& application = *static_cast<TimedApplication*>(QApplication::instance());
   int refreshes = 0;
   QObject::connect(panel->run(), &LiveRun::refreshed, [&] { ++refreshes; });
-  fmt::print("minute   sent  received  on disk  refreshes/s  longest deaf ms  over 30 ms  processor %  memory MB  load  kg\n");
+  fmt::print(
+      "minute   sent  received  on disk  refreshes/s  longest deaf ms  over 30 ms  processor %  memory MB  load  kg\n");
   QElapsedTimer clock;
   clock.start();
   for (int minute = 1; minute <= minutes && panel->run()->running(); ++minute) {
@@ -291,8 +318,8 @@ int live(int minutes) {
     const double before = processorSeconds();
     turnUntil([&] { return clock.elapsed() >= 60000LL * minute; });
     const auto status = panel->run()->status();
-    fmt::print("{:6}  {:7}  {:7}  {:7}  {:11.1f}  {:15.0f}  {:10}  {:11.1f}  {:9.0f}  {:4.1f}  {:.4f}\n", minute, robot.sent(),
-               status.samples, status.recorded, refreshes / 60.0, application.longest, application.over30,
+    fmt::print("{:6}  {:7}  {:7}  {:7}  {:11.1f}  {:15.0f}  {:10}  {:11.1f}  {:9.0f}  {:4.1f}  {:.4f}\n", minute,
+               robot.sent(), status.samples, status.recorded, refreshes / 60.0, application.longest, application.over30,
                100 * (processorSeconds() - before) / 60, residentMegabytes(), machineLoad(),
                panel->run()->view().state.payload.mass);
     std::fflush(stdout);

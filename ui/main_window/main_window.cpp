@@ -304,6 +304,7 @@ void MainWindow::showOpened() {
   setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
   view_->showRecording(shared, opened->robot, opened->look);
   pane_->setRecording(shared, workspace_->report());
+  rate_ = shared->rateHz();
   showFacts();
   files_->remember(opened->path);
   if (step_ == Step::record) {
@@ -327,7 +328,7 @@ void MainWindow::showFacts() {
     if (recording.meta.kind == RecordingKind::poses) {
       facts << tr("%1 standing poses").arg(recording.rows());
     } else {
-      facts << tr("%1 s").arg(numberText(recording.duration(), 1)) << tr("%1 Hz").arg(numberText(recording.rateHz(), 0));
+      facts << tr("%1 s").arg(numberText(recording.duration(), 1)) << tr("%1 Hz").arg(numberText(rate_, 0));
     }
     if (!recording.meta.sensorModel.empty()) facts << QString::fromStdString(recording.meta.sensorModel);
   } else if (facts.isEmpty()) {

@@ -96,6 +96,7 @@ class MainWindow : public QMainWindow {
   Workspace* workspace_;
   bool remembers_;
   bool details_ = false;
+  double rate_ = 0.0;  ///< Of the open recording [Hz]; the median of its steps takes a while where there are many.
   Step step_ = Step::record;
   Playback playback_;
   JobRunner lookJobs_;  ///< Loads the arm that stands there before a recording is open.
