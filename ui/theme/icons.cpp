@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QSvgRenderer>
 
 #include "ui/theme/theme.h"
@@ -10,7 +11,12 @@
 namespace heft {
 
 QPixmap iconPixmap(const QString& name, int size, const QColor& colour, const QColor& ground, qreal devicePixelRatio) {
-  QPixmap pixmap(QSize(size, size) * devicePixelRatio);
+  // Panels are often built anew, and drawing an icon takes a millisecond.
+  const QString key =
+      QStringLiteral("icon %1 %2 %3 %4 %5").arg(name).arg(size).arg(colour.name(), ground.name()).arg(devicePixelRatio);
+  QPixmap pixmap;
+  if (QPixmapCache::find(key, &pixmap)) return pixmap;
+  pixmap = QPixmap(QSize(size, size) * devicePixelRatio);
   pixmap.setDevicePixelRatio(devicePixelRatio);
   pixmap.fill(Qt::transparent);
   QFile file(":/icons/" + name + ".svg");
@@ -22,6 +28,8 @@ QPixmap iconPixmap(const QString& name, int size, const QColor& colour, const QC
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   renderer.render(&painter, QRectF(0, 0, size, size));
+  painter.end();
+  QPixmapCache::insert(key, pixmap);
   return pixmap;
 }
 
