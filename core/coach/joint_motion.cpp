@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/simulation/trajectory.h"
 
@@ -44,10 +45,9 @@ Result<GuidedTool> guidedTool(const RobotModel& robot, const SensorMount& mount)
   const auto link = robot.findLink(mount.parent);
   if (!link)
     return Error{
-        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
-                  "sensor.mount.parent in the "
-                  "meta file.",
-                  mount.parent, robot.name())};
+        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have.", mount.parent,
+                  robot.name()) +
+        " " + remedy(Remedy::mountSensor)};
   return GuidedTool{&robot, *link, poseFromXyzRpy(mount.xyz, mount.rpy), {}};
 }
 

@@ -128,9 +128,9 @@ const char* headingOf(Verdict verdict) {
 std::string payloadRow(const char* name, const EstimateReport& report) {
   const auto& p = report.payload;
   const auto& s = report.std;
-  std::string out = fmt::format("<tr><th>{}</th><td>{:.4f} ± {:.4f}</td>", name, p.mass, s.mass);
-  for (int i = 0; i < 3; ++i) out += fmt::format("<td>{:.2f} ± {:.2f}</td>", p.com(i) * 1e3, s.com(i) * 1e3);
-  for (int i = 0; i < 3; ++i) out += fmt::format("<td>{:.3g} ± {:.1g}</td>", p.inertiaCom(i, i), s.inertiaCom(i, i));
+  std::string out = fmt::format("<tr><th>{}</th><td>{:.4f} ± {:.4f}</td>", name, p.mass, 1.96 * s.mass);
+  for (int i = 0; i < 3; ++i) out += fmt::format("<td>{:.2f} ± {:.2f}</td>", p.com(i) * 1e3, 1960.0 * s.com(i));
+  for (int i = 0; i < 3; ++i) out += fmt::format("<td>{:.3g} ± {:.1g}</td>", p.inertiaCom(i, i), 1.96 * s.inertiaCom(i, i));
   return out + "</tr>\n";
 }
 
@@ -151,7 +151,7 @@ std::string toHtml(const DiagnosisReport& report) {
   for (const auto& cause : report.causes) {
     out += fmt::format("<section><h2>{}</h2><p>{}</p>\n<table>", escapedMarkup(cause.title), escapedMarkup(cause.sentence));
     for (const auto& p : cause.parameters)
-      out += fmt::format("<tr><th>{}</th><td>{}</td></tr>", escapedMarkup(p.name), escapedMarkup(parameterWords(p)));
+      out += fmt::format("<tr><th>{}</th><td>{}</td></tr>", escapedMarkup(parameterName(p.name)), escapedMarkup(parameterWords(p)));
     for (const auto& [from, to] : cause.when) out += fmt::format("<tr><th>when</th><td>{:.2f} to {:.2f} s</td></tr>", from, to);
     out += "</table>\n";
     if (cause.gain.blocks > 0)

@@ -53,7 +53,7 @@ json jsonOf(const DiagnosedCause& cause) {
 
 std::string payloadLine(const EstimateReport& report) {
   const auto& p = report.payload;
-  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm", p.mass, report.std.mass, p.com.x() * 1e3,
+  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm", p.mass, 1.96 * report.std.mass, p.com.x() * 1e3,
                      p.com.y() * 1e3, p.com.z() * 1e3);
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 
 namespace heft {
@@ -161,7 +162,9 @@ std::string number(double value, int decimals) {
 }
 
 /// As many decimals as the deviation bears.
-std::string plusMinus(double value, double std) {
+/// With half of the 95 % interval, as everywhere where a person reads a number.
+std::string plusMinus(double value, double deviation) {
+  const double std = 1.96 * deviation;
   if (!(std > 0.0) || !std::isfinite(std))
     return number(value, std::abs(value) >= 100 ? 0 : std::abs(value) >= 1 ? 1 : 2);
   const double exponent = std::floor(std::log10(std));
@@ -328,6 +331,9 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                      number(v.value("frequency"), 1));
   if (id == "flexible_mount")
     return heft::say("The tool's mount gives and rings at {} Hz.", number(v.value("frequency"), 0));
+  if (id == "payload_change" && v.find("mass") && std::abs(v.value("mass")) < 2.0 * v.find("mass")->std)
+    return heft::say("At {} s the load moved on the tool; its weight hardly changed ({} g).", number(v.value("time"), 1),
+                     plusMinus(v.value("mass"), v.find("mass")->std));
   if (id == "payload_change")
     return v.value("mass") > 0.0
                ? heft::say("At {} s the load became {} g heavier.", number(v.value("time"), 1), v.size("mass"))
@@ -377,13 +383,13 @@ std::string causeCheck(const DiagnosedCause& cause, const std::optional<FrameMis
   const bool mixedUp = cause.direct && (cause.id == "frame_error" || cause.id == "sensor_rotation");
   switch (mixedUp && mistake ? mistake->kind : FrameMistake::Kind::none) {
     case FrameMistake::Kind::wrenchSign:
-      return heft::say("Set sensor.wrench_sign to \"payload_on_sensor\" (or back) in the meta file.");
+      return remedy(Remedy::turnWrench);
     case FrameMistake::Kind::gravitySign:
-      return heft::say("Turn gravity_m_s2 round in the meta file.");
+      return remedy(Remedy::turnGravity);
     case FrameMistake::Kind::transposed:
       return heft::say("Invert the quaternions (qx, qy, qz with the opposite sign).");
     case FrameMistake::Kind::turned:
-      return heft::say("Correct sensor.mount.rpy_rad in the meta file.");
+      return remedy(Remedy::correctMount);
     case FrameMistake::Kind::mirrored:
       return heft::say("Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor's manual.");
     case FrameMistake::Kind::none:
@@ -398,6 +404,9 @@ std::string channelWords(int channel) {
 }
 
 std::string parameterWords(const CauseParameter& p) {
+  // Small numbers in a large unit would be rounded away; degrees have a sign of their own.
+  if (p.unit == "kg m") return plusMinus(1e3 * p.value, 1e3 * p.std) + " g m";
+  if (p.unit == "deg") return plusMinus(p.value, p.std) + " \u00b0";
   return plusMinus(p.value, p.std) + (p.unit.empty() ? "" : " " + p.unit);
 }
 

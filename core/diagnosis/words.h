@@ -25,7 +25,9 @@ std::string causeLooks(std::string_view id);
 std::string goesWithWords(const std::string& goesWith);
 /// "force x" to "torque z"
 std::string channelWords(int channel);
-/// "2.60 ± 0.10 N/m", in the unit of the parameter.
+/// "Stiffness k" for the file's "stiffness"; the name itself where this version has no words for it.
+std::string parameterName(std::string_view name);
+/// "2.60 ± 0.10 N/m", with half of the 95 % interval.
 std::string parameterWords(const CauseParameter& parameter);
 
 }  // namespace heft

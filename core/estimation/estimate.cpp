@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/inside_shape.h"
@@ -159,7 +160,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
         {Severity::info,
          "com_estimated_along",
          heft::say("The centre of mass is not given, so it was estimated together with the mass."),
-         heft::say("Give it with --known to hold it fixed."),
+         remedy(Remedy::giveCentre),
          {}});
   }
   if (options.parameters != ParameterSet::full && !known.inertiaCom && !told.inertia && !poses)
@@ -167,7 +168,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
         {Severity::info,
          "inertia_assumed",
          heft::say("The inertia is neither estimated nor given; a tool of usual size was assumed for it."),
-         heft::say("Give it with --known, or a shape with --shape."),
+         remedy(Remedy::giveInertia),
          {}});
 
   SolverSolution solution;

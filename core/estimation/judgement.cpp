@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/math/statistics.h"
 
@@ -96,8 +97,7 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
           {Severity::warning,
            "wrench_sign",
            heft::say("A plain fit gives a mass of {:.2f} kg: the wrench seems to have the opposite sign.", mass),
-           heft::say("Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or "
-                     "payload_on_sensor)."),
+           remedy(Remedy::turnWrench),
            {}});
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <future>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
@@ -158,7 +159,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                               heft::say("Contact leaves only {:.1f} s inside the trimmed range, so the free parts at "
                                         "the recording's ends are used too.",
                                         static_cast<double>(before) / out.blocks.rateHz),
-                              heft::say("Give --trim to keep them out."),
+                              remedy(Remedy::keepEndsOut),
                               {}});
   }
   out.usedDuration = static_cast<double>(out.usedBlocks) / out.blocks.rateHz;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/streams.h"
@@ -191,17 +192,19 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
       odd.push_back(heft::say("{} more", count - 5));
     }
     const auto names = fmt::format("{}", fmt::join(odd, ", "));
-    const std::string remedy = heft::say("Write each quantity as a dataset of numbers with one row a sample.");
+    const std::string rewrite = heft::say("Write each quantity as a dataset of numbers with one row a sample.");
     if (all.empty())
       return errorAt({set.file, 0, 0}, heft::say("no dataset of this HDF5 file is a table of numbers: {}.", names),
-                     remedy);
+                     rewrite);
     set.findings.push_back({Severity::info,
                             "dataset_odd",
                             heft::say("Left out, as they are no tables of numbers: {}.", names),
-                            remedy,
+                            rewrite,
                             {set.file, 0, 0}});
   }
 
+  for (const auto& each : all)
+    if (each.channels == 1) set.timeCandidates.push_back("/" + each.path);
   std::map<std::pair<std::string, hsize_t>, std::vector<const Dataset*>> groups;
   for (const auto& each : all) groups[{each.group, each.rows}].push_back(&each);
   std::size_t numbers = 0;
@@ -217,7 +220,7 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
                               heft::say("The datasets of {} rows in /{} have no dataset of times beside them and "
                                         "were left out.",
                                         key.second, printable(key.first)),
-                              heft::say("Name one time, or choose it with --use time=PATH."),
+                              remedy(Remedy::chooseTime),
                               {set.file, 0, 0}});
       continue;
     }

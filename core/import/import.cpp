@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/json_file.h"
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
@@ -24,6 +25,7 @@ struct Opened {
   std::vector<std::pair<std::filesystem::path, FileKind>> files;
   MappingWishes wishes;
   std::vector<Stream> streams;
+  std::vector<std::string> timeCandidates;
   Findings findings;
   RecordingMeta meta;
   std::vector<std::string> jointNames;
@@ -38,22 +40,24 @@ TimeChoice timeChoice(const MappingWishes& wishes) {
 
 Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& progress) {
   opened.streams.clear();
+  opened.timeCandidates.clear();
   Findings findings;
   for (std::size_t i = 0; i < opened.files.size(); ++i) {
     const auto& [path, kind] = opened.files[i];
     // A column chosen for the time may stand in one of several files.
     TimeChoice time = timeChoice(opened.wishes);
     auto set = readStreams(path, kind, filter, time, progress);
-    if (!set && opened.files.size() > 1 && !time.column.empty()) {
+    if ((!set || hasErrors(set->findings)) && opened.files.size() > 1 && !time.column.empty()) {
       time.column.clear();
       set = readStreams(path, kind, filter, time, progress);
     }
     if (!set) return set.error();
     for (auto& stream : set->streams) opened.streams.push_back(std::move(stream));
+    opened.timeCandidates.insert(opened.timeCandidates.end(), set->timeCandidates.begin(), set->timeCandidates.end());
     findings.insert(findings.end(), set->findings.begin(), set->findings.end());
   }
   // Without a filter it is a first look, and all is read once more if there is anything.
-  if (filter || opened.streams.empty())
+  if (filter || opened.streams.empty() || hasErrors(findings))
     opened.findings.insert(opened.findings.end(), findings.begin(), findings.end());
   return true;
 }
@@ -61,10 +65,21 @@ Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& 
 Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const ImportOptions& options,
                        const Progress& progress) {
   Opened opened;
-  if (!options.mapFile.empty()) {
-    auto read = readMapFile(options.mapFile);
+  std::error_code there;
+  auto mapFile = options.mapFile;
+  if (mapFile.empty() && std::filesystem::exists(mapFileOf(path), there)) mapFile = mapFileOf(path);
+  if (options.wishes) {
+    opened.wishes = *options.wishes;
+  } else if (!mapFile.empty()) {
+    auto read = readMapFile(mapFile);
     if (!read) return read.error();
     opened.wishes = std::move(*read);
+    if (options.mapFile.empty())
+      opened.findings.push_back({Severity::info,
+                                 "map_file",
+                                 heft::say("Columns and topics are taken as {} says.", displayName(mapFile.filename())),
+                                 {},
+                                 {displayName(path), 0, 0}});
   }
   for (const auto& wish : options.use)
     if (const auto added = addWish(opened.wishes, wish); !added) return added.error();
@@ -218,6 +233,12 @@ Result<StreamSet> readStreams(const std::filesystem::path& path, FileKind kind, 
 
 namespace {
 
+std::optional<Error> firstError(const Findings& findings) {
+  for (const auto& finding : findings)
+    if (finding.severity == Severity::error) return errorAt(finding.where, finding.text, finding.remedy);
+  return std::nullopt;
+}
+
 Error tooLarge(const std::filesystem::path& path) {
   return errorAt({displayName(path), 0, 0}, heft::say("the recording does not fit into the memory."),
                  heft::say("Split it, or record fewer topics."));
@@ -231,7 +252,13 @@ Result<RecordingContents> inspect(const std::filesystem::path& path, const Impor
   if (!opened) return opened.error();
   RecordingContents out;
   out.kind = *kind;
+  out.timeCandidates = std::move(opened->timeCandidates);
+  out.wishes = opened->wishes;
   out.findings = std::move(opened->findings);
+  if (const auto failure = firstError(out.findings)) {
+    out.missing = failure->message;
+    return out;
+  }
   out.candidates = findCandidates(opened->streams, opened->jointNames);
   auto chosen = chooseColumns(opened->streams, opened->wishes, opened->jointNames, out.findings);
   if (chosen)
@@ -251,10 +278,13 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
                               const Progress& progress) {
   const auto kind = recognise(path);
   if (!kind) return kind.error();
-  if (*kind == FileKind::contractCsv && options.empty()) return readRecording(path, {options.metaFile}, progress);
+  std::error_code code;
+  if (*kind == FileKind::contractCsv && options.empty() && !std::filesystem::exists(mapFileOf(path), code))
+    return readRecording(path, {options.metaFile}, progress);
 
   auto opened = openAll(path, *kind, options, progress);
   if (!opened) return opened.error();
+  if (auto failure = firstError(opened->findings)) return *failure;
   const auto listed = std::move(opened->streams);
   const auto cutOff = [](const Finding& finding) {
     return finding.code == "file_cut_off" || finding.code == "chunk_damaged";
@@ -266,8 +296,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   if (listed.empty())
     return errorAt(
         {displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
-        heft::say(
-            "Record the sensor's wrench and the joints or the pose; 'heft convert IN --list' shows what there is."));
+        heft::say("Record the sensor's wrench and the joints or the pose.") + " " + remedy(Remedy::showContents));
   const auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
   if (!columns) return columns.error();
 

@@ -7,6 +7,7 @@
 // Files without a common clock are shifted against each other until the force follows the motion; the shift is a
 // finding, and where the data do not tell it, opening fails and says how to state it.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,12 @@ namespace heft {
 
 struct ImportOptions {
   std::filesystem::path metaFile;           ///< Empty: NAME.meta.json beside the recording if it exists.
-  std::filesystem::path mapFile;            ///< Topics and columns, see readMapFile.
+  std::filesystem::path mapFile;            ///< Topics and columns, see readMapFile. Empty: mapFileOf() if it exists.
+  std::optional<MappingWishes> wishes;      ///< Instead of any map file.
   std::vector<std::filesystem::path> join;  ///< Further files, for instance of the wrench.
   std::vector<std::string> use;             ///< "wrench=/ft/raw", "q1=/arm:position[j1]"; stronger than the map file.
 
-  bool empty() const { return mapFile.empty() && join.empty() && use.empty(); }
+  bool empty() const { return mapFile.empty() && !wishes && join.empty() && use.empty(); }
 };
 
 /// What a recording holds and what Heft would take from it: for a dialog of topics and columns.
@@ -35,6 +37,8 @@ struct RecordingContents {
   std::vector<ColumnCandidate> candidates;  ///< Best first; `why` is for the user to read.
   std::vector<ColumnSource> chosen;         ///< Empty if a part is missing; `missing` says which.
   std::string missing;                      ///< The sentence with which openRecording would fail.
+  std::vector<std::string> timeCandidates;  ///< What may be chosen as the time ("use": {"time": ...}).
+  MappingWishes wishes;                     ///< What was said, by a map file or the options.
   Findings findings;
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/align.h"
@@ -134,7 +135,7 @@ class Joiner {
       note(Severity::warning, "clock_shifted",
            heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
                        nameOf(s), delay),
-           heft::say("The transport's delay is not known; state offset_s in a map file if you know better."));
+           heft::say("The transport's delay is not known.") + " " + remedy(Remedy::stateOffset, displayName(nameOf(s))));
     }
   }
 
@@ -290,9 +291,7 @@ class Joiner {
 
   std::optional<Error> align() {
     if (wrench_.stream == motion().stream) return std::nullopt;
-    const auto how = heft::say(
-        "State it in a map file, for instance {{\"offset_s\": {{\"{}\": 0.0}}}} (seconds added to its times).",
-        displayName(nameOf(wrench_.stream)));
+    const auto how = remedy(Remedy::stateOffset, displayName(nameOf(wrench_.stream)));
     const auto moved = recording_.meta.kind == RecordingKind::motion ? specificForce() : std::nullopt;
     if (!moved && !unrelated_) return std::nullopt;
     const auto& motionTime = motion().time;
@@ -358,7 +357,8 @@ class Joiner {
           heft::say("{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.",
                     nameOf(moving.stream), nameOf(wrench_.stream), moving.time(0), moving.time(moving.time.size() - 1),
                     wrench_.time(0), wrench_.time(wrench_.time.size() - 1)),
-          heft::say("Were they recorded together? State offset_s in a map file if one clock is late."));
+          heft::say("Were they recorded together, or is one clock late?") + " " +
+              remedy(Remedy::stateOffset, displayName(nameOf(wrench_.stream))));
     const VectorXd at = Eigen::Map<const VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
     const auto on = [&](const Signal& signal) -> MatrixXd {
       if (signal.empty()) return {};

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/json_file.h"
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 
@@ -19,6 +20,16 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array kParts = {"joints", "velocities", "position", "quaternion", "wrench"};
+
+constexpr const char* kSaidByUser = "said by the user";
+
+std::string partName(std::string_view part) {
+  static constexpr const char* kNames[] = {heft::toSay("joints"), heft::toSay("velocities"), heft::toSay("position"),
+                                           heft::toSay("quaternion"), heft::toSay("wrench")};
+  for (const char* const name : kNames)
+    if (part == name) return heft::say(fmt::runtime(name));
+  return std::string(part);
+}
 
 bool isColumn(const std::string& name) {
   static const std::set<std::string> kFixed = {"px", "py", "pz", "qx", "qy", "qz", "qw",
@@ -124,12 +135,12 @@ class Chooser {
             (stream.name != source && stream.file != source && std::filesystem::path(stream.file).filename() != source))
           continue;
         ColumnCandidate wished = candidate;
-        for (auto& column : wished.columns) column.why = "said by the user";
+        for (auto& column : wished.columns) column.why = kSaidByUser;
         use(wished);
         return std::nullopt;
       }
       return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
-                     heft::say("\"{}\" has no {} that Heft can find by name.", printable(source), target),
+                     heft::say("\"{}\" has no {} that Heft can find by name.", printable(source), partName(target)),
                      heft::say("Name its columns one by one, for instance fx=TOPIC:FIELD."));
     }
     for (std::size_t s = 0; s < streams_.size(); ++s) {
@@ -137,13 +148,13 @@ class Chooser {
         const auto& field = streams_[s].fields[f];
         if (field != source && streams_[s].name + ":" + field != source && streams_[s].file + ":" + field != source)
           continue;
-        chosen_.push_back({target, s, f, 1.0, "said by the user"});
+        chosen_.push_back({target, s, f, 1.0, kSaidByUser});
         return std::nullopt;
       }
     }
     return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
                    heft::say("there is no \"{}\", which {} was to be read from.", printable(source), target),
-                   heft::say("'heft convert IN --list' shows what there is."));
+                   remedy(Remedy::showContents));
   }
 
   std::optional<Error> requireAll() const {
@@ -156,24 +167,23 @@ class Chooser {
       std::string other;
       for (const auto& candidate : candidates_)
         if (candidate.part == "wrench" && candidate.score < 0 && other.empty())
-          other = " " + heft::say("{} has one, but it is {}; --use wrench={} takes it nevertheless.",
-                                  shown(streams_[candidate.columns[0].stream]), candidate.why,
-                                  shown(streams_[candidate.columns[0].stream]));
+          other = " " + heft::say("{} has one, but it is {}.", shown(streams_[candidate.columns[0].stream]), candidate.why) +
+                  " " + remedy(Remedy::takeSource, shown(streams_[candidate.columns[0].stream]));
       return errorAt({file, 0, 0},
                      missing.size() == 6 ? heft::say("no wrench of a sensor was found.")
                                          : heft::say("of the wrench {} is missing.", fmt::join(missing, ", ")),
-                     heft::say("Add its file with --join FILE, or say which columns it has with --use.") + other);
+                     remedy(Remedy::addFile) + other);
     }
     if (!has("joints") && !has("quaternion"))
       return errorAt({file, 0, 0}, heft::say("no motion was found: neither joint positions nor a pose of the sensor."),
-                     heft::say("Add its file with --join FILE, or say which columns it has with --use."));
+                     remedy(Remedy::addFile));
     for (const auto& part : kParts) {
       std::size_t stream = streams_.size();
       for (const auto& column : chosen_) {
         if (partOf(column.column) != part) continue;
         if (stream != streams_.size() && column.stream != stream)
           return errorAt({file, 0, 0},
-                         heft::say("the columns of the {} come from {} and from {}.", part, shown(streams_[stream]),
+                         heft::say("the columns of the {} come from {} and from {}.", partName(part), shown(streams_[stream]),
                                    shown(streams_[column.stream])),
                          heft::say("They must share their times."));
         stream = column.stream;
@@ -198,7 +208,9 @@ class Chooser {
       const auto first =
           std::find_if(chosen_.begin(), chosen_.end(), [&](const auto& c) { return partOf(c.column) == part; });
       const auto& stream = streams_[first->stream];
-      texts.push_back(heft::say("{} from {} ({})", part, shown(stream), first->why));
+      const bool said = first->why == kSaidByUser;
+      texts.push_back(heft::say("{} from {} ({})", partName(part), shown(stream),
+                                said ? heft::say("said by the user") : first->why));
       std::vector<std::string> others;
       for (const auto& candidate : candidates_) {
         const auto other = candidate.columns[0].stream;
@@ -206,11 +218,11 @@ class Chooser {
             candidate.score + 10 >= 30)
           others.push_back(shown(streams_[other]));
       }
-      if (!others.empty() && first->why != "said by the user")
+      if (!others.empty() && !said)
         findings_.push_back({Severity::info,
                              "other_source",
-                             heft::say("The {} could also be {}.", part, fmt::join(others, heft::say(" or "))),
-                             heft::say("Choose with --use {}=NAME.", part),
+                             heft::say("The {} could also be {}.", partName(part), fmt::join(others, heft::say(" or "))),
+                             remedy(Remedy::chooseSource, part),
                              {stream.file, 0, 0}});
     }
     findings_.push_back({Severity::info,
@@ -228,7 +240,7 @@ class Chooser {
 };
 
 Error badMap(const std::string& name, const std::string& what) {
-  return errorAt({name, 0, 0}, what, "A map file is a JSON object with use, scale, offset_s, join, pose_of, clock.");
+  return errorAt({name, 0, 0}, what, heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock."));
 }
 
 }  // namespace
@@ -237,7 +249,7 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
   const auto name = displayName(file);
   const auto read = readJsonFile(file);
   if (!read) return read.error();
-  if (!read->is_object()) return badMap(name, "this is no JSON object.");
+  if (!read->is_object()) return badMap(name, heft::say("this is no JSON object."));
   MappingWishes wishes;
   const auto numbers = [&](const json& node, std::map<std::string, double>& out) {
     if (!node.is_object()) return false;
@@ -249,39 +261,61 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
   };
   for (const auto& [key, value] : read->items()) {
     if (key == "use") {
-      if (!value.is_object()) return badMap(name, "\"use\" is no object.");
+      if (!value.is_object()) return badMap(name, heft::say("\"use\" is no object."));
       for (const auto& [target, source] : value.items()) {
-        if (!source.is_string()) return badMap(name, fmt::format("\"{}\" in \"use\" is no text.", printable(target)));
+        if (!source.is_string()) return badMap(name, heft::say("\"{}\" in \"use\" is no text.", printable(target)));
         if (auto failure = checkTarget(target, name)) return *failure;
         wishes.use[target] = source.get<std::string>();
       }
     } else if (key == "scale") {
-      if (!numbers(value, wishes.scale)) return badMap(name, "\"scale\" is no object of numbers.");
+      if (!numbers(value, wishes.scale)) return badMap(name, heft::say("\"scale\" is no object of numbers."));
       for (const auto& [target, factor] : wishes.scale) {
         if (auto failure = checkTarget(target, name)) return *failure;
         if (factor == 0.0 || (target == "time" && factor < 0.0))
-          return badMap(name, fmt::format("the scale of {} is {}.", target, factor));
+          return badMap(name, heft::say("the scale of {} is {}.", target, factor));
       }
     } else if (key == "offset_s") {
-      if (!numbers(value, wishes.offset)) return badMap(name, "\"offset_s\" is no object of numbers.");
+      if (!numbers(value, wishes.offset)) return badMap(name, heft::say("\"offset_s\" is no object of numbers."));
     } else if (key == "join") {
-      if (!value.is_array()) return badMap(name, "\"join\" is no list of files.");
+      if (!value.is_array()) return badMap(name, heft::say("\"join\" is no list of files."));
       for (const auto& each : value) {
-        if (!each.is_string()) return badMap(name, "\"join\" is no list of files.");
+        if (!each.is_string()) return badMap(name, heft::say("\"join\" is no list of files."));
         const std::filesystem::path other(each.get<std::string>());
         wishes.join.push_back(other.is_absolute() ? other : file.parent_path() / other);
       }
     } else if (key == "pose_of") {
-      if (value != "sensor" && value != "flange") return badMap(name, "\"pose_of\" is neither sensor nor flange.");
+      if (value != "sensor" && value != "flange") return badMap(name, heft::say("\"pose_of\" is neither sensor nor flange."));
       wishes.poseOfFlange = value == "flange";
     } else if (key == "clock") {
-      if (value != "header" && value != "received") return badMap(name, "\"clock\" is neither header nor received.");
+      if (value != "header" && value != "received") return badMap(name, heft::say("\"clock\" is neither header nor received."));
       wishes.clock = value.get<std::string>();
     } else {
-      return badMap(name, fmt::format("\"{}\" is not known.", printable(key)));
+      return badMap(name, heft::say("\"{}\" is not known.", printable(key)));
     }
   }
   return wishes;
+}
+
+std::filesystem::path mapFileOf(const std::filesystem::path& recording) {
+  auto map = recording;
+  map.replace_extension();
+  map += ".map.json";
+  return map;
+}
+
+std::string mapText(const MappingWishes& wishes, const std::filesystem::path& folder) {
+  json out = json::object();
+  if (!wishes.use.empty()) out["use"] = wishes.use;
+  if (!wishes.scale.empty()) out["scale"] = wishes.scale;
+  if (!wishes.offset.empty()) out["offset_s"] = wishes.offset;
+  for (const auto& file : wishes.join) {
+    const auto near = file.lexically_relative(folder);
+    const bool inside = !near.empty() && *near.begin() != "..";
+    out["join"].push_back((inside ? near : file).string());
+  }
+  if (wishes.poseOfFlange) out["pose_of"] = "flange";
+  if (!wishes.clock.empty()) out["clock"] = wishes.clock;
+  return out.dump(2) + "\n";
 }
 
 Result<bool> addWish(MappingWishes& wishes, const std::string& text) {

@@ -34,12 +34,20 @@ struct MappingWishes {
   std::vector<std::filesystem::path> join;  ///< Further files.
   bool poseOfFlange = false;                ///< Poses are the flange's, not the sensor's.
   std::string clock;                        ///< "header", "received", or empty: whichever is better.
+
+  bool operator==(const MappingWishes&) const = default;
 };
 
 /// Reads a map file (JSON): {"use": {"wrench": "/ft/raw", "q1": "/arm:position[j1]"}, "scale": {"torque": 0.001},
 /// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header"}. Relative files count
 /// from the map file's folder. Unknown keys fail.
 Result<MappingWishes> readMapFile(const std::filesystem::path& file);
+
+/// The map file that is read with a recording where no other is given: NAME.map.json beside it.
+std::filesystem::path mapFileOf(const std::filesystem::path& recording);
+
+/// The text of a map file that says this; files to join relative to `folder` where they stand in it.
+std::string mapText(const MappingWishes& wishes, const std::filesystem::path& folder);
 
 /// Adds "NAME=SOURCE" as it stands on a command line.
 Result<bool> addWish(MappingWishes& wishes, const std::string& text);

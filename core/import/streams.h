@@ -47,7 +47,8 @@ struct StreamSet {
   std::string file;
   FileKind kind = FileKind::table;
   std::vector<Stream> streams;
-  Findings findings;
+  std::vector<std::string> timeCandidates;  ///< Columns or datasets that may be chosen as the time; empty for messages.
+  Findings findings;                        ///< With an error among them (no_time) there are no streams.
 };
 
 /// Which fields to read: called with a stream (name, type, fields known) and a field's index. An empty function lists

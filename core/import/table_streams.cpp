@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/base/json_file.h"
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/json_numbers.h"
@@ -46,13 +47,18 @@ class Table {
   std::vector<std::vector<double>> columns;
 
   Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
+    set.timeCandidates = names;
     auto time = findTime(names, choice);
-    if (!time)
-      return errorAt({set.file, 0, 0},
-                     choice.column.empty()
-                         ? heft::say("no column holds the time.")
-                         : heft::say("there is no column \"{}\" for the time.", printable(choice.column)),
-                     heft::say("Name it time (in seconds), or say which it is with --use time=COLUMN."));
+    if (!time) {
+      set.findings.push_back({Severity::error,
+                              "no_time",
+                              choice.column.empty()
+                                  ? heft::say("no column holds the time.")
+                                  : heft::say("there is no column \"{}\" for the time.", printable(choice.column)),
+                              remedy(Remedy::chooseTime),
+                              {set.file, 0, 0}});
+      return true;
+    }
     const auto& clock = columns[time->index];
     if (!time->unitKnown) time->unit = unitOfTimes(clock);
     const std::size_t rows = clock.size();

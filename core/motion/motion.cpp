@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/math/statistics.h"
 #include "core/motion/resample.h"
@@ -176,18 +177,19 @@ Result<int> mountLink(const RecordingMeta& meta, const RobotModel& robot) {
   std::string names;
   for (const auto& link : robot.links()) names += (names.empty() ? "" : ", ") + link.name;
   return Error{
-      heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
-                "sensor.mount.parent in the meta file to one of: {}.",
-                meta.mount.parent, robot.name(), names)};
+      heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have.", meta.mount.parent,
+                robot.name()) +
+      " " + remedy(Remedy::mountSensor, names)};
 }
 
 Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
   if (robot == nullptr)
-    return Error{heft::say("The recording has joint angles but no robot. Name one in the meta file (robot).")};
+    return Error{heft::say("The recording has joint angles, but no robot is named.") + " " + remedy(Remedy::nameRobot)};
   if (recording.q.cols() != robot->dof())
     return Error{
-        heft::say("The recording has {} joints, the robot \"{}\" has {}. Name the right robot in the meta file.",
-                  recording.q.cols(), robot->name(), robot->dof())};
+        heft::say("The recording has {} joints, the robot \"{}\" has {}.", recording.q.cols(), robot->name(),
+                  robot->dof()) +
+        " " + remedy(Remedy::nameRobot)};
   return mountLink(recording.meta, *robot);
 }
 

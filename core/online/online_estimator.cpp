@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/prepare.h"
 #include "core/motion/motion.h"
@@ -377,9 +378,9 @@ Result<OnlineEstimator> OnlineEstimator::create(const RecordingMeta& meta, const
     return Error{heft::say("The robot \"{}\" has {} joints; at most 7 can be followed.", robot->name(), robot->dof())};
   if (robot && !robot->findLink(meta.mount.parent))
     return Error{
-        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have. Set "
-                  "sensor.mount.parent in the meta file.",
-                  meta.mount.parent, robot->name())};
+        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have.", meta.mount.parent,
+                  robot->name()) +
+        " " + remedy(Remedy::mountSensor)};
   if (!(options.cutoffHz >= 0.0))
     return Error{heft::say("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
   auto impl = std::make_unique<Impl>(meta, robot, options);

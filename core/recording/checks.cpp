@@ -2,6 +2,7 @@
 
 #include "core/recording/checks.h"
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 
 namespace heft {
@@ -36,13 +37,13 @@ std::optional<Error> assumeRobot(const Examined& examined, long header) {
         examined.map.hasOrientation() ? Severity::info : Severity::warning, "robot_assumed", examined.column(0),
         heft::say(
             "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at its flange."),
-        heft::say("Name it in the meta file: \"robot\": \"panda\" or the path of a URDF."));
+        remedy(Remedy::nameRobot));
     return std::nullopt;
   }
   if (examined.map.hasOrientation()) return std::nullopt;
   return errorAt({examined.file, header, examined.table ? examined.map.joints[0] : 0},
                  heft::say("there are {} joints but no robot is named.", joints),
-                 heft::say("Name it in the meta file: \"robot\": \"PATH.urdf\"."));
+                 remedy(Remedy::nameRobot));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/recording/checks.h"
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 
 namespace heft {
@@ -47,7 +48,7 @@ std::optional<Error> makeRise(const Examined& examined) {
   if (repeated == 0) return std::nullopt;
   if (repeated == rows - 1)
     return errorAt(examined.at(1, field), heft::say("time stays at {} s in all {} rows.", time(0), rows),
-                   heft::say("Write the time of each sample in seconds, or say \"kind\": \"poses\" in the meta file."));
+                   heft::say("Write the time of each sample in seconds.") + " " + remedy(Remedy::sayStandingPoses));
   const double share = static_cast<double>(repeated) / static_cast<double>(rows);
   examined.note(Severity::warning, "time_repeated", examined.at(first, field),
                 heft::say("{} of {} rows ({}) repeat the time of the row before and were left out.", repeated, rows,
@@ -75,10 +76,9 @@ std::optional<Error> checkSteps(const Examined& examined) {
   // Nobody guides an arm for hours at one sample a second: such times are milliseconds or nanoseconds.
   if (median > kSlowestMotion || (median > 0.2 && time.size() > 1000))
     return errorAt(examined.at(1, field), heft::say("the time rises by {:.6g} s from row to row (median).", median),
-                   median >= 1e5 ? heft::say("Write time in seconds, not nanoseconds or microseconds; for standing "
-                                             "poses say \"kind\": \"poses\" in the meta file.")
-                                 : heft::say("Write time in seconds, not milliseconds; for standing poses say "
-                                             "\"kind\": \"poses\" in the meta file."));
+                   (median >= 1e5 ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
+                                  : heft::say("Write time in seconds, not milliseconds.")) +
+                       " " + remedy(Remedy::sayStandingPoses));
   if (median < 2e-5)
     examined.note(Severity::warning, "time_unit", examined.column(field),
                   heft::say("The rate would be {:.4g} Hz, more than wrist sensors give.", 1.0 / median),

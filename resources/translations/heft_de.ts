@@ -24,10 +24,6 @@
         <translation>Gemessen, alte und verbesserte Simulation auf dem ungesehenen Abschnitt</translation>
     </message>
     <message>
-        <source>Value and one standard deviation</source>
-        <translation>Wert und eine Standardabweichung</translation>
-    </message>
-    <message>
         <source>When</source>
         <translation>Wann</translation>
     </message>
@@ -293,6 +289,30 @@
     <message>
         <source>Error in %1 [%2]</source>
         <translation>Fehler: %1 [%2]</translation>
+    </message>
+    <message>
+        <source>%1 N m</source>
+        <translation>%1 N m</translation>
+    </message>
+    <message>
+        <source>Value and half of its 95 % interval; in files: %1</source>
+        <translation>Wert und halber 95-%-Bereich; in Dateien: %1</translation>
+    </message>
+    <message>
+        <source>It fits the recording, but did not help on stretches that were kept aside. Apply it only if what you find on the rig confirms it.</source>
+        <translation>Es passt zur Aufnahme, half aber auf zurückgelegten Abschnitten nicht. Wenden Sie es nur an, wenn Sie es am Aufbau bestätigt finden.</translation>
+    </message>
+    <message>
+        <source>Forces fit less well with it there: %1 → %2.</source>
+        <translation>Die Kräfte passen dort damit schlechter: %1 → %2.</translation>
+    </message>
+    <message>
+        <source>Torques fit less well with it there: %1 → %2 N m.</source>
+        <translation>Die Drehmomente passen dort damit schlechter: %1 → %2 N m.</translation>
+    </message>
+    <message>
+        <source>These stretches are left out already; the step Mark shows them.</source>
+        <translation>Diese Abschnitte sind schon ausgelassen; der Schritt Markieren zeigt sie.</translation>
     </message>
 </context>
 <context>
@@ -860,8 +880,12 @@
         <translation>&amp;Handbuch</translation>
     </message>
     <message>
-        <source>&amp;Robot from a URDF …</source>
-        <translation>&amp;Roboter aus einer URDF …</translation>
+        <source>&amp;Robot and sensor …</source>
+        <translation>&amp;Roboter und Sensor …</translation>
+    </message>
+    <message>
+        <source>Where the &amp;numbers come from …</source>
+        <translation>&amp;Woher die Werte kommen …</translation>
     </message>
 </context>
 <context>
@@ -1180,6 +1204,69 @@
     <message>
         <source>Mass and centre change by less than their last digit here.</source>
         <translation>Masse und Schwerpunkt ändern sich um weniger als die letzte gezeigte Stelle.</translation>
+    </message>
+</context>
+<context>
+    <name>Remedies</name>
+    <message>
+        <source>Tools, “Where the numbers come from”, shows what there is.</source>
+        <translation>Werkzeuge, „Woher die Werte kommen“, zeigt, was es gibt.</translation>
+    </message>
+    <message>
+        <source>If so, choose it under Tools, “Where the numbers come from”.</source>
+        <translation>Wenn ja, wählen Sie es unter Werkzeuge, „Woher die Werte kommen“.</translation>
+    </message>
+    <message>
+        <source>It can be chosen nevertheless.</source>
+        <translation>Trotzdem lässt es sich wählen.</translation>
+    </message>
+    <message>
+        <source>Choose its columns, or add the file that has it.</source>
+        <translation>Wählen Sie die Spalten, oder nehmen Sie die Datei dazu, in der es steht.</translation>
+    </message>
+    <message>
+        <source>Choose which column is the time, under Tools, “Where the numbers come from”.</source>
+        <translation>Wählen Sie, welche Spalte die Zeit ist, unter Werkzeuge, „Woher die Werte kommen“.</translation>
+    </message>
+    <message>
+        <source>If you know by how much, say it under Tools, “Where the numbers come from”.</source>
+        <translation>Wenn Sie wissen, um wie viel, sagen Sie es unter Werkzeuge, „Woher die Werte kommen“.</translation>
+    </message>
+    <message>
+        <source>Choose it under Tools, “Robot and sensor”.</source>
+        <translation>Wählen Sie ihn unter Werkzeuge, „Roboter und Sensor“.</translation>
+    </message>
+    <message>
+        <source>Choose the link that carries the sensor under Tools, “Robot and sensor”.</source>
+        <translation>Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“.</translation>
+    </message>
+    <message>
+        <source>Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.</source>
+        <translation>Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“: eines von %1.</translation>
+    </message>
+    <message>
+        <source>Under Tools, “Robot and sensor”, say that forces point the other way.</source>
+        <translation>Sagen Sie unter Werkzeuge, „Roboter und Sensor“, dass die Kräfte andersherum zeigen.</translation>
+    </message>
+    <message>
+        <source>Say how the robot stands under Tools, “Robot and sensor”.</source>
+        <translation>Sagen Sie unter Werkzeuge, „Roboter und Sensor“, wie der Roboter steht.</translation>
+    </message>
+    <message>
+        <source>Correct how the sensor is turned under Tools, “Robot and sensor”.</source>
+        <translation>Berichtigen Sie unter Werkzeuge, „Roboter und Sensor“, wie der Sensor gedreht ist.</translation>
+    </message>
+    <message>
+        <source>If the rows are standing poses, say so under Tools, “Robot and sensor”; for another unit, “Where the numbers come from”.</source>
+        <translation>Sind die Zeilen stehende Posen, sagen Sie es unter Werkzeuge, „Roboter und Sensor“; für eine andere Einheit „Woher die Werte kommen“.</translation>
+    </message>
+    <message>
+        <source>To keep them out, paint them as ignored in Mark.</source>
+        <translation>Sollen sie draußen bleiben, malen Sie sie unter Markieren als ignoriert an.</translation>
+    </message>
+    <message>
+        <source>Say in Shape what the tool looks like.</source>
+        <translation>Sagen Sie unter Form, wie das Werkzeug aussieht.</translation>
     </message>
 </context>
 <context>
@@ -1510,6 +1597,10 @@
         <source>%1 % your shape</source>
         <translation>%1 % Ihre Form</translation>
     </message>
+    <message>
+        <source>Your tool seems to weigh %1 kg.</source>
+        <translation>Ihr Werkzeug wiegt anscheinend %1 kg.</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -1518,8 +1609,8 @@
         <translation>%1 hat %2 Gelenke, die Aufnahme %3: Wählen Sie die Beschreibung des Roboters, der aufgenommen wurde.</translation>
     </message>
     <message>
-        <source>%1 has no link &quot;%2&quot;, where the sensor is mounted: set sensor.mount.parent in %3 to the right one.</source>
-        <translation>%1 hat kein Glied „%2“, an dem der Sensor sitzt: Setzen Sie sensor.mount.parent in %3 auf das richtige.</translation>
+        <source>%1 has no link “%2”: choose the link that carries the sensor under Tools, “Robot and sensor”.</source>
+        <translation>%1 hat kein Glied „%2“: Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“.</translation>
     </message>
 </context>
 <context>
@@ -2477,10 +2568,6 @@
         <translation>Neben den Datensätzen mit {} Zeilen in /{} steht keiner mit Zeiten; sie wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>Name one time, or choose it with --use time=PATH.</source>
-        <translation>Nennen Sie einen time, oder wählen Sie ihn mit --use time=PFAD.</translation>
-    </message>
-    <message>
         <source>The selected datasets hold more than {} million numbers; the rest was not read.</source>
         <translation>Die gewählten Datensätze enthalten mehr als {} Millionen Zahlen; der Rest wurde nicht gelesen.</translation>
     </message>
@@ -2499,10 +2586,6 @@
     <message>
         <source>The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.</source>
         <translation>Die Zeitstempel von {} laufen nach einer anderen Uhr: {:.4f} s wurden addiert, nach der Ankunft der Nachrichten.</translation>
-    </message>
-    <message>
-        <source>The transport&apos;s delay is not known; state offset_s in a map file if you know better.</source>
-        <translation>Die Laufzeit der Übertragung ist nicht bekannt; geben Sie offset_s in einer Zuordnungsdatei an, wenn Sie es besser wissen.</translation>
     </message>
     <message>
         <source>{} of {} samples of {} lack a value and were left out.</source>
@@ -3561,12 +3644,8 @@
         <translation>Diese Bewegung hält von hier aus die Grenzen nicht ein. Bringen Sie den Arm in die Mitte seiner Gelenkbereiche.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have. Set sensor.mount.parent in the meta file.</source>
-        <translation>Der Sensor soll am Glied „{}“ sitzen, das der Roboter „{}“ nicht hat. Setzen Sie sensor.mount.parent in der Meta-Datei.</translation>
-    </message>
-    <message>
         <source>Standing poses show too little to look for causes; record a motion.</source>
-        <translation>Ruhige Posen zeigen zu wenig, um nach Ursachen zu suchen; nehmen Sie eine Bewegung auf.</translation>
+        <translation>Stehende Posen zeigen zu wenig, um nach Ursachen zu suchen; nehmen Sie eine Bewegung auf.</translation>
     </message>
     <message>
         <source>Looking at single readings</source>
@@ -3630,7 +3709,7 @@
     </message>
     <message>
         <source>Only {} standing poses are there; at least 6 in different tilts are needed.</source>
-        <translation>Es gibt nur {} ruhige Posen; mindestens 6 in verschiedenen Neigungen sind nötig.</translation>
+        <translation>Es gibt nur {} stehende Posen; mindestens 6 in verschiedenen Neigungen sind nötig.</translation>
     </message>
     <message>
         <source>Working out how the tool moved</source>
@@ -3642,7 +3721,7 @@
     </message>
     <message>
         <source>Standing poses have no segments: each row is a measurement of its own.</source>
-        <translation>Ruhige Posen haben keine Abschnitte: Jede Zeile ist eine Messung für sich.</translation>
+        <translation>Stehende Posen haben keine Abschnitte: Jede Zeile ist eine Messung für sich.</translation>
     </message>
     <message>
         <source>This payload cannot exist, so no {} file is written: {}</source>
@@ -3785,10 +3864,6 @@
         <translation>es ist nichts darin, was Heft lesen kann.</translation>
     </message>
     <message>
-        <source>Record the sensor&apos;s wrench and the joints or the pose; &apos;heft convert IN --list&apos; shows what there is.</source>
-        <translation>Nehmen Sie Kraft und Moment des Sensors und die Gelenke oder die Pose auf; „heft convert IN --list“ zeigt, was da ist.</translation>
-    </message>
-    <message>
         <source>{} could not be read again.</source>
         <translation>{} ließ sich kein zweites Mal lesen.</translation>
     </message>
@@ -3821,10 +3896,6 @@
         <translation>{} und {} überschneiden sich zeitlich nicht: {:.3f} bis {:.3f} s und {:.3f} bis {:.3f} s.</translation>
     </message>
     <message>
-        <source>Were they recorded together? State offset_s in a map file if one clock is late.</source>
-        <translation>Wurden sie zusammen aufgenommen? Nennen Sie offset_s in einer Zuordnungsdatei, wenn eine Uhr nachgeht.</translation>
-    </message>
-    <message>
         <source>&quot;{}&quot; is no column of a recording.</source>
         <translation>„{}“ ist keine Spalte einer Aufnahme.</translation>
     </message>
@@ -3847,10 +3918,6 @@
     <message>
         <source>&apos;heft convert IN --list&apos; shows what there is.</source>
         <translation>„heft convert IN --list“ zeigt, was da ist.</translation>
-    </message>
-    <message>
-        <source>{} has one, but it is {}; --use wrench={} takes it nevertheless.</source>
-        <translation>{} hat sie, aber das ist {}; mit --use wrench={} wird es trotzdem genommen.</translation>
     </message>
     <message>
         <source>no wrench of a sensor was found.</source>
@@ -3971,10 +4038,6 @@
     <message>
         <source>there is no column &quot;{}&quot; for the time.</source>
         <translation>es gibt keine Spalte „{}“ für die Zeit.</translation>
-    </message>
-    <message>
-        <source>Name it time (in seconds), or say which it is with --use time=COLUMN.</source>
-        <translation>Nennen Sie sie time (in Sekunden), oder sagen Sie mit --use time=SPALTE, welche es ist.</translation>
     </message>
     <message>
         <source>no column of the table holds numbers.</source>
@@ -4167,18 +4230,6 @@
     <message>
         <source>{}: The mesh {}.</source>
         <translation>{}: Das Netz {}.</translation>
-    </message>
-    <message>
-        <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have. Set sensor.mount.parent in the meta file to one of: {}.</source>
-        <translation>Der Sensor soll am Glied „{}“ sitzen, das der Roboter „{}“ nicht hat. Setzen Sie sensor.mount.parent in der Meta-Datei auf eines von: {}.</translation>
-    </message>
-    <message>
-        <source>The recording has joint angles but no robot. Name one in the meta file (robot).</source>
-        <translation>Die Aufnahme hat Gelenkwinkel, aber keinen Roboter. Nennen Sie einen in der Meta-Datei (robot).</translation>
-    </message>
-    <message>
-        <source>The recording has {} joints, the robot &quot;{}&quot; has {}. Name the right robot in the meta file.</source>
-        <translation>Die Aufnahme hat {} Gelenke, der Roboter „{}“ hat {}. Nennen Sie in der Meta-Datei den richtigen Roboter.</translation>
     </message>
     <message>
         <source>The recording names no robot.</source>
@@ -4459,10 +4510,6 @@
     <message>
         <source>there are {} joints but no robot is named.</source>
         <translation>es gibt {} Gelenke, aber es ist kein Roboter genannt.</translation>
-    </message>
-    <message>
-        <source>Name it in the meta file: &quot;robot&quot;: &quot;PATH.urdf&quot;.</source>
-        <translation>Nennen Sie ihn in der Meta-Datei: &quot;robot&quot;: &quot;PFAD.urdf&quot;.</translation>
     </message>
     <message>
         <source>The mark &quot;{}&quot; from {} to {} s lies outside the recording, which runs from {} to {} s.</source>
@@ -4841,20 +4888,8 @@
         <translation>die Zeit bleibt bei {} s stehen, in allen {} Zeilen.</translation>
     </message>
     <message>
-        <source>Write the time of each sample in seconds, or say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
-        <translation>Schreiben Sie die Zeit jedes Messwerts in Sekunden, oder setzen Sie in der Meta-Datei &quot;kind&quot;: &quot;poses&quot;.</translation>
-    </message>
-    <message>
         <source>the time rises by {:.6g} s from row to row (median).</source>
         <translation>die Zeit steigt von Zeile zu Zeile um {:.6g} s (Median).</translation>
-    </message>
-    <message>
-        <source>Write time in seconds, not nanoseconds or microseconds; for standing poses say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
-        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Nano- oder Mikrosekunden; bei ruhigen Posen setzen Sie in der Meta-Datei &quot;kind&quot;: &quot;poses&quot;.</translation>
-    </message>
-    <message>
-        <source>Write time in seconds, not milliseconds; for standing poses say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
-        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Millisekunden; bei ruhigen Posen setzen Sie in der Meta-Datei &quot;kind&quot;: &quot;poses&quot;.</translation>
     </message>
     <message>
         <source>The recording cannot be written: {} has {} rows but time has {}.</source>
@@ -5661,10 +5696,6 @@
         <translation>Die Momentwerte kommen in Stufen von {}.</translation>
     </message>
     <message>
-        <source>Set sensor.wrench_sign to &quot;payload_on_sensor&quot; (or back) in the meta file.</source>
-        <translation>Setzen Sie sensor.wrench_sign in der Meta-Datei auf &quot;payload_on_sensor&quot; (oder zurück).</translation>
-    </message>
-    <message>
         <source>Turn gravity_m_s2 round in the meta file.</source>
         <translation>Kehren Sie gravity_m_s2 in der Meta-Datei um.</translation>
     </message>
@@ -5819,6 +5850,310 @@
     <message>
         <source>{} cannot be written as fast as samples come. What is there can be read.</source>
         <translation>{} kann nicht so schnell geschrieben werden, wie Messwerte kommen. Was schon da ist, lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>--use wrench={} takes it nevertheless.</source>
+        <translation>--use wrench={} nimmt es trotzdem.</translation>
+    </message>
+    <message>
+        <source>Name it time (in seconds), or say which it is with --use time=NAME.</source>
+        <translation>Nennen Sie sie time (in Sekunden), oder sagen Sie mit --use time=NAME, welche es ist.</translation>
+    </message>
+    <message>
+        <source>Set sensor.mount.parent in the meta file to one of its links.</source>
+        <translation>Setzen Sie sensor.mount.parent in der Meta-Datei auf eines seiner Glieder.</translation>
+    </message>
+    <message>
+        <source>Set sensor.mount.parent in the meta file to one of: {}.</source>
+        <translation>Setzen Sie sensor.mount.parent in der Meta-Datei auf eines von: {}.</translation>
+    </message>
+    <message>
+        <source>For standing poses say &quot;kind&quot;: &quot;poses&quot; in the meta file.</source>
+        <translation>Für stehende Posen sagen Sie &quot;kind&quot;: &quot;poses&quot; in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s mount names the link &quot;{}&quot;, which the robot &quot;{}&quot; does not have.</source>
+        <translation>Die Halterung des Sensors nennt das Glied „{}“, das der Roboter „{}“ nicht hat.</translation>
+    </message>
+    <message>
+        <source>Delay t</source>
+        <translation>Verspätung t</translation>
+    </message>
+    <message>
+        <source>Delay of the motion t</source>
+        <translation>Verspätung der Bewegung t</translation>
+    </message>
+    <message>
+        <source>Time constant T</source>
+        <translation>Zeitkonstante T</translation>
+    </message>
+    <message>
+        <source>Stiffness k</source>
+        <translation>Steifigkeit k</translation>
+    </message>
+    <message>
+        <source>Stiffness against turning k</source>
+        <translation>Steifigkeit gegen Drehen k</translation>
+    </message>
+    <message>
+        <source>Drag d</source>
+        <translation>Widerstand d</translation>
+    </message>
+    <message>
+        <source>Drag against turning d</source>
+        <translation>Widerstand gegen Drehen d</translation>
+    </message>
+    <message>
+        <source>Friction F</source>
+        <translation>Reibung F</translation>
+    </message>
+    <message>
+        <source>Friction against turning M</source>
+        <translation>Reibung gegen Drehen M</translation>
+    </message>
+    <message>
+        <source>Way until it slips s</source>
+        <translation>Weg, bis es rutscht s</translation>
+    </message>
+    <message>
+        <source>Mass m</source>
+        <translation>Masse m</translation>
+    </message>
+    <message>
+        <source>Frequency f</source>
+        <translation>Frequenz f</translation>
+    </message>
+    <message>
+        <source>Damping ratio ζ</source>
+        <translation>Dämpfungsgrad ζ</translation>
+    </message>
+    <message>
+        <source>At the time t</source>
+        <translation>Zum Zeitpunkt t</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Missing share</source>
+        <translation>Fehlender Anteil</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Share of the readings</source>
+        <translation>Anteil der Messwerte</translation>
+    </message>
+    <message>
+        <source>Spread of the time stamps</source>
+        <translation>Streuung der Zeitstempel</translation>
+    </message>
+    <message>
+        <source>Readings that repeat</source>
+        <translation>Messwerte, die sich wiederholen</translation>
+    </message>
+    <message>
+        <source>Readings that are zero</source>
+        <translation>Messwerte, die null sind</translation>
+    </message>
+    <message>
+        <source>Readings that are missing</source>
+        <translation>Messwerte, die fehlen</translation>
+    </message>
+    <message>
+        <source>Greatest force F</source>
+        <translation>Größte Kraft F</translation>
+    </message>
+    <message>
+        <source>Step of the force readings</source>
+        <translation>Stufe der Kraftwerte</translation>
+    </message>
+    <message>
+        <source>Stiffness along {0}, k{0}</source>
+        <translation>Steifigkeit entlang {0}, k{0}</translation>
+    </message>
+    <message>
+        <source>Force along {0}, F{0}</source>
+        <translation>Kraft entlang {0}, F{0}</translation>
+    </message>
+    <message>
+        <source>Torque about {0}, M{0}</source>
+        <translation>Drehmoment um {0}, M{0}</translation>
+    </message>
+    <message>
+        <source>Drag along {0}, d{0}</source>
+        <translation>Widerstand entlang {0}, d{0}</translation>
+    </message>
+    <message>
+        <source>Mass times offset along {0}, m{0}</source>
+        <translation>Masse mal Abstand entlang {0}, m{0}</translation>
+    </message>
+    <message>
+        <source>Place from the sensor, {0}</source>
+        <translation>Ort vom Sensor aus, {0}</translation>
+    </message>
+    <message>
+        <source>Share along {0}</source>
+        <translation>Anteil entlang {0}</translation>
+    </message>
+    <message>
+        <source>Tilted about {0}</source>
+        <translation>Gekippt um {0}</translation>
+    </message>
+    <message>
+        <source>Place it pulls from, {0}</source>
+        <translation>Ort, von dem es zieht, {0}</translation>
+    </message>
+    <message>
+        <source>Size in {}</source>
+        <translation>Größe in {}</translation>
+    </message>
+    <message>
+        <source>Step of the torque readings</source>
+        <translation>Stufe der Momentwerte</translation>
+    </message>
+    <message>
+        <source>Turned about {}</source>
+        <translation>Gedreht um {}</translation>
+    </message>
+    <message>
+        <source>Shifted along {}</source>
+        <translation>Verschoben entlang {}</translation>
+    </message>
+    <message>
+        <source>Gain of {} off by</source>
+        <translation>Verstärkung daneben, {}</translation>
+    </message>
+    <message>
+        <source>End of the range, {}</source>
+        <translation>Ende des Bereichs, {}</translation>
+    </message>
+    <message>
+        <source>{} seen in {}</source>
+        <translation>{}, gesehen in {}</translation>
+    </message>
+    <message>
+        <source>Angle of joint {} off by</source>
+        <translation>Winkel daneben, Gelenk {}</translation>
+    </message>
+    <message>
+        <source>Wave {} of {}</source>
+        <translation>Welle {} von {}</translation>
+    </message>
+    <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
+        <source>At {} s the load moved on the tool; its weight hardly changed ({} g).</source>
+        <translation>Bei {} s verrutschte die Last am Werkzeug; ihr Gewicht änderte sich kaum ({} g).</translation>
+    </message>
+    <message>
+        <source>Columns and topics are taken as {} says.</source>
+        <translation>Spalten und Topics werden so genommen, wie {} es sagt.</translation>
+    </message>
+    <message>
+        <source>Record the sensor&apos;s wrench and the joints or the pose.</source>
+        <translation>Nehmen Sie Kraft und Moment des Sensors und die Gelenke oder die Pose auf.</translation>
+    </message>
+    <message>
+        <source>The transport&apos;s delay is not known.</source>
+        <translation>Die Verspätung durch die Übertragung ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Were they recorded together, or is one clock late?</source>
+        <translation>Wurden sie zusammen aufgenommen, oder geht eine Uhr nach?</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>velocities</source>
+        <translation>Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>quaternion</source>
+        <translation>Quaternion</translation>
+    </message>
+    <message>
+        <source>{} has one, but it is {}.</source>
+        <translation>{} hat sie, aber es ist {}.</translation>
+    </message>
+    <message>
+        <source>said by the user</source>
+        <translation>so gewählt</translation>
+    </message>
+    <message>
+        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock.</source>
+        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock.</translation>
+    </message>
+    <message>
+        <source>this is no JSON object.</source>
+        <translation>das ist kein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>&quot;use&quot; is no object.</source>
+        <translation>„use“ ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in &quot;use&quot; is no text.</source>
+        <translation>„{}“ in „use“ ist kein Text.</translation>
+    </message>
+    <message>
+        <source>&quot;scale&quot; is no object of numbers.</source>
+        <translation>„scale“ ist kein Objekt aus Zahlen.</translation>
+    </message>
+    <message>
+        <source>the scale of {} is {}.</source>
+        <translation>der Faktor von {} ist {}.</translation>
+    </message>
+    <message>
+        <source>&quot;offset_s&quot; is no object of numbers.</source>
+        <translation>„offset_s“ ist kein Objekt aus Zahlen.</translation>
+    </message>
+    <message>
+        <source>&quot;join&quot; is no list of files.</source>
+        <translation>„join“ ist keine Liste von Dateien.</translation>
+    </message>
+    <message>
+        <source>&quot;pose_of&quot; is neither sensor nor flange.</source>
+        <translation>„pose_of“ ist weder sensor noch flange.</translation>
+    </message>
+    <message>
+        <source>&quot;clock&quot; is neither header nor received.</source>
+        <translation>„clock“ ist weder header noch received.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not known.</source>
+        <translation>„{}“ ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The recording has joint angles, but no robot is named.</source>
+        <translation>Die Aufnahme hat Gelenkwinkel, aber es ist kein Roboter genannt.</translation>
+    </message>
+    <message>
+        <source>The recording has {} joints, the robot &quot;{}&quot; has {}.</source>
+        <translation>Die Aufnahme hat {} Gelenke, der Roboter „{}“ hat {}.</translation>
+    </message>
+    <message>
+        <source>Write the time of each sample in seconds.</source>
+        <translation>Schreiben Sie die Zeit jedes Messwerts in Sekunden.</translation>
+    </message>
+    <message>
+        <source>Write time in seconds, not nanoseconds or microseconds.</source>
+        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Nano- oder Mikrosekunden.</translation>
+    </message>
+    <message>
+        <source>Write time in seconds, not milliseconds.</source>
+        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Millisekunden.</translation>
     </message>
 </context>
 <context>
@@ -6209,6 +6544,10 @@
         <source>Say above whether this is the robot’s own tool or something it picked up; then it can be saved.</source>
         <translation>Sagen Sie oben, ob das das eigene Werkzeug des Roboters ist oder etwas, das er aufgenommen hat; dann lässt es sich speichern.</translation>
     </message>
+    <message>
+        <source>one answer is missing</source>
+        <translation>eine Antwort fehlt</translation>
+    </message>
 </context>
 <context>
     <name>heft::FilePreview</name>
@@ -6300,24 +6639,12 @@
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Open a recording first: the robot belongs to it.</source>
-        <translation>Öffnen Sie zuerst eine Aufnahme: Der Roboter gehört zu ihr.</translation>
+        <source>Open a recording first: robot and sensor belong to it.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme: Roboter und Sensor gehören zu ihr.</translation>
     </message>
     <message>
-        <source>Choose the description of the robot that was recorded</source>
-        <translation>Beschreibung des aufgenommenen Roboters wählen</translation>
-    </message>
-    <message>
-        <source>Robot descriptions (*.urdf);;All files (*)</source>
-        <translation>Roboterbeschreibungen (*.urdf);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Robot of this recording</source>
-        <translation>Roboter dieser Aufnahme</translation>
-    </message>
-    <message>
-        <source>%1 is written as the robot into %2; all else in it stays.</source>
-        <translation>%1 wird als Roboter in %2 geschrieben; alles andere darin bleibt.</translation>
+        <source>Open a recording first: its columns belong to it.</source>
+        <translation>Öffnen Sie zuerst eine Aufnahme: Die Spalten gehören zu ihr.</translation>
     </message>
 </context>
 <context>
@@ -6756,6 +7083,14 @@
     <message>
         <source>Open the recording</source>
         <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Robot and sensor …</source>
+        <translation>Roboter und Sensor …</translation>
+    </message>
+    <message>
+        <source>Choose columns and units …</source>
+        <translation>Spalten und Einheiten wählen …</translation>
     </message>
 </context>
 <context>
@@ -7518,6 +7853,22 @@
         <source>unseen stretch</source>
         <translation>ungesehener Abschnitt</translation>
     </message>
+    <message>
+        <source>needs a motion</source>
+        <translation>braucht eine Bewegung</translation>
+    </message>
+    <message>
+        <source>free parts fit the model</source>
+        <translation>freie Teile passen</translation>
+    </message>
+    <message>
+        <source>Standing poses do not show it: causes need a motion. Mass and centre of mass can be exported as they are.</source>
+        <translation>Stehende Posen zeigen es nicht: Ursachen brauchen eine Bewegung. Masse und Schwerpunkt lassen sich so ausgeben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Record a motion</source>
+        <translation>Bewegung aufnehmen</translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordPanel</name>
@@ -8023,6 +8374,193 @@
     <message>
         <source>compare needs an open recording.</source>
         <translation>compare braucht eine offene Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::RigDialog</name>
+    <message>
+        <source>Robot and sensor</source>
+        <translation>Roboter und Sensor</translation>
+    </message>
+    <message>
+        <source>What was recorded?</source>
+        <translation>Was wurde aufgenommen?</translation>
+    </message>
+    <message>
+        <source>A wrong entry here spoils every number. If you are not sure how the sensor is mounted, leave it: the reality check finds it out.</source>
+        <translation>Ein falscher Eintrag hier verdirbt jeden Wert. Wenn Sie nicht sicher sind, wie der Sensor sitzt, lassen Sie es: Die Realitätsprüfung findet es heraus.</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>The arm whose joints were recorded</source>
+        <translation>Der Arm, dessen Gelenke aufgenommen wurden</translation>
+    </message>
+    <message>
+        <source>Franka Panda</source>
+        <translation>Franka Panda</translation>
+    </message>
+    <message>
+        <source>Another arm (URDF)</source>
+        <translation>Ein anderer Arm (URDF)</translation>
+    </message>
+    <message>
+        <source>None: poses only</source>
+        <translation>Keiner: nur Posen</translation>
+    </message>
+    <message>
+        <source>Description of the robot (URDF)</source>
+        <translation>Beschreibung des Roboters (URDF)</translation>
+    </message>
+    <message>
+        <source>The file with the robot&apos;s joints and links</source>
+        <translation>Die Datei mit Gelenken und Gliedern des Roboters</translation>
+    </message>
+    <message>
+        <source>Choose the description of the robot</source>
+        <translation>Beschreibung des Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Its URDF</source>
+        <translation>Sein URDF</translation>
+    </message>
+    <message>
+        <source>Sensor sits on</source>
+        <translation>Sensor sitzt an</translation>
+    </message>
+    <message>
+        <source>The link of the arm that carries the sensor</source>
+        <translation>Das Glied des Arms, das den Sensor trägt</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>Sensor&apos;s origin from the link, %1</source>
+        <translation>Ursprung des Sensors vom Glied aus, %1</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Sensor turned against the link, %1 (roll, then pitch, then yaw about fixed axes)</source>
+        <translation>Sensor gegen das Glied gedreht, %1 (erst Rollen, dann Nicken, dann Gieren um feste Achsen)</translation>
+    </message>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source>Gravity along the base&apos;s %1</source>
+        <translation>Schwerkraft entlang %1 des Sockels</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>Origin x, y, z</source>
+        <translation>Ursprung x, y, z</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Hold the tool still: which way does the force point?</source>
+        <translation>Werkzeug ruhig gehalten: Wohin zeigt die Kraft?</translation>
+    </message>
+    <message>
+        <source>point up when the tool hangs still</source>
+        <translation>zeigen nach oben, wenn das Werkzeug ruhig hängt</translation>
+    </message>
+    <message>
+        <source>point down when the tool hangs still</source>
+        <translation>zeigen nach unten, wenn das Werkzeug ruhig hängt</translation>
+    </message>
+    <message>
+        <source>The robot</source>
+        <translation>Der Roboter</translation>
+    </message>
+    <message>
+        <source>Which way gravity pulls at its base</source>
+        <translation>Wohin die Schwerkraft an seinem Sockel zieht</translation>
+    </message>
+    <message>
+        <source>stands upright</source>
+        <translation>steht aufrecht</translation>
+    </message>
+    <message>
+        <source>hangs from the ceiling</source>
+        <translation>hängt an der Decke</translation>
+    </message>
+    <message>
+        <source>stands otherwise</source>
+        <translation>steht anders</translation>
+    </message>
+    <message>
+        <source>Gravity x, y, z</source>
+        <translation>Schwerkraft x, y, z</translation>
+    </message>
+    <message>
+        <source>The rows are</source>
+        <translation>Die Zeilen sind</translation>
+    </message>
+    <message>
+        <source>Standing poses: one row each, their times mean nothing</source>
+        <translation>Stehende Posen: je eine Zeile, ihre Zeiten bedeuten nichts</translation>
+    </message>
+    <message>
+        <source>a motion</source>
+        <translation>eine Bewegung</translation>
+    </message>
+    <message>
+        <source>standing poses</source>
+        <translation>stehende Posen</translation>
+    </message>
+    <message>
+        <source>Make of the sensor</source>
+        <translation>Bauart des Sensors</translation>
+    </message>
+    <message>
+        <source>Only for your own record</source>
+        <translation>Nur für Ihre Unterlagen</translation>
+    </message>
+    <message>
+        <source>Written into %1 beside the recording; all else in it stays.</source>
+        <translation>Kommt in %1 neben der Aufnahme; alles andere darin bleibt.</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Choose the description of the robot that was recorded</source>
+        <translation>Beschreibung des aufgenommenen Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Robot descriptions (*.urdf);;All files (*)</source>
+        <translation>Roboterbeschreibungen (*.urdf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose the URDF of the arm, or another robot.</source>
+        <translation>Wählen Sie das URDF des Arms oder einen anderen Roboter.</translation>
     </message>
 </context>
 <context>
@@ -8534,7 +9072,234 @@
     </message>
     <message>
         <source>Standing poses cannot be played as a motion.</source>
-        <translation>Standhaltungen lassen sich nicht als Bewegung abspielen.</translation>
+        <translation>Stehende Posen lassen sich nicht als Bewegung abspielen.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::SourcesDialog</name>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>Woher die Werte kommen</translation>
+    </message>
+    <message>
+        <source>Which column is what?</source>
+        <translation>Welche Spalte ist was?</translation>
+    </message>
+    <message>
+        <source>Heft guesses from types and names in %1. Change what it took wrongly.</source>
+        <translation>Heft schließt aus Typen und Namen in %1. Ändern Sie, was es falsch genommen hat.</translation>
+    </message>
+    <message>
+        <source>Force and torque</source>
+        <translation>Kraft und Moment</translation>
+    </message>
+    <message>
+        <source>As the sensor at the wrist measured them</source>
+        <translation>Wie der Sensor am Handgelenk sie gemessen hat</translation>
+    </message>
+    <message>
+        <source>N and N m</source>
+        <translation>N und N m</translation>
+    </message>
+    <message>
+        <source>N and N mm</source>
+        <translation>N und N mm</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>With them Heft needs no pose</source>
+        <translation>Mit ihnen braucht Heft keine Pose</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>Bogenmaß</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Only beside joint angles; Heft can do without</source>
+        <translation>Nur neben Gelenkwinkeln; Heft kommt ohne sie aus</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>degrees/s</source>
+        <translation>Grad/s</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>Of the sensor or the flange, as a quaternion; needed without joint angles</source>
+        <translation>Des Sensors oder des Flanschs, als Quaternion; ohne Gelenkwinkel nötig</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Of the sensor or the flange</source>
+        <translation>Des Sensors oder des Flanschs</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>The column or dataset that holds the time of each sample</source>
+        <translation>Die Spalte oder der Datensatz mit der Zeit jedes Messwerts</translation>
+    </message>
+    <message>
+        <source>unit as found</source>
+        <translation>Einheit wie erkannt</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>µs</translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation>ns</translation>
+    </message>
+    <message>
+        <source>Kept in %1 beside the recording; the command line reads it, too.</source>
+        <translation>Bleibt in %1 neben der Aufnahme; die Befehlszeile liest es auch.</translation>
+    </message>
+    <message>
+        <source>Read it so</source>
+        <translation>So lesen</translation>
+    </message>
+    <message>
+        <source>Back to Heft’s guess</source>
+        <translation>Zurück zu Hefts Wahl</translation>
+    </message>
+    <message>
+        <source>Unit of: %1</source>
+        <translation>Einheit von: %1</translation>
+    </message>
+    <message>
+        <source>In which unit the file holds it</source>
+        <translation>In welcher Einheit es in der Datei steht</translation>
+    </message>
+    <message>
+        <source>Poses are those of</source>
+        <translation>Posen sind die von</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s follow from the flange&apos;s by how it is mounted</source>
+        <translation>Die des Sensors folgen aus denen des Flanschs und seinem Anbau</translation>
+    </message>
+    <message>
+        <source>the sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>the flange</source>
+        <translation>Flansch</translation>
+    </message>
+    <message>
+        <source>Add to the wrench’s times</source>
+        <translation>Zur Zeit der Kräfte dazu</translation>
+    </message>
+    <message>
+        <source>Seconds added to the times of force and torque</source>
+        <translation>Sekunden, die zu den Zeiten von Kraft und Moment kommen</translation>
+    </message>
+    <message>
+        <source>Where the clock of force and torque is another one and Heft cannot find out by how much</source>
+        <translation>Wo Kraft und Moment eine andere Uhr haben und Heft nicht herausfindet, um wie viel</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Add a file recorded with it …</source>
+        <translation>Eine Datei dazunehmen …</translation>
+    </message>
+    <message>
+        <source>For instance the sensor&apos;s own log beside the robot&apos;s</source>
+        <translation>Zum Beispiel die Aufzeichnung des Sensors neben der des Roboters</translation>
+    </message>
+    <message>
+        <source>Choose each column by itself</source>
+        <translation>Jede Spalte einzeln wählen</translation>
+    </message>
+    <message>
+        <source>Column for %1</source>
+        <translation>Spalte für %1</translation>
+    </message>
+    <message>
+        <source>Where %1 is read from</source>
+        <translation>Woher %1 gelesen wird</translation>
+    </message>
+    <message>
+        <source>Add a file recorded with it</source>
+        <translation>Eine Datei dazunehmen</translation>
+    </message>
+    <message>
+        <source>Leave %1 out again</source>
+        <translation>%1 wieder weglassen</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>Wird angesehen …</translation>
+    </message>
+    <message>
+        <source>This can be read.</source>
+        <translation>So lässt es sich lesen.</translation>
+    </message>
+    <message>
+        <source>as above</source>
+        <translation>wie oben</translation>
+    </message>
+    <message>
+        <source>Heft’s choice</source>
+        <translation>Hefts Wahl</translation>
+    </message>
+    <message>
+        <source>Heft’s choice: %1</source>
+        <translation>Hefts Wahl: %1</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>nichts gefunden</translation>
+    </message>
+    <message>
+        <source>times %1</source>
+        <translation>mal %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be removed: check that the folder may be written to.</source>
+        <translation>%1 ließ sich nicht entfernen: Prüfen Sie, ob in den Ordner geschrieben werden darf.</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QUrl>
+#include <cmath>
 #include <set>
 
 #include "tests/gl/window_fixture.h"
@@ -240,6 +241,48 @@ TEST_F(WindowTest, EveryControlCanBeReachedAndHasAName) {
     if (button == nullptr) continue;
     EXPECT_FALSE(button->text().isEmpty() && button->accessibleName().isEmpty()) << widget->objectName().toStdString();
   }
+}
+
+/// A sensor that turns in place, without a robot: a note stands at the top left, and the force points to all sides.
+TEST_F(WindowTest, LabelsKeepClearOfTheNoteAndOfEachOther) {
+  QString text = "time,qx,qy,qz,qw,fx,fy,fz,tx,ty,tz\n";
+  for (int k = 0; k < 800; ++k) {
+    const double t = 0.01 * k, a = 1.4 * std::sin(1.1 * t), b = 1.2 * std::sin(0.8 * t + 1);
+    const Eigen::Quaterniond turn = Eigen::AngleAxisd(a, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(b, Eigen::Vector3d::UnitY());
+    const Eigen::Vector3d f = turn.conjugate() * Eigen::Vector3d(0, 0, 9.81), tau = Eigen::Vector3d(0.01, 0, 0.06).cross(f);
+    text += QStringLiteral("%1,%2,%3,%4,%5").arg(t).arg(turn.x()).arg(turn.y()).arg(turn.z()).arg(turn.w());
+    for (const double each : {f.x(), f.y(), f.z(), tau.x(), tau.y(), tau.z()}) text += QStringLiteral(",%1").arg(each + 0.01 * ((k * 7919) % 13 - 6));
+    text += "\n";
+  }
+  QFile file(folder.filePath("turning.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text.toUtf8());
+  file.close();
+  open(file.fileName());
+  RobotView* view = window.robotView();
+  int labels = 0;
+  for (const QSize size : {QSize(960, 620), QSize(1280, 800)}) {
+    window.resize(size);
+    for (const Step step : {Step::mark, Step::shape, Step::result}) {
+      window.showStep(step);
+      waitUntilSettled();
+      for (double time = 0.0; time < 8.0; time += 1.3) {
+        window.playback()->setTime(time);
+        QTest::qWait(40);
+        view->renderNow();
+        const auto places = view->labelPlaces();
+        const QRectF note = view->notePlace(), picture(QPointF(0, 0), QSizeF(view->size()));
+        EXPECT_FALSE(note.isEmpty());
+        for (std::size_t i = 0; i < places.size(); ++i) {
+          ++labels;
+          EXPECT_FALSE(places[i].intersects(note)) << stepId(step) << " at " << time << " s";
+          EXPECT_TRUE(picture.contains(places[i])) << stepId(step) << " at " << time << " s";
+          for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(places[i].intersects(places[j])) << stepId(step) << " at " << time << " s";
+        }
+      }
+    }
+  }
+  EXPECT_GT(labels, 50);
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TEST_F(WorkspaceTest, AnotherRobotIsNamedInTheMetaFileAndOnlyIfItFits) {
   ASSERT_TRUE(simulated.ok() && writeRecording(simulated->recording, file.toStdString()).ok());
   workspace.open(file);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && workspace.opened(); }, kPatience));
-  const auto before = readTextFile(metaFileBeside(*workspace.opened()).toStdString());
+  const auto before = readTextFile(metaFileBeside(workspace.opened()->path).toStdString());
   const auto write = [&](const char* name, int joints, const char* last) {
     QString text = QStringLiteral("<robot name=\"own\"><link name=\"l0\"/>");
     for (int j = 1; j <= joints; ++j)
@@ -191,7 +191,7 @@ TEST_F(WorkspaceTest, AnotherRobotIsNamedInTheMetaFileAndOnlyIfItFits) {
     ASSERT_FALSE(named.ok()) << wrong.toStdString();
     EXPECT_FALSE(named.error().message.empty());
   }
-  const auto still = readTextFile(metaFileBeside(*workspace.opened()).toStdString());
+  const auto still = readTextFile(metaFileBeside(workspace.opened()->path).toStdString());
   EXPECT_EQ(still ? *still : "", before ? *before : "") << "nothing was written";
   ASSERT_TRUE(nameRobot(*workspace.opened(), write("own.urdf", 7, "panda_link8")).ok());
   workspace.open(file);
@@ -252,6 +252,9 @@ TEST(Autosave, NothingIsLostByAKill) {
   EXPECT_EQ(workspace.session().step, "mark");
   EXPECT_TRUE(autosave.leftBehind().isEmpty()) << "it is now this program's own";
   EXPECT_TRUE(QFile::exists(autosave.file())) << "and a second kill loses nothing either";
+  EXPECT_TRUE(workspace.modified() && !workspace.undoStack()->isClean()) << "it stands in no file yet: closing asks";
+  ASSERT_TRUE(workspace.save(folder.filePath("kept.heft")));
+  EXPECT_FALSE(workspace.modified());
 }
 
 TEST(Autosave, ANormalEndLeavesNothingBehind) {

@@ -83,6 +83,8 @@ bool Autosave::recover() {
       continue;
     }
     workspace_->takeSession(std::move(session).value());
+    // It stands in no file of the user's: closing asks.
+    workspace_->undoStack()->resetClean();
     changed_ = true;
     flush();
     if (!changed_) discard(orphan);

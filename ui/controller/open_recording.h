@@ -6,6 +6,7 @@
 
 namespace heft {
 
-Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress);
+/// `cure` is told where it fails.
+Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress, ReadCure& cure);
 
 }  // namespace heft

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
 #include "core/motion/motion.h"
@@ -11,38 +12,79 @@
 namespace heft {
 namespace {
 
+using nlohmann::json;
+
 struct RobotChoice {
   Q_DECLARE_TR_FUNCTIONS(RobotChoice)
 };
 
+json triple(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+json changesBetween(const RecordingMeta& before, const RecordingMeta& after) {
+  json out = json::object();
+  if (before.robot != after.robot) out["robot"] = after.robot ? json(*after.robot) : json(nullptr);
+  if (before.kind != after.kind) out["kind"] = after.kind == RecordingKind::poses ? "poses" : "motion";
+  if (before.gravity != after.gravity) out["gravity_m_s2"] = triple(after.gravity);
+  if (before.wrenchSign != after.wrenchSign)
+    out["sensor"]["wrench_sign"] =
+        after.wrenchSign == WrenchSign::payloadOnSensor ? "payload_on_sensor" : "sensor_on_payload";
+  if (before.sensorModel != after.sensorModel) out["sensor"]["model"] = after.sensorModel;
+  if (before.mount.parent != after.mount.parent || before.mount.xyz != after.mount.xyz || before.mount.rpy != after.mount.rpy)
+    out["sensor"]["mount"] = {
+        {"parent", after.mount.parent}, {"xyz_m", triple(after.mount.xyz)}, {"rpy_rad", triple(after.mount.rpy)}};
+  return out;
+}
+
 }  // namespace
 
-QString metaFileBeside(const OpenRecording& opened) {
-  return QString::fromStdString(metaFileOf(std::filesystem::path(opened.path.toStdString())).string());
+QString metaFileBeside(const QString& recording) {
+  return QString::fromStdString(metaFileOf(std::filesystem::path(recording.toStdString())).string());
+}
+
+Result<RecordingMeta> rigOf(const QString& recording, const OpenRecording* opened) {
+  if (opened) return opened->recording.meta;
+  const std::filesystem::path file = metaFileBeside(recording).toStdString();
+  if (!std::filesystem::exists(file)) return RecordingMeta{};
+  Findings findings;
+  return readMeta(file, findings);
+}
+
+Result<bool> writeRig(const QString& recording, const OpenRecording* opened, const RecordingMeta& before,
+                      const RecordingMeta& after) {
+  const QString meta = metaFileBeside(recording);
+  if (after.robot) {
+    Findings findings;
+    const auto robot = robotFor(after, findings);
+    if (!robot) return robot.error();
+    const QString name = *after.robot == "panda" ? QString("Panda") : QFileInfo(QString::fromStdString(*after.robot)).fileName();
+    if (opened && opened->recording.hasJoints() && robot->dof() != opened->recording.q.cols())
+      return Error{RobotChoice::tr("%1 has %2 joints, the recording %3: choose the description of the robot that was recorded.")
+                       .arg(name)
+                       .arg(robot->dof())
+                       .arg(opened->recording.q.cols())
+                       .toStdString()};
+    if ((!opened || opened->recording.hasJoints()) && !robot->findLink(after.mount.parent))
+      return Error{RobotChoice::tr("%1 has no link “%2”: choose the link that carries the sensor under Tools, “Robot and sensor”.")
+                       .arg(name, QString::fromStdString(after.mount.parent))
+                       .toStdString()};
+  }
+  json changes = changesBetween(before, after);
+  // What was only assumed is said from now on.
+  const std::filesystem::path file = meta.toStdString();
+  if (after.robot && !std::filesystem::exists(file)) changes["robot"] = *after.robot;
+  if (changes.empty()) return true;
+  const auto merged = mergedMeta(file, changes);
+  if (!merged) return merged.error();
+  json out = *merged;
+  // A merge patch takes away what is null; "no robot" must be said.
+  if (changes.contains("robot") && changes["robot"].is_null()) out["robot"] = nullptr;
+  return writeTextFile(file, out.dump(2) + "\n");
 }
 
 Result<bool> nameRobot(const OpenRecording& opened, const QString& urdf) {
   RecordingMeta meta = opened.recording.meta;
   meta.robot = QFileInfo(urdf).absoluteFilePath().toStdString();
-  Findings findings;
-  const auto robot = robotFor(meta, findings);
-  if (!robot) return robot.error();
-  if (opened.recording.hasJoints()) {
-    if (robot->dof() != opened.recording.q.cols())
-      return Error{RobotChoice::tr("%1 has %2 joints, the recording %3: choose the description of the robot that was recorded.")
-                       .arg(QFileInfo(urdf).fileName())
-                       .arg(robot->dof())
-                       .arg(opened.recording.q.cols())
-                       .toStdString()};
-    if (!robot->findLink(meta.mount.parent))
-      return Error{RobotChoice::tr("%1 has no link \"%2\", where the sensor is mounted: set sensor.mount.parent in %3 to the right one.")
-                       .arg(QFileInfo(urdf).fileName(), QString::fromStdString(meta.mount.parent), metaFileBeside(opened))
-                       .toStdString()};
-  }
-  const std::filesystem::path file = metaFileBeside(opened).toStdString();
-  const auto merged = mergedMeta(file, {{"robot", *meta.robot}});
-  if (!merged) return merged.error();
-  return writeTextFile(file, merged->dump(2) + "\n");
+  return writeRig(opened.path, &opened, opened.recording.meta, meta);
 }
 
 }  // namespace heft

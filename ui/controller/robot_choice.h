@@ -1,5 +1,5 @@
 #pragma once
-// The user's own robot for a recording: its description is named in the recording's meta file.
+// Robot and sensor of a recording, as the meta file beside it says them, and changing that.
 #include <QString>
 
 #include "core/base/result.h"
@@ -7,11 +7,20 @@
 
 namespace heft {
 
-/// Where nameRobot() would write.
-QString metaFileBeside(const OpenRecording& opened);
-/// Writes `urdf` as the robot into the meta file beside the recording, all else in it stays as it is. Fails, and writes
-/// nothing, if the description cannot be read or does not fit: other joints, or no link where the sensor is mounted.
-/// The recording has to be opened again to show it.
+/// The meta file beside a recording.
+QString metaFileBeside(const QString& recording);
+
+/// What holds for a recording now: as it was opened, else what its meta file says, else the usual.
+Result<RecordingMeta> rigOf(const QString& recording, const OpenRecording* opened);
+
+/// Writes what differs between `before` and `after` (robot, kind, sensor, gravity) into the meta file beside the
+/// recording; all else in it stays as it is. Fails, and writes nothing, if the robot's description cannot be read or
+/// does not fit: other joints than the opened recording has, or no link where the sensor is mounted. The recording has
+/// to be opened again to show it.
+Result<bool> writeRig(const QString& recording, const OpenRecording* opened, const RecordingMeta& before,
+                      const RecordingMeta& after);
+
+/// The user's own robot for a recording that is open.
 Result<bool> nameRobot(const OpenRecording& opened, const QString& urdf);
 
 }  // namespace heft

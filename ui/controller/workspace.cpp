@@ -124,16 +124,20 @@ void Workspace::takeSession(Session session) {
 void Workspace::loadNext() {
   loading_ = true;
   const QString path = queue_.takeFirst();
+  const auto cure = std::make_shared<ReadCure>(ReadCure::none);
   jobs_.start(
       tr("Opening %1").arg(QFileInfo(path).fileName()),
-      [path](const Progress& progress) { return loadRecording(path, progress); },
-      [this, path, sessions = sessions_](Result<std::shared_ptr<const OpenRecording>> result) {
+      [path, cure](const Progress& progress) { return loadRecording(path, progress, *cure); },
+      [this, path, cure, sessions = sessions_](Result<std::shared_ptr<const OpenRecording>> result) {
         if (sessions != sessions_) return;  // Of a session that was closed meanwhile.
         if (result) {
           loaded(path, *result);
         } else {
           fail(result.error());
-          if (result.error().cancelled) queue_.clear();
+          if (result.error().cancelled)
+            queue_.clear();
+          else
+            emit unreadable(path, QString::fromStdString(result.error().message), *cure);
         }
         if (!queue_.isEmpty()) return loadNext();
         loading_ = false;

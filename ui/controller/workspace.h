@@ -29,6 +29,13 @@ struct OpenRecording {
   double readSeconds = 0.0;
 };
 
+/// What the user can do about a recording that cannot be read.
+enum class ReadCure {
+  none,     ///< Nothing here: the file itself is at fault.
+  sources,  ///< Say which columns are what, and their units.
+  rig       ///< Say which robot it is.
+};
+
 /// What an estimate or a diagnosis reads, detached from the window: the recording with the user's marks in it, and the
 /// options that the session asks for. Cheap to copy; recording() copies the series and belongs into the job.
 struct Snapshot {
@@ -124,6 +131,8 @@ class Workspace : public QObject {
   void saved(const QString& file);
   /// One sentence for a person.
   void failed(const QString& sentence);
+  /// After failed(), where it was a recording that could not be read.
+  void unreadable(const QString& path, const QString& sentence, heft::ReadCure cure);
 
  private:
   struct Entry {
@@ -160,3 +169,5 @@ class Workspace : public QObject {
 };
 
 }  // namespace heft
+
+Q_DECLARE_METATYPE(heft::ReadCure)

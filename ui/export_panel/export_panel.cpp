@@ -47,7 +47,11 @@ StepState ExportPanel::state() const {
   if (!savedAs_.isEmpty() && savedText_ == QString::fromStdString(text_))
     return {P::done, Light::measured, tr("saved as %1").arg(QFileInfo(savedAs_).fileName())};
   if (!workspace().report()) return {P::later, Light::measured, tr("nothing saved yet")};
-  return {P::ready, Light::measured, text_.empty() ? tr("cannot be written yet") : tr("ready to save")};
+  const bool asked = workspace().session().exporting.role != ExportChoice::Role::unasked;
+  return {P::ready, Light::measured,
+          text_.empty() ? tr("cannot be written yet")
+          : asked       ? tr("ready to save")
+                        : tr("one answer is missing")};
 }
 
 ExportChoice ExportPanel::choiceNow() const {

@@ -14,6 +14,8 @@
 #include "core/base/json_file.h"
 #include "ui/controller/robot_choice.h"
 #include "ui/controller/workspace.h"
+#include "ui/import_dialogs/rig_dialog.h"
+#include "ui/import_dialogs/sources_dialog.h"
 
 namespace heft {
 namespace {
@@ -44,22 +46,33 @@ void Files::open(const QStringList& paths) {
   workspace_->open(paths);
 }
 
-void Files::chooseRobot() {
-  const auto opened = workspace_->opened();
-  if (!opened) return emit said(Severity::info, tr("Open a recording first: the robot belongs to it."));
-  const QString urdf =
-      QFileDialog::getOpenFileName(window_, tr("Choose the description of the robot that was recorded"),
-                                   QFileInfo(opened->path).absolutePath(), tr("Robot descriptions (*.urdf);;All files (*)"));
-  if (urdf.isEmpty()) return;
-  const QString meta = metaFileBeside(*opened);
-  if (QMessageBox::question(window_, tr("Robot of this recording"),
-                            tr("%1 is written as the robot into %2; all else in it stays.")
-                                .arg(QFileInfo(urdf).fileName(), QFileInfo(meta).fileName()),
-                            QMessageBox::Ok | QMessageBox::Cancel) != QMessageBox::Ok)
-    return;
-  if (const auto named = nameRobot(*opened, urdf); !named)
-    return emit said(Severity::error, QString::fromStdString(named.error().message));
-  open({opened->path});
+void Files::editRig(const QString& recording) {
+  const auto now = workspace_->opened();
+  const QString path = recording.isEmpty() && now ? now->path : recording;
+  if (path.isEmpty()) return emit said(Severity::info, tr("Open a recording first: robot and sensor belong to it."));
+  const std::shared_ptr<const OpenRecording> opened = now && now->path == path ? now : nullptr;
+  const auto meta = rigOf(path, opened.get());
+  if (!meta) return emit said(Severity::error, QString::fromStdString(meta.error().message));
+  auto* dialog = new RigDialog(
+      path, *meta,
+      [path, opened, before = *meta](const RecordingMeta& after) {
+        const auto written = writeRig(path, opened.get(), before, after);
+        return written ? QString() : QString::fromStdString(written.error().message);
+      },
+      window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, path] { open({path}); });
+  dialog->open();
+}
+
+void Files::editSources(const QString& recording) {
+  const auto now = workspace_->opened();
+  const QString path = recording.isEmpty() && now ? now->path : recording;
+  if (path.isEmpty()) return emit said(Severity::info, tr("Open a recording first: its columns belong to it."));
+  auto* dialog = new SourcesDialog(path, window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, path] { open({path}); });
+  dialog->open();
 }
 
 void Files::startAfresh() {
@@ -91,7 +104,8 @@ bool Files::saveAs() {
 }
 
 bool Files::mayClose() {
-  if (!remembers_ || !workspace_->modified() || workspace_->undoStack()->count() == 0) return true;
+  // A recording that was only opened is not worth a question.
+  if (!remembers_ || workspace_->undoStack()->isClean()) return true;
   QMessageBox box(QMessageBox::Question, tr("Heft Studio"), tr("Save the session first?"),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   box.setInformativeText(tr("Marks, shape and settings since the last save would be gone."));

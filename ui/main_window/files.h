@@ -31,8 +31,10 @@ class Files : public QObject {
   /// True if the session may be closed: saved, unchanged, or given up by the user.
   bool mayClose();
   void open(const QStringList& paths);
-  /// The description of the robot that was recorded: asks for it, and before it goes into the recording's meta file.
-  void chooseRobot();
+  /// Robot and sensor of a recording, in a dialog; what is said goes into its meta file. Empty: the one that is open.
+  void editRig(const QString& recording = {});
+  /// Which of its columns is what, likewise; goes into its map file.
+  void editSources(const QString& recording = {});
   QStringList recent() const;
   void remember(const QString& path);
   /// Fills `menu` with the recent files whenever it opens.

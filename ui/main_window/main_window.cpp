@@ -1,5 +1,6 @@
 #include "ui/main_window/main_window.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -7,6 +8,7 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
@@ -48,7 +50,9 @@ MainWindow::MainWindow(Workspace* workspace, bool remembers, QWidget* parent)
   setWindowTitle(tr("Heft Studio"));
   setWindowIcon(applicationIcon());
   setAcceptDrops(true);
-  resize(1440, 900);
+  // Not larger than a small laptop's screen.
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  resize(screen ? QSize(1440, 900).boundedTo(screen->availableSize()) : QSize(1440, 900));
   setMinimumSize(960, 600);
   assemble();
   MenuBuilder builder(this);
@@ -162,8 +166,18 @@ void MainWindow::connectParts() {
   connect(workspace_, &Workspace::openedChanged, this, &MainWindow::showOpened);
   connect(workspace_, &Workspace::reportChanged, this, &MainWindow::showReport);
   connect(workspace_, &Workspace::marksChanged, this, &MainWindow::showMarks);
-  connect(workspace_, &Workspace::failed, this,
-          [this](const QString& sentence) { message_->showMessage(Severity::error, sentence); });
+  connect(workspace_, &Workspace::failed, this, [this](const QString& sentence) {
+    const auto opened = workspace_->opened();
+    const bool noRobot = opened && opened->recording.hasJoints() && !opened->recording.hasOrientation() && !opened->robot;
+    if (!noRobot) return message_->showMessage(Severity::error, sentence);
+    message_->showMessage(Severity::error, sentence, tr("Robot and sensor …"), [this] { files_->editRig(); });
+  });
+  connect(workspace_, &Workspace::unreadable, this, [this](const QString& path, const QString& sentence, ReadCure cure) {
+    if (cure == ReadCure::sources)
+      message_->showMessage(Severity::error, sentence, tr("Choose columns and units …"), [this, path] { files_->editSources(path); });
+    if (cure == ReadCure::rig)
+      message_->showMessage(Severity::error, sentence, tr("Robot and sensor …"), [this, path] { files_->editRig(path); });
+  });
   connect(&playback_, &Playback::timeChanged, view_, &RobotView::showTime);
   connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->grab().toImage(), tr("view")); });
   connect(pane_, &RecordingPane::csvWanted, this, [this] {
@@ -202,6 +216,7 @@ void MainWindow::showStep(Step step) {
     const QList<int> down = down_->sizes();
     if (down.value(1) > 0) viewShares_[step_] = static_cast<double>(down[0]) / (down[0] + down[1]);
   }
+  const bool hadFocus = panelStack_->isAncestorOf(QApplication::focusWidget());
   before->left();
   step_ = step;
   workspace_->setStep(QString::fromUtf8(stepId(step).data()));
@@ -210,6 +225,10 @@ void MainWindow::showStep(Step step) {
   arrangeFor(panel);
   status_->setHint(panel->hint());
   panel->entered();
+  // Who goes on by keyboard goes on in the new panel.
+  if (!hadFocus) return;
+  const QVector<QWidget*> way = tabWay(*this, {panelStack_});
+  if (!way.isEmpty()) way.front()->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::arrangeFor(StepPanel* panel) {
@@ -385,6 +404,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
                                                                  : kKeyStep;
   if (panels_[step_]->keyPressed(event)) return;
   switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      // As in a dialog: Enter presses the button that has the focus, not only Space.
+      if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) button->click();
+      return;
     case Qt::Key_Space:
       playback_.toggle();
       return;

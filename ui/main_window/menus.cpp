@@ -99,10 +99,13 @@ void MenuBuilder::buildTools(QMenu* menu) {
   QAction* again = menu->addAction(tr("&Estimate again"), w_->workspace_, &Workspace::estimate);
   again->setShortcut(QKeySequence("Ctrl+R"));
   QAction* stop = menu->addAction(tr("&Stop the work under way"), w_->workspace_, &Workspace::cancel);
-  QAction* robot = menu->addAction(tr("&Robot from a URDF …"), w_->files_, &Files::chooseRobot);
-  QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop, robot] {
-    again->setEnabled(w->workspace_->opened() != nullptr);
-    robot->setEnabled(w->workspace_->opened() != nullptr);
+  menu->addSeparator();
+  QAction* rig = menu->addAction(tr("&Robot and sensor …"), w_, [w = w_] { w->files_->editRig(); });
+  QAction* sources = menu->addAction(tr("Where the &numbers come from …"), w_, [w = w_] { w->files_->editSources(); });
+  rig->setObjectName("editRig");
+  sources->setObjectName("editSources");
+  QObject::connect(menu, &QMenu::aboutToShow, w_, [w = w_, again, stop, rig, sources] {
+    for (QAction* each : {again, rig, sources}) each->setEnabled(w->workspace_->opened() != nullptr);
     stop->setEnabled(w->workspace_->busy());
   });
 }
@@ -110,7 +113,7 @@ void MenuBuilder::buildTools(QMenu* menu) {
 void MenuBuilder::buildHelp(QMenu* menu) {
   menu->addAction(tr("&Manual"), w_, [w = w_] { w->showManual(!w->manualShown()); })->setShortcut(QKeySequence(Qt::Key_F1));
   menu->addSeparator();
-  menu->addAction(tr("&About Heft Studio"), w_, [w = w_] {
+  QAction* about = menu->addAction(tr("&About Heft Studio"), w_, [w = w_] {
     QMessageBox box(w);
     box.setWindowTitle(tr("About Heft Studio"));
     box.setIconPixmap(applicationIcon().pixmap(48, 48));
@@ -120,6 +123,7 @@ void MenuBuilder::buildHelp(QMenu* menu) {
            "QCustomPlot and may be passed on under the GNU General Public License, version 3 or later."));
     box.exec();
   });
+  about->setObjectName("about");
 }
 
 }  // namespace heft

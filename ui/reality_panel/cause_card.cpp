@@ -22,12 +22,46 @@ struct Say {
   Q_DECLARE_TR_FUNCTIONS(CauseCard)
 };
 
+/// Of forces or of torques, whichever the cause has more to do with.
+struct UnseenError {
+  double before = 0.0, after = 0.0, noise = 0.0;
+  bool torque = false;
+
+  QString text(double value) const {
+    return torque ? Say::tr("%1 N m").arg(numberText(value, value < 0.01 ? 4 : 3)) : newtonText(value);
+  }
+};
+
+UnseenError unseenError(const DiagnosisReport& report, const DiagnosedCause& cause) {
+  const auto& gain = cause.gain;
+  // Squared, in units of the noise: the share that went away.
+  const auto lost = [](double before, double after, double noise) {
+    return noise > 0.0 ? (before * before - after * after) / (noise * noise) : 0.0;
+  };
+  if (lost(gain.torqueBefore, gain.torqueAfter, report.noise.torque) > lost(gain.forceBefore, gain.forceAfter, report.noise.force))
+    return {gain.torqueBefore, gain.torqueAfter, report.noise.torque, true};
+  return {gain.forceBefore, gain.forceAfter, report.noise.force, false};
+}
+
+/// What the cause makes worse, where it makes something worse; else empty.
+QString worseText(const DiagnosedCause& cause) {
+  const auto& gain = cause.gain;
+  constexpr double kWorse = 1.02;
+  if (gain.forceBefore > 0.0 && gain.forceAfter > kWorse * gain.forceBefore)
+    return Say::tr("Forces fit less well with it there: %1 → %2.").arg(newtonText(gain.forceBefore), newtonText(gain.forceAfter));
+  if (gain.torqueBefore > 0.0 && gain.torqueAfter > kWorse * gain.torqueBefore)
+    return Say::tr("Torques fit less well with it there: %1 → %2 N m.").arg(numberText(gain.torqueBefore, 3), numberText(gain.torqueAfter, 3));
+  return {};
+}
+
 /// Two bars and the noise floor as a dashed line.
 class GainBars : public QWidget {
  public:
-  GainBars(double before, double after, double noise, QWidget* parent) : QWidget(parent), before_(before), after_(after), noise_(noise) {
+  GainBars(const UnseenError& unseen, QWidget* parent)
+      : QWidget(parent), unseen_(unseen), before_(unseen.before), after_(unseen.after), noise_(unseen.noise) {
     setFixedHeight(46);
-    setAccessibleName(Say::tr("Unseen error %1 before, %2 after, noise floor %3").arg(newtonText(before), newtonText(after), newtonText(noise)));
+    setAccessibleName(Say::tr("Unseen error %1 before, %2 after, noise floor %3")
+                          .arg(unseen.text(before_), unseen.text(after_), unseen.text(noise_)));
     setToolTip(Say::tr("Root mean square of what the model misses, on stretches that it was not fitted to."));
   }
 
@@ -54,7 +88,7 @@ class GainBars : public QWidget {
       p.drawRoundedRect(QRectF(left, y, length, 14), 3, 3);
       p.setPen(t.text);
       p.setFont(bold);
-      p.drawText(QRectF(left + length + 8, y - 2, 90, 18), Qt::AlignVCenter | Qt::AlignLeft, newtonText(values[i]));
+      p.drawText(QRectF(left + length + 8, y - 2, 90, 18), Qt::AlignVCenter | Qt::AlignLeft, unseen_.text(values[i]));
       p.setBrush(Qt::NoBrush);
     }
     QPen dash(t.text, 1.3);
@@ -65,6 +99,7 @@ class GainBars : public QWidget {
   }
 
  private:
+  UnseenError unseen_;
   double before_, after_, noise_;
 };
 
@@ -110,7 +145,7 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
     grid->addWidget(left, r, 0);
     grid->addWidget(right, r++, 1);
   };
-  for (const auto& p : cause.parameters) add(QString::fromStdString(p.name), parameterText(p), Say::tr("Value and one standard deviation"));
+  for (const auto& p : cause.parameters) add(parameterTitle(p), parameterText(p), Say::tr("Value and half of its 95 % interval; in files: %1").arg(QString::fromStdString(p.name)));
   for (const auto& [from, to] : cause.when) add(Say::tr("When"), Say::tr("%1 to %2 s").arg(numberText(from, 1), numberText(to, 1)));
   if (!cause.direct) {
     add(Say::tr("Evidence (ΔBIC)"), numberText(cause.deltaBic, 0),
@@ -153,7 +188,10 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
     row->addWidget(apply, state.next ? 1 : 0);
     if (!state.next) row->addStretch(1);
   } else {
-    row->addWidget(wrappedLabel(Say::tr("Heft allows for it already; the cure is on the rig."), "caption", parent), 1);
+    row->addWidget(wrappedLabel(state.leftOut ? Say::tr("These stretches are left out already; the step Mark shows them.")
+                                              : Say::tr("Heft allows for it already; the cure is on the rig."),
+                                "caption", parent),
+                   1);
   }
   auto* more = makeButton(Say::tr("Details"), state.next && !state.applied ? "secondButton" : "plainButton", parent);
   more->setCheckable(true);
@@ -193,6 +231,10 @@ QVector<QPointF> pointsOf(const DiagnosisReport& report, const VectorXd& y, doub
 }
 
 }  // namespace
+
+bool helpsUnseen(const DiagnosedCause& cause) {
+  return cause.direct || cause.gain.blocks == 0 || cause.gain.explainedFraction > 0.0;
+}
 
 QString newtonText(double value) { return QCoreApplication::translate("CauseCard", "%1 N").arg(numberText(value, value < 0.1 ? 3 : 2)); }
 
@@ -293,10 +335,23 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
     card.layout->addWidget(chart);
   }
   if (cause.gain.forceBefore > 0.0) {
-    card.layout->addWidget(new GainBars(cause.gain.forceBefore, cause.gain.forceAfter, report.noise.force, card.frame));
+    const UnseenError unseen = unseenError(report, cause);
+    card.layout->addWidget(new GainBars(unseen, card.frame));
     card.layout->addWidget(wrappedLabel(Say::tr("Unseen error %1 → %2; dashed: noise floor %3.")
-                                            .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)),
+                                            .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
                                         "caption", card.frame));
+  }
+  if (const QString worse = worseText(cause); !worse.isEmpty() && !state.applied)
+    card.layout->addWidget(wrappedLabel(worse, "caption", card.frame));
+  if (!helpsUnseen(cause) && !state.applied) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(new LightIcon(Light::look, 18, card.frame), 0, Qt::AlignTop);
+    row->addWidget(wrappedLabel(Say::tr("It fits the recording, but did not help on stretches that were kept aside. Apply it only "
+                                        "if what you find on the rig confirms it."),
+                                "body", card.frame),
+                   1);
+    card.layout->addLayout(row);
   }
   if (!state.applied) {
     QLabel* check = boldFirst(Say::tr("Check on the rig:"), checkOf(cause, report), card.frame);
@@ -362,10 +417,12 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   buttons->addWidget(record);
   buttons->addStretch(1);
   card.layout->addLayout(buttons);
-  if (cause.gain.forceBefore > 0.0)
+  if (cause.gain.forceBefore > 0.0) {
+    const UnseenError unseen = unseenError(report, cause);
     card.layout->addWidget(wrappedLabel(Say::tr("Whichever it is: unseen error %1 → %2; noise floor %3.")
-                                            .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)),
+                                            .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
                                         "caption", card.frame));
+  }
   addButtons(card.layout, cause, state, actions, card.frame, detailsOf(report, cause, card.frame));
   return card.frame;
 }

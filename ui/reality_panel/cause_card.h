@@ -20,9 +20,13 @@ struct CardActions {
 struct CardState {
   bool applied = false;
   bool applicable = true;
+  bool leftOut = false;  ///< The estimate does without these stretches anyway.
   bool next = false;     ///< The one thing to do next: its button is the filled one.
   bool details = false;
 };
+
+/// It made the error smaller on stretches that it was not fitted to, or needs no such proof.
+bool helpsUnseen(const DiagnosedCause& cause);
 
 /// How strong the evidence is, in a word and a sentence: "very strong", "0 false alarms in 200 simulated clean runs".
 struct StrengthText {

@@ -35,6 +35,7 @@ QString checkOf(const std::string& id) { return typeset(causeCheck(id)); }
 QString decidesOf(const std::string& id) { return typeset(causeDecides(id)); }
 QString looksOf(const std::string& id) { return typeset(causeLooks(id)); }
 QString channelText(int channel) { return typeset(channelWords(channel)); }
+QString parameterTitle(const CauseParameter& parameter) { return typeset(parameterName(parameter.name)); }
 QString parameterText(const CauseParameter& parameter) { return typeset(parameterWords(parameter)); }
 QString goesWithText(const std::string& goesWith) { return typeset(goesWithWords(goesWith)); }
 

@@ -18,6 +18,7 @@ QString looksOf(const std::string& id);
 std::string causeMotion(const std::string& id);
 QString goesWithText(const std::string& goesWith);
 /// "2.60 ± 0.10 N/m", in the unit of the parameter.
+QString parameterTitle(const CauseParameter& parameter);
 QString parameterText(const CauseParameter& parameter);
 QString channelText(int channel);
 /// "mass changes under 13 g" of each cause that has a size; the most useful ones first.

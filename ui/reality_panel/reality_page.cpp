@@ -37,6 +37,18 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
   return {Words::tr("%n cause(s) found, ", "", total - open) + Words::tr("%n still open", "", open), where};
 }
 
+bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& segments) {
+  if (!cause.direct || cause.id != "contact") return false;
+  double touched = 0, left = 0;
+  for (const auto& [from, to] : cause.when) {
+    touched += to - from;
+    for (const Segment& segment : segments)
+      if (segment.label != MarkLabel::free) left += std::max(0.0, std::min(to, segment.to) - std::max(from, segment.from));
+  }
+  constexpr double kNearlyAll = 0.85;  // The edges of a contact are told a little differently.
+  return touched > 0 && left > kNearlyAll * touched;
+}
+
 void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool applied) {
   if (report.causes.empty()) return;
   const ChangeText change = payloadChange(report);

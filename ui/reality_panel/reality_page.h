@@ -19,6 +19,8 @@ struct VerdictText {
 };
 VerdictText verdictText(const DiagnosisReport& report, int applied);
 bool isTied(const DiagnosedCause& cause);
+/// A contact whose stretches the estimate leaves out anyway, by the marks or by Heft's own suggestion.
+bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& segments);
 
 void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool applied);
 /// Only where the diagnosis says that the meta file is wrong.

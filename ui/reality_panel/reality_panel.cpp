@@ -125,18 +125,28 @@ StepState RealityPanel::state() const {
   if (riddle()) return {P::ready, Light::measured, tr("what is wrong?")};
   if (jobs_.running()) return {P::ready, Light::measured, tr("looking …")};
   const int count = static_cast<int>(workspace().corrections().causes.size());
+  if (workspace().opened()->recording.meta.kind == RecordingKind::poses)
+    return {P::done, Light::unknown, tr("needs a motion")};
   if (!found()) {
     if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
     return {P::ready, Light::measured, tr("not looked yet")};
   }
   const DiagnosisReport& report = *found()->report;
   int toApply = 0;
-  for (const auto& cause : report.causes) toApply += canApply(report, cause) && !applied(cause.id) && !isTied(cause) ? 1 : 0;
+  const std::vector<Segment> segments = workspace().segments();
+  std::size_t leftOut = 0;
+  for (const auto& cause : report.causes) {
+    const bool left = leftOutAlready(cause, segments);
+    leftOut += left ? 1 : 0;
+    toApply += canApply(report, cause) && !left && helpsUnseen(cause) && !applied(cause.id) && !isTied(cause) ? 1 : 0;
+  }
   if (outdated()) return {P::ready, Light::measured, tr("look again")};
   if (toApply > 0) return {P::done, Light::look, tr("%n cause(s) to apply", "", toApply)};
   if (report.verdict == Verdict::unexplained) return {P::done, Light::unknown, tr("something unknown")};
   if (report.verdict == Verdict::ambiguous && count == 0) return {P::done, Light::twoCauses, tr("two causes possible")};
   if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
+  if (report.verdict == Verdict::explained && leftOut == report.causes.size())
+    return {P::done, Light::measured, tr("free parts fit the model")};
   return report.verdict == Verdict::clean ? StepState{P::done, Light::measured, tr("the model fits")}
                                           : StepState{P::done, Light::look, tr("check the rig")};
 }
@@ -410,6 +420,12 @@ void RealityPanel::refresh() {
     page()->setMainButton({});
   } else if (jobs_.running()) {
     showWaiting();
+  } else if (opened->recording.meta.kind == RecordingKind::poses) {
+    page()->restart(tr("What does the simulation get wrong?"),
+                    tr("Standing poses do not show it: causes need a motion. Mass and centre of mass can be exported as they are."))
+        ->addStretch(1);
+    page()->setSecondButton(tr("Record a motion"), [this] { parts().goTo(Step::record); });
+    page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
   } else if (!found()) {
     const int count = static_cast<int>(workspace().corrections().causes.size());
     page()->restart(tr("What does the simulation get wrong?"),
@@ -451,12 +467,14 @@ void RealityPanel::showReport(const Found& found) {
   };
   if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
   bool someNext = outdated();
+  const std::vector<Segment> segments = workspace().segments();
   for (const auto& cause : report.causes) {
     CardState state;
     state.applied = applied(cause.id);
-    state.applicable = canApply(report, cause);
+    state.leftOut = !state.applied && leftOutAlready(cause, segments);
+    state.applicable = canApply(report, cause) && !state.leftOut;
     state.details = details_;
-    state.next = !someNext && !state.applied && state.applicable && !isTied(cause);
+    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause);
     someNext = someNext || state.next;
     column->addWidget((isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, actions, content));
     if (&cause == &report.causes.front()) addChange(column, content, report, count > 0);

@@ -151,7 +151,7 @@ QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bo
         Words::tr("Equally possible with this motion: %1. To decide: %2").arg(names.join(", "), decidesOf(cause.id)));
   }
   QString rows;
-  for (const auto& p : cause.parameters) rows += row({QString::fromStdString(p.name), parameterText(p)});
+  for (const auto& p : cause.parameters) rows += row({parameterTitle(p), parameterText(p)});
   out += table(rows);
   out += paragraph(Words::tr("Check on the rig: %1").arg(checkOf(cause, report)));
   const StrengthText strength = strengthOf(cause, report);

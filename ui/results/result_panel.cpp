@@ -158,7 +158,7 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   card.layout->addLayout(row);
 
   // Side by side, or below each other where the numbers are long.
-  constexpr int kSpacing = 4, kAround = 2 * 20 + 2 * 16 + 12;  // margins of page and card, scroll bar
+  constexpr int kSpacing = 4, kAround = 2 * 20 + 2 * 16 + 12 + 2 * 16;  // margins of page and card, scroll bar, gaps between the three
   std::vector<QWidget*> parts;
   for (int i = 0; i < static_cast<int>(result.com.size()); ++i) {
     const NumberText& n = result.com[i];

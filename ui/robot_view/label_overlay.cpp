@@ -7,7 +7,7 @@
 
 namespace heft {
 namespace {
-constexpr double kGap = 10, kPadding = 8, kEdge = 16, kToolColumn = 56;
+constexpr double kPadding = 8;
 }
 
 LabelOverlay::LabelOverlay(QWidget* parent) : QWidget(parent) {
@@ -16,10 +16,18 @@ LabelOverlay::LabelOverlay(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::NoFocus);
 }
 
-void LabelOverlay::setLabels(std::vector<ViewLabel> labels) {
+void LabelOverlay::setLabels(std::vector<ViewLabel> labels, std::vector<QRectF> taken, std::vector<QRectF> subjects) {
   labels_ = std::move(labels);
   std::sort(labels_.begin(), labels_.end(),
             [](const ViewLabel& a, const ViewLabel& b) { return a.anchor.y() < b.anchor.y(); });
+  const QFontMetricsF title(uiFont(type::kCaption, QFont::DemiBold)), note(uiFont(type::kCaption));
+  std::vector<LabelToPlace> wanted;
+  for (const ViewLabel& label : labels_) {
+    const double w = std::max(title.horizontalAdvance(label.title), note.horizontalAdvance(label.note)) + 2 * kPadding;
+    const double h = (label.note.isEmpty() ? title.height() : title.height() + note.height()) + kPadding;
+    wanted.push_back({label.anchor, QSizeF(w, h)});
+  }
+  places_ = placeLabels(wanted, {QSizeF(size()), std::move(taken), std::move(subjects)}, side_);
   update();
 }
 
@@ -29,53 +37,23 @@ void LabelOverlay::setAxisLetters(const std::array<QPointF, 3>& ends, bool shown
   update();
 }
 
-std::vector<QRectF> LabelOverlay::placed() const {
-  std::vector<QRectF> places;
-  if (labels_.empty()) return places;
-  const QFontMetricsF title(uiFont(type::kCaption, QFont::DemiBold)), note(uiFont(type::kCaption));
-  double widest = 0, rightmost = 0;
-  for (const ViewLabel& label : labels_) {
-    const double w = std::max(title.horizontalAdvance(label.title), note.horizontalAdvance(label.note)) + 2 * kPadding;
-    const double h = (label.note.isEmpty() ? title.height() : title.height() + note.height()) + kPadding;
-    widest = std::max(widest, w);
-    rightmost = std::max(rightmost, label.anchor.x());
-    places.emplace_back(0, label.anchor.y() - h / 2, w, h);
-  }
-  // One column, clear of everything it names where there is room, never over the tool buttons.
-  const double column = std::clamp(rightmost + 90, kEdge, std::max(kEdge, width() - widest - kToolColumn));
-  double below = kEdge;
-  for (QRectF& place : places) {
-    place.moveLeft(column);
-    place.moveTop(std::max(place.top(), below));
-    below = place.bottom() + kGap;
-  }
-  // Pushed over the lower edge: push back up from below.
-  double above = height() - kEdge;
-  for (auto place = places.rbegin(); place != places.rend(); ++place) {
-    if (place->bottom() > above) place->moveBottom(above);
-    above = place->top() - kGap;
-  }
-  return places;
-}
-
 void LabelOverlay::paintEvent(QPaintEvent*) {
   const Theme& t = theme();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (underlay_) underlay_(painter);
-  const std::vector<QRectF> places = placed();
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
     painter.setPen(QPen(t.text2, 1));
-    painter.drawLine(labels_[i].anchor, QPointF(places[i].left(), places[i].center().y()));
+    painter.drawLine(labels_[i].anchor, leaderEnd(places_[i], labels_[i].anchor));
     painter.setPen(Qt::NoPen);
     painter.setBrush(t.text);
     painter.drawEllipse(labels_[i].anchor, 2.6, 2.6);
   }
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
     painter.setPen(QPen(t.line, 1));
     painter.setBrush(t.panel);
-    painter.drawRoundedRect(places[i], 4, 4);
-    const QRectF inner = places[i].adjusted(kPadding, kPadding / 2, -kPadding, -kPadding / 2);
+    painter.drawRoundedRect(places_[i], 4, 4);
+    const QRectF inner = places_[i].adjusted(kPadding, kPadding / 2, -kPadding, -kPadding / 2);
     painter.setFont(uiFont(type::kCaption, QFont::DemiBold));
     painter.setPen(t.text);
     painter.drawText(inner, Qt::AlignLeft | (labels_[i].note.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop),

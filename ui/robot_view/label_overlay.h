@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "ui/robot_view/label_layout.h"
+
 namespace heft {
 
 struct ViewLabel {
@@ -19,21 +21,24 @@ class LabelOverlay : public QWidget {
  public:
   explicit LabelOverlay(QWidget* parent);
 
-  void setLabels(std::vector<ViewLabel> labels);
+  /// `taken` is never covered, `subjects` not where there is room [px].
+  void setLabels(std::vector<ViewLabel> labels, std::vector<QRectF> taken, std::vector<QRectF> subjects);
   /// Little circled letters at the ends of the sensor's axes; a point outside the widget hides its letter.
   void setAxisLetters(const std::array<QPointF, 3>& ends, bool shown);
 
   /// What else is painted, under the labels.
   void setUnderlay(std::function<void(QPainter&)> paint) { underlay_ = std::move(paint); }
 
-  /// Where the labels stand, in the order of the anchors' height; for tests.
-  std::vector<QRectF> placed() const;
+  /// Where the labels stand, in the order of the anchors' height.
+  const std::vector<QRectF>& placed() const { return places_; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   std::vector<ViewLabel> labels_;
+  std::vector<QRectF> places_;
+  LabelSide side_ = LabelSide::right;
   std::array<QPointF, 3> axisEnds_;
   bool axesShown_ = false;
   std::function<void(QPainter&)> underlay_;

@@ -194,7 +194,8 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   rebuildPath();
   rebuildSweep();
   updateInstant();
-  usePreset(Preset::overview);
+  // A session that comes back in the step Shape is there before its recording.
+  usePreset(editing_ ? Preset::tool : Preset::overview);
   updateNote();
 }
 
@@ -524,39 +525,6 @@ void RobotView::renderNow() { viewport_->renderNow(); }
 
 double RobotView::lastFrameMilliseconds() const { return viewport_->lastFrameMilliseconds(); }
 
-void RobotView::updateLabels() {
-  overlay_->setGeometry(viewport_->rect());
-  const SceneState::Anchors& anchors = viewport_->anchors();
-  const HandleSet::View view = viewport_->shownView();
-  std::vector<ViewLabel> labels;
-  const auto add = [&](const std::optional<Vector3d>& point, const QString& title, const QString& note = {}) {
-    if (!point) return;
-    const QPointF pixel = view.pixelOf(*point);
-    if (viewport_->rect().contains(pixel.toPoint())) labels.push_back({pixel, title, note});
-  };
-  if (labelsShown_) {
-    // While the arm moves the coach's label is the one to be read.
-    if (!kept_) add(anchors.wrench, tr("force and torque"));
-    add(anchors.centre, tr("Centre of mass"),
-        enlargement_ ? (*enlargement_ > 1 ? tr("95 % region, drawn %1× larger").arg(numberText(*enlargement_, 0))
-                                          : tr("95 % region"))
-                     : tr("known to better than 0.2 mm"));
-    if (!kept_) add(anchors.box, tr("equal-inertia box"));
-    add(anchors.gravity, tr("gravity"));
-    if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
-    if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
-  }
-  if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), view), pull_->title, pull_->note});
-  overlay_->setLabels(std::move(labels));
-  std::array<QPointF, 3> ends;
-  bool axesShown = labelsShown_;
-  for (int a = 0; a < 3; ++a) {
-    axesShown = axesShown && anchors.axes[a].has_value();
-    if (anchors.axes[a]) ends[a] = view.pixelOf(*anchors.axes[a]);
-  }
-  overlay_->setAxisLetters(ends, axesShown);
-}
-
 void RobotView::updateNote() {
   QString text = stepNote_;
   if (text.isEmpty() && track_ && !track_->hasJoints()) {
@@ -565,8 +533,8 @@ void RobotView::updateNote() {
   }
   note_->setText(text);
   note_->adjustSize();
-  note_->move(16, stepTools_ ? stepTools_->geometry().bottom() + 10 : 14);
   note_->setVisible(!text.isEmpty());
+  updateLabels();
 }
 
 void RobotView::changeEvent(QEvent* event) {

@@ -90,6 +90,10 @@ class RobotView : public QWidget {
   enum class Preset { overview, front, side, top, tool };
   void usePreset(Preset preset);
 
+  /// Where labels and the note stand, pixels of the viewport; for tests.
+  std::vector<QRectF> labelPlaces() const;
+  QRectF notePlace() const;
+
   /// Renders the present state at once and smoothly, for pictures.
   void renderNow();
   double lastFrameMilliseconds() const;
@@ -109,7 +113,11 @@ class RobotView : public QWidget {
   void rebuildSweep();
   void updateInstant();
   void updateLabels();
+  /// What labels name, as rectangles of the picture on the screen.
+  std::vector<QRectF> namedPlaces() const;
   void updateNote();
+  /// At the top left, or at the bottom where that would cover what is shown.
+  void placeNote(const std::vector<QRectF>& subjects);
   /// What report_ tells of centre and inertia; nothing without one.
   void showPayload();
   void clearEstimate();
@@ -151,6 +159,7 @@ class RobotView : public QWidget {
   std::optional<Vector3d> ghostEnd_;
   QString ghostTitle_, ghostNote_;
   QString stepNote_;
+  int noteWay_ = 0;  ///< Even: in one line; from 2: at the bottom.
   QPointer<QWidget> stepTools_;
   bool cameraTouched_ = false;  ///< The user moved it: no automatic fit on resize.
 };

@@ -273,7 +273,7 @@ struct Scene3d::Impl {
 
   void restyle() {
     stage.restyle(*theme);
-    setColour(sensorBody.actor, QColor("#4A545E"));
+    setColour(sensorBody.actor, QColor(theme->dark ? "#8B98A5" : "#4A545E"));
     setColour(region.actor, theme->look);
     setColour(regionLines.actor, theme->dark ? theme->look : QColor("#8A6100"));
     setColour(box.actor, theme->text);

@@ -135,6 +135,39 @@ std::vector<Vector3d> SceneState::surface() const {
   return points;
 }
 
+std::vector<std::vector<Vector3d>> SceneState::namedPieces() const {
+  std::vector<std::vector<Vector3d>> pieces;
+  if (!sensorShown) return pieces;
+  std::vector<Vector3d> disc;
+  for (int i = 0; i < 12; ++i)
+    for (const double z : {0.0, -sensorLength})
+      disc.push_back(X_BS * Vector3d(kSensorRadius * std::cos(i * kPi / 6), kSensorRadius * std::sin(i * kPi / 6), z));
+  pieces.push_back(std::move(disc));
+  if (parts.tool)
+    for (const ToolBody& body : tool_)
+      pieces.push_back(someOf(body.solid->faces.vertices, 60, X_BS * body.X_SB, Vector3d::Ones()));
+  // A slanting arrow is no rectangle: its short lengths are.
+  const auto addArrow = [&](const Vector3d& from, const Vector3d& to) {
+    constexpr int kLengths = 5;
+    for (int k = 0; k < kLengths; ++k)
+      pieces.push_back({from + (to - from) * k / kLengths, from + (to - from) * (k + 1) / kLengths});
+  };
+  Vector3d centre = X_BS.translation();
+  if (payload && parts.payload) {
+    centre = X_BS * payload->com;
+    std::vector<Vector3d> region;
+    for (int a = 0; a < 3; ++a)
+      for (const double side : {-1.0, 1.0})
+        region.push_back(centre + X_BS.linear() * (side * payload->enlargement * payload->region(a) * Vector3d::Unit(a)));
+    pieces.push_back(std::move(region));
+  }
+  if (parts.arrows) addArrow(centre, centre + kGravityArrow * down);
+  if (parts.arrows && wrench) addArrow(X_BS.translation(), forceEnd());
+  for (int a = 0; a < 3; ++a)
+    if (parts.axes) addArrow(X_BS.translation(), X_BS * Vector3d(1.12 * kAxisLength * Vector3d::Unit(a)));
+  return pieces;
+}
+
 Vector3d SceneState::forceEnd() const {
   const Vector3d f = wrench->head<3>() * (kFullArrow / std::max(1e-9, fullForce));
   // Spikes and contact would reach out of the picture.

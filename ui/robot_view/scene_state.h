@@ -79,6 +79,8 @@ struct SceneState {
   /// (`alone`) without. B axes [m].
   std::vector<Vector3d> outline() const;
   std::vector<Vector3d> toolOutline(bool alone) const;
+  /// What labels name, piece by piece: sensor, bodies, region of the centre, arrows in short lengths. B axes [m].
+  std::vector<std::vector<Vector3d>> namedPieces() const;
   /// Of robot, sensor and tool, to throw a shadow. B axes [m].
   std::vector<Vector3d> surface() const;
   /// Where the arrow of the force ends, B axes [m]; only with a wrench.

@@ -7,9 +7,11 @@
 #include <QSettings>
 #include <QVariant>
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "ui/controller/autosave.h"
 #include "ui/main_window/main_window.h"
+#include "ui/studio/window_remedies.h"
 #include "ui/timeline/playback.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/recording_pane.h"
@@ -28,6 +30,7 @@ QStringList Studio::languages() { return {QStringLiteral("en"), QStringLiteral("
 Studio::Studio(QApplication& application, const StudioOptions& options)
     : application_(application), options_(options) {
   initialiseTexts();
+  setRemedyWords(windowRemedy);
   QString theme = options_.theme, language = options_.language;
   if (!options_.offscreen) {
     const QSettings settings;
@@ -41,7 +44,10 @@ Studio::Studio(QApplication& application, const StudioOptions& options)
   buildWindow();
 }
 
-Studio::~Studio() { setTranslator({}); }
+Studio::~Studio() {
+  setTranslator({});
+  setRemedyWords({});
+}
 
 void Studio::useTexts(const QString& language) {
   for (const auto& translator : translators_) QApplication::removeTranslator(translator.get());

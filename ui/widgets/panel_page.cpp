@@ -1,5 +1,6 @@
 #include "ui/widgets/panel_page.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/theme/icons.h"
 #include "ui/theme/theme.h"
@@ -120,10 +122,38 @@ QVBoxLayout* PanelPage::restart(const QString& question, const QString& answer) 
   second->setVisible(!answer.isEmpty());
   column->addWidget(second);
   column->addSpacing(2);
+  keepFocus();
   // The page is often rebuilt by a click on one of its own buttons, which must outlive its signal.
   if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
   scroll_->setWidget(content);
   return column;
+}
+
+void PanelPage::keepFocus() {
+  QWidget* const focus = QApplication::focusWidget();
+  QWidget* const before = content();
+  const bool inside = focus && before && before->isAncestorOf(focus), atFoot = focus && (focus == main_ || focus == second_);
+  if (!inside && !atFoot) return;
+  const QString name = focus->objectName();
+  const int place = inside && !name.isEmpty() ? before->findChildren<QWidget*>(name).indexOf(focus) : 0;
+  // When the new content stands there.
+  QTimer::singleShot(0, this, [this, name, place, atFoot] {
+    const auto takes = [](const QWidget* each) {
+      return each->isVisible() && each->isEnabled() && (each->focusPolicy() & Qt::TabFocus);
+    };
+    QWidget* to = nullptr;
+    if (!atFoot && !name.isEmpty()) {
+      const auto same = content()->findChildren<QWidget*>(name);
+      if (!same.isEmpty()) to = same[std::min(place, static_cast<int>(same.size()) - 1)];
+    }
+    if (!to || !takes(to)) to = main_;
+    if (!takes(to)) {
+      const auto all = content()->findChildren<QWidget*>();
+      const auto first = std::find_if(all.begin(), all.end(), takes);
+      to = first == all.end() ? nullptr : *first;
+    }
+    if (to) to->setFocus(Qt::OtherFocusReason);
+  });
 }
 
 void PanelPage::setQuestion(const QString& question, const QString& answer) {

@@ -36,6 +36,8 @@ class PanelPage : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  /// The keyboard stays where it is while the page is built anew: on the control of the same name, else what to do next.
+  void keepFocus();
   void showFoot();
   void refreshIcons();
 

@@ -44,6 +44,11 @@ class LaneTicker : public QCPAxisTicker {
   double getTickStep(const QCPRange& range) override {
     range_ = range;
     mTickStep_ = QCPAxisTicker::getTickStep(range);
+    // In a low lane numbers must not touch each other.
+    constexpr double kNumber = 15.0;  // [px]
+    while (lane_->height() > 0 && range.size() > 0 && mTickStep_ / range.size() * lane_->height() < kNumber &&
+           mTickStep_ < range.size())
+      mTickStep_ *= 2;
     return mTickStep_;
   }
 

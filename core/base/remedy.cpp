@@ -1,0 +1,70 @@
+#include "core/base/remedy.h"
+
+#include <memory>
+#include <mutex>
+
+#include "core/base/say.h"
+
+namespace heft {
+namespace {
+
+std::mutex mutex;
+std::shared_ptr<const RemedyWords> chosen;
+
+std::string onCommandLine(Remedy way, const std::string& subject) {
+  switch (way) {
+    case Remedy::showContents:
+      return heft::say("'heft convert IN --list' shows what there is.");
+    case Remedy::chooseSource:
+      return heft::say("Choose with --use {}=NAME.", subject);
+    case Remedy::takeSource:
+      return heft::say("--use wrench={} takes it nevertheless.", subject);
+    case Remedy::addFile:
+      return heft::say("Add its file with --join FILE, or say which columns it has with --use.");
+    case Remedy::chooseTime:
+      return heft::say("Name it time (in seconds), or say which it is with --use time=NAME.");
+    case Remedy::stateOffset:
+      return heft::say(
+          "State it in a map file, for instance {{\"offset_s\": {{\"{}\": 0.0}}}} (seconds added to its times).",
+          subject);
+    case Remedy::nameRobot:
+      return heft::say("Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
+    case Remedy::mountSensor:
+      return subject.empty() ? heft::say("Set sensor.mount.parent in the meta file to one of its links.")
+                             : heft::say("Set sensor.mount.parent in the meta file to one of: {}.", subject);
+    case Remedy::turnWrench:
+      return heft::say(
+          "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or payload_on_sensor).");
+    case Remedy::turnGravity:
+      return heft::say("Turn gravity_m_s2 round in the meta file.");
+    case Remedy::correctMount:
+      return heft::say("Correct sensor.mount.rpy_rad in the meta file.");
+    case Remedy::sayStandingPoses:
+      return heft::say("For standing poses say \"kind\": \"poses\" in the meta file.");
+    case Remedy::keepEndsOut:
+      return heft::say("Give --trim to keep them out.");
+    case Remedy::giveCentre:
+      return heft::say("Give it with --known to hold it fixed.");
+    case Remedy::giveInertia:
+      return heft::say("Give it with --known, or a shape with --shape.");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string remedy(Remedy way, const std::string& subject) {
+  std::shared_ptr<const RemedyWords> words;
+  {
+    const std::lock_guard lock(mutex);
+    words = chosen;
+  }
+  return words ? (*words)(way, subject) : onCommandLine(way, subject);
+}
+
+void setRemedyWords(RemedyWords words) {
+  const std::lock_guard lock(mutex);
+  chosen = words ? std::make_shared<const RemedyWords>(std::move(words)) : nullptr;
+}
+
+}  // namespace heft

@@ -1,0 +1,108 @@
+// What a person reads for the parameters of causes, whose names in files are short: "Stiffness k", "Zero of force x".
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <optional>
+
+#include "core/base/say.h"
+#include "core/diagnosis/words.h"
+
+namespace heft {
+namespace {
+
+struct Name {
+  std::string_view name;
+  const char* words;
+};
+
+constexpr std::array<Name, 24> kNames = {{
+    {"delay", heft::toSay("Delay t")},
+    {"lag", heft::toSay("Delay of the motion t")},
+    {"time_constant", heft::toSay("Time constant T")},
+    {"stiffness", heft::toSay("Stiffness k")},
+    {"twist_stiffness", heft::toSay("Stiffness against turning k")},
+    {"drag", heft::toSay("Drag d")},
+    {"turning_drag", heft::toSay("Drag against turning d")},
+    {"friction", heft::toSay("Friction F")},
+    {"turning_friction", heft::toSay("Friction against turning M")},
+    {"way", heft::toSay("Way until it slips s")},
+    {"mass", heft::toSay("Mass m")},
+    {"frequency", heft::toSay("Frequency f")},
+    {"damping", heft::toSay("Damping ratio ζ")},
+    {"time", heft::toSay("At the time t")},
+    {"duration", heft::toSay("Duration")},
+    {"loss", heft::toSay("Missing share")},
+    {"count", heft::toSay("Number")},
+    {"share", heft::toSay("Share of the readings")},
+    {"spread", heft::toSay("Spread of the time stamps")},
+    {"repeated", heft::toSay("Readings that repeat")},
+    {"zero", heft::toSay("Readings that are zero")},
+    {"missing", heft::toSay("Readings that are missing")},
+    {"peak_force", heft::toSay("Greatest force F")},
+    {"step_force", heft::toSay("Step of the force readings")},
+}};
+
+/// With an axis or a channel in place of {}.
+constexpr std::array<Name, 9> kAlong = {{
+    {"stiffness_", heft::toSay("Stiffness along {0}, k{0}")},
+    {"force_", heft::toSay("Force along {0}, F{0}")},
+    {"torque_", heft::toSay("Torque about {0}, M{0}")},
+    {"drag_", heft::toSay("Drag along {0}, d{0}")},
+    {"moment_", heft::toSay("Mass times offset along {0}, m{0}")},
+    {"at_", heft::toSay("Place from the sensor, {0}")},
+    {"slope_", heft::toSay("Share along {0}")},
+    {"tilt_", heft::toSay("Tilted about {0}")},
+    {"anchor_", heft::toSay("Place it pulls from, {0}")},
+}};
+
+std::optional<int> channelOf(std::string_view name) {
+  constexpr std::string_view kChannels[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
+  for (int c = 0; c < 6; ++c)
+    if (name == kChannels[c]) return c;
+  return std::nullopt;
+}
+
+bool isAxis(std::string_view text) { return text == "x" || text == "y" || text == "z"; }
+
+std::string wordsOf(std::string_view name) {
+  for (const Name& each : kNames)
+    if (name == each.name) return heft::say(fmt::runtime(each.words));
+  for (const Name& each : kAlong)
+    if (name.starts_with(each.name) && isAxis(name.substr(each.name.size())))
+      return heft::say(fmt::runtime(each.words), name.substr(each.name.size()));
+  if (const auto channel = channelOf(name)) return heft::say("Size in {}", channelWords(*channel));
+  if (name == "step_torque") return heft::say("Step of the torque readings");
+  if (name.size() == 2 && name[0] == 'r' && isAxis(name.substr(1))) return heft::say("Turned about {}", name.substr(1));
+  if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1))) return heft::say("Shifted along {}", name.substr(1));
+  if (name.starts_with("gain_"))
+    if (const auto channel = channelOf(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
+  if (name.starts_with("level_"))
+    if (const auto channel = channelOf(name.substr(6))) return heft::say("End of the range, {}", channelWords(*channel));
+  if (name.size() == 8 && name.substr(2, 4) == "_to_") {
+    const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
+    if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
+  }
+  if (name.ends_with("_offset") && name.size() > 8 && name[0] == 'q')
+    return heft::say("Angle of joint {} off by", name.substr(1, name.size() - 8));
+  if (const auto wave = name.find("_wave_"); wave != std::string_view::npos)
+    if (const auto channel = channelOf(name.substr(0, wave)))
+      return heft::say("Wave {} of {}", name.substr(wave + 6), channelWords(*channel));
+  return {};
+}
+
+}  // namespace
+
+std::string parameterName(std::string_view name) {
+  std::string words = wordsOf(name);
+  if (!words.empty()) return words;
+  // "delay_2": of the second time that a cause was found.
+  const auto line = name.rfind('_');
+  if (line != std::string_view::npos && line + 1 < name.size() && std::isdigit(static_cast<unsigned char>(name[line + 1]))) {
+    words = wordsOf(name.substr(0, line));
+    if (!words.empty()) return heft::say("{} ({})", words, name.substr(line + 1));
+  }
+  return std::string(name);
+}
+
+}  // namespace heft

@@ -1,0 +1,210 @@
+// Every dialog of the program, in both languages and themes: nothing cut, everything named, remedies that exist in the window.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "core/base/remedy.h"
+#include "core/recording/csv_reader.h"
+#include "core/simulation/simulate.h"
+#include "ui/controller/workspace.h"
+#include "ui/import_dialogs/sources_dialog.h"
+#include "ui/main_window/main_window.h"
+#include "ui/studio/studio.h"
+#include "ui/studio/window_remedies.h"
+#include "ui/widgets/message_bar.h"
+
+namespace heft {
+namespace {
+
+class DialogsTest : public testing::Test {
+ protected:
+  DialogsTest() {
+    qputenv("XDG_STATE_HOME", folder.path().toUtf8());
+    StudioOptions options;
+    options.offscreen = true;
+    options.size = QSize(1280, 800);
+    studio = std::make_unique<Studio>(*qApp, options);
+    studio->show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&studio->window()));
+    settle();
+  }
+  ~DialogsTest() override {
+    studio->setTheme(ThemeKind::light);
+    studio->setLanguage("en");
+    settle();
+    studio.reset();
+    qunsetenv("XDG_STATE_HOME");
+  }
+  void settle(int more = 100) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return studio->window().settled(); }, 120000));
+    QTest::qWait(more);
+  }
+  QString simulated() {
+    SimulateOptions options;
+    options.duration = 8.0;
+    Payload tool;
+    tool.mass = 0.8;
+    tool.com = {0, 0, 0.05};
+    tool.inertiaCom = Vector3d(0.002, 0.002, 0.001).asDiagonal();
+    const auto made = simulate(RobotModel::panda(), tool, options);
+    const QString path = folder.filePath("simulated.csv");
+    EXPECT_TRUE(made.ok() && writeRecording(made->recording, path.toStdString()).ok());
+    return path;
+  }
+  QString write(const QString& name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
+  static void keep(QWidget* widget, const QString& name) {
+    const QString to = qEnvironmentVariable("HEFT_TEST_PICTURES");
+    if (!to.isEmpty()) widget->grab().save(QDir(to).filePath(name + ".png"));
+  }
+  /// Names of what one works with, and texts that are not cut.
+  static void check(QWidget* dialog) {
+    SCOPED_TRACE(dialog->windowTitle().toStdString());
+    EXPECT_FALSE(dialog->windowTitle().isEmpty());
+    int controls = 0;
+    for (auto* widget : dialog->findChildren<QWidget*>()) {
+      if (!widget->isVisibleTo(dialog)) continue;
+      const std::string what = std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString();
+      if (const auto* label = qobject_cast<QLabel*>(widget); label && !label->text().isEmpty()) {
+        const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        EXPECT_GE(label->height() + 1, needed) << "cut: " << label->text().toStdString();
+        if (!label->wordWrap()) EXPECT_GE(label->width() + 1, label->sizeHint().width()) << "cut: " << label->text().toStdString();
+      }
+      const bool inner = qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) || qobject_cast<QComboBox*>(widget->parentWidget());
+      if (inner || widget->focusProxy()) continue;
+      const auto* button = qobject_cast<QAbstractButton*>(widget);
+      if (!button && !qobject_cast<QLineEdit*>(widget) && !qobject_cast<QComboBox*>(widget) && !qobject_cast<QAbstractSpinBox*>(widget))
+        continue;
+      ++controls;
+      auto* accessible = QAccessible::queryAccessibleInterface(widget);
+      EXPECT_TRUE(accessible && !accessible->text(QAccessible::Name).trimmed().isEmpty()) << "no name: " << what;
+      if (button && !button->text().isEmpty()) EXPECT_GE(button->width() + 1, button->minimumSizeHint().width()) << "cut: " << button->text().toStdString();
+    }
+    EXPECT_GE(controls, 1);
+  }
+  QAction* entry(const QString& object) {
+    for (QAction* action : studio->window().findChildren<QAction*>())
+      if (action->objectName() == object) return action;
+    return nullptr;
+  }
+  /// What the next call opens and waits for: looked at, then closed.
+  void lookAt(const QString& name, const std::function<void()>& open) {
+    bool seen = false;
+    QTimer poll;
+    poll.setInterval(30);
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+      QWidget* dialog = QApplication::activeModalWidget();
+      if (!dialog || !dialog->isVisible()) return;
+      poll.stop();
+      QTest::qWait(60);
+      if (auto* sources = qobject_cast<SourcesDialog*>(dialog)) EXPECT_TRUE(QTest::qWaitFor([&] { return !sources->looking(); }, 60000));
+      QTest::qWait(60);
+      check(dialog);
+      keep(dialog, name);
+      seen = true;
+      static_cast<QDialog*>(dialog)->reject();
+    });
+    poll.start();
+    open();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return seen; }, 60000)) << name.toStdString();
+    settle();
+  }
+
+  QTemporaryDir folder;
+  std::unique_ptr<Studio> studio;
+};
+
+TEST_F(DialogsTest, EachInBothLanguagesAndThemes) {
+  const QString recording = simulated();
+  const QString foreign = write("foreign.csv", "stamp,a,b,c,d,e,f\n1,0,0,0,0,0,0\n2,0,0,0,0,0,1\n3,0,0,0,0,1,1\n");
+  for (const auto& [language, theme] : {std::pair("en", ThemeKind::light), std::pair("de", ThemeKind::dark)}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    studio->setTheme(theme);
+    settle();
+    const QString ending = QStringLiteral("_%1").arg(QLatin1String(language));
+    studio->workspace().open(foreign);
+    settle();
+    MessageBar* bar = studio->window().messageBar();
+    ASSERT_TRUE(bar->isVisible());
+    EXPECT_FALSE(bar->text().contains("--")) << bar->text().toStdString();
+    auto* action = bar->findChild<QPushButton*>("messageAction");
+    ASSERT_TRUE(action->isVisible()) << "what one can do about it is one click away";
+    keep(&studio->window(), "dialog_unreadable" + ending);
+    lookAt("dialog_sources_foreign" + ending, [&] { action->click(); });
+
+    studio->workspace().open(recording);
+    settle();
+    ASSERT_TRUE(studio->workspace().opened());
+    lookAt("dialog_sources" + ending, [&] { entry("editSources")->trigger(); });
+    lookAt("dialog_rig" + ending, [&] { entry("editRig")->trigger(); });
+    lookAt("dialog_about" + ending, [&] { entry("about")->trigger(); });
+    lookAt("dialog_known" + ending, [&] {
+      studio->window().showStep(Step::result);
+      settle();
+      for (auto* each : studio->window().panel(Step::result)->findChildren<QPushButton*>("linkButton"))
+        if (each->property("role") == "known") return each->click();
+      FAIL() << "no way to say what is known";
+    });
+    lookAt("dialog_part" + ending, [&] {
+      studio->window().showStep(Step::exportFile);
+      settle();
+      auto* add = studio->window().panel(Step::exportFile)->findChild<QPushButton*>("linkButton");
+      ASSERT_NE(add, nullptr);
+      add->click();
+    });
+    keep(&studio->window(), "dialog_none" + ending);
+  }
+}
+
+TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
+  const Remedy all[] = {Remedy::showContents, Remedy::chooseSource, Remedy::takeSource,  Remedy::addFile,
+                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::nameRobot,   Remedy::mountSensor,
+                        Remedy::turnWrench,   Remedy::turnGravity,  Remedy::correctMount, Remedy::sayStandingPoses,
+                        Remedy::keepEndsOut,  Remedy::giveCentre,   Remedy::giveInertia};
+  for (const char* language : {"en", "de"}) {
+    SCOPED_TRACE(language);
+    ASSERT_TRUE(studio->setLanguage(language));
+    settle();
+    QStringList entries;
+    for (const QAction* action : studio->window().findChildren<QAction*>()) {
+      QString text = action->text();
+      entries << text.remove('&').remove(QStringLiteral(" …"));
+    }
+    static const QRegularExpression quoted(QStringLiteral("[“„]([^”“]+)[”“]"));
+    for (const Remedy way : all) {
+      const QString words = QString::fromStdString(remedy(way, "NAME"));
+      EXPECT_EQ(words.toStdString(), windowRemedy(way, "NAME"));
+      EXPECT_FALSE(words.isEmpty());
+      EXPECT_FALSE(words.contains("--") || words.contains("meta file") || words.contains(".json")) << words.toStdString();
+      for (auto it = quoted.globalMatch(words); it.hasNext();) {
+        const QString named = it.next().captured(1);
+        EXPECT_TRUE(entries.contains(named)) << "no menu has " << named.toStdString() << ": " << words.toStdString();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace heft

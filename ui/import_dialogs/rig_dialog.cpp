@@ -1,0 +1,234 @@
+#include "ui/import_dialogs/rig_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <cmath>
+
+#include "core/motion/motion.h"
+#include "core/robot/robot_model.h"
+#include "ui/controller/robot_choice.h"
+#include "ui/widgets/basics.h"
+
+namespace heft {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kEarth = 9.81;
+enum Stand { upright, hanging, otherwise };
+
+QDoubleSpinBox* makeNumber(const QString& name, const QString& accessible, const QString& unit, double most, int decimals,
+                           QWidget* parent) {
+  auto* box = new QDoubleSpinBox(parent);
+  box->setObjectName(name);
+  box->setAccessibleName(accessible);
+  box->setToolTip(accessible);
+  box->setRange(-most, most);
+  box->setDecimals(decimals);
+  box->setSuffix(unit);
+  return box;
+}
+
+/// Numbers beside each other, as one row of a form.
+template <class Numbers>
+QWidget* inOneRow(const Numbers& numbers, QWidget* parent) {
+  auto* widget = new QWidget(parent);
+  auto* row = new QHBoxLayout(widget);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (auto* each : numbers) row->addWidget(each, 1);
+  return widget;
+}
+
+}  // namespace
+
+RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta, std::function<QString(const RecordingMeta&)> save,
+                     QWidget* parent)
+    : QDialog(parent), before_(meta), save_(std::move(save)) {
+  setObjectName("rigDialog");
+  setWindowTitle(tr("Robot and sensor"));
+  setMinimumWidth(580);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(20, 18, 20, 16);
+  form->setSpacing(10);
+  form->addRow(styledLabel(tr("What was recorded?"), "question", this));
+  form->addRow(wrappedLabel(tr("A wrong entry here spoils every number. If you are not sure how the sensor is mounted, leave it: "
+                               "the reality check finds it out."),
+                            "answer", this));
+  const auto choice = [&](const char* name, const QString& title, const QString& tip) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(title);
+    box->setToolTip(tip);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(20);
+    return box;
+  };
+  robot_ = choice("rigRobot", tr("Robot"), tr("The arm whose joints were recorded"));
+  robot_->addItems({tr("Franka Panda"), tr("Another arm (URDF)"), tr("None: poses only")});
+  form->addRow(tr("Robot"), robot_);
+  urdf_ = new QLineEdit(this);
+  urdf_->setObjectName("rigUrdf");
+  urdf_->setAccessibleName(tr("Description of the robot (URDF)"));
+  urdf_->setToolTip(tr("The file with the robot's joints and links"));
+  auto* choose = new IconButton("folder", tr("Choose the description of the robot"), this);
+  connect(choose, &QToolButton::clicked, this, &RigDialog::chooseUrdf);
+  urdfRow_ = new QWidget(this);
+  auto* urdfLine = new QHBoxLayout(urdfRow_);
+  urdfLine->setContentsMargins(0, 0, 0, 0);
+  urdfLine->addWidget(urdf_, 1);
+  urdfLine->addWidget(choose);
+  form->addRow(tr("Its URDF"), urdfRow_);
+  link_ = choice("rigLink", tr("Sensor sits on"), tr("The link of the arm that carries the sensor"));
+  link_->setEditable(true);
+  form->addRow(tr("Sensor sits on"), link_);
+  const QString axes[] = {"x", "y", "z"};
+  const QString turns[] = {tr("roll"), tr("pitch"), tr("yaw")};
+  for (int a = 0; a < 3; ++a) {
+    xyz_[a] = makeNumber("rigXyz", tr("Sensor's origin from the link, %1").arg(axes[a]), tr(" mm"), 2000, 2, this);
+    rpy_[a] = makeNumber("rigRpy", tr("Sensor turned against the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
+                         tr(" °"), 360, 2, this);
+    gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base's %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
+    xyz_[a]->setValue(1e3 * meta.mount.xyz(a));
+    rpy_[a]->setValue(meta.mount.rpy(a) / kDegree);
+    gravity_[a]->setValue(meta.gravity(a));
+  }
+  form->addRow(tr("Origin x, y, z"), inOneRow(xyz_, this));
+  form->addRow(tr("Turned by"), inOneRow(rpy_, this));
+  sign_ = choice("rigSign", tr("Forces"), tr("Hold the tool still: which way does the force point?"));
+  sign_->addItems({tr("point up when the tool hangs still"), tr("point down when the tool hangs still")});
+  sign_->setCurrentIndex(meta.wrenchSign == WrenchSign::payloadOnSensor ? 1 : 0);
+  form->addRow(tr("Forces"), sign_);
+  stand_ = choice("rigStand", tr("The robot"), tr("Which way gravity pulls at its base"));
+  stand_->addItems({tr("stands upright"), tr("hangs from the ceiling"), tr("stands otherwise")});
+  form->addRow(tr("The robot"), stand_);
+  gravityRow_ = inOneRow(gravity_, this);
+  form->addRow(tr("Gravity x, y, z"), gravityRow_);
+  kind_ = choice("rigKind", tr("The rows are"), tr("Standing poses: one row each, their times mean nothing"));
+  kind_->addItems({tr("a motion"), tr("standing poses")});
+  kind_->setCurrentIndex(meta.kind == RecordingKind::poses ? 1 : 0);
+  form->addRow(tr("The rows are"), kind_);
+  model_ = new QLineEdit(QString::fromStdString(meta.sensorModel), this);
+  model_->setObjectName("rigModel");
+  model_->setAccessibleName(tr("Make of the sensor"));
+  model_->setToolTip(tr("Only for your own record"));
+  form->addRow(tr("Make of the sensor"), model_);
+  form->addRow(wrappedLabel(tr("Written into %1 beside the recording; all else in it stays.")
+                                .arg(QFileInfo(metaFileBeside(recording)).fileName()),
+                            "caption", this));
+  problem_ = wrappedLabel({}, "body", this);
+  problem_->setObjectName("rigProblem");
+  problem_->hide();
+  form->addRow(problem_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  buttons->button(QDialogButtonBox::Ok)->setText(tr("Use it"));
+  buttons->button(QDialogButtonBox::Ok)->setObjectName("useRig");
+  connect(buttons, &QDialogButtonBox::accepted, this, &RigDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  form->addRow(buttons);
+
+  if (meta.robot && *meta.robot != "panda") urdf_->setText(QString::fromStdString(*meta.robot));
+  robot_->setCurrentIndex(!meta.robot ? noRobot : *meta.robot == "panda" ? panda : ownArm);
+  connect(robot_, QOverload<int>::of(&QComboBox::activated), this, [this](int now) {
+    robotChanged();
+    if (now == ownArm && urdf_->text().isEmpty()) chooseUrdf();
+  });
+  connect(urdf_, &QLineEdit::editingFinished, this, &RigDialog::robotChanged);
+  const Vector3d down(0, 0, -kEarth);
+  const auto near = [&](const Vector3d& g) { return (meta.gravity - g).norm() < 0.03; };
+  stand_->setCurrentIndex(near(down) ? upright : near(-down) ? hanging : otherwise);
+  connect(stand_, QOverload<int>::of(&QComboBox::activated), this, &RigDialog::gravityChanged);
+  robotChanged();
+  gravityChanged();
+}
+
+void RigDialog::robotChanged() {
+  const int now = robot_->currentIndex();
+  urdfRow_->setEnabled(now == ownArm);
+  const QString chosen = link_->count() > 0 ? link_->currentText() : QString::fromStdString(before_.mount.parent);
+  RecordingMeta wanted;
+  if (now == panda) wanted.robot = "panda";
+  if (now == ownArm && !urdf_->text().trimmed().isEmpty()) wanted.robot = urdf_->text().trimmed().toStdString();
+  link_->clear();
+  if (wanted.robot) {
+    Findings findings;
+    if (const auto robot = robotFor(wanted, findings)) {
+      for (const auto& link : robot->links()) link_->addItem(QString::fromStdString(link.name));
+    } else {
+      problem_->setText(QString::fromStdString(robot.error().message));
+      problem_->show();
+    }
+  }
+  if (link_->findText(chosen) < 0) link_->addItem(chosen);
+  link_->setCurrentText(chosen);
+}
+
+void RigDialog::chooseUrdf() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Choose the description of the robot that was recorded"),
+                                                    QFileInfo(urdf_->text()).absolutePath(),
+                                                    tr("Robot descriptions (*.urdf);;All files (*)"));
+  if (file.isEmpty()) return;
+  urdf_->setText(file);
+  problem_->hide();
+  robotChanged();
+}
+
+void RigDialog::gravityChanged() {
+  const int now = stand_->currentIndex();
+  gravityRow_->setEnabled(now == otherwise);
+  if (now == otherwise) return;
+  const Vector3d wanted(0, 0, now == upright ? -kEarth : kEarth);
+  // A gravity that was measured on the spot stays.
+  if ((before_.gravity - wanted).norm() < 0.03) {
+    for (int a = 0; a < 3; ++a) gravity_[a]->setValue(before_.gravity(a));
+  } else {
+    for (int a = 0; a < 3; ++a) gravity_[a]->setValue(wanted(a));
+  }
+}
+
+RecordingMeta RigDialog::meta() const {
+  RecordingMeta out = before_;
+  switch (robot_->currentIndex()) {
+    case panda:
+      out.robot = "panda";
+      break;
+    case ownArm:
+      out.robot = QFileInfo(urdf_->text().trimmed()).absoluteFilePath().toStdString();
+      break;
+    default:
+      out.robot.reset();
+  }
+  out.mount.parent = link_->currentText().trimmed().toStdString();
+  // What was not touched keeps all its digits.
+  const auto take = [](double& value, const QDoubleSpinBox* box, double unit) {
+    if (std::abs(box->value() * unit - value) > 0.6 * unit * std::pow(10.0, -box->decimals())) value = box->value() * unit;
+  };
+  for (int a = 0; a < 3; ++a) {
+    take(out.mount.xyz(a), xyz_[a], 1e-3);
+    take(out.mount.rpy(a), rpy_[a], kDegree);
+    take(out.gravity(a), gravity_[a], 1.0);
+  }
+  out.wrenchSign = sign_->currentIndex() == 1 ? WrenchSign::payloadOnSensor : WrenchSign::sensorOnPayload;
+  out.kind = kind_->currentIndex() == 1 ? RecordingKind::poses : RecordingKind::motion;
+  out.sensorModel = model_->text().trimmed().toStdString();
+  return out;
+}
+
+void RigDialog::accept() {
+  QString problem;
+  if (robot_->currentIndex() == ownArm && urdf_->text().trimmed().isEmpty())
+    problem = tr("Choose the URDF of the arm, or another robot.");
+  else
+    problem = save_(meta());
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+  if (problem.isEmpty()) QDialog::accept();
+}
+
+}  // namespace heft

@@ -1,0 +1,57 @@
+#include "ui/studio/window_remedies.h"
+
+#include <QCoreApplication>
+
+namespace heft {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(Remedies)
+};
+
+QString words(Remedy way, const QString& subject) {
+  switch (way) {
+    case Remedy::showContents:
+      return Words::tr("Tools, “Where the numbers come from”, shows what there is.");
+    case Remedy::chooseSource:
+      return Words::tr("If so, choose it under Tools, “Where the numbers come from”.");
+    case Remedy::takeSource:
+      return Words::tr("It can be chosen nevertheless.");
+    case Remedy::addFile:
+      return Words::tr("Choose its columns, or add the file that has it.");
+    case Remedy::chooseTime:
+      return Words::tr("Choose which column is the time, under Tools, “Where the numbers come from”.");
+    case Remedy::stateOffset:
+      return Words::tr("If you know by how much, say it under Tools, “Where the numbers come from”.");
+    case Remedy::nameRobot:
+      return Words::tr("Choose it under Tools, “Robot and sensor”.");
+    case Remedy::mountSensor:
+      return subject.isEmpty() ? Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”.")
+                               : Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.")
+                                     .arg(subject);
+    case Remedy::turnWrench:
+      return Words::tr("Under Tools, “Robot and sensor”, say that forces point the other way.");
+    case Remedy::turnGravity:
+      return Words::tr("Say how the robot stands under Tools, “Robot and sensor”.");
+    case Remedy::correctMount:
+      return Words::tr("Correct how the sensor is turned under Tools, “Robot and sensor”.");
+    case Remedy::sayStandingPoses:
+      return Words::tr("If the rows are standing poses, say so under Tools, “Robot and sensor”; for another unit, “Where the "
+                       "numbers come from”.");
+    case Remedy::keepEndsOut:
+      return Words::tr("To keep them out, paint them as ignored in Mark.");
+    case Remedy::giveCentre:
+      return Words::tr("Say in Shape what the tool looks like.");
+    case Remedy::giveInertia:
+      return Words::tr("Say in Shape what the tool looks like.");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string windowRemedy(Remedy way, const std::string& subject) {
+  return words(way, QString::fromStdString(subject)).toStdString();
+}
+
+}  // namespace heft
