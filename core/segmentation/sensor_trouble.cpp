@@ -39,7 +39,8 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
         out.push_back(
             {time(from), time(to - 1), heft::say("The sensor's values stand still here: it sent nothing new.")});
       });
-  static constexpr const char* kNames[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
+  static constexpr const char* kNames[] = {heft::toSay("Force x"),  heft::toSay("Force y"),  heft::toSay("Force z"),
+                                           heft::toSay("Torque x"), heft::toSay("Torque y"), heft::toSay("Torque z")};
   for (int c = 0; c < 6; ++c) {
     const double low = wrench.col(c).minCoeff(), high = wrench.col(c).maxCoeff();
     if (low == high) continue;
@@ -53,7 +54,8 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
           if (2 * alive < to - from) return;
           out.push_back(
               {time(from), time(to - 1),
-               heft::say("{} is cut off at {:.4g}: the sensor is at the end of its range.", kNames[c], value)});
+               heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",
+                         heft::say(fmt::runtime(kNames[c])), value, c < 3 ? "N" : "N m")});
         });
   }
   std::sort(out.begin(), out.end(), [](const Trouble& a, const Trouble& b) { return a.from < b.from; });

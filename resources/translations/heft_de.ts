@@ -3564,10 +3564,6 @@
         <translation>Die Werte des Sensors stehen hier still: Er schickte nichts Neues.</translation>
     </message>
     <message>
-        <source>{} is cut off at {:.4g}: the sensor is at the end of its range.</source>
-        <translation>{} ist bei {:.4g} abgeschnitten: Der Sensor ist am Ende seines Bereichs.</translation>
-    </message>
-    <message>
         <source>The shape of link {} is not shown: {}</source>
         <translation>Die Gestalt des Glieds {} wird nicht gezeigt: {}</translation>
     </message>
@@ -6154,6 +6150,34 @@
     <message>
         <source>Write time in seconds, not milliseconds.</source>
         <translation>Schreiben Sie die Zeit in Sekunden, nicht in Millisekunden.</translation>
+    </message>
+    <message>
+        <source>Force x</source>
+        <translation>Kraft x</translation>
+    </message>
+    <message>
+        <source>Force y</source>
+        <translation>Kraft y</translation>
+    </message>
+    <message>
+        <source>Force z</source>
+        <translation>Kraft z</translation>
+    </message>
+    <message>
+        <source>Torque x</source>
+        <translation>Drehmoment x</translation>
+    </message>
+    <message>
+        <source>Torque y</source>
+        <translation>Drehmoment y</translation>
+    </message>
+    <message>
+        <source>Torque z</source>
+        <translation>Drehmoment z</translation>
+    </message>
+    <message>
+        <source>{} is cut off at {:.4g} {}: the sensor is at the end of its range.</source>
+        <translation>{} ist bei {:.4g} {} abgeschnitten: Der Sensor ist am Ende seines Bereichs.</translation>
     </message>
 </context>
 <context>

@@ -42,10 +42,10 @@ TEST(LabelLayout, GoesToTheLeftWhereTheRightHasNoRoom) {
   const auto places = placeLabels({{{420, 90}, {170, 40}}}, room, side);
   expectFree(places, room.subjects, room.picture);
   EXPECT_EQ(side, LabelSide::left);
-  // A little room at the right does not make it jump back.
-  const LabelRoom later{{600, 400}, {}, {QRectF(300, 80, 100, 240)}};
-  placeLabels({{{350, 90}, {170, 40}}}, later, side);
-  EXPECT_EQ(side, LabelSide::left);
+  // With room at the right it comes back.
+  const LabelRoom later{{600, 400}, {}, {QRectF(250, 80, 60, 240)}};
+  placeLabels({{{280, 90}, {170, 40}}}, later, side);
+  EXPECT_EQ(side, LabelSide::right);
 }
 
 TEST(LabelLayout, WhereNothingIsFreeLabelsStillDoNotCoverEachOther) {

@@ -9,6 +9,8 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
+#include <vector>
 
 #include "core/simulation/practice.h"
 #include "ui/reality_panel/cause_card.h"
@@ -51,16 +53,23 @@ void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(s
   column->addWidget(styledLabel(Words::tr("Your guess"), "sectionTitle", parent));
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
-  int place = 0;
+  std::vector<QPushButton*> buttons;
+  int widest = 0;
   for (const auto& id : practiceKinds()) {
     auto* button = new QPushButton(titleOf(id), parent);
     button->setObjectName("guess_" + QString::fromStdString(id));
     button->setProperty("role", "plain");
     button->setToolTip(looksOf(id));
     QObject::connect(button, &QPushButton::clicked, parent, [guessed, id] { guessed(id); });
-    grid->addWidget(button, place / 2, place % 2);
-    ++place;
+    button->ensurePolished();
+    widest = std::max(widest, button->sizeHint().width());
+    buttons.push_back(button);
   }
+  // Beside each other only where the longest name has room.
+  const int room = parent->parentWidget() ? parent->parentWidget()->width() - 2 * 20 : 0;
+  const int columns = 2 * widest + grid->spacing() <= room ? 2 : 1;
+  for (int place = 0; place < static_cast<int>(buttons.size()); ++place)
+    grid->addWidget(buttons[static_cast<std::size_t>(place)], place / columns, place % columns);
   column->addLayout(grid);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kGap = 10, kEdge = 16, kBeside = 60;                              // [px]
 constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400;    // Costs, beside pixels of way
-constexpr double kLeftCosts = 80, kChangeCosts = 150;
+constexpr double kLeftCosts = 60, kChangeCosts = 15;  // A label
 
 const QRectF* firstHit(const QRectF& place, const std::vector<QRectF>& obstacles) {
   const QRectF wide = place.adjusted(-kGap / 2, -kGap / 2, kGap / 2, kGap / 2);
@@ -109,8 +109,9 @@ std::vector<QRectF> placeLabels(const std::vector<LabelToPlace>& labels, const L
       }
       const bool fits = pack(places, aroundSubjects ? all : room.taken, room.picture.height());
       double price = cost(labels, places, room) + (fits ? 0 : kNoRoom);
-      if (column.side == LabelSide::left) price += kLeftCosts;
-      if (column.side != side) price += kChangeCosts;
+      const double each = static_cast<double>(labels.size());
+      if (column.side == LabelSide::left) price += each * kLeftCosts;
+      if (column.side != side) price += each * kChangeCosts;
       if (price >= least) continue;
       least = price;
       best = std::move(places);
