@@ -14,6 +14,7 @@
 #include <QUndoStack>
 #include <set>
 
+#include "core/simulation/virtual_rig.h"
 #include "tests/gl/window_fixture.h"
 #include "ui/timeline/marks_bar.h"
 
