@@ -25,10 +25,11 @@ class KeyboardTest : public RealWindowTest {
  protected:
   KeyboardTest() : RealWindowTest("keyboard") { QApplication::setActiveWindow(&window); }
 
-  static void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+  void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    // Without a window manager nobody makes the window active again after a dialog.
+    if (!QApplication::activeWindow()) QApplication::setActiveWindow(&window);
     QWidget* at = QApplication::focusWidget();
-    if (!at) at = QApplication::activeWindow();
-    ASSERT_NE(at, nullptr);
+    if (!at) at = &window;
     QTest::keyClick(at, static_cast<Qt::Key>(key), modifiers);
     QApplication::processEvents();
   }
@@ -45,17 +46,22 @@ class KeyboardTest : public RealWindowTest {
   /// In the file dialog that the next key opens: types the name and presses Enter.
   static void answerFileDialog(const QString& path) {
     auto* poll = new QTimer;
-    poll->setInterval(20);
-    QObject::connect(poll, &QTimer::timeout, [poll, path] {
+    poll->setInterval(50);
+    QObject::connect(poll, &QTimer::timeout, [poll, path, turns = 0]() mutable {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      if (!dialog) return;
-      poll->deleteLater();
+      if (!dialog) {
+        if (turns > 0) poll->deleteLater();  // It was there, and is gone.
+        return;
+      }
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-      ASSERT_NE(name, nullptr);
-      name->setFocus();
-      name->selectAll();
-      QTest::keyClicks(name, path);
-      QTest::keyClick(name, Qt::Key_Return);
+      if (++turns > 100 || !name) return dialog->reject();
+      if (name->text() == path) {
+        QTest::keyClick(name, Qt::Key_Return);
+      } else {
+        name->setFocus();
+        name->selectAll();
+        QTest::keyClicks(name, path);
+      }
     });
     poll->start();
   }
@@ -163,19 +169,23 @@ TEST_F(KeyboardTest, FromOpeningToThePayloadFile) {
 TEST_F(KeyboardTest, ACauseIsAppliedAndTheKeyboardStaysThere) {
   SimulateOptions options;
   options.motion = MotionKind::excitation;
-  options.duration = 12.0;
-  options.seed = 8;
-  options.effects = {{"time_offset", "", 12.0}};
+  options.seed = 4;
+  options.effects = {{"cable_pull", "", 15.0}};
   open(writeSimulated(folder, practiceTool(6), options));
   press(Qt::Key_5, Qt::AltModifier);
-  tabTo("mainButton", "Look for causes");
-  press(Qt::Key_Return);
-  settle();
+  settle(300);
+  const auto* main = window.panel(Step::realityCheck)->findChild<QPushButton*>("mainButton");
+  if (main && main->text() == "Look for causes") {
+    tabTo("mainButton", "Look for causes");
+    press(Qt::Key_Return);
+    settle();
+  }
   tabTo("mainButton", "Apply this correction");
   press(Qt::Key_Space);
   settle(400);
   EXPECT_EQ(workspace.corrections().causes.size(), 1u);
-  EXPECT_FALSE(focusName().isEmpty());
+  ASSERT_TRUE(QApplication::focusWidget());
+  EXPECT_TRUE(window.panel(Step::realityCheck)->isAncestorOf(QApplication::focusWidget())) << "the keyboard left the panel";
   tabTo("plainButton", "Take back");
   press(Qt::Key_Space);
   settle(400);
@@ -187,6 +197,8 @@ TEST_F(KeyboardTest, TheFocusIsVisibleOnEveryControl) {
   SimulateOptions options;
   options.duration = 8.0;
   open(writeSimulated(folder, practiceTool(3), options));
+  ASSERT_TRUE(window.panel(Step::shape)->obey({"shape", "gripper"})->ok());
+  settle();
   for (const Step step : kAllSteps) {
     window.showStep(step);
     settle();

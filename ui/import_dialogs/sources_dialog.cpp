@@ -61,6 +61,7 @@ SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialo
   state_ = wrappedLabel({}, "body", this);
   state_->setObjectName("sourcesState");
   state_->setMinimumHeight(40);
+  state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   state->addWidget(state_, 1);
   column->addLayout(state);
 

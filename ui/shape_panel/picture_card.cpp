@@ -111,6 +111,11 @@ void paintCard(QPainter& painter, const QAbstractButton& card, bool dashed) {
   painter.setBrush(chosen ? t.accentTint : card.underMouse() ? t.raised : t.panel);
   painter.drawRoundedRect(QRectF(card.rect()).adjusted(1, 1, -1, -1), 7, 7);
   if (!chosen) return;
+  if (card.hasFocus()) {
+    painter.setPen(QPen(t.accent, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(card.rect()).adjusted(4.5, 4.5, -4.5, -4.5), 4, 4);
+  }
   const QPointF badge(card.width() - 14, 14);
   painter.setPen(Qt::NoPen);
   painter.setBrush(t.accentFill);

@@ -25,6 +25,12 @@ void ChoiceCard::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(chosen || hasFocus() ? t.accent : underMouse() ? t.fieldEdge : t.line, chosen || hasFocus() ? 2 : 1));
   painter.setBrush(chosen ? t.accentTint : t.panel);
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 7, 7);
+  // The chosen one has its edge anyway: an inner line tells that the keyboard is here.
+  if (chosen && hasFocus()) {
+    painter.setPen(QPen(t.accent, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(4.5, 4.5, -4.5, -4.5), 4, 4);
+  }
   const QRect text = rect().adjusted(11, 8, -6, -7);
   const QFont nameFont = uiFont(type::kSection, QFont::DemiBold), detailFont = uiFont(type::kCaption);
   painter.setFont(nameFont);

@@ -2,6 +2,7 @@
 
 #include <qcustomplot.h>
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -64,6 +65,10 @@ class PlotCanvas : public QCustomPlot {
   PlotCanvas(TimeAxis* axis, WrenchPlots* owner) : QCustomPlot(owner), axis_(axis), owner_(owner) {
     setInteractions(QCP::Interactions());
     setMouseTracking(true);
+    // The keyboard's frame stands on the canvas, which does not have the focus itself.
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget* before, QWidget* now) {
+      if (before == owner_ || now == owner_) update();
+    });
   }
   void setBrush(std::optional<MarkLabel> brush) { brush_ = brush; }
   void setSecond(double time) { second_ = time; }
@@ -133,8 +138,12 @@ class PlotCanvas : public QCustomPlot {
 
   void paintEvent(QPaintEvent* event) override {
     QCustomPlot::paintEvent(event);
-    if (band_.first == band_.second) return;
     QPainter painter(this);
+    if (owner_->hasFocus()) {
+      painter.setPen(QPen(theme().accent, 2));
+      painter.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+    if (band_.first == band_.second) return;
     QColor fill = brush_ ? markColour(*brush_) : theme().text2;
     fill.setAlpha(brush_ ? 110 : 40);
     const QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
