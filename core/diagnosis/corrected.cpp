@@ -11,6 +11,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/between_rows.h"
 #include "core/diagnosis/time_stamps.h"
+#include "core/diagnosis/words.h"
 
 namespace heft {
 
@@ -139,7 +140,7 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
 }
 
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,
-                            const std::vector<std::string>& causes) {
+                            const std::vector<std::string>& causes, std::vector<std::string>* unknown) {
   const Error other{
       heft::say("The corrections of this session are of a diagnosis that this version of Heft does not "
                 "understand; run the reality check again.")};
@@ -171,8 +172,11 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
   if (!has(causes, "frame_error") && !has(causes, "sensor_rotation"))
     left = mistakeFromJson(memberOf(found, "frame_mistake"));
   if (left) stated = undone(std::move(stated), *left);
-  auto model = modelFromJson(memberOf(found, "model"), stated, robot);
+  std::vector<std::string> strange;
+  auto model = modelFromJson(memberOf(found, "model"), stated, robot, unknown == nullptr ? nullptr : &strange);
   if (!model) return model.error();
+  for (const std::string& id : strange)
+    if (has(fitted, id) && id != kWandering && !has(*unknown, id)) unknown->push_back(id);
   auto effect = effectOf(*model, stated, robot, fitted);
   if (!effect) return effect.error();
   if (left && (left->kind == Kind::turned || left->kind == Kind::mirrored)) {
@@ -189,15 +193,26 @@ Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel
                                     const json& found, const std::vector<std::string>& causes,
                                     const Progress& progress) {
   if (causes.empty()) return estimate(recording, robot, options, progress);
-  auto cleaned = corrected(recording, robot, found, causes);
+  std::vector<std::string> unknown;
+  auto cleaned = corrected(recording, robot, found, causes, &unknown);
   if (!cleaned) return cleaned.error();
   auto report = estimate(*cleaned, robot, options, progress);
   if (!report) return report;
   widen(*report, found);
   addBack(report->series, recording, *cleaned);
-  report->findings.push_back({Severity::info, "causes_taken_out",
-                              heft::say("The reality check's corrections are part of these numbers: {}.", fmt::join(causes, ", ")),
-                              {}, {}});
+  std::vector<std::string> known = causes, strange;
+  std::erase_if(known, [&](const std::string& id) { return has(unknown, id); });
+  if (!known.empty())
+    report->findings.push_back({Severity::info, "causes_taken_out",
+                                heft::say("The reality check's corrections are part of these numbers: {}.", fmt::join(known, ", ")),
+                                {}, {}});
+  for (const std::string& id : unknown) strange.push_back("\"" + causeTitle(id) + "\"");
+  if (!strange.empty())
+    report->findings.push_back(
+        {Severity::warning, "causes_unknown",
+         heft::say("Another version of Heft saved {} in a form that this one does not know: not part of these numbers.",
+                   fmt::join(strange, ", ")),
+         heft::say("Run the reality check again."), {}});
   return report;
 }
 

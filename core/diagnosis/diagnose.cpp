@@ -232,6 +232,13 @@ bool allFaint(const std::vector<DiagnosedCause>& causes) {
   return fitted > 1 && std::ranges::all_of(causes, [](const DiagnosedCause& c) { return c.direct || c.deltaBic < kFaint; });
 }
 
+/// Evidence of all fitted causes together where it is little; zero where it is not, or where there are none.
+double faintEvidence(const std::vector<DiagnosedCause>& causes) {
+  double total = 0.0;
+  for (const auto& cause : causes) total += cause.direct ? 0.0 : cause.deltaBic;
+  return total < 2.0 * kFaint ? total : 0.0;
+}
+
 Verdict verdictOf(const DiagnosisReport& report) {
   double total = 0.0;
   for (const auto& cause : report.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
@@ -345,8 +352,15 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (!work.contacts.empty()) out.causes.push_back(fromContacts(work.contacts, out.noise.force));
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
   sortByStrength(out.causes);
+  // What next to nothing speaks for may be a crutch for something that the catalogue lacks.
+  const double faint = faintEvidence(out.causes);
+  Structure plain;
+  if (faint > 0.0 && out.remaining.gain <= kUnexplained) plain = structureIn(work.signals, work.stretches, work.search.null);
   if (allFaint(out.causes) && out.remaining.gain <= kUnexplained) {
-    out.remaining = structureIn(work.signals, work.stretches, work.search.null);
+    out.remaining = plain;
+    out.verdict = Verdict::unexplained;
+  } else if (faint > 0.0 && plain.gain > faint + kTie) {
+    out.remaining = plain;
     out.verdict = Verdict::unexplained;
   } else {
     out.verdict = verdictOf(out);

@@ -114,6 +114,9 @@ std::string toHtml(const DiagnosisReport& report);
 
 /// The extended model as it stands in toJson(report)["model"].
 nlohmann::json modelToJson(const diagnosis::Model& model);
-Result<diagnosis::Model> modelFromJson(const nlohmann::json& model, const Recording& recording, const RobotModel* robot);
+/// A cause in a form of another version that this one does not know is an error, or, where `unknown` is given, left out and
+/// its ID put there.
+Result<diagnosis::Model> modelFromJson(const nlohmann::json& model, const Recording& recording, const RobotModel* robot,
+                                       std::vector<std::string>* unknown = nullptr);
 
 }  // namespace heft

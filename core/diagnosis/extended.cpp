@@ -1,6 +1,7 @@
 // The extended model outside the search: its effect on any recording, and its JSON.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/say.h"
 #include "core/diagnosis/diagnose.h"
@@ -96,7 +97,29 @@ json modelToJson(const Model& model) {
   return {{"bias_and_parameters", x}, {"terms", terms}};
 }
 
-Result<Model> modelFromJson(const json& object, const Recording& recording, const RobotModel* robot) {
+namespace {
+
+/// A term as modelToJson() wrote it. Forms have grown since: what an older one lacks is where it had no effect.
+std::optional<Term> termFromJson(const json& object, const Signals& signals) {
+  const Cause* cause = findCause(object["cause"].get<std::string>());
+  if (cause == nullptr) return std::nullopt;
+  const json choice = object.value("choice", json::array()), &values = object["values_si"];
+  for (auto& form : cause->forms(signals)) {
+    if (json(form.choice) != choice || form.parameters.size() < values.size()) continue;
+    Term term{std::make_shared<const Form>(form), form.start, {}};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!values[i].is_number()) return std::nullopt;
+      term.v(static_cast<Eigen::Index>(i)) = values[i].get<double>();
+    }
+    return term;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Model> modelFromJson(const json& object, const Recording& recording, const RobotModel* robot,
+                            std::vector<std::string>* unknown) {
   const Error broken{heft::say(
       "The diagnosis holds no extended model that this version of Heft understands; run heft diagnose again.")};
   if (!object.is_object() || !object.contains("terms") || !object["terms"].is_array() ||
@@ -113,25 +136,16 @@ Result<Model> modelFromJson(const json& object, const Recording& recording, cons
     if (!value.is_number()) return broken;
     model.x(i) = value.get<double>();
   }
-  for (const auto& term : object["terms"]) {
-    if (!term.is_object() || !term.contains("cause") || !term["cause"].is_string() || !term.contains("values_si")) return broken;
-    const Cause* cause = findCause(term["cause"].get<std::string>());
-    if (cause == nullptr) return broken;
-    const auto choice = term.value("choice", json::array());
-    bool found = false;
-    for (auto& form : cause->forms(signals)) {
-      if (json(form.choice) != choice || form.parameters.size() != term["values_si"].size()) continue;
-      VectorXd v(static_cast<Eigen::Index>(form.parameters.size()));
-      for (Eigen::Index i = 0; i < v.size(); ++i) {
-        const json& value = term["values_si"][static_cast<std::size_t>(i)];
-        if (!value.is_number()) return broken;
-        v(i) = value.get<double>();
-      }
-      model.terms.push_back({std::make_shared<const Form>(form), v, {}});
-      found = true;
-      break;
-    }
-    if (!found) return broken;
+  for (const auto& saved : object["terms"]) {
+    if (!saved.is_object() || !saved.contains("cause") || !saved["cause"].is_string() || !saved.contains("values_si") ||
+        !saved["values_si"].is_array())
+      return broken;
+    auto term = termFromJson(saved, signals);
+    if (!term && unknown == nullptr) return broken;
+    if (term)
+      model.terms.push_back(std::move(*term));
+    else
+      unknown->push_back(saved["cause"].get<std::string>());
   }
   return model;
 }

@@ -46,13 +46,68 @@ MatrixXd informationBeside(const MatrixXd& information, const std::vector<Eigen:
   return information(own, own) - B.transpose() * A.ldlt().solve(B);
 }
 
+constexpr double kWidth = 3.5;  ///< 2 ln of how many widths of a prior there are to choose from
+constexpr double kLeastWalk = 1e-3;  ///< Of a parameter's size: a walk that is none
+
+/// What a walk's waves cost: how far the data had to narrow what the walk left open, and how far they are from zero.
+double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const std::vector<Eigen::Index>& own,
+                    const std::vector<Eigen::Index>& others, const Term& term, const VectorXd& sd) {
+  const VectorXd prior = sd(own).cwiseQuotient(scale(own));
+  MatrixXd M = prior.asDiagonal() * informationBeside(information, own, others) * prior.asDiagonal();
+  M.diagonal().array() += 1.0;
+  double out = 2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(sd(own)).squaredNorm();
+  for (int c = 0; c < 6; ++c) {
+    const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
+    if (term.walk(c) > 2.0 * least * least) out += kWidth;
+  }
+  return out;
+}
+
+/// The walk's size that explains its waves best: sum of squares over how many of them the data tell (MacKay).
+void learnWalk(Model& model, const MatrixXd& covariance) {
+  Eigen::Index at = kLinear;
+  for (auto& term : model.terms) {
+    const Eigen::Index count = term.v.size() / 6;
+    for (Eigen::Index c = 0; term.form->walk && term.moves(0) && c < 6; ++c) {
+      const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
+      double squares = 0.0, told = 0.0;
+      for (Eigen::Index k = 1; k <= count; ++k) {
+        const Eigen::Index p = 6 * (k - 1) + c;
+        const double k2 = static_cast<double>(k * k);
+        squares += k2 * term.v(p) * term.v(p);
+        told += 1.0 - std::min(1.0, k2 * covariance(at + p, at + p) / term.walk(c));
+      }
+      term.walk(c) = std::max(least * least, squares / std::max(0.2, told));
+    }
+    at += term.v.size();
+  }
+}
+
+/// A walk's size before anything was learned: what its waves say by themselves.
+void startWalk(Model& model) {
+  for (auto& term : model.terms) {
+    if (!term.form->walk || !term.walk.isZero(0.0)) continue;
+    const Eigen::Index count = term.v.size() / 6;
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double size = term.form->parameters[static_cast<std::size_t>(c)].size;
+      double squares = 0.0;
+      for (Eigen::Index k = 1; k <= count; ++k) squares += std::pow(static_cast<double>(k) * term.v(6 * (k - 1) + c), 2);
+      term.walk(c) = std::max(std::pow(0.1 * size, 2), squares / static_cast<double>(count));
+    }
+  }
+}
+
+bool walks(const Model& model) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& t) { return t.form->walk; });
+}
+
 struct Price {
   int dimensions = 0;
   double price = 0.0;
 };
 
 /// Directions of the causes' parameters that the motion tells apart from bias and payload, and what they cost.
-Price priceOfTerms(const MatrixXd& information, const Model& model, double lnN) {
+Price priceOfTerms(const MatrixXd& information, const Model& model, const VectorXd& sd, double lnN) {
   Price out;
   if (model.terms.empty()) return out;
   const VectorXd scale = information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -62,7 +117,7 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, double lnN) 
   std::iota(causes.begin(), causes.end(), Eigen::Index{kLinear});
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(informationBeside(unit, causes, linear), Eigen::EigenvaluesOnly);
   out.dimensions = static_cast<int>((eigen.eigenvalues().array() > 1e-6).count());
-  double all = 0.0;
+  double all = 0.0, waves = 0.0;
   Eigen::Index at = kLinear;
   for (const Term& term : model.terms) {
     // How far the term stands out: its amplitudes over what bias, payload and the other terms leave known of them.
@@ -73,31 +128,56 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, double lnN) 
       if (term.moves(p)) own.push_back(at + p);
     for (Eigen::Index i = kLinear; i < model.size(); ++i)
       if (i < at || i >= at + term.v.size()) others.push_back(i);
+    all += count;
+    if (term.form->walk) {
+      if (!own.empty()) waves += priceOfWaves(unit, scale, own, others, term, sd);
+      at += term.v.size();
+      continue;
+    }
     VectorXd size(static_cast<Eigen::Index>(own.size()));
     for (std::size_t i = 0; i < own.size(); ++i)
       size(static_cast<Eigen::Index>(i)) = (term.v(own[i] - at) - term.form->start(own[i] - at)) / scale(own[i]);
     // A form that leaves out what does not pay has had its choice of parameters: each costs in full.
     const double gain = term.form->subset ? 1e300 : size.dot(informationBeside(unit, own, others) * size);
     out.price += priceOf(gain, count, lnN);
-    all += count;
     at += term.v.size();
   }
   if (all > 0.0) out.price *= out.dimensions / all;
+  out.price += waves;
   return out;
 }
 
 }  // namespace
 
 double priceOf(double gain, double count, double lnN) {
-  constexpr double kWidth = 3.5;  // 2 ln of how many widths there are to choose from
   if (count <= 0.0) return 0.0;
   return std::min(count * lnN, kWidth + count * (1.0 + std::log(std::max(1.0, gain / count))));
 }
 
+double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest) {
+  double out = kWidth;
+  for (Eigen::Index i = 0; i < amplitudes.size(); ++i) {
+    const double prior = longest / std::pow(static_cast<double>(i + 1), 2);
+    out += amplitudes(i) * amplitudes(i) / prior + std::log1p(prior / variances(i));
+  }
+  return out;
+}
+
 Normal::Normal(const MatrixXd& J, const VectorXd& sd) {
   information = MatrixXd::Zero(J.cols(), J.cols());
-  information.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
-  information = MatrixXd(information.selfadjointView<Eigen::Lower>());
+  // What does not move has no column to speak of.
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index i = 0; i < J.cols(); ++i)
+    if (!J.col(i).isZero(0.0)) moving.push_back(i);
+  if (static_cast<Eigen::Index>(moving.size()) == J.cols()) {
+    information.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
+    information = MatrixXd(information.selfadjointView<Eigen::Lower>());
+  } else {
+    const MatrixXd some = J(Eigen::all, moving);
+    MatrixXd part = MatrixXd::Zero(some.cols(), some.cols());
+    part.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());
+    information(moving, moving) = MatrixXd(part.selfadjointView<Eigen::Lower>());
+  }
   MatrixXd H = information;
   H.diagonal() += sd.cwiseAbs2().cwiseInverse();
   scale_ = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -117,14 +197,20 @@ VectorXd whisper(const Model& model) {
   sd.segment<6>(10).setConstant(1.0);
   Eigen::Index at = kLinear;
   for (const auto& term : model.terms)
-    for (const auto& parameter : term.form->parameters) sd(at++) = 100.0 * parameter.size;
+    for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
+      const double longest = term.walk(static_cast<Eigen::Index>(p % 6));
+      sd(at++) = term.form->walk && longest > 0.0 ? std::sqrt(longest) / static_cast<double>(p / 6 + 1)
+                                                  : 100.0 * term.form->parameters[p].size;
+    }
   return sd;
 }
 
 Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds) {
   Fit fit;
   fit.model = std::move(start);
-  const VectorXd sd = whisper(fit.model);
+  startWalk(fit.model);
+  const bool learnsWalk = walks(fit.model);
+  VectorXd sd = whisper(fit.model);
   Linearised at = linearised(signals, fit.model);
   fit.residual = signals.measured - at.value;
   fit.noise = fitNoise(fit.residual, stretches);
@@ -132,8 +218,8 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   for (int round = 0; round < rounds; ++round) {
     const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
-    const VectorXd step =
-        Normal(J, sd).solve(J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
+    const Normal normal(J, sd);
+    const VectorXd step = normal.solve(J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
     Model next = fit.model;
     double factor = 1.0;
@@ -143,6 +229,10 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
       if (half == 3) next = fit.model;
     }
     fit.model = next;
+    if (learnsWalk) {
+      learnWalk(fit.model, normal.inverse());
+      sd = whisper(fit.model);
+    }
     at = linearised(signals, fit.model);
     fit.residual = signals.measured - at.value;
     fit.noise = fitNoise(fit.residual, stretches);
@@ -153,7 +243,7 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   const Normal normal(J, sd);
   fit.information = normal.information;
   fit.covariance = normal.inverse();
-  const Price price = priceOfTerms(fit.information, fit.model, std::log(std::max(2.0, fit.noise.samples)));
+  const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
   fit.dimensions = price.dimensions;
   fit.price = price.price;
   fit.evidence = fit.noise.evidence - fit.price;

@@ -31,13 +31,23 @@ void throughSensor(const Signals& signals, const Order& terms, Wrenches& w, bool
     if (!linearOnly || t->form->cause->linear()) t->form->cause->sensor(*t->form, t->v, signals, w);
 }
 
-Wrenches forwards(const Signals& signals, const Model& model, const Order& terms, const Kinematics& kinematics) {
+/// What the sensor carries.
+Wrenches loads(const Signals& signals, const Model& model, const Order& terms, const Kinematics& kinematics) {
   Wrenches w = payloadWrench(kinematics, model.x.tail<10>());
   for (const Term* t : terms) t->form->cause->force(*t->form, t->v, signals, kinematics, w);
+  return w;
+}
+
+/// What it makes of that.
+Wrenches readings(const Signals& signals, const Model& model, const Order& terms, Wrenches w) {
   throughSensor(signals, terms, w, false);
   for (const Term* t : terms) t->form->cause->readings(*t->form, t->v, signals, w);
   w.colwise() += Vector6d(model.x.head<6>());
   return w;
+}
+
+Wrenches forwards(const Signals& signals, const Model& model, const Order& terms, const Kinematics& kinematics) {
+  return readings(signals, model, terms, loads(signals, model, terms, kinematics));
 }
 
 Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
@@ -93,7 +103,7 @@ Linearised linearised(const Signals& signals, const Model& model) {
   const Order terms = inOrder(model.terms);
   const Kinematics kinematics = bent(signals, terms);
   Linearised out;
-  const Wrenches value = forwards(signals, model, terms, kinematics);
+  const Wrenches load = loads(signals, model, terms, kinematics), value = readings(signals, model, terms, load);
   out.value = averaged(signals, value);
   out.jacobian = MatrixXd::Zero(out.value.size(), model.size());
   for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
@@ -130,8 +140,28 @@ Linearised linearised(const Signals& signals, const Model& model) {
       cause.readings(form, term.v, signals, w);
       return w;
     };
-    Wrenches own;
+    const auto ownForce = [&](const Term& t) {
+      Wrenches w = Wrenches::Zero(6, signals.size());
+      cause.force(form, t.v, signals, kinematics, w);
+      return w;
+    };
+    if (form.walk && term.moves(0)) {
+      // Each wave once for all channels.
+      VectorXd wave = VectorXd::Zero(term.v.size());
+      for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
+        wave.segment<6>(p).setOnes();
+        Wrenches w = Wrenches::Zero(6, signals.size());
+        cause.readings(form, wave, signals, w);
+        wave.segment<6>(p).setZero();
+        const Wrenches blocks = averaged(signals, w);
+        for (Eigen::Index c = 0; c < 6; ++c)
+          for (Eigen::Index n = 0; n < blocks.cols(); ++n) out.jacobian(6 * n + c, at + c) = blocks(c, n);
+      }
+      continue;
+    }
+    Wrenches own, unmoved;
     if (adds) own = added();
+    if (!adds && !bends && !cause.changesSensor()) unmoved = ownForce(term);
     for (Eigen::Index p = 0; p < term.v.size(); ++p, ++at) {
       if (!term.moves(p)) continue;
       const double step = kStep * form.parameters[static_cast<std::size_t>(p)].size;
@@ -142,7 +172,13 @@ Linearised linearised(const Signals& signals, const Model& model) {
         change = added() - own;
       } else {
         const Order movedTerms = inOrder(moved.terms);
-        change = forwards(signals, moved, movedTerms, bends ? bent(signals, movedTerms) : kinematics) - value;
+        if (bends) {
+          change = forwards(signals, moved, movedTerms, bent(signals, movedTerms)) - value;
+        } else {
+          Wrenches carried = load;
+          if (!cause.changesSensor()) carried += ownForce(moved.terms[i]) - unmoved;
+          change = readings(signals, moved, movedTerms, std::move(carried)) - value;
+        }
       }
       term.v(p) = old;
       out.jacobian.col(at) = flat(averaged(signals, change)) / step;

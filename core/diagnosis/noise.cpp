@@ -78,6 +78,7 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
     for (Eigen::Index i = 0; i < model.order(); ++i) coefficients(c, i) = model.coefficients(i) * scale(c);
   }
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    if (columns.col(j).isZero(0.0)) continue;
     const Eigen::Map<const Wrenches> x(columns.col(j).data(), 6, columns.rows() / 6);
     Eigen::Map<Wrenches> e(out.col(j).data(), 6, columns.rows() / 6);
     for (const auto& s : stretches) {

@@ -117,6 +117,18 @@ Direct jitter(const UnevenStamps& stamps) {
   return out;
 }
 
+/// Share of rows that would repeat the one before if the channels stood still independently of each other.
+double repeatsByChance(const Recording& recording) {
+  Vector6d still = Vector6d::Zero();
+  double fresh = 0.0;
+  for (Eigen::Index i = 1; i < recording.rows(); ++i) {
+    if (sameRow(recording, i)) continue;
+    fresh += 1.0;
+    for (Eigen::Index c = 0; c < 6; ++c) still(c) += recording.wrench(i, c) == recording.wrench(i - 1, c) ? 1.0 : 0.0;
+  }
+  return (still / std::max(1.0, fresh)).prod();
+}
+
 /// Readings that were held, zeroed or left out. `stamped`: the stamps tell how long a step took.
 std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
   const Eigen::Index n = recording.rows();
@@ -140,6 +152,8 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
     if (gap > 1.7) missing += static_cast<Eigen::Index>(std::lround(gap)) - 1;
   }
   const double total = static_cast<double>(n);
+  // Coarse or smoothed readings stand still on all channels at once by chance, too.
+  if (static_cast<double>(held) < 3.0 * total * repeatsByChance(recording)) held = 0;
   const double lost = static_cast<double>(held + missing) / total;
   if (lost < 0.002 && zeros < 3) return std::nullopt;
   Direct out;

@@ -15,6 +15,29 @@ constexpr double kFinerChoice = 6.0;
 
 Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
 
+/// Draws the waves of a walk (`amplitudes`, of `variances` from the data) to what a walk of the likeliest size makes of
+/// them; returns their price.
+double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
+  const Eigen::Index count = amplitudes.size() / 6;
+  double price = 0.0;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    VectorXd waves(count), spread(count);
+    double longest = 0.0;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      waves(k) = amplitudes(6 * k + c);
+      spread(k) = std::max(1e-300, variances(6 * k + c));
+      longest += std::pow(static_cast<double>(k + 1), 2) * (waves(k) * waves(k) - spread(k)) / static_cast<double>(count);
+    }
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const double prior = std::max(0.0, longest) / std::pow(static_cast<double>(k + 1), 2);
+      waves(k) *= prior / (prior + spread(k));
+      amplitudes(6 * k + c) = waves(k);
+    }
+    if (longest > 0.0) price += priceOfWalk(waves, spread, longest);
+  }
+  return price;
+}
+
 /// One way of weighting the rows.
 class Weighting {
  public:
@@ -53,6 +76,7 @@ class Weighting {
     const VectorXd g = C.transpose() * r_ - JC.transpose() * (inverse_ * Jr_);
     const Eigen::Index d = C.cols();
     Answer out;
+    double walkPrice = 0.0;
     out.kept.assign(static_cast<std::size_t>(d), true);
     // What bias and payload can do as well is no direction of the cause.
     for (Eigen::Index i = 0; i < d; ++i)
@@ -91,6 +115,8 @@ class Weighting {
         continue;
       }
       for (Eigen::Index i = 0; i < size; ++i) out.gamma(free[static_cast<std::size_t>(i)]) = gamma(i);
+      if (signature.form.walk && size == d)
+        walkPrice = asWalk(out.gamma, s.cwiseAbs2().cwiseProduct(inverse.diagonal()));
       break;
     }
     const auto dimensions = std::count(out.kept.begin(), out.kept.end(), true);
@@ -100,7 +126,9 @@ class Weighting {
     Eigen::Map<VectorXd>(residual.data(), residual.size()) -= signature.columns * out.gamma + fit_.jacobian * delta;
     out.gain = fitNoise(residual, stretches_).evidence - fit_.noise.evidence;
     const auto count = static_cast<double>(dimensions);
-    out.score = out.gain - (signature.form.subset ? count * lnN : priceOf(out.gain, count, lnN));
+    out.score = out.gain - (signature.form.walk     ? walkPrice
+                            : signature.form.subset ? count * lnN
+                                                    : priceOf(out.gain, count, lnN));
     return out;
   }
 

@@ -48,6 +48,12 @@ Model timed(const Signals& signals, const std::vector<Stretch>& stretches, Model
   term.active.assign(term.form->parameters.size(), true);
   for (std::size_t p = 0; p < free.size(); ++p) term.active[p] = free[p];
   term.active[0] = false;
+  // A walk that is known already need not be fitted again for every time that is tried.
+  std::vector<std::vector<bool>> before;
+  for (auto& other : model.terms) {
+    before.push_back(other.active);
+    if (other.form->walk) other.active.assign(other.form->parameters.size(), false);
+  }
   double best = -1e300;
   for (const double step : {0.2, 0.05}) {
     const Model centre = model;
@@ -62,6 +68,7 @@ Model timed(const Signals& signals, const std::vector<Stretch>& stretches, Model
       }
     }
   }
+  for (std::size_t i = 0; i + 1 < before.size(); ++i) model.terms[i].active = before[i];
   model.terms.back().active = free;
   return model;
 }
@@ -76,10 +83,9 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   out.promised = candidate.score;
   out.fit = fitModel(signals, stretches, std::move(model), 3);
   // A walk makes steps of its own, too: a jump of the zero, or of the load where the zero is known to walk, is more.
-  const bool maybeWalk = out.cause == "bias_drift" || out.cause == "sensor_bias" ||
-                         (out.cause == "payload_change" && contains(base.model, kWandering));
+  const bool maybeWalk = out.cause == "sensor_bias" || (out.cause == "payload_change" && contains(base.model, kWandering));
   if (maybeWalk && out.fit.model.terms.size() > base.model.terms.size() &&
-      !beyondWandering(signals, stretches, base, out.fit))
+      !jumpStandsOut(signals, stretches, base, out.fit))
     return out;
   if (believable(out.fit)) out.gain = out.fit.evidence - base.evidence - candidate.choicePenalty;
   return out;
@@ -186,10 +192,18 @@ Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
           trial.fit.dimensions - accepted.dimensions};
 }
 
+/// Both smooth or delay fast forces, and so does whatever was done to the recorded motion: how well either fits is not known
+/// better than to a share of what both explain.
+double slackBetween(std::string_view a, std::string_view b, double gain) {
+  constexpr double kShare = 0.05;
+  const auto lags = [](std::string_view id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; };
+  return lags(a) && lags(b) ? kShare * gain : 0.0;
+}
+
 }  // namespace
 
 bool tied(const Found& found, const Rival& rival) {
-  if (rival.behind < kTie) return true;
+  if (rival.behind < kTie + slackBetween(found.cause, rival.cause, found.gain)) return true;
   const bool explains = rival.behind < found.gain;
   if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
   if (rival.worse > kSame) return false;
@@ -237,6 +251,13 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
         chosen = &trial;
         break;
       }
+    // What a zero that wanders explains about as well is no drift.
+    if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
+      for (const auto& trial : all)
+        if (trial.cause == kWandering && trial.gain > chosen->gain - kTie) {
+          chosen = &trial;
+          break;
+        }
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     out.final = prunedOf(signals, stretches, chosen->fit, options.threshold);
     accepted = std::move(latest);

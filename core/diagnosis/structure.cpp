@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "core/base/say.h"
 #include "core/diagnosis/periodogram.h"
@@ -29,7 +30,9 @@ MatrixXd normalised(MatrixXd features) {
   return features;
 }
 
-constexpr double kPlain = 40.0;  ///< Gain of a structure that nobody would call noise
+constexpr double kPlain = 60.0;     ///< Gain of a structure that nobody would call noise
+constexpr double kBesideColour = 20.0;  ///< Gain of a wave in a noise that is not quite as it was learned
+constexpr double kFaintest = 10.0;  ///< Gain below which nobody asks
 
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
@@ -45,6 +48,17 @@ MatrixXd withProducts(const MatrixXd& rows) {
 MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
   MatrixXd out(a.rows() + b.rows(), a.cols());
   out << a, b;
+  return out;
+}
+
+/// How far each row is ahead of what follows it with a play of `half` to either side: what remembers the last way back.
+MatrixXd aheadOfPlay(const MatrixXd& rows, double half) {
+  MatrixXd out(rows.rows(), rows.cols());
+  VectorXd play = rows.col(0);
+  for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+    play = play.cwiseMax((rows.col(k).array() - half).matrix()).cwiseMin((rows.col(k).array() + half).matrix());
+    out.col(k) = rows.col(k) - play;
+  }
   return out;
 }
 
@@ -76,7 +90,8 @@ std::vector<Group> groups(const Signals& signals) {
     out.push_back(
         {heft::toSay("where the tool is"), stacked(stacked(withProducts(p), stacked(far, up)), normalised(positionS))});
     out.push_back({heft::toSay("how fast the tool moves"), stacked(velocityS, velocityS.cwiseProduct(velocityS.cwiseAbs()))});
-    out.push_back({heft::toSay("the direction in which the tool moves"), direction});
+    out.push_back({heft::toSay("the direction in which the tool moves"),
+                   stacked(direction, stacked(aheadOfPlay(signals.position, 0.005), aheadOfPlay(signals.position, 0.03)))});
   }
   if (signals.q.cols() == n) {
     MatrixXd joints(2 * signals.q.rows(), n);
@@ -87,35 +102,44 @@ std::vector<Group> groups(const Signals& signals) {
         (4.0 * signals.q).array().sin().matrix(), (4.0 * signals.q).array().cos().matrix();
     out.push_back({heft::toSay("the joint angles, several times a turn"), fast});
     out.push_back({heft::toSay("the direction in which joints turn"),
-                   (signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix()});
+                   stacked((signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix(),
+                           stacked(aheadOfPlay(signals.q, 0.04), aheadOfPlay(signals.q, 0.12)))});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
   out.push_back({heft::toSay("the load's size"), stacked(cubes.cwiseAbs(), cubes.array().cube().matrix())});
-  out.push_back({heft::toSay("how fast the load changes"), rateOf(kin.specificForce, signals.rateHz)});
+  out.push_back({heft::toSay("how fast the load changes"),
+                 stacked(rateOf(kin.specificForce, signals.rateHz), aheadOfPlay(kin.specificForce, 3.0))});
   out.push_back({heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
   out.push_back({heft::toSay("the direction in which the tool turns"), turning});
   out.push_back({heft::toSay("how fast the turning changes"), kin.alpha});
   return out;
 }
 
-/// A group's features on each of the six channels after averaging: 6N x 6F, a channel's features in its own rows only.
-MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
-  const Eigen::Index count = features.rows(), blocks = signals.blocks();
-  MatrixXd averagedFeatures(count, blocks);
-  const int m = signals.samplesPerBlock;
-  for (Eigen::Index n = 0; n < blocks; ++n) averagedFeatures.col(n) = features.middleCols(n * m, m).rowwise().mean();
-  averagedFeatures = normalised(averagedFeatures);
+/// Columns (6N x 6F) of features of blocks, F x N: a channel's features in its own rows only.
+MatrixXd onEachChannel(const MatrixXd& features) {
+  const Eigen::Index count = features.rows(), blocks = features.cols();
   MatrixXd columns = MatrixXd::Zero(6 * blocks, 6 * count);
   for (Eigen::Index c = 0; c < 6; ++c)
     for (Eigen::Index f = 0; f < count; ++f)
-      for (Eigen::Index n = 0; n < blocks; ++n) columns(6 * n + c, c * count + f) = averagedFeatures(f, n);
+      for (Eigen::Index n = 0; n < blocks; ++n) columns(6 * n + c, c * count + f) = features(f, n);
   return columns;
+}
+
+/// A group's features, averaged, on each of the six channels.
+MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
+  const Eigen::Index blocks = signals.blocks();
+  MatrixXd averagedFeatures(features.rows(), blocks);
+  const int m = signals.samplesPerBlock;
+  for (Eigen::Index n = 0; n < blocks; ++n) averagedFeatures.col(n) = features.middleCols(n * m, m).rowwise().mean();
+  return onEachChannel(normalised(averagedFeatures));
 }
 
 struct Judged {
   double gain = 0.0, explained = 0.0;
 };
+
+Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
 
 /// The residual under one noise, and what the fit could do about it.
 struct Ground {
@@ -127,34 +151,69 @@ struct Ground {
   VectorXd r;        ///< Whitened residual, freed of what the fit can do
   double energy = 1.0;
 
+  double before;     ///< Evidence of the residual as it is
+
   Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)
-      : stretches(where), fit(what), noise(with), learnsAgain(refits) {
+      : stretches(where), fit(what), noise(with), learnsAgain(refits), before(what.noise.evidence) {
     Fit weighted;
     weighted.noise = noise;
     weighted.jacobian = fit.jacobian;
     basis = explainedSpace(weighted, stretches);
-    r = whitened(Eigen::Map<const VectorXd>(fit.residual.data(), fit.residual.size()), noise, stretches);
-    energy = std::max(1.0, r.squaredNorm());
-    r -= basis * (basis.transpose() * r);
+    take(whitened(flat(fit.residual), noise, stretches));
   }
 
-  /// Evidence of `left` (whitened) with the noise learned from it, over that of the fit.
+  /// The same with another residual in its place, of the same noise.
+  Ground(const Ground& other, const Wrenches& residual) : Ground(other) {
+    before = fitNoise(residual, stretches).evidence;
+    take(whitened(flat(residual), noise, stretches));
+  }
+
+  /// Evidence of `left` (whitened) with the noise learned from it, over what it was.
   double evidence(const VectorXd& left) const {
     Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
     for (Eigen::Index c = 0; c < 6; ++c) residual.row(c) *= noise.channels[static_cast<std::size_t>(c)].sigma;
-    return fitNoise(residual, stretches).evidence - fit.noise.evidence;
+    return fitNoise(residual, stretches).evidence - before;
+  }
+
+  /// Whitened columns without what the fit can do.
+  MatrixXd freed(const MatrixXd& columns) const {
+    MatrixXd C = whitened(columns, noise, stretches);
+    C -= basis * (basis.transpose() * C);
+    return C;
+  }
+
+ private:
+  void take(const MatrixXd& innovations) {
+    r = innovations;
+    energy = std::max(1.0, r.squaredNorm());
+    r -= basis * (basis.transpose() * r);
   }
 };
 
+/// All columns at once: a little of everything is cheaper so than piece by piece. `tries`: of how many such sets this is
+/// the best. `left`: what they leave.
+Judged judgeAll(const MatrixXd& C, const Ground& ground, double lnN, double tries, VectorXd& left) {
+  const VectorXd size = C.colwise().norm().transpose();
+  MatrixXd unit = C * size.cwiseMax(1e-9).cwiseInverse().asDiagonal();
+  MatrixXd G = MatrixXd::Zero(C.cols(), C.cols());
+  G.selfadjointView<Eigen::Lower>().rankUpdate(unit.transpose());
+  G.diagonal().array() += 1e-6;
+  const VectorXd g = unit.transpose() * ground.r;
+  const VectorXd x = G.selfadjointView<Eigen::Lower>().ldlt().solve(g);
+  left = ground.r - unit * x;
+  const double explained = ground.r.squaredNorm() - left.squaredNorm();
+  const double gain = ground.learnsAgain ? ground.evidence(left) : explained;
+  const double price = priceOf(gain, static_cast<double>((size.array() > 1e-6).count()), lnN);
+  return {gain - price - 2.0 * std::log(2.0 * tries), explained / ground.energy};
+}
+
 /// Forward selection: the column that explains most, as long as it pays for itself and for the choice.
-Judged judge(const MatrixXd& columns, const Ground& ground, double lnN) {
-  MatrixXd C = whitened(columns, ground.noise, ground.stretches);
-  C -= ground.basis * (ground.basis.transpose() * C);
+Judged judgeBest(MatrixXd C, const Ground& ground, double lnN) {
   Judged out;
   VectorXd left = ground.r;
   std::vector<bool> gone(static_cast<std::size_t>(C.cols()), false);
   VectorXd norm = C.colwise().norm().transpose();
-  const double choice = 2.0 * std::log(static_cast<double>(C.cols()));
+  const double choice = 2.0 * std::log(2.0 * static_cast<double>(C.cols()));
   double price = 0.0, explained = 0.0, gain = 0.0;
   int idle = 0;
   for (int step = 0; step < 12 && idle < 3; ++step) {
@@ -186,31 +245,88 @@ Judged judge(const MatrixXd& columns, const Ground& ground, double lnN) {
   return out;
 }
 
-/// Narrow lines: the largest power of the innovations at any frequency, in units of its expectation, less what the largest
-/// of so many would be by chance.
-Judged rhythm(const Signals& signals, const std::vector<Stretch>& stretches, const VectorXd& r, double& frequency) {
+constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
+
+/// `C`: columns freed of what the fit can do.
+Judged judge(const MatrixXd& C, const Ground& ground, double lnN) {
+  Judged out = judgeBest(C, ground, lnN);
+  if (C.cols() > kFew) return out;
+  VectorXd left;
+  const Judged all = judgeAll(C, ground, lnN, 1.0, left);
+  return all.gain > out.gain ? all : out;
+}
+
+/// A wave in something that grows, such as time or an angle.
+struct Wave {
+  std::size_t of = 0;     ///< Which angle
+  double multiple = 0.0;  ///< Of it
+};
+
+/// Its sine and cosine, 2 x N.
+MatrixXd courseOf(const VectorXd& angle, double multiple) {
+  MatrixXd out(2, angle.size());
+  out.row(0) = (multiple * angle.array()).sin().matrix().transpose();
+  out.row(1) = (multiple * angle.array()).cos().matrix().transpose();
+  return out;
+}
+
+/// The best of `candidates`, waves of `angles` (each N), in all channels together, and others beside it while they pay.
+Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, const Ground& ground, double lnN,
+                  Wave& first) {
   Judged out;
   out.gain = -1e300;
-  const double nyquist = 0.45 * signals.blockRate(), resolution = 0.5 / signals.duration();
-  double count = 0.0;
-  for (const auto& s : stretches) count += static_cast<double>(s.to - s.from);
-  const double tries = 6.0 * nyquist / resolution;
-  for (double f = 3.0 / signals.duration(); f < nyquist; f += resolution) {
-    Vector6d re = Vector6d::Zero(), im = Vector6d::Zero();
-    const double step = 2.0 * std::numbers::pi * f / signals.blockRate();
-    for (const auto& s : stretches)
-      for (Eigen::Index n = s.from; n < s.to; ++n) {
-        const double phase = step * static_cast<double>(n);
-        re += std::cos(phase) * r.segment<6>(6 * n);
-        im += std::sin(phase) * r.segment<6>(6 * n);
-      }
-    const double power = 2.0 * (re.cwiseAbs2() + im.cwiseAbs2()).maxCoeff() / std::max(1.0, count);
-    const double gain = power - 2.0 * std::log(std::max(2.0, count)) - 2.0 * std::log(tries);
-    if (gain > out.gain) {
-      out.gain = gain;
-      out.explained = power;
-      frequency = f;
+  if (candidates.empty()) return out;
+  const Eigen::Index blocks = angles.front().size();
+  std::vector<double> power(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const MatrixXd course = courseOf(angles[candidates[i].of], candidates[i].multiple);
+    MatrixXd columns(6 * blocks, 2);
+    for (Eigen::Index n = 0; n < blocks; ++n)
+      for (Eigen::Index part = 0; part < 2; ++part) columns.block<6, 1>(6 * n, part).setConstant(course(part, n));
+    const MatrixXd C = whitened(columns, ground.noise, ground.stretches);
+    for (Eigen::Index part = 0; part < 2; ++part) {
+      const Eigen::Map<const Wrenches> u(C.col(part).data(), 6, blocks), r(ground.r.data(), 6, blocks);
+      const Vector6d dots = u.cwiseProduct(r).rowwise().sum(), sizes = u.rowwise().squaredNorm();
+      power[i] += dots.cwiseAbs2().cwiseQuotient(sizes.cwiseMax(1e-9)).sum();
     }
+  }
+  const double tries = static_cast<double>(candidates.size());
+  MatrixXd taken(0, blocks);
+  for (int step = 0; step < 3; ++step) {
+    const auto best = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
+    const Wave& wave = candidates[best];
+    taken = stacked(MatrixXd(taken), courseOf(angles[wave.of], wave.multiple));
+    VectorXd left;
+    const Judged judged = judgeAll(ground.freed(onEachChannel(taken)), ground, lnN, std::pow(tries, step + 1), left);
+    if (judged.gain <= out.gain) break;
+    out = judged;
+    if (step == 0) first = wave;
+    // Its neighbours are the same wave.
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (candidates[i].of == wave.of && std::abs(candidates[i].multiple - wave.multiple) < 0.2 * wave.multiple) power[i] = 0.0;
+  }
+  return out;
+}
+
+/// Waves in time, from three over the recording up to `highest` [Hz].
+std::vector<Wave> rhythms(const Signals& signals, double highest) {
+  std::vector<Wave> out;
+  for (double f = 3.0 / signals.duration(); f < highest; f += 0.6 / signals.duration())
+    out.push_back({0, 2.0 * std::numbers::pi * f});
+  return out;
+}
+
+/// Waves in the joints' angles, of which the motion shows at least one and that are not too fast for the blocks.
+std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& angles) {
+  constexpr double kFewest = 3.0, kMost = 40.0;
+  std::vector<Wave> out;
+  for (std::size_t j = 0; j < angles.size(); ++j) {
+    const double range = angles[j].maxCoeff() - angles[j].minCoeff();
+    const double fastest = signals.dq.row(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
+    const double least = std::max(kFewest, 2.0 * std::numbers::pi / std::max(1e-3, range));
+    const double most = std::min(kMost, 2.0 * std::numbers::pi * 0.4 * signals.blockRate() / std::max(1e-3, fastest));
+    // Steps fine enough that a wave between two of them is seen.
+    for (double m = least; m < most; m += std::max(0.25, 1.5 / std::max(1e-3, range))) out.push_back({j, m});
   }
   return out;
 }
@@ -262,6 +378,54 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   return out;
 }
 
+/// The judged blocks of `residual` with other phases, drawn at random, in each of its slow and fast waves: noise of the same
+/// colour that goes with nothing.
+Wrenches reshuffled(const Wrenches& residual, const std::vector<Stretch>& stretches, const MatrixXd& cosines, std::mt19937_64& random) {
+  MatrixXd judged(cosines.rows(), 6);
+  Eigen::Index at = 0;
+  for (const auto& s : stretches) {
+    judged.middleRows(at, s.to - s.from) = residual.middleCols(s.from, s.to - s.from).transpose();
+    at += s.to - s.from;
+  }
+  MatrixXd waves = cosines.transpose() * judged;
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (Eigen::Index k = 0; k < waves.rows(); ++k)
+      if ((random() >> 40) & 1u) waves(k, c) = -waves(k, c);
+  judged = cosines * waves;
+  Wrenches out = residual;
+  at = 0;
+  for (const auto& s : stretches) {
+    out.middleCols(s.from, s.to - s.from) = judged.middleRows(at, s.to - s.from).transpose();
+    at += s.to - s.from;
+  }
+  return out;
+}
+
+/// Orthonormal cosines over `count` blocks, count x count.
+MatrixXd cosinesOver(Eigen::Index count) {
+  MatrixXd out(count, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double size = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(count));
+    for (Eigen::Index n = 0; n < count; ++n)
+      out(n, k) = size * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
+  }
+  return out;
+}
+
+/// The largest gain of the same columns where there is nothing but noise of the residual's colour.
+double gainByChance(const MatrixXd& C, const Ground& ground, double lnN) {
+  constexpr std::size_t kDraws = 20;
+  Eigen::Index count = 0;
+  for (const auto& s : ground.stretches) count += s.to - s.from;
+  const MatrixXd cosines = cosinesOver(count);
+  std::mt19937_64 random(7);
+  std::vector<Wrenches> noises;
+  for (std::size_t i = 0; i < kDraws; ++i) noises.push_back(reshuffled(ground.fit.residual, ground.stretches, cosines, random));
+  std::vector<double> gains(kDraws, 0.0);
+  onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(C, Ground(ground, noises[i]), lnN).gain; });
+  return *std::max_element(gains.begin(), gains.end());
+}
+
 }  // namespace
 
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
@@ -273,17 +437,49 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   std::vector<std::array<Judged, 2>> judged(all.size());
   onTwoThreads(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i].features, signals);
-    for (std::size_t g = 0; g < 2; ++g) judged[i][g] = judge(columns, grounds[g], lnN);
+    for (std::size_t g = 0; g < 2; ++g) judged[i][g] = judge(grounds[g].freed(columns), grounds[g], lnN);
   });
   Structure best;
   best.gain = -1e300;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const Judged& each : judged[i])
-      if (each.gain > best.gain) best = {all[i].goesWith, each.gain, each.explained, 0.0, 0.0};
-  double frequency = 0.0;
-  const Judged line = rhythm(signals, stretches, grounds[0].r, frequency);
-  if (line.gain > best.gain)
-    best = {fmt::format("a rhythm of {:.2g} Hz", frequency), line.gain, line.explained / grounds[0].energy, frequency, frequency};
+  // Strongest first; what noise of this colour would do as well by chance is none.
+  for (;;) {
+    std::size_t at = 0, on = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t g = 0; g < 2; ++g)
+        if (judged[i][g].gain > judged[at][on].gain) {
+          at = i;
+          on = g;
+        }
+    Judged& strongest = judged[at][on];
+    if (strongest.gain < kFaintest || strongest.gain > kPlain ||
+        strongest.gain > gainByChance(grounds[on].freed(columnsOf(all[at].features, signals)), grounds[on], lnN)) {
+      best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
+      break;
+    }
+    strongest.gain = 0.0;
+  }
+  std::vector<VectorXd> time(1), angles;
+  time[0].resize(signals.blocks());
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) time[0](n) = signals.blockTime(n) - signals.startTime;
+  const Eigen::Index m = signals.samplesPerBlock;
+  for (Eigen::Index j = 0; signals.q.cols() == signals.size() && j < signals.q.rows(); ++j) {
+    angles.emplace_back(signals.blocks());
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n) angles.back()(n) = signals.q.row(j).segment(n * m, m).mean();
+  }
+  std::array<Judged, 4> waves;
+  std::array<Wave, 4> which;
+  onTwoThreads(waves.size(), [&](std::size_t i) {
+    const bool inTime = i < 2;
+    waves[i] = judgeWaves(inTime ? time : angles, inTime ? rhythms(signals, 0.45 * signals.blockRate()) : ripples(signals, angles),
+                          grounds[i % 2], lnN, which[i]);
+  });
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    waves[i].gain -= kBesideColour;
+    if (waves[i].gain <= best.gain) continue;
+    const double frequency = i < 2 ? which[i].multiple / (2.0 * std::numbers::pi) : 0.0;
+    best = {i < 2 ? fmt::format("a rhythm of {:.2g} Hz", frequency) : heft::toSay("the joint angles, several times a turn"),
+            waves[i].gain, waves[i].explained, frequency, frequency};
+  }
   const Swell high = swell(signals, stretches, fit.residual);
   if (high.excess > 1.0 && best.gain < kPlain)
     best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,

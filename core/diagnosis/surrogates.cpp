@@ -44,6 +44,7 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
     MatrixXd kept(rows, static_cast<Eigen::Index>(keep.size()));
     for (std::size_t j = 0; j < keep.size(); ++j) kept.col(static_cast<Eigen::Index>(j)) = C.col(keep[j]).normalized();
     Direction& out = directions[i];
+    if (bank[i].form.walk) return;  // Never a verdict.
     out.penalty = 2.0 * std::log(static_cast<double>(forms.at(bank[i].form.cause)));
     out.subset = bank[i].form.subset;
     if (keep.empty()) return;

@@ -18,6 +18,8 @@ constexpr double kEdge = 0.5;        ///< [s] left out at either end, where filt
 constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
 constexpr double kLagNamed = 0.003;  ///< [s]
 constexpr double kLossNamed = 0.03;
+constexpr double kNoiseNamed = 0.05;        ///< Of the motion's own speed
+constexpr double kNoiseMatters = 0.004;     ///< [rad/s]; less is how finely velocities are reported
 constexpr double kMemory = 0.05;     ///< [s] over which what is left over does not change
 
 /// Slope of the angles `q` (dof x K) as it would be reported with a lag [s].
@@ -63,6 +65,10 @@ class Comparison {
     }
     return out;
   }
+
+  /// Root mean square [rad/s] of what a match leaves, and of the motion's own speed.
+  double leftOver(const Match& match) const { return std::sqrt(match.left / static_cast<double>(count_ * q_.rows())); }
+  double speed() const { return std::sqrt(slope_.middleCols(edge_, count_).squaredNorm() / static_cast<double>(count_ * q_.rows())); }
 
   /// Deviation of the lag [s], from how fast the misfit grows around it.
   double deviation(const Reporting& reporting, const Match& match) const {
@@ -126,6 +132,12 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
     Direct found;
     found.cause = "derivative_noise";
     found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
+    out.push_back(std::move(found));
+  } else if (const double noise = comparison.leftOver(lags ? late : plain);
+             !lags && noise > std::max(kNoiseMatters, kNoiseNamed * comparison.speed())) {
+    Direct found;
+    found.cause = "derivative_noise";
+    found.parameters = {{"noise", "%", 100.0 * noise / std::max(1e-9, comparison.speed()), 0.5}};
     out.push_back(std::move(found));
   }
   return out;

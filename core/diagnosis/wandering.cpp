@@ -25,33 +25,7 @@ VectorXd waves(const Signals& signals, const std::vector<Stretch>& stretches, co
   return A.ldlt().solve(b).tail(count);
 }
 
-/// Twice the log-likelihood of the slow waves as a walk of the best size on top of noise of variance `floor`.
-double likelihood(const VectorXd& slow, double floor) {
-  double best = -1e300;
-  for (double a = 0.0; a < 1e9; a = a == 0.0 ? 0.3 : 1.6 * a) {
-    double sum = 0.0;
-    for (Eigen::Index i = 0; i < slow.size(); ++i) {
-      const double k = static_cast<double>(i + 1), variance = floor * (1.0 + a / (k * k));
-      sum -= std::log(variance) + slow(i) * slow(i) / variance;
-    }
-    best = std::max(best, sum);
-  }
-  return best;
-}
-
-bool driftStandsOut(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
-  double gain = 0.0;
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const VectorXd before = waves(signals, stretches, without.residual, c, 3 * kWaves);
-    const VectorXd after = waves(signals, stretches, with.residual, c, 3 * kWaves);
-    const double floor = std::max(1e-18, after.tail(kWaves).squaredNorm() / kWaves);
-    gain += likelihood(after.head(kWaves), floor) - likelihood(before.head(kWaves), floor);
-  }
-  const Term& term = with.model.terms.back();
-  double parameters = 0.0;
-  for (Eigen::Index p = 0; p < term.v.size(); ++p) parameters += term.moves(p) ? 1.0 : 0.0;
-  return gain - parameters * std::log(static_cast<double>(kWaves)) > 10.0;
-}
+}  // namespace
 
 bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
   const Term& term = with.model.terms.back();
@@ -73,18 +47,11 @@ bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches
   return false;
 }
 
-}  // namespace
-
-bool beyondWandering(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with) {
-  return with.model.terms.back().form->local ? jumpStandsOut(signals, stretches, without, with)
-                                             : driftStandsOut(signals, stretches, without, with);
-}
-
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
   constexpr int kAll = 3 * kWaves;
   constexpr double kBelow = 0.6;   // [Hz]; faster ones are looked for elsewhere
-  constexpr double kLimit = 40.0;  // squared deviations of one wave
-  double excess = 0.0;
+  constexpr double kLimit = 70.0;  // squared deviations of two neighbours in all channels: 12 on average
+  VectorXd together = VectorXd::Zero(kAll);
   for (Eigen::Index c = 0; c < 6; ++c) {
     const VectorXd power = waves(signals, stretches, residual, c, kAll).cwiseAbs2();
     // A walk on top of noise, fitted so that single waves that stand out count little (Student's t, three degrees).
@@ -104,10 +71,12 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
           walk = a;
         }
       }
-    // Half a wave over the recording is what a drift looks like.
-    for (int k = 2; k <= kAll && 0.5 * k < kBelow * signals.duration(); ++k)
-      excess = std::max(excess, power(k - 1) / spectrum(floor, walk, k) / kLimit);
+    for (int k = 1; k <= kAll; ++k) together(k - 1) += power(k - 1) / spectrum(floor, walk, k);
   }
+  // Half a wave over the recording is what a drift looks like. A wave that fits no whole number of times shows in two.
+  double excess = 0.0;
+  for (int k = 2; k < kAll && 0.5 * k < kBelow * signals.duration(); ++k)
+    excess = std::max(excess, (together(k - 1) + together(k)) / kLimit);
   return excess;
 }
 

@@ -326,6 +326,8 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return v.find("friction")
                ? heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"))
                : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
+  if (id == "loose_mass" && v.value("damping") > 0.5)
+    return heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));
   if (id == "loose_mass")
     return heft::say("About {} g in the tool are loose and swing {} times a second.", v.size("mass"),
                      number(v.value("frequency"), 1));
@@ -352,6 +354,9 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "lever_arm")
     return heft::say("The sensor's origin sits {} mm away from where the meta file puts it.",
                      v.norm({"dx", "dy", "dz"}));
+  if (id == "derivative_noise" && v.find("noise"))
+    return heft::say("The reported joint velocities are noisy, by {} % of the motion's speed; Heft can use the angles instead.",
+                     v.size("noise"));
   if (id == "derivative_noise")
     return cause.direct ? heft::say("The reported joint velocities are {} % off; Heft can use the angles instead.",
                                     v.size("loss"))

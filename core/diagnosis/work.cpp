@@ -36,6 +36,48 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
       signals.usable[static_cast<std::size_t>(n)] = false;
 }
 
+/// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are none.
+void setTouchesAside(Work& work) {
+  constexpr double kMostOfTime = 0.2;
+  constexpr std::ptrdiff_t kMost = 4;
+  Search& search = work.search;
+  const auto found = std::find_if(search.found.begin(), search.found.end(), [](const Found& f) { return f.cause == "contact"; });
+  if (found == search.found.end()) return;
+  Signals& signals = work.signals;
+  std::vector<Contact> touches;
+  double lasts = 0.0;
+  for (const auto& term : search.final.model.terms) {
+    if (term.form->cause->id() != "contact") continue;
+    for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) {
+      Contact touch{from, to, term.v.segment<3>(1).norm(), 0.0, {signals.blocks(), 0}};
+      for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+        if (signals.blockTime(n) >= from && signals.blockTime(n) <= to) {
+          touch.blocks.from = std::min(touch.blocks.from, n);
+          touch.blocks.to = n + 1;
+        }
+      lasts += to - from;
+      touches.push_back(touch);
+    }
+  }
+  for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
+  search.found.erase(found);
+  Model model = without(search.final.model, "contact");
+  if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost) {
+    std::vector<Stretch> holes;
+    for (const auto& touch : touches) holes.push_back(touch.blocks);
+    Signals less = signals;
+    leaveOut(less, holes);
+    if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
+      signals = std::move(less);
+      work.stretches = std::move(stretches);
+      work.contacts.insert(work.contacts.end(), touches.begin(), touches.end());
+      std::sort(work.contacts.begin(), work.contacts.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
+      search.null = fitModel(signals, work.stretches, Model{});
+    }
+  }
+  search.final = fitModel(signals, work.stretches, std::move(model));
+}
+
 }  // namespace
 
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
@@ -121,6 +163,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
   }
   if (holes.empty() || hidden > 7 * judged / 10) {
     work.search = search(signals, work.stretches, searching, progress);
+    setTouchesAside(work);
     return work;
   }
   // Contact first; what the causes found elsewhere account for is no contact.
@@ -135,6 +178,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
   }
+  setTouchesAside(work);
   return work;
 }
 

@@ -243,7 +243,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<doubl
   }
   replaced = std::count(touched.begin(), touched.end(), true);
   // What happens all the time is the signal.
-  if (static_cast<double>(replaced) > 0.02 * static_cast<double>(n)) {
+  if (static_cast<double>(replaced) > 0.05 * static_cast<double>(n)) {
     replaced = 0;
     return wrench;
   }

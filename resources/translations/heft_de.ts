@@ -6358,6 +6358,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} is cut off at {:.4g} {}: the sensor is at the end of its range.</source>
         <translation>{} ist bei {:.4g} {} abgeschnitten: Der Sensor ist am Ende seines Bereichs.</translation>
     </message>
+    <message>
+        <source>Another version of Heft saved {} in a form that this one does not know: not part of these numbers.</source>
+        <translation>Eine andere Version von Heft hat {} in einer Form gespeichert, die diese nicht kennt: nicht in diesen Zahlen enthalten.</translation>
+    </message>
+    <message>
+        <source>Run the reality check again.</source>
+        <translation>Führen Sie die Realitätsprüfung noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>About {} g in the tool are loose and roll to another place as it turns.</source>
+        <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
+    </message>
+    <message>
+        <source>The reported joint velocities are noisy, by {} % of the motion&apos;s speed; Heft can use the angles instead.</source>
+        <translation>Die gemeldeten Gelenkgeschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Winkel nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

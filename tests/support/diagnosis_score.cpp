@@ -97,7 +97,8 @@ Judgement judge(const HiddenTruth& truth, const json& answer) {
   std::string verdict = answer.value("verdict", std::string());
   std::vector<Cause> causes = causesOf(answer);
   // Picking and placing touches things: saying so is neither an alarm nor an answer.
-  if (!contains(truth.ids, "contact")) {
+  const bool maybeContact = contains(truth.relatives, "contact") && !truth.touches;
+  if (!contains(truth.ids, "contact") && !maybeContact) {
     std::erase_if(causes, [](const Cause& cause) { return cause.id == "contact"; });
     if (causes.empty() && verdict == "explained") verdict = "clean";
   }

@@ -33,6 +33,7 @@ struct HiddenTruth {
   SimulationTruth simulation;
   std::vector<std::string> ids;        ///< What is hidden, in the order of the chain.
   std::vector<std::string> relatives;  ///< Fair near answers to an unlisted effect.
+  bool touches = false;                ///< The task touches things: contact is no answer.
 };
 
 struct HiddenRecording {

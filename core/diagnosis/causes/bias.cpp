@@ -68,9 +68,9 @@ class SensorBias final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "bias_drift"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
-    const double end = signals.startTime + signals.duration();
-    for (double t = signals.startTime + 0.8; t < end - 0.8; t += std::max(0.4, signals.duration() / 60.0)) {
-      std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, signals.startTime, end}};
+    const auto [from, to] = timesForChange(signals);
+    for (double t = from + 0.05; t < to; t += std::max(0.4, signals.duration() / 60.0)) {
+      std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, from, to}};
       for (int c = 0; c < 6; ++c)
         parameters.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -400.0 * sizeOf(c), 400.0 * sizeOf(c)});
       Form form = formOf(this, "", parameters);
@@ -101,7 +101,7 @@ class Wandering final : public Cause {
       for (int c = 0; c < 6; ++c)
         parameters.push_back({fmt::format("{}_wave_{}", channelName(c), k), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
     Form form = formOf(this, "", std::move(parameters));
-    form.subset = true;
+    form.walk = true;
     return {form};
   }
   int order() const override { return 84; }

@@ -1,4 +1,4 @@
-// Every cause that is fitted to the residual. What a single sample shows is in sample_tests.h; contact in contact.h.
+// Every cause that is fitted to the residual. What a single sample shows is in sample_tests.h; strong contact in events.h.
 #include <cmath>
 
 #include "core/diagnosis/causes/causes.h"
@@ -11,7 +11,7 @@ const std::vector<std::unique_ptr<Cause>>& catalogue() {
     std::vector<std::unique_ptr<Cause>> all;
     for (const auto make :
          {makeSensorBias, makeBiasDrift, makeTimeOffset, makeLowPassLag, makeSensorRotation, makeGravityTilt, makeGainError,
-          makeCrosstalk, makeCablePull, makeViscousDrag, makeCoulombFriction, makeLooseMass, makePayloadChange, makeJointOffset,
+          makeCrosstalk, makeCablePull, makeViscousDrag, makeCoulombFriction, makeLooseMass, makePayloadChange, makeTouch, makeJointOffset,
           makeMotionLag, makeLeverArm, makeConstantPull, makeFlexibleMount, makeDerivativeNoise, makeHysteresis, makeWandering})
       all.push_back(make());
     return all;

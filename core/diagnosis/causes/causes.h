@@ -25,6 +25,7 @@ std::unique_ptr<Cause> makePayloadChange();
 std::unique_ptr<Cause> makeSensorBias();
 std::unique_ptr<Cause> makeSensorRotation();
 std::unique_ptr<Cause> makeTimeOffset();
+std::unique_ptr<Cause> makeTouch();
 std::unique_ptr<Cause> makeViscousDrag();
 std::unique_ptr<Cause> makeWandering();
 

@@ -56,6 +56,12 @@ inline double stepAt(double t, double t0, double duration) {
   return std::min(1.0, std::max(0.0, 0.5 + (t - t0) / std::max(duration, 1e-3)));
 }
 
+/// Times [s] between which an event may change the rest of the recording: close to an end there is nothing to compare.
+inline std::pair<double, double> timesForChange(const Signals& signals) {
+  const double margin = std::max(1.2, 0.08 * signals.duration());
+  return {signals.startTime + margin, signals.startTime + signals.duration() - margin};
+}
+
 inline std::pair<double, double> wholeAfter(double t0, const Signals& signals) {
   return {t0, signals.startTime + signals.duration()};
 }

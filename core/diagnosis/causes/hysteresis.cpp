@@ -18,23 +18,38 @@ class Hysteresis final : public Cause {
       out.back().subset = true;
       out.back().choice = {percent};
     }
+    // What remembers through many small plays: bristles that bend over a way of the load.
+    for (const int percent : {15, 40}) {
+      Form form = out.front();
+      form.name = fmt::format("bristles over {} % of the range", percent);
+      form.choice = {percent, 1};
+      out.push_back(std::move(form));
+    }
     return out;
   }
   int order() const override { return 50; }
   bool changesSensor() const override { return true; }
   bool linear() const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
-    for (Eigen::Index c = 0; c < 6; ++c) {
-      if (v(c) == 0.0) continue;
-      const double range = w.row(c).maxCoeff() - w.row(c).minCoeff();
-      const double r = 0.005 * form.choice[0] * range;
-      double play = w(c, 0);
-      // The lag of a play behind its input: what a dead band remembers.
+    const Vector6d r = 0.005 * form.choice[0] * (w.rowwise().maxCoeff() - w.rowwise().minCoeff());
+    if (form.choice.size() > 1) {
+      const Vector6d reach = (2.0 * r).cwiseMax(1e-9);
+      Vector6d bend = Vector6d::Zero(), last = w.col(0);
       for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const double u = w(c, k);
-        play = std::min(u + r, std::max(u - r, play));
-        w(c, k) = u + v(c) * (play - u);
+        const Vector6d u = w.col(k), way = (u - last).cwiseQuotient(reach);
+        const Vector6d end = way.cwiseSign();
+        bend = end + (bend - end).cwiseProduct((-way.cwiseAbs()).array().exp().matrix());
+        last = u;
+        w.col(k) -= v.cwiseProduct(bend).cwiseProduct(reach);
       }
+      return;
+    }
+    Vector6d play = w.col(0);
+    // The lag of a play behind its input: what a dead band remembers.
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      const Vector6d u = w.col(k);
+      play = play.cwiseMax(u - r).cwiseMin(u + r);
+      w.col(k) += v.cwiseProduct(play - u);
     }
   }
 };

@@ -9,7 +9,8 @@ class LeverArm final : public Cause {
  public:
   std::string_view id() const override { return "lever_arm"; }
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "derivative_noise"}; }
-  std::vector<Form> forms(const Signals&) const override {
+  std::vector<Form> forms(const Signals& signals) const override {
+    if (!signals.positionKnown) return {};
     Form form = formOf(this, "", {{"dx", "mm", kMilli, 0.01, -0.5, 0.5},
                                   {"dy", "mm", kMilli, 0.01, -0.5, 0.5},
                                   {"dz", "mm", kMilli, 0.01, -0.5, 0.5}});

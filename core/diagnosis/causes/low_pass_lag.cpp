@@ -1,9 +1,17 @@
-// A low-pass filter inside the sensor or its driver: T y' + y = w, once or twice.
+// A low-pass filter inside the sensor or its driver: T y' + y = w, once or twice, or the mean since a while ago.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
 namespace heft::diagnosis {
 namespace {
+
+/// Mean over the last 2 `lag` seconds of what was constant before it started.
+Wrenches meanSince(const Wrenches& w, double lag, double rateHz) {
+  const Vector6d before = w.col(0);
+  MatrixXd sum = MatrixXd::Zero(6, w.cols());
+  for (Eigen::Index k = 1; k < w.cols(); ++k) sum.col(k) = sum.col(k - 1) + (0.5 / rateHz) * (w.col(k - 1) + w.col(k) - 2.0 * before);
+  return ((sum - delayed(sum, 2.0 * lag, rateHz)) / (2.0 * lag)).colwise() + before;
+}
 
 class LowPassLag final : public Cause {
  public:
@@ -11,8 +19,8 @@ class LowPassLag final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"time_offset", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
-    for (const int stages : {1, 2}) {
-      out.push_back(formOf(this, stages == 1 ? "" : "two stages",
+    for (const int stages : {1, 2, kMean}) {
+      out.push_back(formOf(this, stages == 1 ? "" : stages == 2 ? "two stages" : "mean",
                            {{"time_constant", "ms", kMilli, 0.005, 0.0, 0.8}}));
       out.back().choice = {stages};
     }
@@ -21,8 +29,15 @@ class LowPassLag final : public Cause {
   int order() const override { return 60; }
   bool changesSensor() const override { return true; }
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    if (form.choice[0] == kMean) {
+      if (v(0) > 1e-6) w = meanSince(w, v(0), signals.rateHz);
+      return;
+    }
     for (int stage = 0; v(0) > 1e-6 && stage < form.choice[0]; ++stage) w = onePole(w, v(0), signals.rateHz);
   }
+
+ private:
+  static constexpr int kMean = 0;
 };
 
 }  // namespace

@@ -17,9 +17,11 @@ struct Swing {
 /// Started in balance. Each step is exact for a pull that is linear in time; what turning adds (Coriolis) is taken from
 /// half a step ahead. `way`: unit vector, or zero where the mass moves all ways.
 Swing swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping, double rateHz) {
-  const double w = 2.0 * std::numbers::pi * frequency, z = std::min(damping, 0.98), dt = 1.0 / rateHz;
-  const double wd = w * std::sqrt(1.0 - z * z), decay = std::exp(-z * w * dt);
-  const double c = std::cos(wd * dt), s = std::sin(wd * dt);
+  // Close to critical damping both ways of writing the answer divide by next to nothing.
+  const double w = 2.0 * std::numbers::pi * frequency, dt = 1.0 / rateHz;
+  const double z = std::abs(damping - 1.0) < 0.02 ? (damping < 1.0 ? 0.98 : 1.02) : damping;
+  const double wd = w * std::sqrt(std::abs(1.0 - z * z)), decay = std::exp(-z * w * dt);
+  const double c = z < 1.0 ? std::cos(wd * dt) : std::cosh(wd * dt), s = z < 1.0 ? std::sin(wd * dt) : std::sinh(wd * dt);
   // Homogeneous solution over a step: [x; x'] = Phi [x; x'].
   const double p11 = decay * (c + z * w / wd * s), p12 = decay * s / wd, p21 = -decay * w * w / wd * s,
                p22 = decay * (c - z * w / wd * s);
@@ -72,22 +74,28 @@ class Oscillator : public Cause {
   }
 
  protected:
+  static constexpr int kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, 3 all ways, this without swinging
+
+  static std::vector<Parameter> parameters(double lowest, double highest) {
+    return {{"mass", "g", kMilli, 0.03, 0.0, 5.0},
+            {"moment_x", "kg m", 1.0, 0.003, -1.0, 1.0},
+            {"moment_y", "kg m", 1.0, 0.003, -1.0, 1.0},
+            {"moment_z", "kg m", 1.0, 0.003, -1.0, 1.0},
+            {"frequency", "Hz", 1.0, 0.3, lowest, highest},
+            // What is damped more does not swing.
+            {"damping", "", 1.0, 0.05, 0.001, 0.35}};
+  }
+
   std::vector<Form> at(std::initializer_list<double> frequencies, double lowest, double highest) const {
     std::vector<Form> out;
     for (const double frequency : frequencies)
       for (const int axis : {3, 0, 1, 2}) {
         constexpr std::array<const char*, 4> kAxis{" along x", " along y", " along z", ""};
-        std::vector<Parameter> parameters{{"mass", "g", kMilli, 0.03, 0.0, 5.0},
-                                          {"moment_x", "kg m", 1.0, 0.003, -1.0, 1.0},
-                                          {"moment_y", "kg m", 1.0, 0.003, -1.0, 1.0},
-                                          {"moment_z", "kg m", 1.0, 0.003, -1.0, 1.0},
-                                          {"frequency", "Hz", 1.0, 0.3, lowest, highest},
-                                          // What is damped more does not swing: it would stand for any filter.
-                                          {"damping", "", 1.0, 0.05, 0.001, 0.35}};
+        std::vector<Parameter> all = parameters(lowest, highest);
         // How much of the next axis, and of the one after that, there is for one of this.
         for (int i = 1; i < 3 && axis < 3; ++i)
-          parameters.push_back({fmt::format("slope_{}", "xyz"[(axis + i) % 3]), "", 1.0, 0.2, -1.5, 1.5});
-        Form form = formOf(this, fmt::format("{:.1f} Hz{}", frequency, kAxis[static_cast<std::size_t>(axis)]), std::move(parameters));
+          all.push_back({fmt::format("slope_{}", "xyz"[(axis + i) % 3]), "", 1.0, 0.2, -1.5, 1.5});
+        Form form = formOf(this, fmt::format("{:.1f} Hz{}", frequency, kAxis[static_cast<std::size_t>(axis)]), std::move(all));
         form.start(4) = frequency;
         form.start(5) = 0.06;
         form.scan = {0, 1, 2, 3};
@@ -112,7 +120,19 @@ class LooseMass final : public Oscillator {
   std::string_view id() const override { return "loose_mass"; }
   std::vector<std::string> lookAlikes() const override { return {"flexible_mount", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
-    return at({0.8, 1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5, 10.0}, 0.4, 13.0);
+    auto out = at({0.8, 1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5, 10.0}, 0.4, 13.0);
+    // A part that lies in a hollow, or a liquid: it rolls to its new place as the tool turns, and does not swing.
+    for (const double damping : {1.3, 3.0})
+      for (const double frequency : {3.0, 5.0}) {
+        Form form = formOf(this, fmt::format("rolls, {:.0f} Hz, {:.1f}", frequency, damping), parameters(1.0, 13.0));
+        form.parameters[5] = {"damping", "", 1.0, 0.5, 0.8, 12.0};
+        form.start(4) = frequency;
+        form.start(5) = damping;
+        form.scan = {0, 1, 2, 3};
+        form.choice = {kRolls};
+        out.push_back(std::move(form));
+      }
+    return out;
   }
 };
 

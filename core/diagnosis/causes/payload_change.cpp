@@ -12,9 +12,9 @@ class PayloadChange final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"sensor_bias", "contact"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
-    const double end = signals.startTime + signals.duration();
-    for (double t = signals.startTime + 0.8; t < end - 0.8; t += std::max(0.4, signals.duration() / 60.0)) {
-      Form form = formOf(this, "", {{"time", "s", 1.0, 0.1, signals.startTime, end},
+    const auto [from, to] = timesForChange(signals);
+    for (double t = from + 0.05; t < to; t += std::max(0.4, signals.duration() / 60.0)) {
+      Form form = formOf(this, "", {{"time", "s", 1.0, 0.1, from, to},
                                     {"mass", "g", kMilli, 0.03, -20.0, 20.0},
                                     {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
                                     {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},

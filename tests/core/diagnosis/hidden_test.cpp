@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/corrected.h"
 #include "tests/core/diagnosis/fixture.h"
+#include "tests/support/hidden_effects.h"
 
 namespace heft::test {
 namespace {
@@ -66,6 +67,39 @@ TEST(Diagnose, SeesSmallEffectsOfManyParameters) {
   for (const auto& effect : effects) {
     const auto report = diagnosed(aRecording(MotionKind::excitation, ++seed, {effect}));
     EXPECT_TRUE(namedFirstOrTied(report, effect.id)) << effect.id << ": " << said(report);
+  }
+}
+
+TEST(Diagnose, AZeroThatMovesInItsOwnWayIsADriftAndNoWalk) {
+  std::uint64_t seed = 170;
+  for (const char* form : {"linear", "warm-up", "curved"}) {
+    const auto report = diagnosed(aRecording(MotionKind::excitation, ++seed, {{"bias_drift", form, 0.4}}));
+    EXPECT_TRUE(namedFirstOrTied(report, "bias_drift")) << form << ": " << said(report);
+  }
+}
+
+TEST(Diagnose, APartThatRattlesIsNotGivenAWrongName) {
+  std::uint64_t seed = 71;
+  for (const auto motion : {MotionKind::free, MotionKind::excitation}) {
+    const auto report = diagnosed(aRecording(motion, seed++, {{"loose_mass", "rattling", 250.0}}));
+    EXPECT_TRUE(report.verdict == Verdict::unexplained || namedFirstOrTied(report, "loose_mass")) << toString(motion) << ": " << said(report);
+  }
+}
+
+TEST(Diagnose, ALightTouchIsContact) {
+  const auto report = diagnosed(aRecording(MotionKind::excitation, 181, {{"contact", "bump", 0.3}}));
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "contact");
+  EXPECT_TRUE(canApply(report, report.causes.front()));
+}
+
+/// Effects that the catalogue lacks, at sizes that a matched filter sees at 20 standard deviations.
+TEST(Diagnose, WhatNoCauseCanBeIsUnexplained) {
+  for (const auto& kind : {"temperature_wave", "backlash_torque", "angle_ripple", "magnet"}) {
+    const auto hidden = drawHidden(HiddenCase::unlisted, 7, 2.0, kind);
+    const auto report = diagnosed(hidden.recording);
+    const bool relative = !report.causes.empty() && std::ranges::find(hidden.truth.relatives, report.causes.front().id) != hidden.truth.relatives.end();
+    EXPECT_TRUE(report.verdict == Verdict::unexplained || relative) << kind << ": " << said(report);
   }
 }
 

@@ -31,6 +31,8 @@ TEST(SampleTests, EachNamesItsOwn) {
   for (const auto& [effect, cause] : std::vector<std::pair<EffectRequest, std::string>>{
            {{"saturation", "", 6.0}, "saturation"},
            {{"spikes", "", 0.5}, "spikes"},
+           {{"spikes", "all-axes", 2.5}, "spikes"},
+           {{"derivative_noise", "noisy", 20.0}, "derivative_noise"},
            {{"dropouts", "", 6.0}, "dropouts"},
            {{"dropouts", "zeros", 4.0}, "dropouts"},
            {{"jitter", "", 0.8}, "jitter"},
@@ -53,6 +55,11 @@ TEST(SampleTests, TheLagOfReportedVelocitiesIsWithinItsDeviations) {
       EXPECT_NEAR(value.value, lag, 3.0 * value.std + 0.02 * lag) << form;
       EXPECT_LT(value.std, 0.1 * lag) << form;
     }
+}
+
+TEST(SampleTests, SmoothedReadingsThatStandStillWereNotLost) {
+  const auto found = directCauses(aRecording(MotionKind::excitation, 18, {{"low_pass_lag", "average", 50.0}}));
+  EXPECT_EQ(std::count(found.begin(), found.end(), "dropouts"), 0);
 }
 
 TEST(SampleTests, UnevenStampsAreNoLostReadings) {

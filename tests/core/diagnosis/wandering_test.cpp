@@ -13,8 +13,9 @@ namespace {
 
 using namespace diagnosis;
 
-/// 20 s at 50 Hz: noise of 0.02, a walk of `walk` per root second, a wave of `wave` at 0.3 Hz on one channel.
-double judged(std::uint64_t seed, double walk, double wave) {
+/// 20 s at 50 Hz: noise of 0.02, a walk of `walk` per root second, a wave at 0.3 Hz of `wave` on one channel, or of as much
+/// altogether on all of them.
+double judged(std::uint64_t seed, double walk, double wave, bool everywhere = false) {
   Signals signals;
   signals.rateHz = 200.0;
   signals.samplesPerBlock = 4;
@@ -26,7 +27,7 @@ double judged(std::uint64_t seed, double walk, double wave) {
     double zero = 0.0;
     for (Eigen::Index n = 0; n < 1000; ++n) {
       zero += walk * random.normal() / std::sqrt(50.0);
-      const double swing = c == 1 ? wave * std::sin(2.0 * std::numbers::pi * 0.3 * signals.blockTime(n)) : 0.0;
+      const double swing = (everywhere ? wave / std::sqrt(6.0) : c == 1 ? wave : 0.0) * std::sin(2.0 * std::numbers::pi * 0.3 * signals.blockTime(n));
       residual(c, n) = zero + swing + 0.02 * random.normal();
     }
   }
@@ -39,7 +40,21 @@ TEST(SlowWave, NoWalkLooksLikeOne) {
 }
 
 TEST(SlowWave, IsSeenAboveTheWalk) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_GT(judged(seed, 0.01, 0.2), 1.0) << seed;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (const bool everywhere : {false, true}) {
+      EXPECT_GT(judged(seed, 0.01, 0.2, everywhere), 1.0) << seed << " " << everywhere;
+      // Twenty-five deviations of the noise, which no wave of one channel shows by itself where they are spread.
+      EXPECT_GT(judged(seed, 0.0, 0.024, everywhere), 1.0) << seed << " " << everywhere;
+    }
+}
+
+/// A walk of 60 draws: what its waves cost is least where the walk is as large as they are.
+TEST(Walk, ThePriceIsLeastAtItsOwnSize) {
+  RandomStream random(3, RandomPurpose::walk, 0);
+  VectorXd waves(60), spread = VectorXd::Constant(60, 1e-6);
+  for (Eigen::Index k = 0; k < 60; ++k) waves(k) = 0.5 * random.normal() / static_cast<double>(k + 1);
+  const double right = priceOfWalk(waves, spread, 0.25);
+  for (const double off : {0.1, 0.3, 3.0, 10.0}) EXPECT_GT(priceOfWalk(waves, spread, 0.25 * off), right) << off;
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+// Something pushed for a moment. Strong contact is set aside before anything is fitted; this finds the light one.
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+class Touch final : public Cause {
+ public:
+  std::string_view id() const override { return "contact"; }
+  std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
+  std::vector<Form> forms(const Signals& signals) const override {
+    constexpr double kShortest = 0.15, kLongest = 2.5;
+    std::vector<Form> out;
+    const double from = signals.startTime + 0.5, to = signals.startTime + signals.duration() - 0.5;
+    for (const double lasts : {0.5, 1.2})
+      for (double t = from + 0.5 * lasts; t < to - 0.5 * lasts; t += 0.5 * lasts) {
+        std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, from, to}};
+        for (const char* axis : {"force_x", "force_y", "force_z"}) parameters.push_back({axis, "N", 1.0, 0.3, -100.0, 100.0});
+        for (const char* axis : {"torque_x", "torque_y", "torque_z"}) parameters.push_back({axis, "N m", 1.0, 0.02, -20.0, 20.0});
+        parameters.push_back({"duration", "s", 1.0, 0.1, kShortest, kLongest});
+        Form form = formOf(this, "", std::move(parameters));
+        form.start(0) = t;
+        form.start(7) = lasts;
+        form.scan = {1, 2, 3, 4, 5, 6};
+        form.local = true;
+        out.push_back(form);
+      }
+    return out;
+  }
+  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+    const auto [from, to] = stretch(v);
+    const auto first = std::max<Eigen::Index>(0, static_cast<Eigen::Index>((from - signals.startTime) * signals.rateHz));
+    for (Eigen::Index k = first; k < w.cols() && signals.time(k) < to; ++k) {
+      if (signals.time(k) < from) continue;
+      const double level = std::pow(std::sin(std::numbers::pi * (signals.time(k) - from) / (to - from)), 2);
+      const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+      // The tool is pushed by F (base axes), so the sensor holds it with -F; its torque turns with the tool.
+      w.col(k).head<3>() -= level * (R.transpose() * v.segment<3>(1));
+      w.col(k).tail<3>() += level * v.segment<3>(4);
+    }
+  }
+  std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals&) const override {
+    return {stretch(v)};
+  }
+
+ private:
+  static std::pair<double, double> stretch(const VectorXd& v) { return {v(0) - 0.5 * v(7), v(0) + 0.5 * v(7)}; }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeTouch() { return std::make_unique<Touch>(); }
+
+}  // namespace heft::diagnosis
