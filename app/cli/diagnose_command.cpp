@@ -27,7 +27,7 @@ struct Options {
 void list() {
   for (const auto& cause : diagnosis::catalogue())
     print(fmt::format("  {:<18} {}\n", cause->id(), causeTitle(cause->id())));
-  print("  contact, saturation, spikes, dropouts, frame_error are seen directly.\n");
+  print("  Strong contact, saturation, spikes, dropouts and frame_error are seen directly.\n");
 }
 
 void run(const Options& options) {
@@ -41,7 +41,7 @@ void run(const Options& options) {
   settings.seed = options.seed;
   requireRange("--surrogates", options.surrogates, 0, 5000, "");
   for (const auto& id : options.hidden) {
-    std::vector<std::string> known{"contact", "saturation", "spikes", "dropouts", "jitter", "quantisation"};
+    std::vector<std::string> known{"saturation", "spikes", "dropouts", "jitter", "quantisation"};
     for (const auto& cause : diagnosis::catalogue()) known.emplace_back(cause->id());
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }
