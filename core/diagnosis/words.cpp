@@ -326,8 +326,9 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return v.find("friction")
                ? heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"))
                : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
-  if (id == "loose_mass" && v.value("damping") > 0.5)
-    return heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));
+  if (const CauseParameter* mass = v.find("mass"); id == "loose_mass" && mass && v.value("damping") > 0.5)
+    return mass->std > 0.5 * mass->value ? heft::say("Something in the tool is loose and rolls to another place as it turns.")
+                                         : heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));
   if (id == "loose_mass")
     return heft::say("About {} g in the tool are loose and swing {} times a second.", v.size("mass"),
                      number(v.value("frequency"), 1));

@@ -6374,6 +6374,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The reported joint velocities are noisy, by {} % of the motion&apos;s speed; Heft can use the angles instead.</source>
         <translation>Die gemeldeten Gelenkgeschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Winkel nehmen.</translation>
     </message>
+    <message>
+        <source>Something in the tool is loose and rolls to another place as it turns.</source>
+        <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
