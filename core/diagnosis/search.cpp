@@ -251,10 +251,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
         chosen = &trial;
         break;
       }
-    // What a zero that wanders explains about as well is no drift.
+    // What a zero that wanders explains about as well is no drift: most of a walk's way is one.
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
-        if (trial.cause == kWandering && trial.gain > chosen->gain - kTie) {
+        if (trial.cause == kWandering && trial.gain > chosen->gain - kBesideWandering) {
           chosen = &trial;
           break;
         }
