@@ -18,6 +18,8 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QTextBlock>
+#include <QTextBrowser>
 #include <QTest>
 #include <QTimer>
 
@@ -178,6 +180,27 @@ TEST_F(DialogsTest, EachInBothLanguagesAndThemes) {
       add->click();
     });
     keep(&studio->window(), "dialog_none" + ending);
+  }
+}
+
+/// A picture in the line of a heading makes the line as high as the picture, and the page looks empty.
+TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
+  for (const char* language : {"en", "de"}) {
+    ASSERT_TRUE(studio->setLanguage(language));
+    settle();
+    studio->window().showManual(true);
+    QTest::qWait(100);
+    const auto* text = studio->window().findChild<QTextBrowser*>("manualText");
+    ASSERT_TRUE(text && text->isVisible());
+    int pictures = 0;
+    for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
+      if (!block.text().contains(QChar::ObjectReplacementCharacter)) continue;
+      ++pictures;
+      EXPECT_EQ(block.text().trimmed().size(), 1) << block.text().toStdString();
+    }
+    EXPECT_GE(pictures, 8);
+    keep(&studio->window(), QStringLiteral("manual_%1").arg(QLatin1String(language)));
+    studio->window().showManual(false);
   }
 }
 

@@ -263,13 +263,13 @@ TEST(CauseWords, NumbersStandInTheSentence) {
   DiagnosedCause late;
   late.id = "time_offset";
   late.parameters = {{"delay", "ms", 8.13, 0.9}};
-  EXPECT_EQ(sentenceOf(late, report), "The force readings arrive 8.1 ± 0.9 ms late.");
+  EXPECT_EQ(sentenceOf(late, report), "The force readings arrive 8.1 ± 1.8 ms late.");
   late.parameters[0].value = -8.13;
   EXPECT_TRUE(sentenceOf(late, report).contains("before the motion"));
   DiagnosedCause cross;
   cross.id = "crosstalk";
   cross.parameters = {{"fx_to_ty", "%", 3.0, 0.2}};
-  EXPECT_EQ(sentenceOf(cross, report), "3.0 ± 0.2 % of force x shows up in torque y.");
+  EXPECT_EQ(sentenceOf(cross, report), "3.0 ± 0.4 % of force x shows up in torque y.");
 }
 
 TEST(CauseCards, ATieShowsTheMotionThatDecidesAndLeadsToRecordingIt) {

@@ -311,7 +311,9 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
     out.doubtful = out.doubtful || out.findings.back().doubt;
   }
   if (out.doubtful && id.mass != Source::none)
-    out.question = Words::tr("Your tool seems to weigh %1 kg.").arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
+    out.question = Words::tr("Your tool seems to weigh %1 kg.")
+                       .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))))
+                       .replace(QStringLiteral(" kg"), QStringLiteral("\u00a0kg"));  // Not alone on the next line.
   if (out.doubtful) out.answer = Words::tr("Check the warnings first: these numbers may be off by more than they say.");
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);

@@ -45,11 +45,15 @@ class LaneTicker : public QCPAxisTicker {
   double getTickStep(const QCPRange& range) override {
     range_ = range;
     mTickStep_ = QCPAxisTicker::getTickStep(range);
-    // In a low lane numbers must not touch each other.
-    constexpr double kNumber = 15.0;  // [px]
-    while (lane_->height() > 0 && range.size() > 0 && mTickStep_ / range.size() * lane_->height() < kNumber &&
-           mTickStep_ < range.size())
-      mTickStep_ *= 2;
+    // In a low lane numbers must not touch each other; the next round step above, so that two of them remain.
+    constexpr double kNumber = 12.0;  // [px]
+    const double least = lane_->height() > 0 ? kNumber / lane_->height() * range.size() : 0.0;
+    if (!(mTickStep_ < least)) return mTickStep_;
+    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double round : {1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
+      mTickStep_ = round * decade;
+      if (mTickStep_ >= least) break;
+    }
     return mTickStep_;
   }
 
