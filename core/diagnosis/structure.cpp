@@ -308,10 +308,10 @@ Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& 
   return out;
 }
 
-/// Waves in time, from three over the recording up to `highest` [Hz].
+/// Waves in time up to `highest` [Hz]; slower ones than these are slowWave()'s, which knows what a walk does.
 std::vector<Wave> rhythms(const Signals& signals, double highest) {
   std::vector<Wave> out;
-  for (double f = 3.0 / signals.duration(); f < highest; f += 0.6 / signals.duration())
+  for (double f = std::max(0.6, 3.0 / signals.duration()); f < highest; f += 0.6 / signals.duration())
     out.push_back({0, 2.0 * std::numbers::pi * f});
   return out;
 }
@@ -480,6 +480,8 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
     best = {i < 2 ? fmt::format("a rhythm of {:.2g} Hz", frequency) : heft::toSay("the joint angles, several times a turn"),
             waves[i].gain, waves[i].explained, frequency, frequency};
   }
+  // Beside a zero that wanders, what its waves leave over is no structure yet.
+  if (std::any_of(fit.model.terms.begin(), fit.model.terms.end(), [](const Term& t) { return t.form->walk; })) best.gain -= kBesideColour;
   const Swell high = swell(signals, stretches, fit.residual);
   if (high.excess > 1.0 && best.gain < kPlain)
     best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,

@@ -33,8 +33,12 @@ struct Match {
 
 class Comparison {
  public:
-  Comparison(const Motion& motion, MatrixXd reported)
-      : q_(motion.q), slope_(rateOf(motion.q, motion.rateHz)), reported_(std::move(reported)), rateHz_(motion.rateHz) {
+  Comparison(const Motion& motion, MatrixXd reported, double recordedHz)
+      : q_(motion.q),
+        slope_(rateOf(motion.q, motion.rateHz)),
+        reported_(std::move(reported)),
+        rateHz_(motion.rateHz),
+        halfStep_(0.5 / std::max(1.0, recordedHz)) {
     edge_ = static_cast<Eigen::Index>(kEdge * rateHz_);
     count_ = q_.cols() - 2 * edge_;
   }
@@ -75,12 +79,13 @@ class Comparison {
     const double h = std::max(1e-3, 0.05 * match.lag);
     const double bend = (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) / (h * h);
     const double independent = static_cast<double>(count_ * q_.rows()) / std::max(1.0, kMemory * rateHz_);
-    return std::max(1e-4, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
+    // A filter in steps of the recording is no better known than to half a step.
+    return std::max(halfStep_, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
   }
 
  private:
   MatrixXd q_, slope_, reported_;
-  double rateHz_;
+  double rateHz_, halfStep_;  ///< [Hz], [s]
   Eigen::Index edge_ = 0, count_ = 0;
 };
 
@@ -110,7 +115,7 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
   if (recording.dq.rows() < 2 || motion.q.cols() != motion.size() ||
       static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0)
     return out;
-  const Comparison comparison(motion, reportedAt(recording, motion));
+  const Comparison comparison(motion, reportedAt(recording, motion), recording.rateHz());
   const Match plain = comparison.at(reportings()[0], 0.0);
   Match late;
   const Reporting* way = nullptr;
