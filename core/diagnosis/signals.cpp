@@ -73,10 +73,20 @@ Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateH
   const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
                                      -(u + 1.0) * u * (u - 2.0) / 2.0, (u + 1.0) * u * (u - 1.0) / 6.0};
   const auto base = static_cast<Eigen::Index>(std::clamp(whole, -1e6, 1e6));
+  // All at once where the four samples are there; before and after, the first and the last sample go on.
+  const Eigen::Index first = std::clamp<Eigen::Index>(1 - base, 0, n),
+                     last = std::clamp<Eigen::Index>(n - 2 - base, first, n);
+  const auto shifted = [&](Eigen::Index i) { return value.middleCols(first + base + i - 1, last - first); };
+  if (last > first)
+    out.middleCols(first, last - first) =
+        weight[0] * shifted(0) + weight[1] * shifted(1) + weight[2] * shifted(2) + weight[3] * shifted(3);
   for (Eigen::Index k = 0; k < n; ++k) {
+    if (k == first) k = last;
+    if (k == n) break;
     out.col(k).setZero();
     for (Eigen::Index i = 0; i < 4; ++i)
-      out.col(k) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + base + i - 1, 0, n - 1));
+      out.col(k) +=
+          weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + base + i - 1, 0, n - 1));
   }
   return out;
 }
@@ -112,8 +122,7 @@ Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) {
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
     out.col(k + 1) = keep * out.col(k);
     for (Eigen::Index i = 0; i < 4; ++i)
-      out.col(k + 1) +=
-          weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + i - 1, 0, n - 1));
+      out.col(k + 1) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + i - 1, 0, n - 1));
   }
   return out;
 }
