@@ -228,7 +228,7 @@
     </message>
     <message>
         <source>Something is left that goes with %1.</source>
-        <translation>Es bleibt etwas, das mit Folgendem geht: %1.</translation>
+        <translation>Es bleibt etwas, das mit %1 zusammenhängt.</translation>
     </message>
     <message>
         <source>What is left, by frequency [N/√Hz]</source>
@@ -1948,7 +1948,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Something is left that goes with %1; no known cause accounts for it.</source>
-        <translation>Es bleibt etwas, das mit Folgendem geht: %1; keine bekannte Ursache erklärt es.</translation>
+        <translation>Es bleibt etwas, das mit %1 zusammenhängt; keine bekannte Ursache erklärt es.</translation>
     </message>
     <message>
         <source>With all causes the result changes: %1, %2 times its stated uncertainty.</source>
