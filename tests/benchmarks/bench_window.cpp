@@ -170,10 +170,11 @@ int frames(double minutes) {
       workspace.opened()->recording.rows(), static_cast<double>(opening.elapsed()) / 1000, application.longest,
       application.over30, residentMegabytes(), machineLoad());
   for (const Step step : kAllSteps) {
+    if (step == Step::realityCheck) continue;  // Its search would go on beside what is measured below.
     window.showStep(step);
     turnFor(300);
   }
-  fmt::print("{} times over 30 ms with every step shown once{}", application.over30,
+  fmt::print("{} times over 30 ms with each step but the reality check shown once{}", application.over30,
              application.slow.empty() ? "" : ":\n");
   for (const std::string& event : application.slow) fmt::print("  {}\n", event);
   fmt::print("\n{:34}  {:>8}  {:>8}  {:>8}  {:>14}\n", "wall time of a frame [ms]", "median", "95 %", "longest",
