@@ -86,26 +86,29 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   std::size_t at = 0;
   for (std::size_t i = 1; i < plain.size(); ++i)
     if (plain[i] > plain[at] + (at == 0 ? kClearly : kSlightly)) at = i;
-  const auto searchedOn = [&](std::size_t i, double threshold) {
+  const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
-    return worked(ways[i], options, threshold, progress);
+    return worked(ways[i], options, threshold, progress, givesUp);
   };
-  Searched out;
-  auto found = searchedOn(at, kThreshold);
-  if (!found) return found.error();
-  if (!progress.cancelled()) {
+  // Whether what was found speaks clearly for another way: then that one is next.
+  const auto betterElsewhere = [&](const Work& work) {
     std::vector<double> gains(ways.size(), 0.0);
     onTwoThreads(ways.size(), [&](std::size_t i) {
-      if (i != at) gains[i] = evidenceAt(ways[i], *found);
+      if (i != at) gains[i] = evidenceAt(ways[i], work);
     });
-    const auto other = static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin());
-    if (gains[other] > kClearly) {
-      auto again = searchedOn(other, kThreshold);
-      if (again) {
-        found = std::move(again);
-        at = other;
-      }
-    }
+    const auto best = std::ranges::max_element(gains);
+    if (*best <= kClearly) return false;
+    at = static_cast<std::size_t>(best - gains.begin());
+    return true;
+  };
+  Searched out;
+  auto found = searchedOn(at, kThreshold, betterElsewhere);
+  if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
+  if (!found) return found.error();
+  if (const std::size_t was = at; !progress.cancelled() && betterElsewhere(*found)) {
+    auto again = searchedOn(at, kThreshold);
+    at = again ? at : was;
+    if (again) found = std::move(again);
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
   if (options.surrogates > 0 && !found->search.found.empty()) {

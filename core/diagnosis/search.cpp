@@ -239,7 +239,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
     const double promised = ranked.front().score;
     latest = {out.final, trials(signals, stretches, out.final, ranked, kTried, promised)};
     // What promised most may come to nothing, such as a step at an impossible place: then everything gets its chance.
-    if (latest.all.empty() || latest.all.front().gain < kHopeful * promised)
+    if (promised > 2.0 * kTie && (latest.all.empty() || latest.all.front().gain < kHopeful * promised))
       latest.all = trials(signals, stretches, out.final, ranked, kTried, 0.0);
     const auto& all = latest.all;
     const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering : 0.0);
@@ -261,6 +261,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     out.final = prunedOf(signals, stretches, chosen->fit, options.threshold);
     accepted = std::move(latest);
+    if (step == 0 && options.givesUp && options.givesUp(out.final)) {
+      out.givenUp = true;
+      return out;
+    }
   }
   // Each cause once more, against everything that could stand in its place now.
   for (std::size_t pass = 0, changed = 1; pass < 2 && changed != 0 && !progress.cancelled(); ++pass) {

@@ -1,5 +1,7 @@
 #pragma once
 // Naming causes one after the other, each by the evidence it adds, with a look back after every step.
+#include <functional>
+
 #include "core/base/progress.h"
 #include "core/diagnosis/scan.h"
 
@@ -18,6 +20,8 @@ struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;
   std::vector<std::string> hidden;  ///< Causes that are not looked for, by ID.
+  /// Asked once, with the first cause accepted: whether the search is given up there. Empty: never.
+  std::function<bool(const Fit& first)> givesUp;
 };
 
 /// A cause that explains a step (almost) as well.
@@ -43,6 +47,7 @@ struct Search {
   Fit null;   ///< Bias and payload alone
   Fit final;  ///< With everything accepted
   std::vector<Found> found;  ///< By cause, in the order of acceptance
+  bool givenUp = false;      ///< `final` has the first cause and nothing was compared
 };
 
 /// Terms of `cause` are one cause: `without` takes them all out.

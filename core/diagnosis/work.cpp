@@ -137,7 +137,8 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   return out;
 }
 
-Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress) {
+Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
+                    const std::function<bool(const Work&)>& givesUp) {
   Work work;
   work.signals = start.signals;
   Signals& signals = work.signals;
@@ -150,6 +151,11 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
   SearchOptions searching;
   searching.hidden = options.hidden;
   searching.threshold = threshold;
+  if (givesUp)
+    searching.givesUp = [&](const Fit& first) {
+      work.search.final = first;
+      return givesUp(work);
+    };
   std::vector<Stretch> holes = start.holes.value();
   Eigen::Index hidden = 0;
   for (const auto& hole : holes) hidden += hole.to - hole.from;
@@ -163,7 +169,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
   }
   if (holes.empty() || hidden > 7 * judged / 10) {
     work.search = search(signals, work.stretches, searching, progress);
-    setTouchesAside(work);
+    if (!work.search.givenUp) setTouchesAside(work);
     return work;
   }
   // Contact first; what the causes found elsewhere account for is no contact.
@@ -173,6 +179,8 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     leaveOut(signals, holes);
     work.stretches = stretchesOf(signals.usable);
     work.search = search(signals, work.stretches, searching, progress);
+    if (work.search.givenUp) return work;
+    searching.givesUp = {};
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (work.contacts.size() == holes.size() || progress.cancelled()) break;
     holes.clear();

@@ -1,5 +1,6 @@
 #pragma once
 // The search on one recording: its motion smoothed one way, contact set aside, frames put right, causes found.
+#include <functional>
 #include <optional>
 
 #include "core/base/result.h"
@@ -38,8 +39,10 @@ struct Work {
   Search search;
 };
 
-/// Contact in `start` must have been looked for.
-Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress);
+/// Contact in `start` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it
+/// says so, the search ends there (Search::givenUp).
+Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
+                    const std::function<bool(const Work&)>& givesUp = {});
 
 /// Evidence of the work's final model when the motion is smoothed another way, less that with its own.
 double evidenceAt(const Way& other, const Work& work);
