@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/diagnosis/clipping.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/surrogates.h"
@@ -41,7 +42,9 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   Readings out;
   out.cleaned = recording;
   Eigen::Index spikes = 0;
-  out.cleaned.wrench = withoutSpikes(recording.wrench, spikes);
+  const std::vector<FlatTop> tops = flatTops(recording.wrench);
+  Unclipped clipping = unclipped(withoutSpikes(recording.wrench, spikes), tops, recording.rateHz());
+  out.cleaned.wrench = std::move(clipping.wrench);
   const auto stamps = unevenStamps(recording);
   if (stamps && !contains(options.hidden, "jitter")) out.cleaned.time = stamps->even;
   MotionOptions smoothing;
@@ -49,7 +52,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
   out.motion = std::move(*motion);
-  out.directs = sampleTests(recording, out.motion, stamps);
+  out.directs = sampleTests(recording, out.motion, stamps, tops, clipping.lost);
   std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles are not used, here or for the payload.

@@ -20,45 +20,19 @@ bool sameRow(const Recording& recording, Eigen::Index i) {
   return (recording.wrench.row(i).array() == recording.wrench.row(i - 1).array()).all();
 }
 
-/// Rows at a channel's extreme value, in runs that noise would not leave flat.
-std::optional<Direct> saturation(const Recording& recording) {
+/// Rows at a value that a channel does not pass. Those that are lost are not to be trusted.
+std::optional<Direct> saturation(const Recording& recording, const std::vector<FlatTop>& tops, const std::vector<bool>& lost) {
+  if (tops.empty()) return std::nullopt;
   Direct out;
-  const Eigen::Index n = recording.rows();
-  out.rows.assign(static_cast<std::size_t>(n), false);
-  Eigen::Index clipped = 0;
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const auto y = recording.wrench.col(c);
-    for (const bool top : {true, false}) {
-      const double level = top ? y.maxCoeff() : y.minCoeff();
-      // Runs of equal values that are not rows repeated as a whole.
-      std::vector<std::pair<Eigen::Index, Eigen::Index>> runs;
-      Eigen::Index at = 0, otherRuns = 0, longest = 0;
-      for (Eigen::Index i = 0; i < n;) {
-        Eigen::Index j = i + 1, distinct = 1;
-        while (j < n && y(j) == y(i)) distinct += sameRow(recording, j++) ? 0 : 1;
-        if (y(i) == level) {
-          at += distinct;
-          runs.push_back({i, j});
-          longest = std::max(longest, distinct);
-        } else {
-          otherRuns = std::max(otherRuns, distinct);
-        }
-        i = j;
-      }
-      // A channel that never moves is dead, not clipped; coarse steps make runs everywhere.
-      if (at < 6 || longest < 4 || longest < 2 * otherRuns || y.maxCoeff() == y.minCoeff()) continue;
-      for (const auto& [from, to] : runs)
-        for (Eigen::Index i = from; i < to; ++i) {
-          if (!out.rows[static_cast<std::size_t>(i)]) ++clipped;
-          out.rows[static_cast<std::size_t>(i)] = true;
-        }
-      out.parameters.push_back({fmt::format("level_{}", kChannels[c]), c < 3 ? "N" : "N m", level, 0.0});
-    }
-  }
-  if (clipped == 0) return std::nullopt;
-  const double share = 100.0 * static_cast<double>(clipped) / static_cast<double>(n);
   out.cause = "saturation";
-  out.parameters.push_back({"share", "%", share, 0.0});
+  std::vector<bool> clipped(lost.size(), false);
+  for (const FlatTop& flat : tops) {
+    out.parameters.push_back({fmt::format("level_{}", kChannels[flat.channel]), flat.channel < 3 ? "N" : "N m", flat.level, 0.0});
+    for (const auto& [from, to] : flat.runs) std::fill(clipped.begin() + from, clipped.begin() + to, true);
+  }
+  const auto count = static_cast<double>(std::count(clipped.begin(), clipped.end(), true));
+  out.parameters.push_back({"share", "%", 100.0 * count / static_cast<double>(recording.rows()), 0.0});
+  out.rows = lost;
   return out;
 }
 
@@ -171,9 +145,10 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
 
 }  // namespace
 
-std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps) {
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps,
+                                const std::vector<FlatTop>& tops, const std::vector<bool>& lost) {
   std::vector<Direct> out;
-  if (auto found = saturation(recording)) out.push_back(std::move(*found));
+  if (auto found = saturation(recording, tops, lost)) out.push_back(std::move(*found));
   if (stamps) out.push_back(jitter(*stamps));
   if (auto found = dropouts(recording, !stamps)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));

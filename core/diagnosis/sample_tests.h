@@ -6,6 +6,7 @@
 #include "core/diagnosis/cause.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/motion/motion.h"
+#include "core/segmentation/flat_tops.h"
 
 namespace heft::diagnosis {
 
@@ -23,7 +24,9 @@ struct Direct {
   std::vector<bool> rows;  ///< Of the recording: not to be trusted; empty: all are fine.
 };
 
-/// Tests on a recording as it was read; `motion` as worked out from it, `stamps` as of unevenStamps(recording).
-std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps);
+/// Tests on a recording as it was read; `motion` as worked out from it, `stamps` as of unevenStamps(recording), `tops` as of
+/// flatTops(its wrench), with the rows `lost` to them as of unclipped().
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps,
+                                const std::vector<FlatTop>& tops, const std::vector<bool>& lost);
 
 }  // namespace heft::diagnosis

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/clipping.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/simulation/random.h"
@@ -18,7 +19,10 @@ std::vector<std::string> directCauses(const Recording& recording) {
   options.cutoffHz = 25.0;
   const auto motion = motionOf(recording, &RobotModel::panda(), options);
   std::vector<std::string> out;
-  for (const auto& direct : diagnosis::sampleTests(recording, *motion, diagnosis::unevenStamps(recording))) out.push_back(direct.cause);
+  const auto tops = flatTops(recording.wrench);
+  const auto lost = diagnosis::unclipped(recording.wrench, tops, recording.rateHz()).lost;
+  for (const auto& direct : diagnosis::sampleTests(recording, *motion, diagnosis::unevenStamps(recording), tops, lost))
+    out.push_back(direct.cause);
   return out;
 }
 
@@ -40,6 +44,50 @@ TEST(SampleTests, EachNamesItsOwn) {
            {{"motion_lag", "", 30.0}, "motion_lag"}}) {
     const auto found = directCauses(aRecording(MotionKind::free, 12, {effect}));
     EXPECT_NE(std::find(found.begin(), found.end(), cause), found.end()) << effect.id << "/" << effect.form;
+  }
+}
+
+TEST(SampleTests, CoarseStepsAreNoEndOfTheRange) {
+  for (const double step : {0.5, 1.0, 2.0})
+    for (const auto motion : {MotionKind::free, MotionKind::pickAndPlace}) {
+      const auto found = directCauses(aRecording(motion, 19, {{"quantisation", "", step}}));
+      EXPECT_EQ(std::count(found.begin(), found.end(), "saturation"), 0) << step << " " << toString(motion);
+      EXPECT_EQ(std::count(found.begin(), found.end(), "quantisation"), 1) << step << " " << toString(motion);
+    }
+}
+
+TEST(SampleTests, AFewReadingsAtTheEndOfTheRangeAreSeen) {
+  for (const double share : {1.5, 4.0, 12.0})
+    for (const auto motion : {MotionKind::free, MotionKind::excitation}) {
+      const Recording recording = aRecording(motion, 20, {{"saturation", "hard", share}});
+      const auto tops = flatTops(recording.wrench);
+      ASSERT_EQ(tops.size(), 1u) << share << " " << toString(motion);
+      Eigen::Index rows = 0;
+      for (const auto& [from, to] : tops.front().runs) rows += to - from;
+      EXPECT_NEAR(static_cast<double>(rows) / static_cast<double>(recording.rows()), 0.01 * share, 0.005 * share);
+    }
+}
+
+TEST(SampleTests, ReadingsCutOffNowAndThenAreGivenBackOnAverage) {
+  const Recording whole = aRecording(MotionKind::free, 21), cut = aRecording(MotionKind::free, 21, {{"saturation", "hard", 8.0}});
+  const auto tops = flatTops(cut.wrench);
+  ASSERT_EQ(tops.size(), 1u);
+  const int c = tops.front().channel;
+  const auto given = diagnosis::unclipped(cut.wrench, tops, cut.rateHz());
+  double was = 0.0, is = 0.0, back = 0.0;
+  for (Eigen::Index i = 0; i < cut.rows(); ++i) {
+    if (given.lost[static_cast<std::size_t>(i)] || cut.wrench(i, c) == given.wrench(i, c)) continue;
+    was += cut.wrench(i, c) - whole.wrench(i, c);
+    is += given.wrench(i, c) - whole.wrench(i, c);
+    back += 1.0;
+  }
+  ASSERT_GT(back, 20.0);
+  EXPECT_LT(std::abs(is), 0.25 * std::abs(was));
+  // And no reading that was not cut off is changed.
+  for (Eigen::Index i = 0; i < cut.rows(); ++i) {
+    if (cut.wrench(i, c) != tops.front().level) {
+      ASSERT_EQ(cut.wrench.row(i), given.wrench.row(i));
+    }
   }
 }
 

@@ -1,0 +1,77 @@
+#include "core/segmentation/flat_tops.h"
+
+#include <algorithm>
+
+namespace heft {
+
+namespace {
+
+constexpr double kBeyond = 0.02;  ///< Share of readings that may be spikes
+constexpr Eigen::Index kFewest = 8;
+constexpr double kPile = 4.0;  ///< Times as many as at a neighbouring value
+constexpr std::size_t kNeighbours = 3;
+constexpr double kStill = 0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
+
+struct Level {
+  double value;
+  Eigen::Index count;
+};
+
+/// Index of the level that readings pile up at, from the front of `levels`, which is the channel's end; or none: -1.
+Eigen::Index pileAt(const std::vector<Level>& levels, Eigen::Index readings) {
+  Eigen::Index beyond = 0;
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    Eigen::Index beside = 0;
+    for (std::size_t j = i + 1; j < levels.size() && j <= i + kNeighbours; ++j) beside = std::max(beside, levels[j].count);
+    const auto count = static_cast<double>(levels[i].count);
+    if (levels[i].count >= kFewest && count > kPile * static_cast<double>(std::max(beside, beyond)))
+      return static_cast<Eigen::Index>(i);
+    beyond += levels[i].count;
+    if (static_cast<double>(beyond) > kBeyond * static_cast<double>(readings)) break;
+  }
+  return -1;
+}
+
+}  // namespace
+
+std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+  std::vector<FlatTop> out;
+  std::vector<Eigen::Index> fresh;
+  for (Eigen::Index i = 0; i < wrench.rows(); ++i)
+    if (!wrench.row(i).isZero(0.0) && (i == 0 || wrench.row(i) != wrench.row(i - 1))) fresh.push_back(i);
+  if (fresh.size() < 20) return out;
+  for (int c = 0; c < 6; ++c) {
+    std::vector<double> values;
+    for (const Eigen::Index i : fresh) values.push_back(wrench(i, c));
+    std::sort(values.begin(), values.end());
+    std::vector<Level> levels;
+    for (const double value : values) {
+      if (levels.empty() || levels.back().value != value) levels.push_back({value, 0});
+      ++levels.back().count;
+    }
+    for (int end = 0; end < 2; ++end) {
+      std::reverse(levels.begin(), levels.end());  // The largest in front, then the smallest.
+      const Eigen::Index at = pileAt(levels, static_cast<Eigen::Index>(fresh.size()));
+      if (at < 0) continue;
+      FlatTop found{c, levels[static_cast<std::size_t>(at)].value, {}};
+      double still = 0.0, elsewhere = 0.0;
+      for (std::size_t i = 1; i < fresh.size(); ++i) {
+        if (wrench(fresh[i], c) == found.level) continue;
+        elsewhere += 1.0;
+        still += wrench(fresh[i], c) == wrench(fresh[i - 1], c) ? 1.0 : 0.0;
+      }
+      if (still >= kStill * elsewhere) continue;
+      for (Eigen::Index i = 0; i < wrench.rows(); ++i) {
+        if (wrench(i, c) != found.level) continue;
+        if (!found.runs.empty() && found.runs.back().second == i)
+          ++found.runs.back().second;
+        else
+          found.runs.push_back({i, i + 1});
+      }
+      out.push_back(std::move(found));
+    }
+  }
+  return out;
+}
+
+}  // namespace heft
