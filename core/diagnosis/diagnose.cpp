@@ -76,7 +76,7 @@ struct Searched {
 /// cause hides it: then the final model does.
 Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
                           const DiagnoseOptions& options, const Progress& progress) {
-  constexpr std::array<double, 3> kCutoffs{kDefaultCutoffHz, 12.0, 6.0};
+  constexpr std::array<double, 5> kCutoffs{kDefaultCutoffHz, 17.0, 12.0, 8.5, 6.0};
   constexpr double kClearly = 30.0, kSlightly = 10.0;  // Evidence for less, and among less, than the usual cutoff
   std::vector<Way> ways;
   for (const double cutoff : kCutoffs) {

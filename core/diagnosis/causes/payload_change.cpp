@@ -13,19 +13,26 @@ class PayloadChange final : public Cause {
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const auto [from, to] = timesForChange(signals);
-    for (double t = from + 0.05; t < to; t += std::max(0.4, signals.duration() / 60.0)) {
-      Form form = formOf(this, "", {{"time", "s", 1.0, 0.1, from, to},
-                                    {"mass", "g", kMilli, 0.03, -20.0, 20.0},
-                                    {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                    {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                    {"moment_z", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                    {"duration", "s", 1.0, 0.1, 0.0, 2.0, true}});
+    const double T = signals.duration();
+    const auto change = [&, from = from, to = to](const char* name, double t, double duration, double longest) {
+      Form form = formOf(this, name, {{"time", "s", 1.0, 0.1, from, to},
+                                      {"mass", "g", kMilli, 0.03, -20.0, 20.0},
+                                      {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
+                                      {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},
+                                      {"moment_z", "kg m", 1.0, 0.003, -5.0, 5.0},
+                                      {"duration", "s", 1.0, 0.1, 0.0, longest, true}});
       form.start(0) = t;
-      form.start(5) = 0.05;
+      form.start(5) = duration;
       form.scan = {1, 2, 3, 4};
-      form.local = true;
-      out.push_back(form);
+      return form;
+    };
+    for (double t = from + 0.05; t < to; t += std::max(0.4, T / 60.0)) {
+      out.push_back(change("", t, 0.05, 2.0));
+      out.back().local = true;
     }
+    // As in pouring: its middle and how long it takes move with the rest.
+    for (const double part : {0.15, 0.35, 0.7})
+      for (const double middle : {0.3, 0.5, 0.7}) out.push_back(change("by and by", signals.startTime + middle * T, part * T, 2.0 * T));
     return out;
   }
   void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
