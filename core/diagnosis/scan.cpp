@@ -52,7 +52,8 @@ class Weighting {
   struct Answer {
     VectorXd gamma;
     std::vector<bool> kept;
-    double gain = 0.0;  ///< Twice the log-likelihood
+    double gain = 0.0;     ///< Twice the log-likelihood
+    double squares = 0.0;  ///< The same, had the noise been known
     double score = -1e300;
   };
 
@@ -115,6 +116,7 @@ class Weighting {
         continue;
       }
       for (Eigen::Index i = 0; i < size; ++i) out.gamma(free[static_cast<std::size_t>(i)]) = gamma(i);
+      out.squares = gamma.dot(gf);
       if (signature.form.walk && size == d)
         walkPrice = asWalk(out.gamma, s.cwiseAbs2().cwiseProduct(inverse.diagonal()));
       break;
@@ -164,6 +166,26 @@ std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const 
   return out;
 }
 
+namespace {
+
+/// The candidate as the answer has it, its price for having been chosen left as it is.
+void take(Candidate& candidate, const Weighting::Answer& answer) {
+  const Form& form = candidate.form;
+  candidate.score = answer.score - candidate.choicePenalty;
+  candidate.v = form.start;
+  if (answer.score <= -1e299) return;
+  candidate.active.assign(form.parameters.size(), true);
+  for (std::size_t j = 0; j < form.scan.size(); ++j) {
+    const auto p = static_cast<std::size_t>(form.scan[j]);
+    const Parameter& parameter = form.parameters[p];
+    candidate.active[p] = answer.kept[j];
+    const double value = form.start(form.scan[j]) + answer.gamma(static_cast<Eigen::Index>(j));
+    candidate.v(form.scan[j]) = std::clamp(value, parameter.lower, parameter.upper);
+  }
+}
+
+}  // namespace
+
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
                             const std::vector<Signature>& bank) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
@@ -179,20 +201,11 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
     const Form& form = bank[i].form;
     Candidate& candidate = out[i];
     candidate.form = form;
-    candidate.v = form.start;
     candidate.choicePenalty = 2.0 * std::log(static_cast<double>(forms.at(form.cause)));
     // What moves between the forms, such as a frequency, has been chosen from more than their number.
     if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
-    candidate.score = best.score - candidate.choicePenalty;
+    take(candidate, best);
     if (best.score <= -1e299) return;
-    candidate.active.assign(form.parameters.size(), true);
-    for (std::size_t j = 0; j < form.scan.size(); ++j) {
-      const auto p = static_cast<std::size_t>(form.scan[j]);
-      const Parameter& parameter = form.parameters[p];
-      candidate.active[p] = best.kept[j];
-      const double value = form.start(form.scan[j]) + best.gamma(static_cast<Eigen::Index>(j));
-      candidate.v(form.scan[j]) = std::clamp(value, parameter.lower, parameter.upper);
-    }
     // The wrong sign of the one thing that a form is about: it does not explain anything.
     const auto only = static_cast<std::size_t>(form.scan[0]);
     const double lower = form.parameters[only].lower;
@@ -201,6 +214,39 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
   });
   std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   return out;
+}
+
+Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Candidate& candidate) {
+  constexpr double kNear = 0.3, kStep = 0.1;  // [s]
+  const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  const Noise flatNoise = white(fit.residual, stretches);
+  const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
+  const auto at = [&](double time) {
+    Signature out{candidate.form, {}};
+    out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
+    out.columns = signatures(signals, fit.model, out.form);
+    return out;
+  };
+  // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
+  double about = candidate.v(0), most = -1e300;
+  for (double off = -kNear; off < kNear + 0.5 * kStep; off += kStep) {
+    const double squares = plain.judge(at(candidate.v(0) + off), lnN).squares;
+    if (squares <= most) continue;
+    most = squares;
+    about = candidate.v(0) + off;
+  }
+  Candidate best = candidate;
+  const double block = 1.0 / signals.blockRate();
+  for (double off = -kStep; off < kStep + 0.5 * block; off += block) {
+    const Signature signature = at(about + off);
+    for (const Weighting* weighting : {&coloured, &plain}) {
+      Candidate trial = candidate;
+      trial.form = signature.form;
+      take(trial, weighting->judge(signature, lnN));
+      if (trial.score > best.score) best = std::move(trial);
+    }
+  }
+  return best;
 }
 
 }  // namespace heft::diagnosis

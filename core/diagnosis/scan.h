@@ -27,6 +27,10 @@ std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
                             const std::vector<Signature>& bank);
 
+/// A candidate with a place in time, moved to the block where it gains most: what changes at once is seen for what it is
+/// only where it is put within a block or so, closer than the first look goes.
+Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Candidate& candidate);
+
 /// For each signature the size of each scanned parameter, alone, at which it would gain `threshold` with the fit's noise;
 /// infinite for what the motion cannot show.
 std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
