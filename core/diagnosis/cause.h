@@ -60,6 +60,8 @@ class Cause {
   virtual void readings(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
   virtual bool bendsGeometry() const { return false; }
   virtual bool changesSensor() const { return false; }
+  /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
+  virtual double doubt(const VectorXd&, const Signals&) const { return 0.0; }
   /// Stretches of time [s] in which it acts; empty: always.
   virtual std::vector<std::pair<double, double>> when(const Form&, const VectorXd&, const Signals&) const { return {}; }
 };

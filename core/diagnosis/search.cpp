@@ -30,10 +30,17 @@ bool contains(const Model& model, std::string_view cause) {
 struct Trial {
   std::string cause;
   Fit fit;
-  double penalty = 0.0;
+  double choicePenalty = 0.0, penalty = 0.0;  ///< See Candidate; with the cause's own doubt
   double promised = 0.0;  ///< By the first look
   double gain = -1e300;
 };
+
+/// What the trial's fit adds to `base`, for its price.
+void weigh(Trial& trial, const Fit& base, const Signals& signals) {
+  const Term& term = trial.fit.model.terms.back();
+  trial.penalty = trial.choicePenalty + term.form->cause->doubt(term.v, signals);
+  trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
+}
 
 /// Better first; forms of one cause keep their order among themselves.
 void sortByGain(std::vector<Trial>& all) {
@@ -79,7 +86,7 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   Model model = base.model;
   model.terms.push_back({std::make_shared<const Form>(candidate.form), candidate.v, candidate.active});
   if (candidate.form.local && candidate.score > 0.0) model = timed(signals, stretches, std::move(model));
-  out.penalty = candidate.choicePenalty;
+  out.choicePenalty = candidate.choicePenalty;
   out.promised = candidate.score;
   out.fit = fitModel(signals, stretches, std::move(model), 3);
   // A walk makes steps of its own, too: a jump of the zero, or of the load where the zero is known to walk, is more.
@@ -87,7 +94,7 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   if (maybeWalk && out.fit.model.terms.size() > base.model.terms.size() &&
       !jumpStandsOut(signals, stretches, base, out.fit))
     return out;
-  if (believable(out.fit)) out.gain = out.fit.evidence - base.evidence - candidate.choicePenalty;
+  weigh(out, base, signals);
   return out;
 }
 
@@ -127,7 +134,7 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
   onTwoThreads(resting.size(), [&](std::size_t i) {
     Trial& trial = *resting[i];
     trial.fit = fitModel(signals, stretches, trial.fit.model);
-    trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
+    weigh(trial, base, signals);
   });
   sortByGain(all);
   return all;

@@ -27,6 +27,7 @@ struct Signals {
   Eigen::Matrix3Xd position;          ///< p_BSo_B [m]
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   bool positionKnown = true;
+  double cornerHz = 0.0;  ///< Above which noise made the accelerations useless, so that they were smoothed away; 0: nowhere
 
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
   int link = 0;

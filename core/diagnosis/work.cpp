@@ -89,6 +89,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
   Way out{std::move(*motion), {}, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
+  if (cutoff < kDefaultCutoffHz) signals.cornerHz = cutoff;
   const double edge = std::max(0.3, 3.0 / cutoff);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);

@@ -73,6 +73,13 @@ class Oscillator : public Cause {
     }
   }
 
+  /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:
+  /// either looks like something that rings above.
+  double doubt(const VectorXd& v, const Signals& signals) const override {
+    constexpr double kNearCorner = 0.75, kMore = 100.0;
+    return signals.cornerHz > 0.0 && v(4) > kNearCorner * signals.cornerHz ? kMore : 0.0;
+  }
+
  protected:
   static constexpr int kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, 3 all ways, this without swinging
 
