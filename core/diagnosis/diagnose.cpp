@@ -9,6 +9,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
+#include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/surrogates.h"
@@ -47,6 +48,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.cleaned.wrench = std::move(clipping.wrench);
   const auto stamps = unevenStamps(recording);
   if (stamps && !contains(options.hidden, "jitter")) out.cleaned.time = stamps->even;
+  bridge(out.cleaned, heldRows(recording));
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
   auto motion = motionOf(out.cleaned, robot, smoothing);

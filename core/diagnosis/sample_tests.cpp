@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/prepare.h"
@@ -135,10 +136,14 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
                     {"zero", "%", 100.0 * static_cast<double>(zeros) / total, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
-  if (zeros >= 3) {
-    out.rows.assign(static_cast<std::size_t>(n), false);
-    for (Eigen::Index i = 0; i < n; ++i)
-      out.rows[static_cast<std::size_t>(i)] = (recording.wrench.row(i).array() == 0.0).all();
+  out.rows.assign(static_cast<std::size_t>(n), false);
+  for (Eigen::Index i = 0; i < n; ++i)
+    out.rows[static_cast<std::size_t>(i)] = zeros >= 3 && (recording.wrench.row(i).array() == 0.0).all();
+  // Where the motion was held, too, its derivatives are wrong a little further.
+  const auto beside = static_cast<Eigen::Index>(0.1 * recording.rateHz());
+  for (const Held& run : heldRows(recording)) {
+    const Eigen::Index margin = run.motionToo ? beside : 0;
+    std::fill(out.rows.begin() + std::max<Eigen::Index>(0, run.from - margin), out.rows.begin() + std::min(n, run.to + margin), true);
   }
   return out;
 }

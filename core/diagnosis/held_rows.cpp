@@ -1,0 +1,76 @@
+#include "core/diagnosis/held_rows.h"
+
+#include <algorithm>
+#include <array>
+
+namespace heft::diagnosis {
+
+namespace {
+
+template <class Series>
+bool repeats(const Series& series, Eigen::Index row) {
+  return series.rows() == 0 || series.row(row) == series.row(row - 1);
+}
+
+/// Rows [from, to) of a series from its rows at `at`, by Lagrange's polynomial in time.
+/// Rows of a series from those at `at`, by Lagrange's polynomial in time.
+template <class Series>
+void fill(Series& series, const VectorXd& time, const Held& rows, const std::array<Eigen::Index, 4>& at) {
+  if (series.rows() == 0) return;
+  for (Eigen::Index i = rows.from; i < rows.to; ++i) {
+    series.row(i).setZero();
+    for (const Eigen::Index j : at) {
+      double weight = 1.0;
+      for (const Eigen::Index k : at)
+        if (k != j) weight *= (time(i) - time(k)) / (time(j) - time(k));
+      series.row(i) += weight * series.row(j);
+    }
+  }
+}
+
+bool stoodStill(const Recording& recording, const Held& rows) {
+  for (Eigen::Index i = rows.from; i < rows.to; ++i)
+    if (!repeats(recording.q, i) || !repeats(recording.position, i) || !repeats(recording.quaternion, i)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Held> heldRows(const Recording& recording) {
+  constexpr double kShortest = 0.015, kLonger = 5.0, kMostOfAll = 0.25;
+  std::vector<Held> runs;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    if (i == 0 || !repeats(recording.wrench, i)) runs.push_back({i + 1, i + 1});
+    runs.back().to = i + 1;
+  }
+  const double usual = static_cast<double>(recording.rows()) / std::max(1.0, static_cast<double>(runs.size()));
+  std::vector<Held> out;
+  Eigen::Index count = 0;
+  for (Held run : runs) {
+    const double lasts = recording.time(run.to - 1) - recording.time(run.from - 1);
+    if (lasts < kShortest || static_cast<double>(run.to - run.from + 1) < kLonger * usual) continue;
+    run.motionToo = stoodStill(recording, run);
+    out.push_back(run);
+    count += run.to - run.from;
+  }
+  if (static_cast<double>(count) > kMostOfAll * static_cast<double>(recording.rows())) out.clear();
+  return out;
+}
+
+void bridge(Recording& recording, const std::vector<Held>& held) {
+  for (const Held& rows : held) {
+    // As far away as the gap is long: slopes between close rows are mostly noise.
+    const Eigen::Index away = rows.to - rows.from;
+    if (!rows.motionToo || rows.from <= away || rows.to + away >= recording.rows()) continue;
+    const std::array<Eigen::Index, 4> at{rows.from - 1 - away, rows.from - 1, rows.to, rows.to + away};
+    fill(recording.q, recording.time, rows, at);
+    fill(recording.dq, recording.time, rows, at);
+    fill(recording.position, recording.time, rows, at);
+    fill(recording.twist, recording.time, rows, at);
+    if (!recording.hasOrientation()) continue;
+    fill(recording.quaternion, recording.time, rows, at);
+    for (Eigen::Index i = rows.from; i < rows.to; ++i) recording.quaternion.row(i).normalize();
+  }
+}
+
+}  // namespace heft::diagnosis
