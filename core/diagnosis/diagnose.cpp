@@ -77,7 +77,9 @@ struct Searched {
 /// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
 /// cause hides it: then the final model does.
 Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
-                          const DiagnoseOptions& options, const Progress& progress) {
+                          DiagnoseOptions options, const Progress& progress) {
+  // Readings that are cut off flat are dealt with.
+  if (std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; })) options.hidden.emplace_back("saturation");
   constexpr std::array<double, 5> kCutoffs{kDefaultCutoffHz, 17.0, 12.0, 8.5, 6.0};
   constexpr double kClearly = 30.0, kSlightly = 10.0;  // Evidence for less, and among less, than the usual cutoff
   std::vector<Way> ways;

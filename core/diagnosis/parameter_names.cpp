@@ -77,6 +77,10 @@ std::string wordsOf(std::string_view name) {
   if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1))) return heft::say("Shifted along {}", name.substr(1));
   if (name.starts_with("gain_"))
     if (const auto channel = channelOf(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
+  if (name.starts_with("loss_"))
+    if (const auto channel = channelOf(name.substr(5))) return heft::say("Missing near the end of the range, {}", channelWords(*channel));
+  if (name.starts_with("knee_"))
+    if (const auto channel = channelOf(name.substr(5))) return heft::say("Of the range, how much that is, {}", channelWords(*channel));
   if (name.starts_with("level_"))
     if (const auto channel = channelOf(name.substr(6))) return heft::say("End of the range, {}", channelWords(*channel));
   if (name.size() == 8 && name.substr(2, 4) == "_to_") {

@@ -47,45 +47,12 @@ void sortByGain(std::vector<Trial>& all) {
   std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) { return a.gain > b.gain; });
 }
 
-/// The model with its last term's time moved to where the evidence is best: the time of an event has many local optima,
-/// so it is looked for on ever finer grids before everything moves together.
-Model timed(const Signals& signals, const std::vector<Stretch>& stretches, Model model) {
-  Term& term = model.terms.back();
-  const std::vector<bool> free = term.active;
-  term.active.assign(term.form->parameters.size(), true);
-  for (std::size_t p = 0; p < free.size(); ++p) term.active[p] = free[p];
-  term.active[0] = false;
-  // A walk that is known already need not be fitted again for every time that is tried.
-  std::vector<std::vector<bool>> before;
-  for (auto& other : model.terms) {
-    before.push_back(other.active);
-    if (other.form->walk) other.active.assign(other.form->parameters.size(), false);
-  }
-  double best = -1e300;
-  for (const double step : {0.2, 0.05}) {
-    const Model centre = model;
-    for (int i = -2; i <= 2; ++i) {
-      if (i == 0 && best > -1e299) continue;
-      Model trial = centre;
-      trial.terms.back().v(0) += i * step;
-      const Fit fit = fitModel(signals, stretches, std::move(trial), 3);
-      if (fit.evidence > best) {
-        best = fit.evidence;
-        model = fit.model;
-      }
-    }
-  }
-  for (std::size_t i = 0; i + 1 < before.size(); ++i) model.terms[i].active = before[i];
-  model.terms.back().active = free;
-  return model;
-}
-
 Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
+  const Candidate& placed = candidate.form.local && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
   Model model = base.model;
-  model.terms.push_back({std::make_shared<const Form>(candidate.form), candidate.v, candidate.active});
-  if (candidate.form.local && candidate.score > 0.0) model = timed(signals, stretches, std::move(model));
+  model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;
   out.promised = candidate.score;
   out.fit = fitModel(signals, stretches, std::move(model), 3);

@@ -1,6 +1,7 @@
 #pragma once
 // Naming causes one after the other, each by the evidence it adds, with a look back after every step.
 #include <functional>
+#include <optional>
 
 #include "core/base/progress.h"
 #include "core/diagnosis/scan.h"
@@ -55,6 +56,10 @@ Model without(const Model& model, std::string_view cause);
 
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
               const Progress& progress);
+
+/// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it.
+std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                             const std::vector<std::string_view>& causes);
 
 /// False for a payload or parameters that cannot be: then a fit explains nothing.
 bool believable(const Fit& fit);

@@ -347,6 +347,13 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                                               number(v.value("peak_force"), 1))
                                   : heft::say("The tool touched something {} times, with up to {} N.",
                                               cause.when.size(), number(v.value("peak_force"), 1));
+  if (id == "saturation" && !cause.direct) {
+    const auto loss = std::find_if(cause.parameters.begin(), cause.parameters.end(), [](const CauseParameter& p) { return p.name.starts_with("loss_"); });
+    return loss == cause.parameters.end()
+               ? std::string()
+               : heft::say("Near the end of its range the channel {} shows {} % less than there is.",
+                           channelWords(channelOf(std::string_view(loss->name).substr(5))), plusMinus(loss->value, loss->std));
+  }
   if (id == "saturation")
     return heft::say("The sensor reached the end of its range in {} % of the readings.", v.size("share"));
   if (id == "spikes")

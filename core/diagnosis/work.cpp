@@ -36,6 +36,26 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
       signals.usable[static_cast<std::size_t>(n)] = false;
 }
 
+/// What is left of `contacts` if one cause that shows in few places only, such as the end of the sensor's range or a jump of
+/// its zero, is behind most of it: that one is not seen elsewhere, and looks like contact as long as it is set aside.
+std::vector<Contact> unlessElsewise(const Signals& whole, const Search& found, const std::vector<Contact>& contacts,
+                                    const std::vector<Stretch>& holes, const std::vector<std::string>& hidden) {
+  constexpr double kMost = 0.9;  ///< Share of the evidence for contact
+  const auto evidence = [](const std::vector<Contact>& all) {
+    double sum = 0.0;
+    for (const auto& contact : all) sum += contact.evidence;
+    return sum;
+  };
+  std::vector<std::string_view> causes;
+  for (const char* id : {"saturation", "sensor_bias", "payload_change"})
+    if (std::ranges::find(hidden, id) == hidden.end()) causes.emplace_back(id);
+  const auto stretches = stretchesOf(whole.usable);
+  const auto other = withOneOf(whole, stretches, fitModel(whole, stretches, found.final.model, 4), causes);
+  if (!other) return contacts;
+  auto left = contactsIn(whole, *other, holes);
+  return evidence(left) < (1.0 - kMost) * evidence(contacts) ? left : contacts;
+}
+
 /// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are none.
 void setTouchesAside(Work& work) {
   constexpr double kMostOfTime = 0.2;
@@ -183,6 +203,8 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     if (work.search.givenUp) return work;
     searching.givesUp = {};
     work.contacts = contactsIn(whole, work.search.final, holes);
+    if (round == 0 && !work.contacts.empty())
+      work.contacts = unlessElsewise(whole, work.search, work.contacts, holes, options.hidden);
     if (work.contacts.size() == holes.size() || progress.cancelled()) break;
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);

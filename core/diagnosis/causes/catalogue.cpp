@@ -12,7 +12,8 @@ const std::vector<std::unique_ptr<Cause>>& catalogue() {
     for (const auto make :
          {makeSensorBias, makeBiasDrift, makeTimeOffset, makeLowPassLag, makeSensorRotation, makeGravityTilt, makeGainError,
           makeCrosstalk, makeCablePull, makeViscousDrag, makeCoulombFriction, makeLooseMass, makePayloadChange, makeTouch, makeJointOffset,
-          makeMotionLag, makeLeverArm, makeConstantPull, makeFlexibleMount, makeDerivativeNoise, makeHysteresis, makeWandering})
+          makeMotionLag, makeLeverArm, makeConstantPull, makeFlexibleMount, makeDerivativeNoise, makeHysteresis, makeSaturation,
+          makeWandering})
       all.push_back(make());
     return all;
   }();

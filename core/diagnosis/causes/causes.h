@@ -22,6 +22,7 @@ std::unique_ptr<Cause> makeLooseMass();
 std::unique_ptr<Cause> makeLowPassLag();
 std::unique_ptr<Cause> makeMotionLag();
 std::unique_ptr<Cause> makePayloadChange();
+std::unique_ptr<Cause> makeSaturation();
 std::unique_ptr<Cause> makeSensorBias();
 std::unique_ptr<Cause> makeSensorRotation();
 std::unique_ptr<Cause> makeTimeOffset();

@@ -1,0 +1,41 @@
+// A channel gives way near the end of its range. One that is cut off flat is seen directly (sample_tests.h).
+#include "core/diagnosis/causes/causes.h"
+#include "core/diagnosis/causes/common.h"
+
+namespace heft::diagnosis {
+namespace {
+
+class Saturation final : public Cause {
+ public:
+  std::string_view id() const override { return "saturation"; }
+  std::vector<std::string> lookAlikes() const override { return {"gain_error", "contact"}; }
+  std::vector<Form> forms(const Signals&) const override {
+    std::vector<Form> out;
+    for (int c = 0; c < 6; ++c)
+      for (const int end : {1, -1}) {
+        // Of what goes beyond the knee, and where that is: as a share of the range, from its end.
+        out.push_back(formOf(this, fmt::format("{} {}", channelName(c), end > 0 ? "upwards" : "downwards"),
+                             {{fmt::format("loss_{}", channelName(c)), "%", 100.0, 0.1, 0.0, 1.05},
+                              {fmt::format("knee_{}", channelName(c)), "%", 100.0, 0.05, 0.02, 0.6}}));
+        out.back().start(1) = 0.25;
+        out.back().scan = {0};
+        out.back().choice = {c, end};
+      }
+    return out;
+  }
+  int order() const override { return 45; }
+  bool changesSensor() const override { return true; }
+  bool linear() const override { return false; }
+  void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
+    auto channel = w.row(form.choice[0]);
+    const double end = form.choice[1], range = channel.maxCoeff() - channel.minCoeff();
+    const double knee = (end > 0.0 ? channel.maxCoeff() : -channel.minCoeff()) - v(1) * range;
+    channel -= (end * v(0) * (end * channel.array() - knee).max(0.0)).matrix();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Cause> makeSaturation() { return std::make_unique<Saturation>(); }
+
+}  // namespace heft::diagnosis
