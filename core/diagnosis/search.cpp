@@ -198,6 +198,17 @@ bool sameForms(const Model& a, const Model& b) {
   });
 }
 
+std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                             const std::vector<std::string_view>& causes) {
+  std::vector<std::string> hidden;
+  for (const auto& cause : catalogue())
+    if (std::find(causes.begin(), causes.end(), cause->id()) == causes.end()) hidden.emplace_back(cause->id());
+  const auto bank = kept(signaturesOf(signals, base.model, hidden), base.model);
+  auto all = trials(signals, stretches, base, scan(stretches, base, bank), kRivals, 0.0);
+  if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
+  return std::move(all.front().fit);
+}
+
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
               const Progress& progress) {
   Search out;
