@@ -36,6 +36,7 @@ struct Form {
   std::vector<int> choice;  ///< Fixed integers that tell forms apart, for instance an axis; meaning private to the cause
   bool subset = false;      ///< Only those of the scanned parameters that the data ask for are freed.
   bool local = false;       ///< Has a place in time, parameter 0 [s].
+  bool atOnce = false;      ///< And changes there within a block or so.
   bool walk = false;        ///< Waves k = 1, 2, .. of six channels in turn, whose amplitudes fall with 1/k as a walk's do
 };
 

@@ -163,21 +163,42 @@ double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double
   return out;
 }
 
-Normal::Normal(const MatrixXd& J, const VectorXd& sd) {
-  information = MatrixXd::Zero(J.cols(), J.cols());
-  // What does not move has no column to speak of.
-  std::vector<Eigen::Index> moving;
-  for (Eigen::Index i = 0; i < J.cols(); ++i)
-    if (!J.col(i).isZero(0.0)) moving.push_back(i);
-  if (static_cast<Eigen::Index>(moving.size()) == J.cols()) {
-    information.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
-    information = MatrixXd(information.selfadjointView<Eigen::Lower>());
-  } else {
-    const MatrixXd some = J(Eigen::all, moving);
-    MatrixXd part = MatrixXd::Zero(some.cols(), some.cols());
-    part.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose());
-    information(moving, moving) = MatrixXd(part.selfadjointView<Eigen::Lower>());
+ChannelColumns::ChannelColumns(const MatrixXd& J) : columns_(J.cols()) {
+  const Eigen::Index n = J.rows() / 6;
+  for (std::size_t c = 0; c < 6; ++c) {
+    const auto channel = [&](Eigen::Index i) {
+      return Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(J.col(i).data() + c, n);
+    };
+    for (Eigen::Index i = 0; i < J.cols(); ++i)
+      if (!channel(i).isZero(0.0)) which_[c].push_back(i);
+    parts_[c].resize(n, std::ssize(which_[c]));
+    for (Eigen::Index i = 0; i < parts_[c].cols(); ++i) parts_[c].col(i) = channel(which_[c][static_cast<std::size_t>(i)]);
   }
+}
+
+MatrixXd ChannelColumns::gram() const {
+  MatrixXd out = MatrixXd::Zero(columns_, columns_);
+  for (std::size_t c = 0; c < 6; ++c) {
+    MatrixXd part = MatrixXd::Zero(parts_[c].cols(), parts_[c].cols());
+    part.selfadjointView<Eigen::Lower>().rankUpdate(parts_[c].transpose());
+    out(which_[c], which_[c]) += MatrixXd(part.selfadjointView<Eigen::Lower>());
+  }
+  return out;
+}
+
+MatrixXd ChannelColumns::transposeTimes(const MatrixXd& C) const {
+  MatrixXd out = MatrixXd::Zero(columns_, C.cols());
+  const Eigen::Index n = C.rows() / 6;
+  MatrixXd part(n, C.cols());
+  for (std::size_t c = 0; c < 6; ++c) {
+    for (Eigen::Index i = 0; i < C.cols(); ++i)
+      part.col(i) = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(C.col(i).data() + c, n);
+    out(which_[c], Eigen::all) += parts_[c].transpose() * part;
+  }
+  return out;
+}
+
+Normal::Normal(const ChannelColumns& J, const VectorXd& sd) : information(J.gram()) {
   MatrixXd H = information;
   H.diagonal() += sd.cwiseAbs2().cwiseInverse();
   scale_ = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -216,10 +237,10 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   fit.noise = fitNoise(fit.residual, stretches);
   double last = -1e300;
   for (int round = 0; round < rounds; ++round) {
-    const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
+    const ChannelColumns J(whitened(at.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
-    const VectorXd step = normal.solve(J.transpose() * r - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
+    const VectorXd step = normal.solve(J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
     Model next = fit.model;
     double factor = 1.0;
@@ -239,8 +260,7 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
     if (std::abs(fit.noise.evidence - last) < 0.05) break;
     last = fit.noise.evidence;
   }
-  const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
-  const Normal normal(J, sd);
+  const Normal normal(ChannelColumns(whitened(at.jacobian, fit.noise, stretches)), sd);
   fit.information = normal.information;
   fit.covariance = normal.inverse();
   const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
@@ -264,9 +284,9 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   for (int round = 0; round < 2; ++round) {
     const Linearised at = round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
     const Wrenches residual = signals.measured - at.value;
-    const MatrixXd J = whitened(at.jacobian, fit.noise, stretches);
+    const ChannelColumns J(whitened(at.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
-    const VectorXd g = J.transpose() * r - model.packed().cwiseQuotient(sd.cwiseAbs2());
+    const VectorXd g = J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2());
     model = moved(model, Normal(J, sd).solve(g), 1.0);
     if (fit.model.terms.empty()) break;
   }

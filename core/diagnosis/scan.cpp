@@ -42,11 +42,10 @@ double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
 class Weighting {
  public:
   Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit)
-      : noise_(noise), stretches_(stretches), fit_(fit) {
-    J_ = whitened(fit.jacobian, noise, stretches);
+      : noise_(noise), stretches_(stretches), fit_(fit), J_(whitened(fit.jacobian, noise, stretches)) {
     r_ = whitened(flat(fit.residual), noise, stretches);
     inverse_ = Normal(J_, whisper(fit.model)).inverse();
-    Jr_ = J_.transpose() * r_;
+    Jr_ = J_.transposeTimes(r_);
   }
 
   struct Answer {
@@ -60,7 +59,7 @@ class Weighting {
   /// Standard deviation of each scanned parameter if it were the only one.
   VectorXd deviations(const MatrixXd& columns) const {
     const MatrixXd C = whitened(columns, noise_, stretches_);
-    const MatrixXd JC = J_.transpose() * C;
+    const MatrixXd JC = J_.transposeTimes(C);
     VectorXd out(C.cols());
     for (Eigen::Index i = 0; i < C.cols(); ++i) {
       const double own = C.col(i).squaredNorm(), left = own - JC.col(i).dot(inverse_ * JC.col(i));
@@ -71,7 +70,7 @@ class Weighting {
 
   Answer judge(const Signature& signature, double lnN) const {
     const MatrixXd C = whitened(signature.columns, noise_, stretches_);
-    const MatrixXd JC = J_.transpose() * C;
+    const MatrixXd JC = J_.transposeTimes(C);
     const MatrixXd own = C.transpose() * C;
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
     const VectorXd g = C.transpose() * r_ - JC.transpose() * (inverse_ * Jr_);
@@ -138,7 +137,8 @@ class Weighting {
   const Noise& noise_;
   const std::vector<Stretch>& stretches_;
   const Fit& fit_;
-  MatrixXd J_, inverse_;
+  ChannelColumns J_;
+  MatrixXd inverse_;
   VectorXd r_, Jr_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "core/base/say.h"
@@ -50,7 +51,7 @@ void sortByGain(std::vector<Trial>& all) {
 Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
-  const Candidate& placed = candidate.form.local && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
+  const Candidate& placed = candidate.form.atOnce && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
   Model model = base.model;
   model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;
@@ -65,10 +66,9 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   return out;
 }
 
-/// Full fits of the most promising causes, best first: several forms of the first few, since what sets them apart may
-/// show only when everything moves. `toBeat`: evidence of the strongest, or of the cause whose place is in question.
-std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                          const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
+/// The most promising causes' candidates, several forms of the first few, since what sets them apart may show only when
+/// everything moves. `toBeat`: evidence of the strongest, or of the cause whose place is in question.
+std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
   std::vector<const Candidate*> chosen;
   // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less: the two
   // do not compete for places.
@@ -88,6 +88,12 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
     same.push_back(&candidate);
     chosen.push_back(&candidate);
   }
+  return chosen;
+}
+
+/// Full fits of the chosen ones, best first.
+std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                            const std::vector<const Candidate*>& chosen) {
   std::vector<Trial> all(chosen.size());
   onTwoThreads(chosen.size(), [&](std::size_t i) { all[i] = tried(signals, stretches, base, *chosen[i]); });
   sortByGain(all);
@@ -107,6 +113,22 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
   return all;
 }
 
+/// Trials of what promises most. What did may come to nothing, such as a step at an impossible place: then everything gets
+/// its chance.
+std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                          const std::vector<Candidate>& ranked) {
+  const double promised = ranked.front().score;
+  auto chosen = chosenOf(ranked, kTried, promised);
+  auto all = trialsOf(signals, stretches, base, chosen);
+  if (!all.empty() && all.front().gain >= kHopeful * promised) return all;
+  auto others = chosenOf(ranked, kTried, 0.0);
+  std::erase_if(others, [&](const Candidate* c) { return std::find(chosen.begin(), chosen.end(), c) != chosen.end(); });
+  auto more = trialsOf(signals, stretches, base, others);
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  sortByGain(all);
+  return all;
+}
+
 std::vector<Signature> kept(std::vector<Signature> bank, const Model& model) {
   // A form with a place of its own may come again; any other that is already in cannot add anything.
   std::erase_if(bank, [&](const Signature& s) {
@@ -118,9 +140,32 @@ std::vector<Signature> kept(std::vector<Signature> bank, const Model& model) {
   return bank;
 }
 
+/// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything else.
+double standsOut(const Fit& fit, std::size_t at) {
+  Eigen::Index from = kLinear;
+  for (std::size_t i = 0; i < at; ++i) from += fit.model.terms[i].v.size();
+  const Term& term = fit.model.terms[at];
+  std::vector<Eigen::Index> own;
+  for (const int p : term.form->scan)
+    if (term.moves(p)) own.push_back(from + p);
+  if (own.empty() || term.form->walk) return 0.0;
+  VectorXd size(std::ssize(own));
+  for (Eigen::Index i = 0; i < size.size(); ++i) {
+    const Eigen::Index p = own[static_cast<std::size_t>(i)] - from;
+    size(i) = term.v(p) - term.form->start(p);
+  }
+  const MatrixXd covariance = fit.covariance(own, own);
+  return size.dot(covariance.ldlt().solve(size));
+}
+
 /// Takes out again what the others have made needless.
 Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold) {
+  constexpr double kNeeded = 10.0;  // Times the threshold: what stands out like that is not fitted without, to be sure.
   for (std::size_t i = 0; fit.model.terms.size() > 1 && i < fit.model.terms.size();) {
+    if (standsOut(fit, i) > kNeeded * threshold) {
+      ++i;
+      continue;
+    }
     Model less = fit.model;
     less.terms.erase(less.terms.begin() + static_cast<std::ptrdiff_t>(i));
     Fit refit = fitModel(signals, stretches, std::move(less));
@@ -204,7 +249,8 @@ std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>&
   for (const auto& cause : catalogue())
     if (std::find(causes.begin(), causes.end(), cause->id()) == causes.end()) hidden.emplace_back(cause->id());
   const auto bank = kept(signaturesOf(signals, base.model, hidden), base.model);
-  auto all = trials(signals, stretches, base, scan(stretches, base, bank), kRivals, 0.0);
+  const auto ranked = scan(stretches, base, bank);
+  auto all = trialsOf(signals, stretches, base, chosenOf(ranked, kRivals, 0.0));
   if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
   return std::move(all.front().fit);
 }
@@ -215,17 +261,19 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
   out.null = fitModel(signals, stretches, Model{});
   out.final = out.null;
   std::vector<std::string> order;
+  if (!options.start.terms.empty()) {
+    out.final = prunedOf(signals, stretches, fitModel(signals, stretches, options.start), options.threshold);
+    if (!believable(out.final)) out.final = out.null;
+    for (const Term& term : out.final.model.terms)
+      if (std::find(order.begin(), order.end(), causeOf(term)) == order.end()) order.emplace_back(causeOf(term));
+  }
   Tried latest, accepted;
-  for (int step = 0; step < options.maxTerms && !progress.cancelled(); ++step) {
+  for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
     const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
     const auto ranked = scan(stretches, out.final, bank);
     if (ranked.empty()) break;
-    const double promised = ranked.front().score;
-    latest = {out.final, trials(signals, stretches, out.final, ranked, kTried, promised)};
-    // What promised most may come to nothing, such as a step at an impossible place: then everything gets its chance.
-    if (promised > 2.0 * kTie && (latest.all.empty() || latest.all.front().gain < kHopeful * promised))
-      latest.all = trials(signals, stretches, out.final, ranked, kTried, 0.0);
+    latest = {out.final, trials(signals, stretches, out.final, ranked)};
     const auto& all = latest.all;
     const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering : 0.0);
     if (all.empty() || all.front().gain < needed) break;
@@ -270,7 +318,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       found.gain = out.final.evidence - rest.evidence;
       if (now.all.empty()) {
         const auto bank = kept(signaturesOf(signals, rest.model, options.hidden), rest.model);
-        now.all = trials(signals, stretches, rest, scan(stretches, rest, bank), kRivals, found.gain);
+        const auto ranked = scan(stretches, rest, bank);
+        now.all = trialsOf(signals, stretches, rest, chosenOf(ranked, kRivals, found.gain));
       }
       const auto& all = now.all;
       std::map<std::string, const Trial*> best;

@@ -21,6 +21,7 @@ struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;
   std::vector<std::string> hidden;  ///< Causes that are not looked for, by ID.
+  Model start;  ///< Terms to begin with, as a search on nearly the same blocks found them
   /// Asked once, with the first cause accepted: whether the search is given up there. Empty: never.
   std::function<bool(const Fit& first)> givesUp;
 };

@@ -202,6 +202,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     work.search = search(signals, work.stretches, searching, progress);
     if (work.search.givenUp) return work;
     searching.givesUp = {};
+    searching.start = work.search.final.model;
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty())
       work.contacts = unlessElsewise(whole, work.search, work.contacts, holes, options.hidden);

@@ -77,7 +77,7 @@ class SensorBias final : public Cause {
       form.start(0) = t;
       form.scan = {1, 2, 3, 4, 5, 6};
       form.subset = true;
-      form.local = true;
+      form.local = form.atOnce = true;
       out.push_back(form);
     }
     return out;

@@ -28,7 +28,7 @@ class PayloadChange final : public Cause {
     };
     for (double t = from + 0.05; t < to; t += std::max(0.4, T / 60.0)) {
       out.push_back(change("", t, 0.05, 2.0));
-      out.back().local = true;
+      out.back().local = out.back().atOnce = true;
     }
     // As in pouring: its middle and how long it takes move with the rest.
     for (const double part : {0.15, 0.35, 0.7})
