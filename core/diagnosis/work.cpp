@@ -50,8 +50,10 @@ std::vector<Contact> unlessElsewise(const Signals& whole, const Search& found, c
   for (const char* id : {"saturation", "sensor_bias", "payload_change"})
     if (std::ranges::find(hidden, id) == hidden.end()) causes.emplace_back(id);
   const auto stretches = stretchesOf(whole.usable);
-  const auto other = withOneOf(whole, stretches, fitModel(whole, stretches, found.final.model, 4), causes);
+  auto other = withOneOf(whole, stretches, fitModel(whole, stretches, found.final.model, 4), causes);
   if (!other) return contacts;
+  // Contact makes noise of its own: what is left is judged by the noise elsewhere.
+  other->noise = found.final.noise;
   auto left = contactsIn(whole, *other, holes);
   return evidence(left) < (1.0 - kMost) * evidence(contacts) ? left : contacts;
 }
