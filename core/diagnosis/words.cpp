@@ -334,6 +334,11 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                      number(v.value("frequency"), 1));
   if (id == "flexible_mount")
     return heft::say("The tool's mount gives and rings at {} Hz.", number(v.value("frequency"), 0));
+  if (id == "payload_change" && v.value("duration") > 1.0) {
+    const std::string from = number(v.value("time") - 0.5 * v.value("duration"), 1), to = number(v.value("time") + 0.5 * v.value("duration"), 1);
+    return v.value("mass") > 0.0 ? heft::say("From {} to {} s the load became {} g heavier.", from, to, v.size("mass"))
+                                 : heft::say("From {} to {} s the load became {} g lighter.", from, to, v.size("mass"));
+  }
   if (id == "payload_change" && v.find("mass") && std::abs(v.value("mass")) < 2.0 * v.find("mass")->std)
     return heft::say("At {} s the load moved on the tool; its weight hardly changed ({} g).", number(v.value("time"), 1),
                      plusMinus(v.value("mass"), v.find("mass")->std));

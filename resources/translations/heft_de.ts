@@ -6378,6 +6378,26 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Something in the tool is loose and rolls to another place as it turns.</source>
         <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
+    <message>
+        <source>Missing near the end of the range, {}</source>
+        <translation>Fehlt nahe dem Ende des Messbereichs, {}</translation>
+    </message>
+    <message>
+        <source>Of the range, how much that is, {}</source>
+        <translation>Welcher Teil des Bereichs das ist, {}</translation>
+    </message>
+    <message>
+        <source>From {} to {} s the load became {} g heavier.</source>
+        <translation>Von {} bis {} s wurde die Last {} g schwerer.</translation>
+    </message>
+    <message>
+        <source>From {} to {} s the load became {} g lighter.</source>
+        <translation>Von {} bis {} s wurde die Last {} g leichter.</translation>
+    </message>
+    <message>
+        <source>Near the end of its range the channel {} shows {} % less than there is.</source>
+        <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -49,7 +49,7 @@ class PayloadChange final : public Cause {
     }
   }
   std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals& signals) const override {
-    return {wholeAfter(v(0), signals)};
+    return {wholeAfter(v(0) - 0.5 * v(5), signals)};
   }
 };
 

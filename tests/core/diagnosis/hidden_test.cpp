@@ -90,6 +90,56 @@ TEST(Diagnose, ALightTouchIsContact) {
   EXPECT_TRUE(canApply(report, report.causes.front()));
 }
 
+TEST(Diagnose, WhatIsPouredInIsAChangeOfLoad) {
+  const auto report = diagnosed(aRecording(MotionKind::free, 182, {{"payload_change", "pour", 60.0}}));
+  ASSERT_TRUE(namedFirstOrTied(report, "payload_change")) << said(report);
+  const auto& parameters = report.causes.front().parameters;
+  const auto mass = std::ranges::find(parameters, "mass", &CauseParameter::name);
+  ASSERT_NE(mass, parameters.end());
+  EXPECT_NEAR(mass->value, 60.0, 4.0 * mass->std);
+  EXPECT_NE(report.causes.front().sentence.find("heavier"), std::string::npos) << report.causes.front().sentence;
+}
+
+TEST(Diagnose, AChannelThatGivesWayNearItsEndIsNoContact) {
+  for (const std::uint64_t seed : {183u, 184u}) {
+    const auto report = diagnosed(aRecording(MotionKind::excitation, seed, {{"saturation", "soft", 16.0}}));
+    EXPECT_TRUE(namedFirstOrTied(report, "saturation")) << seed << ": " << said(report);
+  }
+}
+
+TEST(Diagnose, ALargeJumpOfTheZeroIsNoContact) {
+  for (const double at : {3.0, 5.0, 7.5}) {
+    Recording recording = aRecording(MotionKind::free, 185);
+    for (Eigen::Index i = 0; i < recording.rows(); ++i) recording.wrench(i, 0) += recording.time(i) > at ? 1.5 : 0.0;
+    const auto report = diagnosed(recording);
+    ASSERT_TRUE(namedFirstOrTied(report, "sensor_bias")) << at << ": " << said(report);
+    const auto& parameters = report.causes.front().parameters;
+    const auto time = std::ranges::find(parameters, "time", &CauseParameter::name), jump = std::ranges::find(parameters, "fx", &CauseParameter::name);
+    ASSERT_TRUE(time != parameters.end() && jump != parameters.end());
+    EXPECT_NEAR(time->value, at, 0.03);
+    EXPECT_NEAR(jump->value, 1.5, 0.15);
+  }
+}
+
+/// For 40 ms nothing new came: the force alone, or whole rows.
+TEST(Diagnose, WhatWasHeldIsNoContact) {
+  for (const bool whole : {false, true}) {
+    Recording recording = aRecording(MotionKind::free, 186);
+    for (const double at : {2.0, 3.7, 5.1, 6.6, 8.2, 10.1}) {
+      const auto from = static_cast<Eigen::Index>(at * recording.rateHz());
+      for (Eigen::Index i = from; i < from + static_cast<Eigen::Index>(0.04 * recording.rateHz()); ++i) {
+        recording.wrench.row(i) = recording.wrench.row(from - 1);
+        if (!whole) continue;
+        recording.q.row(i) = recording.q.row(from - 1);
+        if (recording.dq.rows() > 0) recording.dq.row(i) = recording.dq.row(from - 1);
+      }
+    }
+    const auto report = diagnosed(recording);
+    ASSERT_EQ(report.causes.size(), 1u) << whole << ": " << said(report);
+    EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
+  }
+}
+
 /// Effects that the catalogue lacks, at sizes that a matched filter sees at 20 standard deviations.
 TEST(Diagnose, WhatNoCauseCanBeIsUnexplained) {
   for (const auto& kind : {"temperature_wave", "backlash_torque", "angle_ripple"}) {
