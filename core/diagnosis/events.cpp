@@ -6,8 +6,12 @@
 namespace heft::diagnosis {
 
 double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Index from, Eigen::Index to) {
-  std::vector<Stretch> whole{{std::max<Eigen::Index>(0, from - 8), std::min(signals.blocks(), to + 8)}};
-  // Innovations of the stretch, its edges included, cost their square; the first blocks only start the memory.
+  // A little of what lies around it starts the memory, as far as it is to be trusted.
+  constexpr Eigen::Index kMemory = 8;
+  std::vector<Stretch> whole{{from, to}};
+  while (whole[0].from > std::max<Eigen::Index>(0, from - kMemory) && signals.usable[static_cast<std::size_t>(whole[0].from - 1)]) --whole[0].from;
+  while (whole[0].to < std::min(signals.blocks(), to + kMemory) && signals.usable[static_cast<std::size_t>(whole[0].to)]) ++whole[0].to;
+  // Innovations of the stretch cost their square.
   const Eigen::Map<const VectorXd> flat(fit.residual.data(), fit.residual.size());
   const MatrixXd u = whitened(flat, fit.noise, whole);
   double cost = 0.0;

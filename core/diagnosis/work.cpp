@@ -18,14 +18,15 @@ std::vector<Stretch> contactCandidates(const Recording& recording, const Motion&
   std::vector<Stretch> out;
   for (const auto& segment : segmentation.segments) {
     if (segment.kind != SegmentKind::contact) continue;
-    Stretch stretch{signals.blocks(), 0};
-    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-      if (signals.blockTime(n) >= segment.from - 0.01 && signals.blockTime(n) <= segment.to + 0.01 &&
-          signals.usable[static_cast<std::size_t>(n)]) {
-        stretch.from = std::min(stretch.from, n);
-        stretch.to = std::max(stretch.to, n + 1);
-      }
-    if (stretch.to > stretch.from) out.push_back(stretch);
+    // Readings that are not to be trusted are no contact: what is left of it on either side is judged by itself.
+    bool goesOn = false;
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+      const bool in = signals.blockTime(n) >= segment.from - 0.01 && signals.blockTime(n) <= segment.to + 0.01 &&
+                      signals.usable[static_cast<std::size_t>(n)];
+      if (in && !goesOn) out.push_back({n, n});
+      if (in) out.back().to = n + 1;
+      goesOn = in;
+    }
   }
   return out;
 }
