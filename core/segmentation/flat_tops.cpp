@@ -7,9 +7,13 @@ namespace heft {
 namespace {
 
 constexpr double kBeyond = 0.02;  ///< Share of readings that may be spikes
-constexpr Eigen::Index kFewest = 8;
-constexpr double kPile = 4.0;  ///< Times as many as at a neighbouring value
-constexpr std::size_t kNeighbours = 3;
+/// A pile: so many readings, so many times as many as at any of the nearest values. The more there are, the less it takes.
+struct Pile {
+  Eigen::Index fewest;
+  double times;
+  std::size_t neighbours;
+};
+constexpr Pile kPiles[] = {{8, 4.0, 3}, {40, 2.0, 1}};
 constexpr double kStill = 0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
 
 struct Level {
@@ -21,11 +25,12 @@ struct Level {
 Eigen::Index pileAt(const std::vector<Level>& levels, Eigen::Index readings) {
   Eigen::Index beyond = 0;
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-    Eigen::Index beside = 0;
-    for (std::size_t j = i + 1; j < levels.size() && j <= i + kNeighbours; ++j) beside = std::max(beside, levels[j].count);
-    const auto count = static_cast<double>(levels[i].count);
-    if (levels[i].count >= kFewest && count > kPile * static_cast<double>(std::max(beside, beyond)))
-      return static_cast<Eigen::Index>(i);
+    for (const Pile& pile : kPiles) {
+      Eigen::Index beside = beyond;
+      for (std::size_t j = i + 1; j < levels.size() && j <= i + pile.neighbours; ++j) beside = std::max(beside, levels[j].count);
+      if (levels[i].count >= pile.fewest && static_cast<double>(levels[i].count) > pile.times * static_cast<double>(beside))
+        return static_cast<Eigen::Index>(i);
+    }
     beyond += levels[i].count;
     if (static_cast<double>(beyond) > kBeyond * static_cast<double>(readings)) break;
   }
