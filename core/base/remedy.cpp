@@ -30,8 +30,7 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
     case Remedy::nameRobot:
       return heft::say("Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
     case Remedy::mountSensor:
-      return subject.empty() ? heft::say("Set sensor.mount.parent in the meta file to one of its links.")
-                             : heft::say("Set sensor.mount.parent in the meta file to one of: {}.", subject);
+      return heft::say("Set sensor.mount.parent in the meta file to one of: {}.", subject);
     case Remedy::turnWrench:
       return heft::say(
           "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or payload_on_sensor).");

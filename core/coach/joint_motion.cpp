@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/remedy.h"
-#include "core/base/say.h"
+#include "core/motion/mount_link.h"
 #include "core/simulation/trajectory.h"
 
 namespace heft {
@@ -42,12 +41,8 @@ JointMotion JointMotion::slower(double factor) const {
 }
 
 Result<GuidedTool> guidedTool(const RobotModel& robot, const SensorMount& mount) {
-  const auto link = robot.findLink(mount.parent);
-  if (!link)
-    return Error{
-        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have.", mount.parent,
-                  robot.name()) +
-        " " + remedy(Remedy::mountSensor)};
+  const auto link = mountLink(mount, robot);
+  if (!link) return link.error();
   return GuidedTool{&robot, *link, poseFromXyzRpy(mount.xyz, mount.rpy), {}};
 }
 

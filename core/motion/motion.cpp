@@ -8,6 +8,7 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/math/statistics.h"
+#include "core/motion/mount_link.h"
 #include "core/motion/resample.h"
 #include "core/motion/savitzky_golay.h"
 
@@ -171,17 +172,6 @@ void setSample(Motion& motion, Eigen::Index k, const FrameMotion& frame, const V
   motion.position.col(k) = frame.X_BS.translation();
 }
 
-/// Where S sits on the robot, or why it cannot be found.
-Result<int> mountLink(const RecordingMeta& meta, const RobotModel& robot) {
-  if (const auto link = robot.findLink(meta.mount.parent)) return *link;
-  std::string names;
-  for (const auto& link : robot.links()) names += (names.empty() ? "" : ", ") + link.name;
-  return Error{
-      heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have.", meta.mount.parent,
-                robot.name()) +
-      " " + remedy(Remedy::mountSensor, names)};
-}
-
 Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
   if (robot == nullptr)
     return Error{heft::say("The recording has joint angles, but no robot is named.") + " " + remedy(Remedy::nameRobot)};
@@ -190,7 +180,7 @@ Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
         heft::say("The recording has {} joints, the robot \"{}\" has {}.", recording.q.cols(), robot->name(),
                   robot->dof()) +
         " " + remedy(Remedy::nameRobot)};
-  return mountLink(recording.meta, *robot);
+  return mountLink(recording.meta.mount, *robot);
 }
 
 Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, const Smoother& smoother,

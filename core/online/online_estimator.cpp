@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/prepare.h"
 #include "core/motion/motion.h"
+#include "core/motion/mount_link.h"
 #include "core/online/block_learner.h"
 #include "core/online/online_words.h"
 #include "core/online/tool_change.h"
@@ -376,11 +376,8 @@ Result<OnlineEstimator> OnlineEstimator::create(const RecordingMeta& meta, const
                                                 const OnlineOptions& options) {
   if (robot && robot->dof() > 7)
     return Error{heft::say("The robot \"{}\" has {} joints; at most 7 can be followed.", robot->name(), robot->dof())};
-  if (robot && !robot->findLink(meta.mount.parent))
-    return Error{
-        heft::say("The sensor's mount names the link \"{}\", which the robot \"{}\" does not have.", meta.mount.parent,
-                  robot->name()) +
-        " " + remedy(Remedy::mountSensor)};
+  if (robot)
+    if (const auto link = mountLink(meta.mount, *robot); !link) return link.error();
   if (!(options.cutoffHz >= 0.0))
     return Error{heft::say("The low-pass cutoff cannot be {} Hz; give a frequency above zero.", options.cutoffHz)};
   auto impl = std::make_unique<Impl>(meta, robot, options);

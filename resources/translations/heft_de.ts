@@ -1416,10 +1416,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wählen Sie ihn unter Werkzeuge, „Roboter und Sensor“.</translation>
     </message>
     <message>
-        <source>Choose the link that carries the sensor under Tools, “Robot and sensor”.</source>
-        <translation>Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“.</translation>
-    </message>
-    <message>
         <source>Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.</source>
         <translation>Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“: eines von %1.</translation>
     </message>
@@ -6033,10 +6029,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Name it time (in seconds), or say which it is with --use time=NAME.</source>
         <translation>Nennen Sie sie time (in Sekunden), oder sagen Sie mit --use time=NAME, welche es ist.</translation>
-    </message>
-    <message>
-        <source>Set sensor.mount.parent in the meta file to one of its links.</source>
-        <translation>Setzen Sie sensor.mount.parent in der Meta-Datei auf eines seiner Glieder.</translation>
     </message>
     <message>
         <source>Set sensor.mount.parent in the meta file to one of: {}.</source>

@@ -15,6 +15,7 @@
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
 #include "ui/controller/robot_choice.h"
+#include "ui/import_dialogs/choice.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -62,13 +63,7 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta, std::f
                                "the reality check finds it out."),
                             "answer", this));
   const auto choice = [&](const char* name, const QString& title, const QString& tip) {
-    auto* box = new QComboBox(this);
-    box->setObjectName(name);
-    box->setAccessibleName(title);
-    box->setToolTip(tip);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(20);
-    return box;
+    return makeChoice(name, title, tip, 20, this);
   };
   robot_ = choice("rigRobot", tr("Robot"), tr("The arm whose joints were recorded"));
   robot_->addItems({tr("Franka Panda"), tr("Another arm (URDF)"), tr("None: poses only")});

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "core/base/json_file.h"
+#include "ui/import_dialogs/choice.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -29,17 +30,6 @@ std::string partOf(const std::string& column) {
   if (column[0] == 'd') return "velocities";
   if (column.size() == 2 && column[0] == 'q' && column[1] > '9') return "quaternion";
   return column[0] == 'q' ? "joints" : "wrench";
-}
-
-QComboBox* makeChoice(const QString& name, const QString& accessible, const QString& tip, QWidget* parent) {
-  auto* box = new QComboBox(parent);
-  box->setObjectName(name);
-  box->setAccessibleName(accessible);
-  box->setToolTip(tip);
-  // A long topic must not make the dialog wider than the screen.
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(12);
-  return box;
 }
 
 }  // namespace
@@ -110,7 +100,7 @@ void SourcesDialog::addRow(QGridLayout* grid, const QString& part, const QString
   const int at = grid->rowCount();
   auto* label = styledLabel(title, "rowName", this);
   grid->addWidget(label, at, 0);
-  row.source = makeChoice("source_" + part, title, tip, this);
+  row.source = makeChoice("source_" + part, title, tip, 12, this);
   label->setBuddy(row.source);
   grid->addWidget(row.source, at, 1);
   connect(row.source, QOverload<int>::of(&QComboBox::activated), this, [this, part, box = row.source](int) {
@@ -118,8 +108,7 @@ void SourcesDialog::addRow(QGridLayout* grid, const QString& part, const QString
     look();
   });
   if (!units.empty()) {
-    row.unit = makeChoice("unit_" + part, tr("Unit of: %1").arg(title), tr("In which unit the file holds it"), this);
-    row.unit->setMinimumContentsLength(9);
+    row.unit = makeChoice("unit_" + part, tr("Unit of: %1").arg(title), tr("In which unit the file holds it"), 9, this);
     for (const auto& [text, factor] : units) row.unit->addItem(text, factor);
     grid->addWidget(row.unit, at, 2);
     connect(row.unit, QOverload<int>::of(&QComboBox::activated), this, [this, part, box = row.unit](int) {
@@ -134,7 +123,7 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
   row->addWidget(styledLabel(tr("Poses are those of"), "rowName", this));
-  poseOf_ = makeChoice("poseOf", tr("Poses are those of"), tr("The sensor's follow from the flange's by how it is mounted"), this);
+  poseOf_ = makeChoice("poseOf", tr("Poses are those of"), tr("The sensor's follow from the flange's by how it is mounted"), 12, this);
   poseOf_->addItem(tr("the sensor"), false);
   poseOf_->addItem(tr("the flange"), true);
   row->addWidget(poseOf_, 1);
@@ -197,7 +186,7 @@ void SourcesDialog::addColumns(QVBoxLayout* column) {
   const auto add = [&](const char* name, int row, int place) {
     auto* label = styledLabel(QString::fromLatin1(name), "rowName", content);
     auto* box = makeChoice(QStringLiteral("column_%1").arg(QLatin1String(name)), tr("Column for %1").arg(QLatin1String(name)),
-                           tr("Where %1 is read from").arg(QLatin1String(name)), content);
+                           tr("Where %1 is read from").arg(QLatin1String(name)), 12, content);
     box->setModel(&fields_);
     grid->addWidget(label, row, place);
     grid->addWidget(box, row, place + 1);

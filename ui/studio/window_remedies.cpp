@@ -26,9 +26,7 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::nameRobot:
       return Words::tr("Choose it under Tools, “Robot and sensor”.");
     case Remedy::mountSensor:
-      return subject.isEmpty() ? Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”.")
-                               : Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.")
-                                     .arg(subject);
+      return Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.").arg(subject);
     case Remedy::turnWrench:
       return Words::tr("Under Tools, “Robot and sensor”, say that forces point the other way.");
     case Remedy::turnGravity:

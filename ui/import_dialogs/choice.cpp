@@ -1,0 +1,17 @@
+#include "ui/import_dialogs/choice.h"
+
+#include <QComboBox>
+
+namespace heft {
+
+QComboBox* makeChoice(const QString& name, const QString& accessible, const QString& tip, int characters, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(name);
+  box->setAccessibleName(accessible);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(characters);
+  return box;
+}
+
+}  // namespace heft
