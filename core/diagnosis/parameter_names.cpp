@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 24> kNames = {{
+constexpr std::array<Name, 25> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"lag", heft::toSay("Delay of the motion t")},
     {"time_constant", heft::toSay("Time constant T")},
@@ -27,6 +27,7 @@ constexpr std::array<Name, 24> kNames = {{
     {"friction", heft::toSay("Friction F")},
     {"turning_friction", heft::toSay("Friction against turning M")},
     {"way", heft::toSay("Way until it slips s")},
+    {"stick_speed", heft::toSay("Speed below which it sticks v")},
     {"mass", heft::toSay("Mass m")},
     {"frequency", heft::toSay("Frequency f")},
     {"damping", heft::toSay("Damping ratio ζ")},

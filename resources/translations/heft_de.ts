@@ -6390,6 +6390,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Near the end of its range the channel {} shows {} % less than there is.</source>
         <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
     </message>
+    <message>
+        <source>Speed below which it sticks v</source>
+        <translation>Geschwindigkeit, unter der es haftet, v</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

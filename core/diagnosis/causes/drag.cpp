@@ -69,6 +69,11 @@ class CoulombFriction final : public Resistance {
     const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0};
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
+    // How slow it must be for friction to fade is nobody's constant.
+    Form& away = out.back();
+    away.parameters.push_back({"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05});
+    away.start.conservativeResize(away.start.size() + 1);
+    away.start.tail<1>()(0) = kStick;
     for (const double way : {0.003, 0.015, 0.06}) {
       add(out, 4, "giving way", withPlace({linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}}));
       out.back().start(1) = way;
@@ -87,9 +92,10 @@ class CoulombFriction final : public Resistance {
         w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
       if (kind == 1) continue;
-      const Vector3d r = kind >= 3 ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
+      const Vector3d r = kind < 3 ? Vector3d(Vector3d::Zero()) : Vector3d(v.segment<3>(kind - 2));
       const Vector3d velocity = velocityAt(signals, k, r);
-      Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + kStick * kStick);
+      const double stick = kind == 3 ? v(4) : kStick;
+      Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
       if (kind == 4) {
         // Dahl: z' = v - |v| z / way, the exact step for a velocity that is constant over it.
         const double speed = velocity.norm(), way = v(1);
