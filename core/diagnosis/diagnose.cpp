@@ -43,18 +43,18 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   Readings out;
   out.cleaned = recording;
   Eigen::Index spikes = 0;
-  const std::vector<FlatTop> tops = flatTops(recording.wrench);
-  Unclipped clipping = unclipped(withoutSpikes(recording.wrench, spikes), tops, recording.rateHz());
+  RowFacts facts{unevenStamps(recording), flatTops(recording.wrench), {}, heldRows(recording)};
+  Unclipped clipping = unclipped(withoutSpikes(recording.wrench, spikes), facts.tops, recording.rateHz());
   out.cleaned.wrench = std::move(clipping.wrench);
-  const auto stamps = unevenStamps(recording);
-  if (stamps && !contains(options.hidden, "jitter")) out.cleaned.time = stamps->even;
-  bridge(out.cleaned, heldRows(recording));
+  facts.lost = std::move(clipping.lost);
+  if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
+  bridge(out.cleaned, facts.held);
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
   out.motion = std::move(*motion);
-  out.directs = sampleTests(recording, out.motion, stamps, tops, clipping.lost);
+  out.directs = sampleTests(recording, out.motion, facts);
   std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles are not used, here or for the payload.

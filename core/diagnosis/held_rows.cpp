@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/segmentation/wrench_runs.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -38,17 +40,14 @@ bool stoodStill(const Recording& recording, const Held& rows) {
 
 std::vector<Held> heldRows(const Recording& recording) {
   constexpr double kShortest = 0.015, kLonger = 5.0, kMostOfAll = 0.25;
-  std::vector<Held> runs;
-  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    if (i == 0 || !repeats(recording.wrench, i)) runs.push_back({i + 1, i + 1});
-    runs.back().to = i + 1;
-  }
+  const auto runs = wrenchRuns(recording.wrench);
   const double usual = static_cast<double>(recording.rows()) / std::max(1.0, static_cast<double>(runs.size()));
   std::vector<Held> out;
   Eigen::Index count = 0;
-  for (Held run : runs) {
-    const double lasts = recording.time(run.to - 1) - recording.time(run.from - 1);
-    if (lasts < kShortest || static_cast<double>(run.to - run.from + 1) < kLonger * usual) continue;
+  for (const auto& [from, to] : runs) {
+    const double lasts = recording.time(to - 1) - recording.time(from);
+    if (lasts < kShortest || static_cast<double>(to - from) < kLonger * usual) continue;
+    Held run{from + 1, to};
     run.motionToo = stoodStill(recording, run);
     out.push_back(run);
     count += run.to - run.from;

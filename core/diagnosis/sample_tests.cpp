@@ -6,8 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/diagnosis/held_rows.h"
-#include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/prepare.h"
 
@@ -104,8 +102,9 @@ double repeatsByChance(const Recording& recording) {
   return (still / std::max(1.0, fresh)).prod();
 }
 
-/// Readings that were held, zeroed or left out. `stamped`: the stamps tell how long a step took.
-std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
+/// Readings that were held, zeroed or left out. `stamped`: the stamps tell how long a step took. Rows of `heldRuns` are not to
+/// be trusted.
+std::optional<Direct> dropouts(const Recording& recording, bool stamped, const std::vector<Held>& heldRuns) {
   const Eigen::Index n = recording.rows();
   Eigen::Index held = 0, zeros = 0, missing = 0;
   for (Eigen::Index i = 1; i < n;) {
@@ -141,7 +140,7 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
     out.rows[static_cast<std::size_t>(i)] = zeros >= 3 && (recording.wrench.row(i).array() == 0.0).all();
   // Where the motion was held, too, its derivatives are wrong a little further.
   const auto beside = static_cast<Eigen::Index>(0.1 * recording.rateHz());
-  for (const Held& run : heldRows(recording)) {
+  for (const Held& run : heldRuns) {
     const Eigen::Index margin = run.motionToo ? beside : 0;
     std::fill(out.rows.begin() + std::max<Eigen::Index>(0, run.from - margin), out.rows.begin() + std::min(n, run.to + margin), true);
   }
@@ -150,12 +149,11 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped) {
 
 }  // namespace
 
-std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps,
-                                const std::vector<FlatTop>& tops, const std::vector<bool>& lost) {
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const RowFacts& facts) {
   std::vector<Direct> out;
-  if (auto found = saturation(recording, tops, lost)) out.push_back(std::move(*found));
-  if (stamps) out.push_back(jitter(*stamps));
-  if (auto found = dropouts(recording, !stamps)) out.push_back(std::move(*found));
+  if (auto found = saturation(recording, facts.tops, facts.lost)) out.push_back(std::move(*found));
+  if (facts.stamps) out.push_back(jitter(*facts.stamps));
+  if (auto found = dropouts(recording, !facts.stamps, facts.held)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));
   if (auto found = spikes(recording)) out.push_back(std::move(*found));
   for (auto& found : reportedVelocities(recording, motion)) out.push_back(std::move(found));

@@ -1,9 +1,11 @@
 #pragma once
 // What single samples show, before any model: clipping, spikes, lost and repeated readings, velocities that lag.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/diagnosis/cause.h"
+#include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/motion/motion.h"
 #include "core/segmentation/flat_tops.h"
@@ -24,9 +26,15 @@ struct Direct {
   std::vector<bool> rows;  ///< Of the recording: not to be trusted; empty: all are fine.
 };
 
-/// Tests on a recording as it was read; `motion` as worked out from it, `stamps` as of unevenStamps(recording), `tops` as of
-/// flatTops(its wrench), with the rows `lost` to them as of unclipped().
-std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const std::optional<UnevenStamps>& stamps,
-                                const std::vector<FlatTop>& tops, const std::vector<bool>& lost);
+/// What is known of the rows before they are judged.
+struct RowFacts {
+  std::optional<UnevenStamps> stamps;  ///< As of unevenStamps(recording)
+  std::vector<FlatTop> tops;           ///< As of flatTops(its wrench)
+  std::vector<bool> lost;              ///< To these: as of unclipped()
+  std::vector<Held> held;              ///< As of heldRows(recording)
+};
+
+/// Tests on a recording as it was read; `motion` as worked out from it.
+std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const RowFacts& facts);
 
 }  // namespace heft::diagnosis

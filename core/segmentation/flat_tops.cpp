@@ -1,6 +1,7 @@
 #include "core/segmentation/flat_tops.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace heft {
 
@@ -13,13 +14,34 @@ struct Pile {
   double times;
   std::size_t neighbours;
 };
-constexpr Pile kPiles[] = {{8, 4.0, 3}, {40, 2.0, 1}};
+constexpr std::size_t kNeighbours = 3;  ///< At most
+constexpr Pile kPiles[] = {{8, 4.0, kNeighbours}, {40, 2.0, 1}};
 constexpr double kStill = 0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
 
 struct Level {
   double value;
   Eigen::Index count;
 };
+
+/// The values from that end on which `further` puts last, level by level: as far as spikes may lie, and the neighbours of what
+/// comes next. Only those are sorted.
+template <class Further>
+std::vector<Level> levelsFromEnd(std::vector<double> values, const Further& further) {
+  const double spikes = kBeyond * static_cast<double>(values.size());
+  std::vector<Level> out;
+  double taken = 0.0;
+  std::size_t neighbours = kNeighbours;
+  std::make_heap(values.begin(), values.end(), further);
+  for (; !values.empty(); values.pop_back(), taken += 1.0) {
+    std::pop_heap(values.begin(), values.end(), further);
+    if (out.empty() || out.back().value != values.back()) {
+      if (taken > spikes && neighbours-- == 0) break;
+      out.push_back({values.back(), 0});
+    }
+    ++out.back().count;
+  }
+  return out;
+}
 
 /// Index of the level that readings pile up at, from the front of `levels`, which is the channel's end; or none: -1.
 Eigen::Index pileAt(const std::vector<Level>& levels, Eigen::Index readings) {
@@ -48,14 +70,7 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
   for (int c = 0; c < 6; ++c) {
     std::vector<double> values;
     for (const Eigen::Index i : fresh) values.push_back(wrench(i, c));
-    std::sort(values.begin(), values.end());
-    std::vector<Level> levels;
-    for (const double value : values) {
-      if (levels.empty() || levels.back().value != value) levels.push_back({value, 0});
-      ++levels.back().count;
-    }
-    for (int end = 0; end < 2; ++end) {
-      std::reverse(levels.begin(), levels.end());  // The largest in front, then the smallest.
+    for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})}) {
       const Eigen::Index at = pileAt(levels, static_cast<Eigen::Index>(fresh.size()));
       if (at < 0) continue;
       FlatTop found{c, levels[static_cast<std::size_t>(at)].value, {}};

@@ -4,6 +4,7 @@
 
 #include "core/base/say.h"
 #include "core/segmentation/flat_tops.h"
+#include "core/segmentation/wrench_runs.h"
 
 namespace heft {
 
@@ -12,11 +13,7 @@ namespace {
 /// Rows [from, to) that repeat the wrench of the row before for 50 ms, ten rows and twenty times as long as the others do.
 std::vector<std::pair<Eigen::Index, Eigen::Index>> hungRows(const Recording& recording) {
   constexpr double kShortest = 0.05, kLonger = 20.0;
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> runs;
-  for (Eigen::Index k = 0; k < recording.rows(); ++k) {
-    if (k == 0 || recording.wrench.row(k) != recording.wrench.row(k - 1)) runs.push_back({k, k});
-    runs.back().second = k + 1;
-  }
+  const auto runs = wrenchRuns(recording.wrench);
   std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
   for (const auto& [from, to] : runs) {
     const double others = static_cast<double>(recording.rows() - (to - from)) / std::max(1.0, static_cast<double>(runs.size()) - 1.0);

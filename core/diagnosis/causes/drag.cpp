@@ -24,9 +24,12 @@ class Resistance : public Cause {
     if (!signals.positionKnown) return out;
     add(out, 0, "", {linear});
     add(out, 2, "moving and turning", {linear, angular});
-    add(out, 3, "away from the sensor", withPlace({linear}));
-    out.back().scan = {0};
     return out;
+  }
+  /// At a place away from the sensor; `parameters` as of withPlace(), what follows the place at its end.
+  void addAway(std::vector<Form>& out, std::vector<Parameter> parameters) const {
+    add(out, 3, "away from the sensor", std::move(parameters));
+    out.back().scan = {0};
   }
   void add(std::vector<Form>& out, int kind, const char* name, std::vector<Parameter> parameters) const {
     out.push_back(formOf(this, name, std::move(parameters)));
@@ -39,8 +42,10 @@ class ViscousDrag final : public Resistance {
   std::string_view id() const override { return "viscous_drag"; }
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
-    auto out = common(signals, {"drag", "N s/m", 1.0, 0.3, 0.0, 200.0}, {"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0});
+    const Parameter linear{"drag", "N s/m", 1.0, 0.3, 0.0, 200.0};
+    auto out = common(signals, linear, {"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0});
     if (!signals.positionKnown) return out;
+    addAway(out, withPlace({linear}));
     add(out, 4, "different along each axis",
         {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
     return out;
@@ -70,10 +75,10 @@ class CoulombFriction final : public Resistance {
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
     // How slow it must be for friction to fade is nobody's constant.
-    Form& away = out.back();
-    away.parameters.push_back({"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05});
-    away.start.conservativeResize(away.start.size() + 1);
-    away.start.tail<1>()(0) = kStick;
+    auto away = withPlace({linear});
+    away.push_back({"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05});
+    addAway(out, std::move(away));
+    out.back().start(4) = kStick;
     for (const double way : {0.003, 0.015, 0.06}) {
       add(out, 4, "giving way", withPlace({linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}}));
       out.back().start(1) = way;

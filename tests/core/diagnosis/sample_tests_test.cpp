@@ -19,10 +19,9 @@ std::vector<std::string> directCauses(const Recording& recording) {
   options.cutoffHz = 25.0;
   const auto motion = motionOf(recording, &RobotModel::panda(), options);
   std::vector<std::string> out;
-  const auto tops = flatTops(recording.wrench);
-  const auto lost = diagnosis::unclipped(recording.wrench, tops, recording.rateHz()).lost;
-  for (const auto& direct : diagnosis::sampleTests(recording, *motion, diagnosis::unevenStamps(recording), tops, lost))
-    out.push_back(direct.cause);
+  diagnosis::RowFacts facts{diagnosis::unevenStamps(recording), flatTops(recording.wrench), {}, diagnosis::heldRows(recording)};
+  facts.lost = diagnosis::unclipped(recording.wrench, facts.tops, recording.rateHz()).lost;
+  for (const auto& direct : diagnosis::sampleTests(recording, *motion, facts)) out.push_back(direct.cause);
   return out;
 }
 
