@@ -119,7 +119,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
   if (options.surrogates > 0 && !found->search.found.empty()) {
-    const auto bank = signaturesOf(found->signals, found->search.null.model, options.hidden);
+    const auto bank = found->bank.around(found->signals, found->search.null.model);
     // Noise as the final model leaves it, around the motion and payload of the baseline.
     Fit base = found->search.null;
     base.noise = found->search.final.noise;
@@ -279,10 +279,9 @@ std::string verdictSentence(const DiagnosisReport& report) {
 }
 
 /// How large each cause that was not named would have to be, with this motion and noise.
-std::vector<Smallest> smallestVisible(const Work& work, const std::vector<DiagnosedCause>& named,
-                                      const std::vector<std::string>& hidden, double threshold) {
+std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCause>& named, double threshold) {
   std::vector<Smallest> out;
-  const auto bank = signaturesOf(work.signals, work.search.final.model, hidden);
+  const auto bank = work.bank.around(work.signals, work.search.final.model);
   const auto visible = leastVisible(work.stretches, work.search.final, bank, threshold);
   for (std::size_t b = 0; b < bank.size(); ++b) {
     const Signature& signature = bank[b];
@@ -381,7 +380,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     return *error;
   out.model = final.model;
   out.mistake = work.mistake;
-  out.smallest = smallestVisible(work, out.causes, options.hidden, out.threshold);
+  out.smallest = smallestVisible(work, out.causes, out.threshold);
   out.series.time.resize(work.signals.blocks());
   for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) out.series.time(n) = work.signals.blockTime(n);
   out.series.measured = work.signals.measured;

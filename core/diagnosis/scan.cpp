@@ -69,7 +69,7 @@ class Weighting {
   }
 
   Answer judge(const Signature& signature, double lnN) const {
-    const MatrixXd C = whitened(signature.columns, noise_, stretches_);
+    const MatrixXd C = whitened(*signature.columns, noise_, stretches_);
     const MatrixXd JC = J_.transposeTimes(C);
     const MatrixXd own = C.transpose() * C;
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
@@ -124,7 +124,7 @@ class Weighting {
     // The other parameters give way; then the noise is learned anew.
     const VectorXd delta = inverse_ * (Jr_ - JC * out.gamma);
     Wrenches residual = fit_.residual;
-    Eigen::Map<VectorXd>(residual.data(), residual.size()) -= signature.columns * out.gamma + fit_.jacobian * delta;
+    Eigen::Map<VectorXd>(residual.data(), residual.size()) -= *signature.columns * out.gamma + fit_.jacobian * delta;
     out.gain = fitNoise(residual, stretches_).evidence - fit_.noise.evidence;
     const auto count = static_cast<double>(dimensions);
     out.score = out.gain - (signature.form.walk     ? walkPrice
@@ -144,15 +144,33 @@ class Weighting {
 
 }  // namespace
 
-std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
-                                    const std::vector<std::string>& hidden) {
-  std::vector<Signature> bank;
+SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
   for (const auto& cause : catalogue()) {
     if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
-    for (auto& form : cause->forms(signals)) bank.push_back({std::move(form), {}});
+    for (auto& form : cause->forms(signals)) plain_.push_back({std::move(form), {}});
   }
-  onTwoThreads(bank.size(), [&](std::size_t i) { bank[i].columns = signatures(signals, model, bank[i].form); });
-  return bank;
+}
+
+std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
+                                             const std::function<bool(const Form&)>& wanted) {
+  // What a saturated sensor or one with a memory makes of a sum is linearised without these two.
+  const bool plain = std::none_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
+    const Cause& cause = *term.form->cause;
+    return cause.bendsGeometry() || (cause.changesSensor() && cause.linear());
+  });
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < plain_.size(); ++i)
+    if (!wanted || wanted(plain_[i].form)) which.push_back(i);
+  std::vector<Signature> out(which.size());
+  onTwoThreads(out.size(), [&](std::size_t i) {
+    Signature& known = plain_[which[i]];
+    const Cause& cause = *known.form.cause;
+    const bool keeps = plain && !cause.bendsGeometry() && !cause.changesSensor();
+    out[i] = known;
+    if (!keeps || !known.columns) out[i].columns = std::make_shared<const MatrixXd>(signatures(signals, model, known.form));
+    if (keeps) known.columns = out[i].columns;
+  });
+  return out;
 }
 
 std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
@@ -161,7 +179,7 @@ std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const 
   const Weighting weighting(fit.noise, stretches, fit);
   std::vector<VectorXd> out(bank.size());
   onTwoThreads(bank.size(), [&](std::size_t i) {
-    out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i].columns);
+    out[i] = std::sqrt(threshold + lnN) * weighting.deviations(*bank[i].columns);
   });
   return out;
 }
@@ -224,7 +242,7 @@ Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches,
   const auto at = [&](double time) {
     Signature out{candidate.form, {}};
     out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
-    out.columns = signatures(signals, fit.model, out.form);
+    out.columns = std::make_shared<const MatrixXd>(signatures(signals, fit.model, out.form));
     return out;
   };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.

@@ -1,5 +1,8 @@
 #pragma once
 // The first look: how much each form of each cause would explain, linearly, around what is already accepted.
+#include <functional>
+#include <memory>
+
 #include "core/diagnosis/fit.h"
 
 namespace heft::diagnosis {
@@ -15,12 +18,22 @@ struct Candidate {
 /// A form's columns, ready to be tried on any residual.
 struct Signature {
   Form form;
-  MatrixXd columns;  ///< 6N x form.scan.size()
+  std::shared_ptr<const MatrixXd> columns;  ///< 6N x form.scan.size()
 };
 
-/// Of every form of every cause but those in `hidden`; worked out on two threads.
-std::vector<Signature> signaturesOf(const Signals& signals, const Model& model,
-                                    const std::vector<std::string>& hidden);
+/// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around every
+/// payload and is kept; what bends the motion or changes the sensor is worked out anew each time.
+class SignatureBank {
+ public:
+  SignatureBank() = default;
+  SignatureBank(const Signals& signals, const std::vector<std::string>& hidden);
+
+  /// Those of `wanted` forms around `model`, on two threads; `signals` are those of the construction but for what may be judged.
+  std::vector<Signature> around(const Signals& signals, const Model& model, const std::function<bool(const Form&)>& wanted = {});
+
+ private:
+  std::vector<Signature> plain_;  ///< Around nothing but a payload; columns once they were needed
+};
 
 /// Gains of evidence, best first. Each form is judged under the fit's noise and under white noise, since a strong misfit
 /// hides behind a long memory; the noise is refitted to what the form leaves over.

@@ -129,15 +129,17 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
   return all;
 }
 
-std::vector<Signature> kept(std::vector<Signature> bank, const Model& model) {
-  // A form with a place of its own may come again; any other that is already in cannot add anything.
-  std::erase_if(bank, [&](const Signature& s) {
-    if (s.form.local) return false;
-    return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
-      return t.form->cause == s.form.cause && t.form->name == s.form.name;
-    });
-  });
-  return bank;
+/// Whether another term of the form can add to the model: one with a place of its own may come again, any other that is
+/// already in can not.
+bool mayAdd(const Form& form, const Model& model) {
+  return form.local || std::none_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
+           return t.form->cause == form.cause && t.form->name == form.name;
+         });
+}
+
+/// What each form that may still come promises around `base`, best first.
+std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base) {
+  return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) { return mayAdd(form, base.model); }));
 }
 
 /// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything else.
@@ -243,19 +245,17 @@ bool sameForms(const Model& a, const Model& b) {
   });
 }
 
-std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
                              const std::vector<std::string_view>& causes) {
-  std::vector<std::string> hidden;
-  for (const auto& cause : catalogue())
-    if (std::find(causes.begin(), causes.end(), cause->id()) == causes.end()) hidden.emplace_back(cause->id());
-  const auto bank = kept(signaturesOf(signals, base.model, hidden), base.model);
-  const auto ranked = scan(stretches, base, bank);
+  const auto ranked = scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {
+    return mayAdd(form, base.model) && std::find(causes.begin(), causes.end(), form.cause->id()) != causes.end();
+  }));
   auto all = trialsOf(signals, stretches, base, chosenOf(ranked, kRivals, 0.0));
   if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
   return std::move(all.front().fit);
 }
 
-Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
+Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
               const Progress& progress) {
   Search out;
   out.null = fitModel(signals, stretches, Model{});
@@ -270,8 +270,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
   Tried latest, accepted;
   for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
-    const auto bank = kept(signaturesOf(signals, out.final.model, options.hidden), out.final.model);
-    const auto ranked = scan(stretches, out.final, bank);
+    const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     latest = {out.final, trials(signals, stretches, out.final, ranked)};
     const auto& all = latest.all;
@@ -317,8 +316,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, con
       const Fit& rest = now.base;
       found.gain = out.final.evidence - rest.evidence;
       if (now.all.empty()) {
-        const auto bank = kept(signaturesOf(signals, rest.model, options.hidden), rest.model);
-        const auto ranked = scan(stretches, rest, bank);
+        const auto ranked = promises(signals, stretches, bank, rest);
         now.all = trialsOf(signals, stretches, rest, chosenOf(ranked, kRivals, found.gain));
       }
       const auto& all = now.all;

@@ -20,7 +20,6 @@ constexpr double kFaint = 50.0;
 struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;
-  std::vector<std::string> hidden;  ///< Causes that are not looked for, by ID.
   Model start;  ///< Terms to begin with, as a search on nearly the same blocks found them
   /// Asked once, with the first cause accepted: whether the search is given up there. Empty: never.
   std::function<bool(const Fit& first)> givesUp;
@@ -55,11 +54,12 @@ struct Search {
 /// Terms of `cause` are one cause: `without` takes them all out.
 Model without(const Model& model, std::string_view cause);
 
-Search search(const Signals& signals, const std::vector<Stretch>& stretches, const SearchOptions& options,
+/// `bank`: of these signals.
+Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
               const Progress& progress);
 
 /// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it.
-std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
                              const std::vector<std::string_view>& causes);
 
 /// False for a payload or parameters that cannot be: then a fit explains nothing.

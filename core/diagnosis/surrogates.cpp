@@ -35,7 +35,7 @@ Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, con
   const Eigen::Index rows = basis.rows();
   std::vector<Direction> directions(bank.size());
   onTwoThreads(bank.size(), [&](std::size_t i) {
-    MatrixXd C = whitened(bank[i].columns, fit.noise, stretches);
+    MatrixXd C = whitened(*bank[i].columns, fit.noise, stretches);
     const VectorXd own = C.colwise().norm().transpose();
     C -= basis * (basis.transpose() * C);
     std::vector<Eigen::Index> keep;

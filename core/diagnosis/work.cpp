@@ -39,7 +39,7 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
 
 /// What is left of `contacts` if one cause that shows in few places only, such as the end of the sensor's range or a jump of
 /// its zero, is behind most of it: that one is not seen elsewhere, and looks like contact as long as it is set aside.
-std::vector<Contact> unlessElsewise(const Signals& whole, const Search& found, const std::vector<Contact>& contacts,
+std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, const Search& found, const std::vector<Contact>& contacts,
                                     const std::vector<Stretch>& holes, const std::vector<std::string>& hidden) {
   constexpr double kMost = 0.9;  ///< Share of the evidence for contact
   const auto evidence = [](const std::vector<Contact>& all) {
@@ -51,7 +51,7 @@ std::vector<Contact> unlessElsewise(const Signals& whole, const Search& found, c
   for (const char* id : {"saturation", "sensor_bias", "payload_change"})
     if (std::ranges::find(hidden, id) == hidden.end()) causes.emplace_back(id);
   const auto stretches = stretchesOf(whole.usable);
-  auto other = withOneOf(whole, stretches, fitModel(whole, stretches, found.final.model, 4), causes);
+  auto other = withOneOf(whole, stretches, bank, fitModel(whole, stretches, found.final.model, 4), causes);
   if (!other) return contacts;
   // Contact makes noise of its own: what is left is judged by the noise elsewhere.
   other->noise = found.final.noise;
@@ -173,7 +173,6 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
                            static_cast<double>(judged) / signals.blockRate())};
   SearchOptions searching;
-  searching.hidden = options.hidden;
   searching.threshold = threshold;
   if (givesUp)
     searching.givesUp = [&](const Fit& first) {
@@ -191,8 +190,9 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     work.mistake = frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
     if (work.mistake) signals = corrected(signals, *work.mistake);
   }
+  work.bank = SignatureBank(signals, options.hidden);
   if (holes.empty() || hidden > 7 * judged / 10) {
-    work.search = search(signals, work.stretches, searching, progress);
+    work.search = search(signals, work.stretches, work.bank, searching, progress);
     if (!work.search.givenUp) setTouchesAside(work);
     return work;
   }
@@ -202,13 +202,13 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     signals = whole;
     leaveOut(signals, holes);
     work.stretches = stretchesOf(signals.usable);
-    work.search = search(signals, work.stretches, searching, progress);
+    work.search = search(signals, work.stretches, work.bank, searching, progress);
     if (work.search.givenUp) return work;
     searching.givesUp = {};
     searching.start = work.search.final.model;
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty())
-      work.contacts = unlessElsewise(whole, work.search, work.contacts, holes, options.hidden);
+      work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes, options.hidden);
     if (work.contacts.size() == holes.size() || progress.cancelled()) break;
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);

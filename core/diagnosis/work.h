@@ -36,6 +36,7 @@ struct Work {
   std::vector<Stretch> stretches;
   std::vector<Contact> contacts;
   std::optional<FrameMistake> mistake;
+  SignatureBank bank;  ///< Of `signals`
   Search search;
 };
 
