@@ -190,39 +190,66 @@ struct Ground {
   }
 };
 
+constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
+
+/// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many times,
+/// otherwise each as it is needed.
+class Dictionary {
+ public:
+  explicit Dictionary(MatrixXd columns, bool askedOften = false)
+      : C(std::move(columns)), squares(C.colwise().squaredNorm().transpose()) {
+    if (!askedOften && C.cols() > kFew) return;
+    products_ = MatrixXd::Zero(C.cols(), C.cols());
+    products_.selfadjointView<Eigen::Lower>().rankUpdate(C.transpose());
+    products_.triangularView<Eigen::StrictlyUpper>() = products_.transpose();
+    if (C.cols() > kFew) return;
+    scale_ = squares.cwiseSqrt().cwiseMax(1e-9).cwiseInverse();
+    MatrixXd unit = scale_.asDiagonal() * products_ * scale_.asDiagonal();
+    unit.diagonal().array() += 1e-6;
+    together_.compute(unit);
+  }
+
+  VectorXd productsWith(Eigen::Index i) const { return products_.size() > 0 ? VectorXd(products_.col(i)) : VectorXd(C.transpose() * C.col(i)); }
+  /// What all columns together, at most kFew, make of `r`.
+  VectorXd likeness(const VectorXd& r) const {
+    return C * (scale_.asDiagonal() * together_.solve(scale_.asDiagonal() * (C.transpose() * r)));
+  }
+
+  MatrixXd C;
+  VectorXd squares;
+
+ private:
+  MatrixXd products_;
+  VectorXd scale_;
+  Eigen::LDLT<MatrixXd> together_;
+};
+
 /// All columns at once: a little of everything is cheaper so than piece by piece. `tries`: of how many such sets this is
-/// the best. `left`: what they leave.
-Judged judgeAll(const MatrixXd& C, const Ground& ground, double lnN, double tries, VectorXd& left) {
-  const VectorXd size = C.colwise().norm().transpose();
-  MatrixXd unit = C * size.cwiseMax(1e-9).cwiseInverse().asDiagonal();
-  MatrixXd G = MatrixXd::Zero(C.cols(), C.cols());
-  G.selfadjointView<Eigen::Lower>().rankUpdate(unit.transpose());
-  G.diagonal().array() += 1e-6;
-  const VectorXd g = unit.transpose() * ground.r;
-  const VectorXd x = G.selfadjointView<Eigen::Lower>().ldlt().solve(g);
-  left = ground.r - unit * x;
+/// the best.
+Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries) {
+  const VectorXd left = ground.r - of.likeness(ground.r);
   const double explained = ground.r.squaredNorm() - left.squaredNorm();
   const double gain = ground.learnsAgain ? ground.evidence(left) : explained;
-  const double price = priceOf(gain, static_cast<double>((size.array() > 1e-6).count()), lnN);
+  const double price = priceOf(gain, static_cast<double>((of.squares.array() > 1e-12).count()), lnN);
   return {gain - price - 2.0 * std::log(2.0 * tries), explained / ground.energy};
 }
 
-/// Forward selection: the column that explains most, as long as it pays for itself and for the choice.
-Judged judgeBest(MatrixXd C, const Ground& ground, double lnN) {
+/// Forward selection: the column that explains most, as long as it pays for itself and for the choice. What is chosen is
+/// made orthogonal to what was chosen before (Chen, Billings and Luo 1989), by products alone.
+Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
+  constexpr double kLeast = 1e-12;  // Squared length below which a column says nothing new
   Judged out;
-  VectorXd left = ground.r;
-  std::vector<bool> gone(static_cast<std::size_t>(C.cols()), false);
-  VectorXd norm = C.colwise().norm().transpose();
-  const double choice = 2.0 * std::log(2.0 * static_cast<double>(C.cols()));
+  VectorXd g = of.C.transpose() * ground.r, squares = of.squares, left = ground.r;
+  const double choice = 2.0 * std::log(2.0 * static_cast<double>(of.C.cols()));
   double price = 0.0, explained = 0.0, gain = 0.0;
+  std::vector<VectorXd> chosen, shares;  // Unit columns, and what each column has of them
   int idle = 0;
   for (int step = 0; step < 12 && idle < 3; ++step) {
-    const VectorXd g = C.transpose() * left;
     Eigen::Index best = -1;
     double most = 0.0;
-    for (Eigen::Index i = 0; i < C.cols(); ++i) {
-      if (gone[static_cast<std::size_t>(i)] || norm(i) < 1e-6) continue;
-      const double z2 = g(i) * g(i) / (norm(i) * norm(i));
+    for (Eigen::Index i = 0; i < squares.size(); ++i) {
+      if (squares(i) < kLeast) continue;
+      const double z2 = g(i) * g(i) / squares(i);
       if (z2 > most) {
         most = z2;
         best = i;
@@ -231,11 +258,20 @@ Judged judgeBest(MatrixXd C, const Ground& ground, double lnN) {
     if (best < 0 || most < lnN + choice) break;
     price += lnN + choice;
     explained += most;
-    const VectorXd unit = C.col(best) / norm(best);
-    left -= unit * unit.dot(left);
-    C -= unit * (unit.transpose() * C);
-    gone[static_cast<std::size_t>(best)] = true;
-    norm = C.colwise().norm().transpose();
+    VectorXd unit = of.C.col(best), share = of.productsWith(best);
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      unit -= shares[k](best) * chosen[k];
+      share -= shares[k](best) * shares[k];
+    }
+    const double length = std::sqrt(squares(best)), along = g(best) / length;
+    unit /= length;
+    share /= length;
+    left -= along * unit;
+    g -= along * share;
+    squares -= share.cwiseAbs2();
+    squares(best) = 0.0;
+    chosen.push_back(std::move(unit));
+    shares.push_back(std::move(share));
     gain = (ground.learnsAgain ? ground.evidence(left) : explained) - price;
     ++idle;
     if (gain <= out.gain) continue;
@@ -245,14 +281,10 @@ Judged judgeBest(MatrixXd C, const Ground& ground, double lnN) {
   return out;
 }
 
-constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
-
-/// `C`: columns freed of what the fit can do.
-Judged judge(const MatrixXd& C, const Ground& ground, double lnN) {
-  Judged out = judgeBest(C, ground, lnN);
-  if (C.cols() > kFew) return out;
-  VectorXd left;
-  const Judged all = judgeAll(C, ground, lnN, 1.0, left);
+Judged judge(const Dictionary& of, const Ground& ground, double lnN) {
+  Judged out = judgeBest(of, ground, lnN);
+  if (of.C.cols() > kFew) return out;
+  const Judged all = judgeAll(of, ground, lnN, 1.0);
   return all.gain > out.gain ? all : out;
 }
 
@@ -296,8 +328,7 @@ Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& 
     const auto best = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
     const Wave& wave = candidates[best];
     taken = stacked(MatrixXd(taken), courseOf(angles[wave.of], wave.multiple));
-    VectorXd left;
-    const Judged judged = judgeAll(ground.freed(onEachChannel(taken)), ground, lnN, std::pow(tries, step + 1), left);
+    const Judged judged = judgeAll(Dictionary(ground.freed(onEachChannel(taken))), ground, lnN, std::pow(tries, step + 1));
     if (judged.gain <= out.gain) break;
     out = judged;
     if (step == 0) first = wave;
@@ -378,29 +409,6 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   return out;
 }
 
-/// The judged blocks of `residual` with other phases, drawn at random, in each of its slow and fast waves: noise of the same
-/// colour that goes with nothing.
-Wrenches reshuffled(const Wrenches& residual, const std::vector<Stretch>& stretches, const MatrixXd& cosines, std::mt19937_64& random) {
-  MatrixXd judged(cosines.rows(), 6);
-  Eigen::Index at = 0;
-  for (const auto& s : stretches) {
-    judged.middleRows(at, s.to - s.from) = residual.middleCols(s.from, s.to - s.from).transpose();
-    at += s.to - s.from;
-  }
-  MatrixXd waves = cosines.transpose() * judged;
-  for (Eigen::Index c = 0; c < 6; ++c)
-    for (Eigen::Index k = 0; k < waves.rows(); ++k)
-      if ((random() >> 40) & 1u) waves(k, c) = -waves(k, c);
-  judged = cosines * waves;
-  Wrenches out = residual;
-  at = 0;
-  for (const auto& s : stretches) {
-    out.middleCols(s.from, s.to - s.from) = judged.middleRows(at, s.to - s.from).transpose();
-    at += s.to - s.from;
-  }
-  return out;
-}
-
 /// Orthonormal cosines over `count` blocks, count x count.
 MatrixXd cosinesOver(Eigen::Index count) {
   MatrixXd out(count, count);
@@ -412,17 +420,56 @@ MatrixXd cosinesOver(Eigen::Index count) {
   return out;
 }
 
+/// The judged blocks of a residual as slow and fast waves.
+class Waves {
+ public:
+  Waves(const Wrenches& residual, const std::vector<Stretch>& stretches) : residual_(residual), stretches_(stretches) {
+    Eigen::Index count = 0, at = 0;
+    for (const auto& s : stretches) count += s.to - s.from;
+    MatrixXd judged(count, 6);
+    for (const auto& s : stretches) {
+      judged.middleRows(at, s.to - s.from) = residual.middleCols(s.from, s.to - s.from).transpose();
+      at += s.to - s.from;
+    }
+    cosines_ = cosinesOver(count);
+    size_ = cosines_.transpose() * judged;
+  }
+
+  /// Signs for each wave in each channel, drawn at random.
+  MatrixXd draw(std::mt19937_64& random) const {
+    MatrixXd out(size_.rows(), 6);
+    for (Eigen::Index c = 0; c < 6; ++c)
+      for (Eigen::Index k = 0; k < out.rows(); ++k) out(k, c) = ((random() >> 40) & 1u) ? -1.0 : 1.0;
+    return out;
+  }
+
+  /// The residual with its waves turned round as `signs` say: noise of the same colour that goes with nothing.
+  Wrenches reshuffled(const MatrixXd& signs) const {
+    const MatrixXd judged = cosines_ * size_.cwiseProduct(signs);
+    Wrenches out = residual_;
+    Eigen::Index at = 0;
+    for (const auto& s : stretches_) {
+      out.middleCols(s.from, s.to - s.from) = judged.middleRows(at, s.to - s.from).transpose();
+      at += s.to - s.from;
+    }
+    return out;
+  }
+
+ private:
+  const Wrenches& residual_;
+  const std::vector<Stretch>& stretches_;
+  MatrixXd cosines_, size_;
+};
+
 /// The largest gain of the same columns where there is nothing but noise of the residual's colour.
-double gainByChance(const MatrixXd& C, const Ground& ground, double lnN) {
+double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
   constexpr std::size_t kDraws = 20;
-  Eigen::Index count = 0;
-  for (const auto& s : ground.stretches) count += s.to - s.from;
-  const MatrixXd cosines = cosinesOver(count);
+  const Waves waves(ground.fit.residual, ground.stretches);
   std::mt19937_64 random(7);
-  std::vector<Wrenches> noises;
-  for (std::size_t i = 0; i < kDraws; ++i) noises.push_back(reshuffled(ground.fit.residual, ground.stretches, cosines, random));
+  std::vector<MatrixXd> signs(kDraws);
+  for (auto& drawn : signs) drawn = waves.draw(random);
   std::vector<double> gains(kDraws, 0.0);
-  onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(C, Ground(ground, noises[i]), lnN).gain; });
+  onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(of, Ground(ground, waves.reshuffled(signs[i])), lnN).gain; });
   return *std::max_element(gains.begin(), gains.end());
 }
 
@@ -437,7 +484,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   std::vector<std::array<Judged, 2>> judged(all.size());
   onTwoThreads(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i].features, signals);
-    for (std::size_t g = 0; g < 2; ++g) judged[i][g] = judge(grounds[g].freed(columns), grounds[g], lnN);
+    for (std::size_t g = 0; g < 2; ++g) judged[i][g] = judge(Dictionary(grounds[g].freed(columns)), grounds[g], lnN);
   });
   Structure best;
   best.gain = -1e300;
@@ -452,7 +499,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
         }
     Judged& strongest = judged[at][on];
     if (strongest.gain < kFaintest || strongest.gain > kPlain ||
-        strongest.gain > gainByChance(grounds[on].freed(columnsOf(all[at].features, signals)), grounds[on], lnN)) {
+        strongest.gain > gainByChance(Dictionary(grounds[on].freed(columnsOf(all[at].features, signals)), true), grounds[on], lnN)) {
       best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
       break;
     }
