@@ -27,6 +27,7 @@ namespace {
 
 constexpr double kUnexplained = 12.0;
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
+constexpr double kGainOfFaint = 0.012;       ///< The same for a cause that next to nothing speaks for
 constexpr double kWholeTool = 0.5;           ///< Share of the payload that is hardly a part of the tool any more
 
 bool contains(const std::vector<std::string>& list, std::string_view id) { return std::ranges::find(list, id) != list.end(); }
@@ -193,7 +194,8 @@ Judged judged(Work& work, double needed, const Surrogates& chance, const std::ve
     const bool local = std::ranges::any_of(nested.terms, [&](const Term& t) {
       return t.form->cause->id() == accepted.cause && t.form->local;
     });
-    if (!local && !(gain.explainedFraction > needed && 2 * gain.blocksBetter >= gain.blocks)) {
+    const double least = accepted.gain < kFaint ? std::max(needed, kGainOfFaint) : needed;
+    if (!local && !(gain.explainedFraction > least && 2 * gain.blocksBetter >= gain.blocks)) {
       // Nothing is gained where it was not fitted: it is no cause.
       nested = without(nested, accepted.cause);
       search.final = fitModel(work.signals, work.stretches, without(search.final.model, accepted.cause));

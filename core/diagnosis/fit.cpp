@@ -56,28 +56,30 @@ double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const st
   MatrixXd M = prior.asDiagonal() * informationBeside(information, own, others) * prior.asDiagonal();
   M.diagonal().array() += 1.0;
   double out = 2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(sd(own)).squaredNorm();
-  for (int c = 0; c < 6; ++c) {
+  for (const int c : {0, 3}) {
     const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
     if (term.walk(c) > 2.0 * least * least) out += kWidth;
   }
   return out;
 }
 
-/// The walk's size that explains its waves best: sum of squares over how many of them the data tell (MacKay).
+/// The walk's size that explains its waves best: sum of squares over how many of them the data tell (MacKay). Channels of
+/// one kind share it: what makes one of a sensor's gauges creep makes the others.
 void learnWalk(Model& model, const MatrixXd& covariance) {
   Eigen::Index at = kLinear;
   for (auto& term : model.terms) {
     const Eigen::Index count = term.v.size() / 6;
-    for (Eigen::Index c = 0; term.form->walk && term.moves(0) && c < 6; ++c) {
-      const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
+    for (Eigen::Index first = 0; term.form->walk && term.moves(0) && first < 6; first += 3) {
+      const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(first)].size;
       double squares = 0.0, told = 0.0;
-      for (Eigen::Index k = 1; k <= count; ++k) {
-        const Eigen::Index p = 6 * (k - 1) + c;
-        const double k2 = static_cast<double>(k * k);
-        squares += k2 * term.v(p) * term.v(p);
-        told += 1.0 - std::min(1.0, k2 * covariance(at + p, at + p) / term.walk(c));
-      }
-      term.walk(c) = std::max(least * least, squares / std::max(0.2, told));
+      for (Eigen::Index c = first; c < first + 3; ++c)
+        for (Eigen::Index k = 1; k <= count; ++k) {
+          const Eigen::Index p = 6 * (k - 1) + c;
+          const double k2 = static_cast<double>(k * k);
+          squares += k2 * term.v(p) * term.v(p);
+          told += 1.0 - std::min(1.0, k2 * covariance(at + p, at + p) / term.walk(c));
+        }
+      term.walk.segment<3>(first).setConstant(std::max(least * least, squares / std::max(0.2, told)));
     }
     at += term.v.size();
   }
@@ -88,11 +90,12 @@ void startWalk(Model& model) {
   for (auto& term : model.terms) {
     if (!term.form->walk || !term.walk.isZero(0.0)) continue;
     const Eigen::Index count = term.v.size() / 6;
-    for (Eigen::Index c = 0; c < 6; ++c) {
-      const double size = term.form->parameters[static_cast<std::size_t>(c)].size;
+    for (Eigen::Index first = 0; first < 6; first += 3) {
+      const double size = term.form->parameters[static_cast<std::size_t>(first)].size;
       double squares = 0.0;
-      for (Eigen::Index k = 1; k <= count; ++k) squares += std::pow(static_cast<double>(k) * term.v(6 * (k - 1) + c), 2);
-      term.walk(c) = std::max(std::pow(0.1 * size, 2), squares / static_cast<double>(count));
+      for (Eigen::Index c = first; c < first + 3; ++c)
+        for (Eigen::Index k = 1; k <= count; ++k) squares += std::pow(static_cast<double>(k) * term.v(6 * (k - 1) + c), 2);
+      term.walk.segment<3>(first).setConstant(std::max(std::pow(0.1 * size, 2), squares / static_cast<double>(3 * count)));
     }
   }
 }
@@ -155,7 +158,7 @@ double priceOf(double gain, double count, double lnN) {
 }
 
 double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest) {
-  double out = kWidth;
+  double out = kWidth / 3.0;
   for (Eigen::Index i = 0; i < amplitudes.size(); ++i) {
     const double prior = longest / std::pow(static_cast<double>(i + 1), 2);
     out += amplitudes(i) * amplitudes(i) / prior + std::log1p(prior / variances(i));

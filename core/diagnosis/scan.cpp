@@ -20,13 +20,18 @@ Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}
 double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
   const Eigen::Index count = amplitudes.size() / 6;
   double price = 0.0;
+  Vector6d size = Vector6d::Zero();  // Of a walk's longest wave, squared; channels of one kind share it
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (Eigen::Index k = 0; k < count; ++k)
+      size.segment<3>(c - c % 3).array() += std::pow(static_cast<double>(k + 1), 2) *
+                                            (std::pow(amplitudes(6 * k + c), 2) - variances(6 * k + c)) /
+                                            static_cast<double>(3 * count);
   for (Eigen::Index c = 0; c < 6; ++c) {
     VectorXd waves(count), spread(count);
-    double longest = 0.0;
+    const double longest = size(c);
     for (Eigen::Index k = 0; k < count; ++k) {
       waves(k) = amplitudes(6 * k + c);
       spread(k) = std::max(1e-300, variances(6 * k + c));
-      longest += std::pow(static_cast<double>(k + 1), 2) * (waves(k) * waves(k) - spread(k)) / static_cast<double>(count);
     }
     for (Eigen::Index k = 0; k < count; ++k) {
       const double prior = std::max(0.0, longest) / std::pow(static_cast<double>(k + 1), 2);

@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
 constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of another
 constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
+constexpr double kAhead = 2.0;       ///< By which a rival must be better to take a place
+constexpr double kMoreThanWandering = 5.0;  ///< The same where it is that of a wandering zero, which is no alarm
 constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
 constexpr double kBesideWandering = 30.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
 constexpr double kChance = 3.0;      ///< Twice the log-likelihood that an idle parameter hardly ever gains
@@ -75,7 +77,9 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
   std::array<std::map<std::string_view, std::vector<const Candidate*>>, 2> forms;
   for (const auto& candidate : ranked) {
     const bool whole = candidate.form.scan.size() == candidate.form.parameters.size();
-    if (candidate.score < (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
+    // A first look at a walk promises too little: how far it goes is learned only in a fit.
+    if (candidate.form.walk) chosen.push_back(&candidate);
+    if (candidate.form.walk || candidate.score < (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
     if (known.size() >= causes && !known.contains(id)) continue;
@@ -326,7 +330,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
           found.rivals.push_back(rivalOf(found, trial, out.final));
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
-      if (!found.rivals.empty() && found.rivals.front().behind < -2.0) {
+      const double ahead = cause == kWandering ? kMoreThanWandering : kAhead;
+      if (!found.rivals.empty() && found.rivals.front().behind < -ahead) {
         out.final = prunedOf(signals, stretches, best.at(found.rivals.front().cause)->fit, options.threshold);
         *std::find(order.begin(), order.end(), cause) = found.rivals.front().cause;
         changed = 1;
