@@ -22,6 +22,7 @@ constexpr double kMoreThanWandering = 5.0;  ///< The same where it is that of a 
 constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
 constexpr double kBesideWandering = 30.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
 constexpr double kChance = 3.0;      ///< Twice the log-likelihood that an idle parameter hardly ever gains
+constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
 
 std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
@@ -195,7 +196,8 @@ bool believable(const Fit& fit) {
   // What swings is a part of the payload, or all of it.
   Eigen::Index at = kLinear;
   for (const auto& term : fit.model.terms) {
-    const bool swings = causeOf(term) == "loose_mass" || causeOf(term) == "flexible_mount";
+    const bool mount = causeOf(term) == "flexible_mount", swings = mount || causeOf(term) == "loose_mass";
+    if (mount && term.v(0) < kLeastOnMount * mass) return false;
     if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;
     at += term.v.size();
   }

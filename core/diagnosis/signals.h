@@ -48,6 +48,9 @@ struct Signals {
   double duration() const { return static_cast<double>(size()) / rateHz; }
 };
 
+/// Share of Signals::cornerHz above which the smoothing takes from what moves.
+constexpr double kNearCorner = 0.75;
+
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);
 

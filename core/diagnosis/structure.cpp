@@ -373,7 +373,9 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   struct Band {
     double low, high, limit;
   };
-  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes.
+  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The slowest band
+  // of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the next one: 7 times.
+  constexpr double kFall = 12.0;
   constexpr std::array<Band, 3> kBands{{{0.6, 2.0, 60.0}, {2.0, 4.0, 40.0}, {8.0, 20.0, 0.0}}};
   constexpr Eigen::Index kShortest = 100;
   std::array<Vector6d, kBands.size()> power;
@@ -402,7 +404,8 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
     if (count[b] < 1.0) continue;
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double floor = power.back()(c) / count.back();
-      const double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
+      double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
+      if (b == 0 && count[1] > 0.0) excess = std::min(excess, power[0](c) / count[0] / std::max(1e-300, power[1](c) / count[1]) / kFall);
       if (excess > out.excess) out = {excess, power[b](c) / std::max(1e-300, total(c)), kBands[b].low, kBands[b].high};
     }
   }
@@ -513,11 +516,14 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
     angles.emplace_back(signals.blocks());
     for (Eigen::Index n = 0; n < signals.blocks(); ++n) angles.back()(n) = signals.q.row(j).segment(n * m, m).mean();
   }
+  // Close to the corner of the smoothing the model loses what the sensor still has.
+  double fastest = 0.45 * signals.blockRate();
+  if (signals.cornerHz > 0.0) fastest = std::min(fastest, kNearCorner * signals.cornerHz);
   std::array<Judged, 4> waves;
   std::array<Wave, 4> which;
   onTwoThreads(waves.size(), [&](std::size_t i) {
     const bool inTime = i < 2;
-    waves[i] = judgeWaves(inTime ? time : angles, inTime ? rhythms(signals, 0.45 * signals.blockRate()) : ripples(signals, angles),
+    waves[i] = judgeWaves(inTime ? time : angles, inTime ? rhythms(signals, fastest) : ripples(signals, angles),
                           grounds[i % 2], lnN, which[i]);
   });
   for (std::size_t i = 0; i < waves.size(); ++i) {

@@ -76,7 +76,7 @@ class Oscillator : public Cause {
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:
   /// either looks like something that rings above.
   double doubt(const VectorXd& v, const Signals& signals) const override {
-    constexpr double kNearCorner = 0.75, kMore = 100.0;
+    constexpr double kMore = 300.0;
     return signals.cornerHz > 0.0 && v(4) > kNearCorner * signals.cornerHz ? kMore : 0.0;
   }
 
