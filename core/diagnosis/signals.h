@@ -49,7 +49,7 @@ struct Signals {
 };
 
 /// Share of Signals::cornerHz above which the smoothing takes from what moves.
-constexpr double kNearCorner = 0.75;
+constexpr double kNearCorner = 0.85;
 
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);

@@ -10,19 +10,26 @@ namespace {
 
 constexpr int kWaves = 14;
 
-/// Amplitudes of cosines with k half waves over the recording, k = 1 .. count, of one channel.
-VectorXd waves(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual, Eigen::Index c, int count) {
-  MatrixXd A = MatrixXd::Zero(count + 1, count + 1);
-  VectorXd b = VectorXd::Zero(count + 1), row(count + 1);
+/// Cosines with k half waves over the recording, k = 1 .. count, in the judged blocks of each channel.
+struct CosineWaves {
+  MatrixXd amplitudes;  ///< count x 6
+  VectorXd unsure;      ///< count: variances of them where blocks were left out, over those where none are
+};
+
+CosineWaves cosineWaves(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual, int count) {
+  MatrixXd A = MatrixXd::Zero(count + 1, count + 1), b = MatrixXd::Zero(count + 1, 6);
+  VectorXd row(count + 1);
   const double n = static_cast<double>(signals.blocks());
   for (const auto& s : stretches)
     for (Eigen::Index i = s.from; i < s.to; ++i) {
       for (int k = 0; k <= count; ++k) row(k) = std::cos(std::numbers::pi * k * (static_cast<double>(i) + 0.5) / n);
       A += row * row.transpose();
-      b += residual(c, i) * row;
+      b += row * residual.col(i).transpose();
     }
   A.diagonal().array() += 1e-6 * A(0, 0);
-  return A.ldlt().solve(b).tail(count);
+  const Eigen::LDLT<MatrixXd> solver(A);
+  const MatrixXd inverse = solver.solve(MatrixXd::Identity(count + 1, count + 1));
+  return {solver.solve(b).bottomRows(count), 0.5 * n * inverse.diagonal().tail(count)};
 }
 
 }  // namespace
@@ -51,13 +58,14 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
   constexpr int kAll = 3 * kWaves;
   constexpr double kBelow = 0.6;   // [Hz]; faster ones are looked for elsewhere
   constexpr double kLimit = 70.0;  // squared deviations of two neighbours in all channels: 12 on average
+  const CosineWaves waves = cosineWaves(signals, stretches, residual, kAll);
   VectorXd together = VectorXd::Zero(kAll);
   for (Eigen::Index c = 0; c < 6; ++c) {
-    const VectorXd power = waves(signals, stretches, residual, c, kAll).cwiseAbs2();
+    const VectorXd power = waves.amplitudes.col(c).cwiseAbs2();
     // A walk on top of noise, fitted so that single waves that stand out count little (Student's t, three degrees).
-    const auto spectrum = [](double floor, double walk, int k) { return floor * (1.0 + walk / (k * k)); };
+    const auto spectrum = [&](double floor, double walk, int k) { return floor * (waves.unsure(k - 1) + walk / (k * k)); };
     double best = -1e300, floor = 0.0, walk = 0.0;
-    const double lowest = std::max(1e-18, 0.1 * power.tail(2 * kWaves).mean());
+    const double lowest = std::max(1e-18, 0.1 * power.cwiseQuotient(waves.unsure).tail(2 * kWaves).mean());
     for (double f = lowest; f < 20.0 * lowest; f *= 1.3)
       for (double a = 0.0; a < 1e6; a = a == 0.0 ? 0.3 : 1.6 * a) {
         double sum = 0.0;

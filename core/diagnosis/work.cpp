@@ -107,6 +107,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
                   const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   MotionOptions smoothing;
   smoothing.cutoffHz = cutoff;
+  smoothing.twicing = true;
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
   Way out{std::move(*motion), {}, {}};

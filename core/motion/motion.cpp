@@ -41,6 +41,7 @@ class Smoother {
     if (kind_ == SmoothingKind::savitzkyGolay) {
       savitzkyGolay_ = SavitzkyGolay(options.order, options.window);
     } else {
+      twicing_ = options.twicing;
       cutoff_ = std::min(options.cutoffHz > 0.0 ? options.cutoffHz : kDefaultCutoffHz, 0.4 * grid.rateHz);
       sections_ = butterworthLowPass(6, cutoff_, grid.rateHz);
       // Derivatives commute with the average, so one set of weights does both.
@@ -65,7 +66,15 @@ class Smoother {
       return out;
     }
     Channels work = padded(signal, pad_);
-    filterForwardBackward(sections_, work);
+    if (twicing_) {
+      Channels taken = work;
+      filterForwardBackward(sections_, work);
+      taken -= work;
+      filterForwardBackward(sections_, taken);
+      work += taken;
+    } else {
+      filterForwardBackward(sections_, work);
+    }
     out.value = weighted(work, kernels_[0], pad_);
     if (order > 0) out.first = weighted(work, kernels_[1], pad_);
     if (order > 1) out.second = weighted(work, kernels_[2], pad_);
@@ -102,6 +111,7 @@ class Smoother {
   SmoothingKind kind_ = SmoothingKind::lowPass;
   double rate_;
   double cutoff_ = 0.0;
+  bool twicing_ = false;
   Output output_;
   SavitzkyGolay savitzkyGolay_;
   std::vector<Biquad> sections_;

@@ -19,6 +19,9 @@ struct MotionOptions {
   /// lowPass: -6 dB of the zero-phase filter [Hz]; lowered to 0.4 of a slower recording's rate. 0: 25 Hz here, chosen
   /// from the data where a payload is estimated.
   double cutoffHz = 0.0;
+  /// lowPass: what the filter took is filtered once more and given back (twicing, Tukey 1977), so that of a loss e below the
+  /// corner e^2 is left. Lets more noise through above it, which an estimate pays for and a diagnosis does not.
+  bool twicing = false;
   int order = 3;    ///< savitzkyGolay: polynomial order
   int window = 11;  ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
   double outputRateHz = 200.0;  ///< The motion is evaluated at this rate at most (0: every sample of the grid).

@@ -151,6 +151,16 @@ class FlexibleMount final : public Oscillator {
     if (signals.rateHz < 100.0) return {};
     return at({13.0, 15.0, 17.5, 20.0, 23.0}, 11.0, 60.0);
   }
+  /// A hand hardly shakes a tool that fast: what shows is how far the mount gives, which is mass over frequency squared, and
+  /// how that splits is guessed from the little that is left of the resonance below the smoothing's corner.
+  VectorXd modelStd(const VectorXd& v) const override {
+    constexpr double kShare = 0.12, kGuessed = 20.0;  // [Hz]
+    const double share = kShare * std::min(1.0, std::pow(v(4) / kGuessed, 2));
+    VectorXd out = VectorXd::Zero(v.size());
+    out.head<4>() = 2.0 * share * v.head<4>().cwiseAbs();
+    out(4) = share * v(4);
+    return out;
+  }
 };
 
 }  // namespace
