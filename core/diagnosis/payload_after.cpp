@@ -82,6 +82,11 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
     leaveAsItWas(report, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
+  } else if ((work.mistake && work.mistake->kind == FrameMistake::Kind::turned) ||
+             std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return c.id == "sensor_rotation" || c.id == "lever_arm"; })) {
+    report.findings.push_back({Severity::info, "payload_as_stated",
+                               heft::say("The payload is told from the sensor's place and axes as the meta file states them."),
+                               heft::say("Where the corrected meta file is used, estimate once more with it."), {}});
   }
   return std::nullopt;
 }

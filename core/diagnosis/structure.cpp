@@ -31,6 +31,7 @@ MatrixXd normalised(MatrixXd features) {
 }
 
 constexpr double kPlain = 60.0;     ///< Gain of a structure that nobody would call noise
+constexpr double kPlainBesideWalk = 120.0;  ///< The same where the zero walks: its fast waves are many times the noise
 constexpr double kBesideColour = 20.0;  ///< Gain of a wave in a noise that is not quite as it was learned
 constexpr double kFaintest = 10.0;  ///< Gain below which nobody asks
 
@@ -480,6 +481,7 @@ double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
 
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  const bool walks = std::any_of(fit.model.terms.begin(), fit.model.terms.end(), [](const Term& t) { return t.form->walk; });
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
                                       Ground(stretches, fit, white(fit.residual, stretches), true)};
@@ -501,7 +503,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
           on = g;
         }
     Judged& strongest = judged[at][on];
-    if (strongest.gain < kFaintest || strongest.gain > kPlain ||
+    if (strongest.gain < kFaintest || strongest.gain > (walks ? kPlainBesideWalk : kPlain) ||
         strongest.gain > gainByChance(Dictionary(grounds[on].freed(columnsOf(all[at].features, signals)), true), grounds[on], lnN)) {
       best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
       break;
@@ -534,7 +536,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
             waves[i].gain, waves[i].explained, frequency, frequency};
   }
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  if (std::any_of(fit.model.terms.begin(), fit.model.terms.end(), [](const Term& t) { return t.form->walk; })) best.gain -= kBesideColour;
+  if (walks) best.gain -= kBesideColour;
   const Swell high = swell(signals, stretches, fit.residual);
   if (high.excess > 1.0 && best.gain < kPlain)
     best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,

@@ -15,7 +15,8 @@ using namespace diagnosis;
 
 /// 20 s at 50 Hz: noise of 0.02, a walk of `walk` per root second, a wave at 0.3 Hz of `wave` on one channel, or of as much
 /// altogether on all of them.
-double judged(std::uint64_t seed, double walk, double wave, bool everywhere = false) {
+double judged(std::uint64_t seed, double walk, double wave, bool everywhere = false,
+              const std::vector<Stretch>& stretches = {{20, 400}, {460, 980}}) {
   Signals signals;
   signals.rateHz = 200.0;
   signals.samplesPerBlock = 4;
@@ -31,12 +32,18 @@ double judged(std::uint64_t seed, double walk, double wave, bool everywhere = fa
       residual(c, n) = zero + swing + 0.02 * random.normal();
     }
   }
-  return slowWave(signals, {{20, 400}, {460, 980}}, residual);
+  return slowWave(signals, stretches, residual);
 }
 
 TEST(SlowWave, NoWalkLooksLikeOne) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed)
     for (const double walk : {0.0, 0.01, 0.1}) EXPECT_LT(judged(seed, walk, 0.0), 1.0) << seed << " " << walk;
+}
+
+/// Cosines are told apart badly where much is left out: what only that makes large is no wave.
+TEST(SlowWave, IsNotWhatGapsMakeOfNoise) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+    EXPECT_LT(judged(seed, 0.0, 0.0, false, {{20, 160}, {330, 420}, {610, 680}, {850, 980}}), 1.0) << seed;
 }
 
 TEST(SlowWave, IsSeenAboveTheWalk) {

@@ -111,6 +111,33 @@ TEST(Motion, SavitzkyGolayGivesItToo) {
   expectTrueMotion(*motion, 0.01);
 }
 
+/// A turn to and fro at 7 Hz, smoothed at 10 Hz: the filter takes 1 / (1 + (f/fc)^-12), twicing the square of that.
+TEST(Motion, TwicingGivesBackWhatTheFilterTakes) {
+  constexpr double kRate = 1000.0, kHz = 7.0, kCutoff = 10.0, kTurn = 0.02;
+  Recording recording;
+  recording.meta.robot = "panda";
+  recording.time.setLinSpaced(4001, 0.0, 4.0);
+  recording.wrench.setZero(4001, 6);
+  recording.quaternion.setZero(4001, 4);
+  for (Eigen::Index k = 0; k <= 4000; ++k) {
+    const double half = 0.5 * kTurn * std::sin(2.0 * kPi * kHz * static_cast<double>(k) / kRate);
+    recording.quaternion.row(k) << 0.0, 0.0, std::sin(half), std::cos(half);
+  }
+  const double taken = 1.0 - 1.0 / (1.0 + std::pow(kHz / kCutoff, 12));
+  for (const bool twicing : {false, true}) {
+    MotionOptions options;
+    options.cutoffHz = kCutoff;
+    options.twicing = twicing;
+    const auto motion = motionOf(recording, nullptr, options);
+    ASSERT_TRUE(motion.ok());
+    double largest = 0.0;
+    for (Eigen::Index k = motion->size() / 4; k < motion->size() * 3 / 4; ++k) largest = std::max(largest, std::abs(motion->alpha(2, k)));
+    const double left = largest / (kTurn * std::pow(2.0 * kPi * kHz, 2));
+    // Averages over an output interval of 5 ms, and peaks between two of them, take 0.4 % themselves.
+    EXPECT_NEAR(1.0 - left, (twicing ? taken * taken : taken) + 0.002, 0.0025) << twicing;
+  }
+}
+
 TEST(Motion, JitteringTimeDoesNotHarm) {
   Recording recording = jointRecording(500.0, 6.0, false);
   for (Eigen::Index k = 1; k + 1 < recording.rows(); ++k) {
