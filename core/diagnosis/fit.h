@@ -66,8 +66,8 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
 /// Orthonormal columns (6N rows) that span what a change of the fit's parameters can do to the whitened readings.
 MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches);
 
-/// What the waves of a walk cost in one channel: amplitudes (k = 1, 2, ..), their variances from the data alone, and the
-/// variance of the longest wave that the walk is said to have.
+/// What the waves of a walk cost in one channel, which shares the walk's size with two others: amplitudes (k = 1, 2, ..), their
+/// variances from the data alone, and the variance of the longest wave that the walk is said to have.
 double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest);
 
 /// How far parameters are trusted to lie from zero before any data: tells nothing where the motion tells something, but

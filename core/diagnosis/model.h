@@ -13,7 +13,7 @@ struct Term {
   std::shared_ptr<const Form> form;
   VectorXd v;                ///< SI
   std::vector<bool> active;  ///< One a parameter: false keeps it where it is. Empty: all move.
-  Vector6d walk = Vector6d::Zero();  ///< Of a walk's waves: variance of each channel's longest, learned with the fit
+  Vector6d walk = Vector6d::Zero();  ///< Of a walk's waves: variance of each channel's longest, learned with the fit, one for each kind
 
   bool moves(Eigen::Index p) const { return active.empty() || active[static_cast<std::size_t>(p)]; }
 };

@@ -6396,11 +6396,11 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The payload is told from the sensor&apos;s place and axes as the meta file states them.</source>
-        <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Metadatei sie angibt.</translation>
+        <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Meta-Datei sie angibt.</translation>
     </message>
     <message>
         <source>Where the corrected meta file is used, estimate once more with it.</source>
-        <translation>Wird die korrigierte Metadatei verwendet, mit ihr noch einmal schätzen.</translation>
+        <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
 </context>
 <context>
