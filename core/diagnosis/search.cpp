@@ -225,8 +225,9 @@ double slackBetween(std::string_view a, std::string_view b, double gain) {
   return lags(a) && lags(b) ? kShare * gain : 0.0;
 }
 
-/// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm. Of a walk
-/// that is plain to see, a straight line never explains as much (the nearest of 24 simulated ones was 17 behind, three drifts at most 9).
+/// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm. Of a
+/// walk that is plain to see, a straight line never explains as much (the nearest of 24 simulated ones was 17 behind, three
+/// drifts at most 9).
 double leadFor(const Found& found, const Rival& rival) {
   constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kWandering, walkComes = rival.cause == kWandering;
