@@ -465,7 +465,8 @@ class Waves {
   MatrixXd cosines_, size_;
 };
 
-/// The largest gain of the same columns where there is nothing but noise of the residual's colour.
+/// What the same columns gain at most where there is nothing but noise of the residual's colour: more than any draw, and more
+/// than one in some hundred, since a dozen groups are asked.
 double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
   constexpr std::size_t kDraws = 20;
   const Waves waves(ground.fit.residual, ground.stretches);
@@ -474,7 +475,9 @@ double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
   for (auto& drawn : signs) drawn = waves.draw(random);
   std::vector<double> gains(kDraws, 0.0);
   onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(of, Ground(ground, waves.reshuffled(signs[i])), lnN).gain; });
-  return *std::max_element(gains.begin(), gains.end());
+  const Eigen::Map<const VectorXd> all(gains.data(), std::ssize(gains));
+  const double mean = all.mean(), deviation = std::sqrt((all.array() - mean).square().mean());
+  return std::max(all.maxCoeff(), mean + 3.0 * deviation);
 }
 
 }  // namespace
