@@ -57,7 +57,7 @@ bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
   constexpr int kAll = 3 * kWaves;
   constexpr double kBelow = 0.6;   // [Hz]; faster ones are looked for elsewhere
-  constexpr double kLimit = 80.0;  // squared deviations of two neighbours in all channels: 12 on average
+  constexpr double kLimit = 74.0;  // squared deviations of two neighbours in all channels: 12 on average
   const CosineWaves waves = cosineWaves(signals, stretches, residual, kAll);
   VectorXd together = VectorXd::Zero(kAll);
   for (Eigen::Index c = 0; c < 6; ++c) {
