@@ -133,8 +133,9 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
 }
 
 /// Whether another term of the form can add to the model: one with a place of its own may come again, any other that is
-/// already in can not.
+/// already in can not. Beside a drift a walk is none: what a straight line leaves has richer forms of drift.
 bool mayAdd(const Form& form, const Model& model) {
+  if (form.walk && contains(model, "bias_drift")) return false;
   return form.local || std::none_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
            return t.form->cause == form.cause && t.form->name == form.name;
          });
@@ -315,9 +316,12 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       return out;
     }
   }
-  // Each cause once more, against everything that could stand in its place now.
-  for (std::size_t pass = 0, changed = 1; pass < 2 && changed != 0 && !progress.cancelled(); ++pass) {
-    changed = 0;
+  // Each cause once more, against everything that could stand in its place now. The last look changes nothing any more: what
+  // was found must be told whole.
+  constexpr int kLooks = 3;
+  bool changed = true;
+  for (int look = 0; look < kLooks && changed && !progress.cancelled(); ++look) {
+    changed = false;
     out.found.clear();
     for (const auto& cause : std::vector<std::string>(order)) {
       if (!contains(out.final.model, cause) || progress.cancelled()) continue;
@@ -345,10 +349,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
       const auto better = std::find_if(found.rivals.begin(), found.rivals.end(),
                                        [&](const Rival& r) { return r.behind < -leadFor(found, r); });
-      if (better != found.rivals.end()) {
+      if (better != found.rivals.end() && look + 1 < kLooks) {
         out.final = prunedOf(signals, stretches, best.at(better->cause)->fit, options.threshold);
         *std::find(order.begin(), order.end(), cause) = better->cause;
-        changed = 1;
+        changed = true;
         break;
       }
       std::erase_if(found.rivals, [&](const Rival& r) { return !tied(found, r); });
