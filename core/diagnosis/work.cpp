@@ -163,7 +163,7 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
 }
 
 Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
-                    const std::function<bool(const Work&)>& givesUp) {
+                    const std::function<bool(const Work&)>& givesUp, Model from) {
   Work work;
   work.signals = start.signals;
   Signals& signals = work.signals;
@@ -175,6 +175,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
                            static_cast<double>(judged) / signals.blockRate())};
   SearchOptions searching;
   searching.threshold = threshold;
+  searching.start = std::move(from);
   if (givesUp)
     searching.givesUp = [&](const Fit& first) {
       work.search.final = first;
