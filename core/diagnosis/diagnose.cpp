@@ -28,6 +28,7 @@ namespace {
 constexpr double kUnexplained = 12.0;
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
 constexpr double kGainOfFaint = 0.012;       ///< The same for a cause that next to nothing speaks for
+constexpr double kHarm = 0.1;                ///< Share of the unseen misfit that no cause may add
 constexpr double kWholeTool = 0.5;           ///< Share of the payload that is hardly a part of the tool any more
 
 bool contains(const std::vector<std::string>& list, std::string_view id) { return std::ranges::find(list, id) != list.end(); }
@@ -196,7 +197,9 @@ Judged judged(Work& work, double needed, const Surrogates& chance, const std::ve
       return t.form->cause->id() == accepted.cause && t.form->local;
     });
     const double least = accepted.gain < kFaint ? std::max(needed, kGainOfFaint) : needed;
-    if (!local && !(gain.explainedFraction > least && 2 * gain.blocksBetter >= gain.blocks)) {
+    // What has its place in time can hardly be seen elsewhere; harm there is another matter.
+    const bool harms = gain.explainedFraction < -kHarm;
+    if (harms || (!local && !(gain.explainedFraction > least && 2 * gain.blocksBetter >= gain.blocks))) {
       // Nothing is gained where it was not fitted: it is no cause.
       nested = without(nested, accepted.cause);
       search.final = fitModel(work.signals, work.stretches, without(search.final.model, accepted.cause));
