@@ -95,9 +95,9 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   std::size_t at = 0;
   for (std::size_t i = 1; i < plain.size(); ++i)
     if (plain[i] > plain[at] + (at == 0 ? kClearly : kSlightly)) at = i;
-  const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}, Model from = {}) {
+  const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
-    return worked(ways[i], options, threshold, progress, givesUp, std::move(from));
+    return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next.
   const auto betterElsewhere = [&](const Work& work) {
@@ -115,8 +115,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
   if (!found) return found.error();
   if (const std::size_t was = at; !progress.cancelled() && betterElsewhere(*found)) {
-    // What was found speaks for this way: the search goes on from there.
-    auto again = searchedOn(at, kThreshold, {}, found->search.final.model);
+    auto again = searchedOn(at, kThreshold);
     at = again ? at : was;
     if (again) found = std::move(again);
   }

@@ -11,6 +11,8 @@ namespace heft::diagnosis {
 
 namespace {
 
+constexpr double kLeastForTwicing = 17.0;  ///< [Hz] Where noise asks for a lower corner, it costs more than what the filter takes
+
 /// Contiguous blocks that automatic segmentation takes for contact.
 std::vector<Stretch> contactCandidates(const Recording& recording, const Motion& motion, const Signals& signals) {
   const auto rows = rowsOf(motion, 50.0);
@@ -107,7 +109,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
                   const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   MotionOptions smoothing;
   smoothing.cutoffHz = cutoff;
-  smoothing.twicing = true;
+  smoothing.twicing = cutoff >= kLeastForTwicing;
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
   Way out{std::move(*motion), {}, {}};
@@ -163,7 +165,7 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
 }
 
 Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
-                    const std::function<bool(const Work&)>& givesUp, Model from) {
+                    const std::function<bool(const Work&)>& givesUp) {
   Work work;
   work.signals = start.signals;
   Signals& signals = work.signals;
@@ -175,7 +177,6 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
                            static_cast<double>(judged) / signals.blockRate())};
   SearchOptions searching;
   searching.threshold = threshold;
-  searching.start = std::move(from);
   if (givesUp)
     searching.givesUp = [&](const Fit& first) {
       work.search.final = first;

@@ -41,9 +41,9 @@ struct Work {
 };
 
 /// Contact in `start` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it
-/// says so, the search ends there (Search::givenUp). `from`: terms to begin with, as of a search another way.
+/// says so, the search ends there (Search::givenUp).
 Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
-                    const std::function<bool(const Work&)>& givesUp = {}, Model from = {});
+                    const std::function<bool(const Work&)>& givesUp = {});
 
 /// Evidence of the work's final model when the motion is smoothed another way, less that with its own.
 double evidenceAt(const Way& other, const Work& work);
