@@ -20,7 +20,7 @@ struct MotionOptions {
   /// from the data where a payload is estimated.
   double cutoffHz = 0.0;
   /// lowPass: what the filter took is filtered once more and given back (twicing, Tukey 1977), so that of a loss e below the
-  /// corner e^2 is left. Lets more noise through above it, which an estimate pays for and a diagnosis does not.
+  /// corner e^2 is left. Lets more noise through above it: only where noise asks for little smoothing.
   bool twicing = false;
   int order = 3;    ///< savitzkyGolay: polynomial order
   int window = 11;  ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
