@@ -100,10 +100,6 @@ void startWalk(Model& model) {
   }
 }
 
-bool walks(const Model& model) {
-  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& t) { return t.form->walk; });
-}
-
 struct Price {
   int dimensions = 0;
   double price = 0.0;
@@ -164,6 +160,10 @@ double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double
     out += amplitudes(i) * amplitudes(i) / prior + std::log1p(prior / variances(i));
   }
   return out;
+}
+
+bool walks(const Model& model) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& t) { return t.form->walk; });
 }
 
 ChannelColumns::ChannelColumns(const MatrixXd& J) : columns_(J.cols()) {

@@ -70,6 +70,9 @@ MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches);
 /// variances from the data alone, and the variance of the longest wave that the walk is said to have.
 double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest);
 
+/// Whether the zero walks in the model.
+bool walks(const Model& model);
+
 /// How far parameters are trusted to lie from zero before any data: tells nothing where the motion tells something, but
 /// for the waves of a walk.
 VectorXd whisper(const Model& model);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/base/say.h"
 #include "core/diagnosis/corrected.h"
@@ -82,8 +83,7 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
     leaveAsItWas(report, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
-  } else if ((work.mistake && work.mistake->kind == FrameMistake::Kind::turned) ||
-             std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return c.id == "sensor_rotation" || c.id == "lever_arm"; })) {
+  } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {
     report.findings.push_back({Severity::info, "payload_as_stated",
                                heft::say("The payload is told from the sensor's place and axes as the meta file states them."),
                                heft::say("Where the corrected meta file is used, estimate once more with it."), {}});

@@ -77,8 +77,11 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
   for (const auto& candidate : ranked) {
     const bool whole = candidate.form.scan.size() == candidate.form.parameters.size();
     // A first look at a walk promises too little: how far it goes is learned only in a fit.
-    if (candidate.form.walk) chosen.push_back(&candidate);
-    if (candidate.form.walk || candidate.score < (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
+    if (candidate.form.walk) {
+      chosen.push_back(&candidate);
+      continue;
+    }
+    if (candidate.score < (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)) continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
     if (known.size() >= causes && !known.contains(id)) continue;
@@ -141,9 +144,12 @@ bool mayAdd(const Form& form, const Model& model) {
          });
 }
 
-/// What each form that may still come promises around `base`, best first.
-std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base) {
-  return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) { return mayAdd(form, base.model); }));
+/// What each form that may still come promises around `base`, best first. `causes`: of these only, or of all if empty.
+std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
+                                std::span<const std::string_view> causes = {}) {
+  return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {
+    return mayAdd(form, base.model) && (causes.empty() || std::ranges::find(causes, form.cause->id()) != causes.end());
+  }));
 }
 
 /// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything else.
@@ -264,10 +270,8 @@ bool sameForms(const Model& a, const Model& b) {
 }
 
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
-                             const std::vector<std::string_view>& causes) {
-  const auto ranked = scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {
-    return mayAdd(form, base.model) && std::find(causes.begin(), causes.end(), form.cause->id()) != causes.end();
-  }));
+                             std::span<const std::string_view> causes) {
+  const auto ranked = promises(signals, stretches, bank, base, causes);
   auto all = trialsOf(signals, stretches, base, chosenOf(ranked, kRivals, 0.0));
   if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
   return std::move(all.front().fit);

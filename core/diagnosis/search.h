@@ -2,6 +2,8 @@
 // Naming causes one after the other, each by the evidence it adds, with a look back after every step.
 #include <functional>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "core/base/progress.h"
 #include "core/diagnosis/scan.h"
@@ -60,7 +62,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
 
 /// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it.
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
-                             const std::vector<std::string_view>& causes);
+                             std::span<const std::string_view> causes);
 
 /// False for a payload or parameters that cannot be: then a fit explains nothing.
 bool believable(const Fit& fit);

@@ -484,7 +484,7 @@ double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
 
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const bool walks = std::any_of(fit.model.terms.begin(), fit.model.terms.end(), [](const Term& t) { return t.form->walk; });
+  const bool wanders = walks(fit.model);
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
                                       Ground(stretches, fit, white(fit.residual, stretches), true)};
@@ -506,7 +506,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
           on = g;
         }
     Judged& strongest = judged[at][on];
-    if (strongest.gain < kFaintest || strongest.gain > (walks ? kPlainBesideWalk : kPlain) ||
+    if (strongest.gain < kFaintest || strongest.gain > (wanders ? kPlainBesideWalk : kPlain) ||
         strongest.gain > gainByChance(Dictionary(grounds[on].freed(columnsOf(all[at].features, signals)), true), grounds[on], lnN)) {
       best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
       break;
@@ -539,7 +539,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
             waves[i].gain, waves[i].explained, frequency, frequency};
   }
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  if (walks) best.gain -= kBesideColour;
+  if (wanders) best.gain -= kBesideColour;
   const Swell high = swell(signals, stretches, fit.residual);
   if (high.excess > 1.0 && best.gain < kPlain)
     best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,

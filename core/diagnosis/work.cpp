@@ -1,6 +1,8 @@
 #include "core/diagnosis/work.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "core/base/say.h"
 #include "core/diagnosis/two_threads.h"
@@ -42,18 +44,16 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
 /// What is left of `contacts` if one cause that shows in few places only, such as the end of the sensor's range or a jump of
 /// its zero, is behind most of it: that one is not seen elsewhere, and looks like contact as long as it is set aside.
 std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, const Search& found, const std::vector<Contact>& contacts,
-                                    const std::vector<Stretch>& holes, const std::vector<std::string>& hidden) {
+                                    const std::vector<Stretch>& holes) {
   constexpr double kMost = 0.9;  ///< Share of the evidence for contact
+  constexpr std::array<std::string_view, 3> kLocal{"saturation", "sensor_bias", "payload_change"};
   const auto evidence = [](const std::vector<Contact>& all) {
     double sum = 0.0;
     for (const auto& contact : all) sum += contact.evidence;
     return sum;
   };
-  std::vector<std::string_view> causes;
-  for (const char* id : {"saturation", "sensor_bias", "payload_change"})
-    if (std::ranges::find(hidden, id) == hidden.end()) causes.emplace_back(id);
   const auto stretches = stretchesOf(whole.usable);
-  auto other = withOneOf(whole, stretches, bank, fitModel(whole, stretches, found.final.model, 4), causes);
+  auto other = withOneOf(whole, stretches, bank, fitModel(whole, stretches, found.final.model, 4), kLocal);
   if (!other) return contacts;
   // Contact makes noise of its own: what is left is judged by the noise elsewhere.
   other->noise = found.final.noise;
@@ -211,7 +211,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     searching.start = work.search.final.model;
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty())
-      work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes, options.hidden);
+      work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes);
     if (work.contacts.size() == holes.size() || progress.cancelled()) break;
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);

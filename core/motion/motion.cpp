@@ -66,14 +66,12 @@ class Smoother {
       return out;
     }
     Channels work = padded(signal, pad_);
+    Channels taken = work;
+    filterForwardBackward(sections_, work);
     if (twicing_) {
-      Channels taken = work;
-      filterForwardBackward(sections_, work);
       taken -= work;
       filterForwardBackward(sections_, taken);
       work += taken;
-    } else {
-      filterForwardBackward(sections_, work);
     }
     out.value = weighted(work, kernels_[0], pad_);
     if (order > 0) out.first = weighted(work, kernels_[1], pad_);
