@@ -26,6 +26,7 @@ Kinematics bent(const Signals& signals, const Order& terms) {
   return out;
 }
 
+/// What the sensor makes of its load. `linearOnly`: what it makes of something added to the load.
 void throughSensor(const Signals& signals, const Order& terms, Wrenches& w, bool linearOnly) {
   for (const Term* t : terms)
     if (!linearOnly || t->form->cause->linear()) t->form->cause->sensor(*t->form, t->v, signals, w);
@@ -38,16 +39,17 @@ Wrenches loads(const Signals& signals, const Model& model, const Order& terms, c
   return w;
 }
 
-/// What it makes of that.
-Wrenches readings(const Signals& signals, const Model& model, const Order& terms, Wrenches w) {
-  throughSensor(signals, terms, w, false);
-  for (const Term* t : terms) t->form->cause->readings(*t->form, t->v, signals, w);
-  w.colwise() += Vector6d(model.x.head<6>());
-  return w;
+/// The same as the sensor tells it, but for what adds to its readings.
+Wrenches sensed(const Signals& signals, const Order& terms, Wrenches load) {
+  throughSensor(signals, terms, load, false);
+  return load;
 }
 
-Wrenches forwards(const Signals& signals, const Model& model, const Order& terms, const Kinematics& kinematics) {
-  return readings(signals, model, terms, loads(signals, model, terms, kinematics));
+/// With that, too.
+Wrenches readings(const Signals& signals, const Model& model, const Order& terms, Wrenches sensed) {
+  for (const Term* t : terms) t->form->cause->readings(*t->form, t->v, signals, sensed);
+  sensed.colwise() += Vector6d(model.x.head<6>());
+  return sensed;
 }
 
 Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
@@ -96,20 +98,99 @@ Wrenches payloadWrench(const Kinematics& kin, const Vector10d& phi) {
 
 Wrenches predicted(const Signals& signals, const Model& model) {
   const Order terms = inOrder(model.terms);
-  return forwards(signals, model, terms, bent(signals, terms));
+  return readings(signals, model, terms, sensed(signals, terms, loads(signals, model, terms, bent(signals, terms))));
 }
+
+namespace {
+
+/// What changes with each parameter of one term, where everything else stays as it is.
+class Moving {
+ public:
+  Moving(const Signals& signals, const Model& model, const Kinematics& kinematics, const Wrenches& load, const Wrenches& told)
+      : signals_(signals), model_(model), kinematics_(kinematics), load_(load), told_(told) {
+    linear_ = std::ranges::all_of(model.terms, [](const Term& t) { return t.form->cause->linear(); });
+  }
+
+  /// Columns of the term's parameters in `jacobian` from column `at` on; those that do not move stay as they are.
+  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at) {
+    Term& moved = model_.terms[term];
+    const Form& form = *moved.form;
+    if (form.walk && moved.moves(0)) {
+      fillWalk(moved, jacobian, at);
+      return;
+    }
+    const Wrenches force = forceOf(moved), reading = readingOf(moved);
+    for (Eigen::Index p = 0; p < moved.v.size(); ++p, ++at) {
+      if (!moved.moves(p)) continue;
+      const double step = kStep * form.parameters[static_cast<std::size_t>(p)].size;
+      const double old = moved.v(p);
+      moved.v(p) = old + step;
+      jacobian.col(at) = flat(averaged(signals_, change(moved, force, reading))) / step;
+      moved.v(p) = old;
+    }
+  }
+
+ private:
+  Wrenches forceOf(const Term& term) const {
+    Wrenches w = Wrenches::Zero(6, signals_.size());
+    term.form->cause->force(*term.form, term.v, signals_, kinematics_, w);
+    return w;
+  }
+  Wrenches readingOf(const Term& term) const {
+    Wrenches w = Wrenches::Zero(6, signals_.size());
+    term.form->cause->readings(*term.form, term.v, signals_, w);
+    return w;
+  }
+
+  /// `force`, `reading`: the term's before it moved.
+  Wrenches change(const Term& moved, const Wrenches& force, const Wrenches& reading) const {
+    const Cause& cause = *moved.form->cause;
+    const Order terms = inOrder(model_.terms);
+    if (cause.bendsGeometry()) return sensed(signals_, terms, loads(signals_, model_, terms, bent(signals_, terms))) - told_;
+    if (cause.changesSensor()) return sensed(signals_, terms, load_) - told_;
+    Wrenches out = forceOf(moved) - force;
+    // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
+    if (linear_)
+      throughSensor(signals_, terms, out, true);
+    else if (!out.isZero(0.0))
+      out = sensed(signals_, terms, load_ + out) - told_;
+    return out + readingOf(moved) - reading;
+  }
+
+  /// Each wave once for all channels.
+  void fillWalk(const Term& term, MatrixXd& jacobian, Eigen::Index at) const {
+    Term one{term.form, VectorXd::Zero(term.v.size()), {}};
+    for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
+      one.v.segment<6>(p).setOnes();
+      const Wrenches wave = averaged(signals_, readingOf(one));
+      one.v.segment<6>(p).setZero();
+      for (Eigen::Index c = 0; c < 6; ++c)
+        for (Eigen::Index n = 0; n < wave.cols(); ++n) jacobian(6 * n + c, at + c) = wave(c, n);
+    }
+  }
+
+  const Signals& signals_;
+  Model model_;
+  const Kinematics& kinematics_;
+  const Wrenches& load_;
+  const Wrenches& told_;
+  bool linear_ = true;
+};
+
+}  // namespace
 
 Linearised linearised(const Signals& signals, const Model& model) {
   const Order terms = inOrder(model.terms);
   const Kinematics kinematics = bent(signals, terms);
   Linearised out;
-  const Wrenches load = loads(signals, model, terms, kinematics), value = readings(signals, model, terms, load);
-  out.value = averaged(signals, value);
+  const Wrenches load = loads(signals, model, terms, kinematics), told = sensed(signals, terms, load);
+  out.value = averaged(signals, readings(signals, model, terms, told));
   out.jacobian = MatrixXd::Zero(out.value.size(), model.size());
   for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
-  const bool throughChanges =
-      std::any_of(terms.begin(), terms.end(), [](const Term* t) { return t->form->cause->changesSensor(); });
-  const bool linear = std::all_of(terms.begin(), terms.end(), [](const Term* t) { return t->form->cause->linear(); });
+  const bool throughChanges = std::ranges::any_of(terms, [](const Term* t) {
+    const Cause& cause = *t->form->cause;
+    return cause.changesSensor() && cause.linear();
+  });
   if (throughChanges) {
     for (int j = 0; j < 10; ++j) {
       Wrenches w = payloadWrench(kinematics, Vector10d::Unit(j));
@@ -125,64 +206,11 @@ Linearised linearised(const Signals& signals, const Model& model) {
       out.jacobian.block<6, 10>(6 * n, 6) = sum / static_cast<double>(m);
     }
   }
-  Model moved = model;
+  Moving moving(signals, model, kinematics, load, told);
   Eigen::Index at = kLinear;
-  for (std::size_t i = 0; i < moved.terms.size(); ++i) {
-    Term& term = moved.terms[i];
-    const Form& form = *term.form;
-    const Cause& cause = *form.cause;
-    const bool bends = cause.bendsGeometry(), adds = linear && !bends && !cause.changesSensor();
-    // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
-    const auto added = [&] {
-      Wrenches w = Wrenches::Zero(6, signals.size());
-      cause.force(form, term.v, signals, kinematics, w);
-      throughSensor(signals, terms, w, true);
-      cause.readings(form, term.v, signals, w);
-      return w;
-    };
-    const auto ownForce = [&](const Term& t) {
-      Wrenches w = Wrenches::Zero(6, signals.size());
-      cause.force(form, t.v, signals, kinematics, w);
-      return w;
-    };
-    if (form.walk && term.moves(0)) {
-      // Each wave once for all channels.
-      VectorXd wave = VectorXd::Zero(term.v.size());
-      for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
-        wave.segment<6>(p).setOnes();
-        Wrenches w = Wrenches::Zero(6, signals.size());
-        cause.readings(form, wave, signals, w);
-        wave.segment<6>(p).setZero();
-        const Wrenches blocks = averaged(signals, w);
-        for (Eigen::Index c = 0; c < 6; ++c)
-          for (Eigen::Index n = 0; n < blocks.cols(); ++n) out.jacobian(6 * n + c, at + c) = blocks(c, n);
-      }
-      continue;
-    }
-    Wrenches own, unmoved;
-    if (adds) own = added();
-    if (!adds && !bends && !cause.changesSensor()) unmoved = ownForce(term);
-    for (Eigen::Index p = 0; p < term.v.size(); ++p, ++at) {
-      if (!term.moves(p)) continue;
-      const double step = kStep * form.parameters[static_cast<std::size_t>(p)].size;
-      const double old = term.v(p);
-      term.v(p) = old + step;
-      Wrenches change;
-      if (adds) {
-        change = added() - own;
-      } else {
-        const Order movedTerms = inOrder(moved.terms);
-        if (bends) {
-          change = forwards(signals, moved, movedTerms, bent(signals, movedTerms)) - value;
-        } else {
-          Wrenches carried = load;
-          if (!cause.changesSensor()) carried += ownForce(moved.terms[i]) - unmoved;
-          change = readings(signals, moved, movedTerms, std::move(carried)) - value;
-        }
-      }
-      term.v(p) = old;
-      out.jacobian.col(at) = flat(averaged(signals, change)) / step;
-    }
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    moving.fill(i, out.jacobian, at);
+    at += model.terms[i].v.size();
   }
   return out;
 }
@@ -195,7 +223,7 @@ MatrixXd signatures(const Signals& signals, const Model& model, const Form& form
   const Cause& cause = *form.cause;
   const bool additive = !cause.bendsGeometry() && !cause.changesSensor();
   Wrenches value;
-  if (!additive) value = forwards(signals, model, before, kinematics);
+  if (!additive) value = sensed(signals, before, loads(signals, model, before, kinematics));
   for (std::size_t i = 0; i < form.scan.size(); ++i) {
     const auto p = static_cast<std::size_t>(form.scan[i]);
     const double step = kStep * form.parameters[p].size;
@@ -212,7 +240,7 @@ MatrixXd signatures(const Signals& signals, const Model& model, const Form& form
       Model with = model;
       with.terms.push_back({shared, v, {}});
       const Order terms = inOrder(with.terms);
-      w = forwards(signals, with, terms, cause.bendsGeometry() ? bent(signals, terms) : kinematics) - value;
+      w = sensed(signals, terms, loads(signals, with, terms, cause.bendsGeometry() ? bent(signals, terms) : kinematics)) - value;
     }
     out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals, w)) / step;
   }

@@ -1,5 +1,6 @@
 // The sensor's zero moves: slowly, or at once.
-#include <utility>
+#include <memory>
+#include <mutex>
 
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
@@ -107,23 +108,31 @@ class Wandering final : public Cause {
   int order() const override { return 84; }
   void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     const Eigen::Map<const Eigen::Matrix<double, 6, kHalfWaves>> amplitudes(v.data());
-    int highest = kHalfWaves;
-    while (highest > 0 && amplitudes.col(highest - 1).isZero(0.0)) --highest;
-    if (highest == 0) return;
-    const double step = std::numbers::pi / static_cast<double>(signals.size());
-    for (Eigen::Index i = 0; i < w.cols(); ++i) {
-      // cos((k + 1) x) = 2 cos(x) cos(k x) - cos((k - 1) x)
-      const double first = std::cos(step * (static_cast<double>(i) + 0.5));
-      double before = 1.0, now = first;
-      for (int k = 0; k < highest; ++k) {
-        w.col(i) += now * amplitudes.col(k);
-        before = std::exchange(now, 2.0 * first * now - before);
-      }
-    }
+    if (amplitudes.isZero(0.0)) return;
+    const auto waves = wavesOver(signals.size());
+    for (int k = 0; k < kHalfWaves; ++k)
+      if (!amplitudes.col(k).isZero(0.0)) w += amplitudes.col(k) * waves->row(k).head(w.cols());
   }
 
  private:
   static constexpr int kHalfWaves = 10;
+  using Waves = Eigen::Matrix<double, kHalfWaves, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// k half waves over so many instants, k = 1 .. kHalfWaves. Those of the last number asked for are kept: a fit needs the
+  /// same ones all the time.
+  std::shared_ptr<const Waves> wavesOver(Eigen::Index instants) const {
+    const std::lock_guard lock(mutex_);
+    if (latest_ && latest_->cols() == instants) return latest_;
+    Waves waves(kHalfWaves, instants);
+    for (Eigen::Index i = 0; i < instants; ++i)
+      for (int k = 0; k < kHalfWaves; ++k)
+        waves(k, i) = std::cos(std::numbers::pi * (k + 1) * (static_cast<double>(i) + 0.5) / static_cast<double>(instants));
+    latest_ = std::make_shared<const Waves>(std::move(waves));
+    return latest_;
+  }
+
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const Waves> latest_;
 };
 
 }  // namespace

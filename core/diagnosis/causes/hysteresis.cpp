@@ -1,4 +1,7 @@
 // The sensor remembers its load: reading a little behind on the way up and on the way down.
+#include <algorithm>
+#include <cmath>
+
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -31,25 +34,35 @@ class Hysteresis final : public Cause {
   bool changesSensor() const override { return true; }
   bool linear() const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
-    const Vector6d r = 0.005 * form.choice[0] * (w.rowwise().maxCoeff() - w.rowwise().minCoeff());
-    if (form.choice.size() > 1) {
-      const Vector6d reach = (2.0 * r).cwiseMax(1e-9);
-      Vector6d bend = Vector6d::Zero(), last = w.col(0);
-      for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const Vector6d u = w.col(k), way = (u - last).cwiseQuotient(reach);
-        const Vector6d end = way.cwiseSign();
-        bend = end + (bend - end).cwiseProduct((-way.cwiseAbs()).array().exp().matrix());
-        last = u;
-        w.col(k) -= v.cwiseProduct(bend).cwiseProduct(reach);
-      }
-      return;
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      if (v(c) == 0.0) continue;
+      const double r = 0.005 * form.choice[0] * (w.row(c).maxCoeff() - w.row(c).minCoeff());
+      if (form.choice.size() > 1)
+        bristles(v(c), std::max(2.0 * r, 1e-9), w.row(c));
+      else
+        play(v(c), r, w.row(c));
     }
-    Vector6d play = w.col(0);
-    // The lag of a play behind its input: what a dead band remembers.
-    for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const Vector6d u = w.col(k);
-      play = play.cwiseMax(u - r).cwiseMin(u + r);
-      w.col(k) += v.cwiseProduct(play - u);
+  }
+
+ private:
+  using Channel = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
+
+  /// Each bends with the load and slips as soon as it is bent all the way, which takes `reach`.
+  static void bristles(double share, double reach, Channel load) {
+    double bend = 0.0, last = load(0);
+    for (double& u : load) {
+      const double way = (u - last) / reach, end = way > 0.0 ? 1.0 : way < 0.0 ? -1.0 : 0.0;
+      bend = end + (bend - end) * std::exp(-std::abs(way));
+      last = u;
+      u -= share * bend * reach;
+    }
+  }
+  /// The lag of a play behind its input: what a dead band remembers.
+  static void play(double share, double half, Channel load) {
+    double middle = load(0);
+    for (double& u : load) {
+      middle = std::clamp(middle, u - half, u + half);
+      u += share * (middle - u);
     }
   }
 };
