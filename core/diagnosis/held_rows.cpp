@@ -14,7 +14,6 @@ bool repeats(const Series& series, Eigen::Index row) {
   return series.rows() == 0 || series.row(row) == series.row(row - 1);
 }
 
-/// Rows [from, to) of a series from its rows at `at`, by Lagrange's polynomial in time.
 /// Rows of a series from those at `at`, by Lagrange's polynomial in time.
 template <class Series>
 void fill(Series& series, const VectorXd& time, const Held& rows, const std::array<Eigen::Index, 4>& at) {

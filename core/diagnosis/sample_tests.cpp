@@ -138,8 +138,12 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped, const s
   out.rows.assign(static_cast<std::size_t>(n), false);
   for (Eigen::Index i = 0; i < n; ++i)
     out.rows[static_cast<std::size_t>(i)] = zeros >= 3 && (recording.wrench.row(i).array() == 0.0).all();
-  // Where the motion was held, too, its derivatives are wrong a little further.
-  const auto beside = static_cast<Eigen::Index>(0.1 * recording.rateHz());
+  // Where the motion was held, too, or nothing was recorded, its derivatives are wrong a little further.
+  constexpr double kGap = 0.015, kBeside = 0.1;  // [s]
+  const auto beside = static_cast<Eigen::Index>(kBeside * recording.rateHz());
+  for (Eigen::Index i = 1; i < n && step > 0.0; ++i)
+    if (recording.time(i) - recording.time(i - 1) > std::max(kGap, 3.0 * step))
+      std::fill(out.rows.begin() + std::max<Eigen::Index>(0, i - beside), out.rows.begin() + std::min(n, i + beside), true);
   for (const Held& run : heldRuns) {
     const Eigen::Index margin = run.motionToo ? beside : 0;
     std::fill(out.rows.begin() + std::max<Eigen::Index>(0, run.from - margin), out.rows.begin() + std::min(n, run.to + margin), true);

@@ -1,7 +1,9 @@
 #include "core/motion/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace heft {
@@ -25,6 +27,33 @@ UniformGrid gridFor(const VectorXd& time) {
   return grid;
 }
 
+namespace {
+
+/// The value at `t` by Lagrange's polynomial through four rows.
+Eigen::RowVectorXd through(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values) {
+  Eigen::RowVectorXd out = Eigen::RowVectorXd::Zero(values.cols());
+  for (const Eigen::Index i : rows) {
+    double weight = 1.0;
+    for (const Eigen::Index j : rows)
+      if (j != i) weight *= (t - time(j)) / (time(i) - time(j));
+    out += weight * values.row(i);
+  }
+  return out;
+}
+
+/// Rows that bridge the gap which ends at row `right`: its ends, and one as far away from each as it is long, since slopes
+/// between close rows are mostly noise. None where it is too long to be bridged, or near an end of the recording.
+std::optional<std::array<Eigen::Index, 4>> bridge(const VectorXd& time, Eigen::Index right) {
+  constexpr double kLongest = 0.5;  // [s]
+  const double from = time(right - 1), to = time(right), away = to - from;
+  if (away > kLongest || from - away < time(0) || to + away > time(time.size() - 1)) return std::nullopt;
+  const double* first = time.data();
+  return std::array<Eigen::Index, 4>{std::upper_bound(first, first + right, from - away) - first - 1, right - 1, right,
+                                     std::lower_bound(first + right, first + time.size(), to + away) - first};
+}
+
+}  // namespace
+
 Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear) {
   if (grid.exact) return values;
   const Eigen::Index n = time.size();
@@ -35,18 +64,16 @@ Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<
     while (right < n - 1 && time(right) < t) ++right;
     const double left = time(right - 1);
     const bool gap = time(right) - left > 3.0 / grid.rateHz;
-    if (linear || gap || right < 2 || right > n - 2) {
-      const double u = (t - left) / (time(right) - left);
+    std::optional<std::array<Eigen::Index, 4>> rows;
+    if (gap && !linear)
+      rows = bridge(time, right);
+    else if (!linear && right >= 2 && right <= n - 2)
+      rows = {right - 2, right - 1, right, right + 1};
+    const double u = (t - left) / (time(right) - left);
+    if (rows)
+      out.row(k) = through(*rows, t, time, values);
+    else
       out.row(k) = (1.0 - u) * values.row(right - 1) + u * values.row(right);
-      continue;
-    }
-    out.row(k).setZero();
-    for (Eigen::Index i = right - 2; i <= right + 1; ++i) {
-      double weight = 1.0;
-      for (Eigen::Index j = right - 2; j <= right + 1; ++j)
-        if (j != i) weight *= (t - time(j)) / (time(i) - time(j));
-      out.row(k) += weight * values.row(i);
-    }
   }
   return out;
 }

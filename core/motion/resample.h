@@ -14,8 +14,9 @@ struct UniformGrid {
 /// The grid with the median time step that spans `time` (strictly rising, at least two samples).
 UniformGrid gridFor(const VectorXd& time);
 
-/// Values on the grid: cubic Lagrange interpolation through the four nearest samples (linear where `linear` is set or
-/// beside a gap of more than three steps). Rows of `values` belong to `time`.
+/// Values on the grid: cubic Lagrange interpolation through the four nearest samples; across a gap of more than three steps
+/// through its ends and one sample as far beyond each as it is long. Linear where `linear` is set, where such a gap lasts more
+/// than half a second, and at the ends. Rows of `values` belong to `time`.
 Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear);
 
 }  // namespace heft

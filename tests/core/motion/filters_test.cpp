@@ -121,5 +121,23 @@ TEST(Resample, JitterIsInterpolatedToThirdOrder) {
     EXPECT_NEAR(out(k, 0), std::sin(2 * kPi * 0.7 * (grid.start + static_cast<double>(k) / grid.rateHz)), 1e-5);
 }
 
+/// A fifth of a second without samples is bridged by what lies beside it, a second is not.
+TEST(Resample, AGapIsBridged) {
+  const auto worst = [](double seconds) {
+    std::vector<double> kept;
+    for (int k = 0; k < 3000; ++k)
+      if (const double t = 0.002 * k; t < 2.0 || t > 2.0 + seconds) kept.push_back(t);
+    const VectorXd time = Eigen::Map<const VectorXd>(kept.data(), std::ssize(kept));
+    const auto wave = [](double t) { return std::sin(2 * kPi * 0.5 * t); };
+    const UniformGrid grid = gridFor(time);
+    const Channels out = onGrid(grid, time, time.unaryExpr(wave), false);
+    double error = 0.0;
+    for (Eigen::Index k = 0; k < grid.size; ++k) error = std::max(error, std::abs(out(k, 0) - wave(grid.start + static_cast<double>(k) / grid.rateHz)));
+    return error;
+  };
+  EXPECT_LT(worst(0.2), 0.005);
+  EXPECT_GT(worst(1.0), 0.1) << "a straight line";
+}
+
 }  // namespace
 }  // namespace heft
