@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
@@ -82,11 +83,15 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
                           DiagnoseOptions options, const Progress& progress) {
   // Readings that are cut off flat are dealt with.
   if (std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; })) options.hidden.emplace_back("saturation");
-  constexpr std::array<double, 5> kCutoffs{kDefaultCutoffHz, 17.0, 12.0, 8.5, 6.0};
+  struct Smoothing {
+    double cutoff;
+    bool twicing;
+  };
+  constexpr std::array<Smoothing, 6> kSmoothings{{{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
   constexpr double kClearly = 30.0, kSlightly = 10.0;  // Evidence for less, and among less, than the usual cutoff
   std::vector<Way> ways;
-  for (const double cutoff : kCutoffs) {
-    auto way = wayOf(recording, readings.cleaned, robot, cutoff, options, readings.bad);
+  for (const auto& [cutoff, twicing] : kSmoothings) {
+    auto way = wayOf(recording, readings.cleaned, robot, cutoff, twicing, options, readings.bad);
     if (!way) return way.error();
     ways.push_back(std::move(*way));
   }
@@ -137,12 +142,20 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   return out;
 }
 
-/// Of the payload's mass, how much swings in terms of `cause`.
-double swingingShare(const Fit& fit, std::string_view cause) {
-  double mass = 0.0;
+/// Of the payload's mass, how much may swing as far as anybody knows.
+double swingingShare(const Fit& fit, const Found& found) {
+  double mass = found.spread.size() > 0 ? found.spread(0) : 0.0;
   for (const auto& term : fit.model.terms)
-    if (term.form->cause->id() == cause) mass += term.v(0);
+    if (term.form->cause->id() == found.cause) mass += term.v(0);
   return mass / std::max(0.02, fit.model.x(6));
+}
+
+/// The least of all delays of the readings [s].
+double earliest(const Fit& fit) {
+  double out = 0.0;
+  for (const auto& term : fit.model.terms)
+    if (term.form->cause->id() == "time_offset") out = std::min(out, term.v(0));
+  return out;
 }
 
 /// What could be meant instead, for whoever mends the rig. `held`: readings were repeated.
@@ -155,8 +168,10 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
   // A jump is a drift that took no time.
   if (found.cause == "sensor_bias") add("bias_drift");
+  // No reading comes before what it is about: then the motion is late.
+  if (found.cause == "time_offset" && earliest(fit) < 0.0) add("motion_lag");
   // What weighs as much as the tool is the tool on its mount.
-  if (found.cause == "loose_mass" && swingingShare(fit, found.cause) > kWholeTool) add("flexible_mount");
+  if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
   // What is held until the next reading comes late and cut down at once.
   if (held && found.cause == "time_offset") add("low_pass_lag");
   if (held && found.cause == "low_pass_lag") add("time_offset");
@@ -170,54 +185,59 @@ struct Judged {
   bool dropped = false;
 };
 
-/// `needed`: share of the unseen misfit that a cause must explain.
-Judged judged(Work& work, double needed, const Surrogates& chance, const std::vector<Direct>& directs) {
+/// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing speaks for it.
+Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance, const std::vector<Direct>& directs) {
   Judged out;
   const bool held = std::ranges::any_of(directs, [](const Direct& d) { return d.cause == "dropouts"; });
   Search& search = work.search;
   out.first = heldOutResidual(work.signals, work.stretches, search.null);
-  Wrenches before = out.first;
-  Model nested;
-  nested.x = search.null.model.x;
-  for (const auto& accepted : search.found) {
-    for (const auto& term : search.final.model.terms)
-      if (term.form->cause->id() == accepted.cause) nested.terms.push_back(term);
-    const Fit fit = nested.terms.size() == search.final.model.terms.size() ? search.final
-                                                                         : fitModel(work.signals, work.stretches, nested);
-    Wrenches after = heldOutResidual(work.signals, work.stretches, fit);
-    if (accepted.cause == kWandering || (work.mistake && work.mistake->kind == FrameMistake::Kind::turned &&
-                                         accepted.cause == "sensor_rotation")) {
-      // Part of the model, but no cause that somebody could mend.
-      before = std::move(after);
-      continue;
-    }
-    const Gain gain = gainOf(work.stretches, fit.noise, before, after);
-    const bool local = std::ranges::any_of(nested.terms, [&](const Term& t) {
-      return t.form->cause->id() == accepted.cause && t.form->local;
-    });
-    const double least = accepted.gain < kFaint ? std::max(needed, kGainOfFaint) : needed;
-    // What has its place in time can hardly be seen elsewhere; harm there is another matter.
+  out.last = heldOutResidual(work.signals, work.stretches, search.final);
+  // The weakest first: what it takes with it must not be counted against the others.
+  std::vector<const Found*> order;
+  for (const Found& found : search.found) order.push_back(&found);
+  std::ranges::stable_sort(order, [](const Found* a, const Found* b) { return a->gain < b->gain; });
+  std::map<const Found*, DiagnosedCause> holds;
+  for (const Found* found : order) {
+    // Part of the model, but no cause that somebody could mend.
+    const bool turned = work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
+    if (found->cause == kWandering || turned) continue;
+    Fit rest = fitModel(work.signals, work.stretches, without(search.final.model, found->cause));
+    Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
+    const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
+    const auto anyForm = [&](const auto& is) {
+      return std::ranges::any_of(search.final.model.terms, [&](const Term& t) { return t.form->cause->id() == found->cause && is(*t.form); });
+    };
+    const bool local = anyForm([](const Form& form) { return form.local; });
+    // What has chosen from many frequencies or speeds explains a little of any noise.
+    const bool chose = anyForm([](const Form& form) { return form.scan.size() < form.parameters.size(); });
+    const double least = found->gain < kFaint ? std::max(needed, neededOfFaint) : needed;
+    const bool explains = gain.explainedFraction > least || (!chose && gain.explainedFraction > needed && gain.lower > 0.0);
+    // What has its place in time can hardly be seen elsewhere; harm there is another matter. Where nearly all parts are better,
+    // one of them is not like the others, such as the first of a drift that settles.
+    const bool nearlyAll = found->gain >= kFaint && 10 * gain.blocksBetter >= 8 * gain.blocks;
     const bool harms = gain.explainedFraction < -kHarm;
-    if (harms || (!local && !(gain.explainedFraction > least && 2 * gain.blocksBetter >= gain.blocks))) {
+    if (!nearlyAll && (harms || (!local && !(explains && 2 * gain.blocksBetter >= gain.blocks)))) {
       // Nothing is gained where it was not fitted: it is no cause.
-      nested = without(nested, accepted.cause);
-      search.final = fitModel(work.signals, work.stretches, without(search.final.model, accepted.cause));
+      search.final = std::move(rest);
+      out.last = std::move(before);
       out.dropped = true;
       continue;
     }
-    DiagnosedCause cause;
-    cause.id = accepted.cause;
-    cause.deltaBic = accepted.gain;
-    cause.pValue = chance.best.empty() ? std::exp(-0.5 * accepted.gain) : chance.pValue(accepted.gain);
+    DiagnosedCause& cause = holds[found];
+    cause.id = found->cause;
+    cause.deltaBic = found->gain;
+    cause.pValue = chance.best.empty() ? std::exp(-0.5 * found->gain) : chance.pValue(found->gain);
     cause.gain = gain;
-    cause.alternatives = alternativesOf(accepted, fit, held);
+    cause.alternatives = alternativesOf(*found, search.final, held);
     cause.before = std::move(before);
-    cause.after = after;
-    out.causes.push_back(std::move(cause));
-    before = std::move(after);
+    cause.after = out.last;
   }
-  out.last = std::move(before);
-  for (auto& cause : out.causes) describe(cause, search.final, work.signals);
+  for (const Found& found : search.found) {
+    const auto cause = holds.find(&found);
+    if (cause == holds.end()) continue;
+    describe(cause->second, search.final, found.spread, work.signals);
+    out.causes.push_back(std::move(cause->second));
+  }
   return out;
 }
 
@@ -342,9 +362,19 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   out.remaining = structureIn(work.signals, work.stretches, work.search.final);
-  Judged fitted = judged(work, out.remaining.gain > kUnexplained ? kGainBesideUnknown : 0.0, found->chance, readings->directs);
+  const Structure beside = out.remaining;
+  const Search before = work.search;
+  const double needed = beside.gain > kUnexplained ? kGainBesideUnknown : 0.0;
+  Judged fitted = judged(work, needed, kGainOfFaint, found->chance, readings->directs);
   const Fit& final = work.search.final;
   if (fitted.dropped) out.remaining = structureIn(work.signals, work.stretches, final);
+  if (beside.gain <= kUnexplained && out.remaining.gain > kUnexplained) {
+    // Without what explains little, something unknown is left: then it does explain that.
+    work.search = before;
+    out.remaining = beside;
+    fitted = judged(work, needed, 0.0, found->chance, readings->directs);
+    if (fitted.dropped) out.remaining = structureIn(work.signals, work.stretches, final);
+  }
   if (const double excess = slowWave(work.signals, work.stretches, steadyResidual(work, out.findings));
       excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = heft::toSay("a slow wave in time");

@@ -43,7 +43,7 @@ struct DiagnosedCause {
   std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
   bool direct = false;                          ///< Seen in the samples themselves; evidence and gain are then empty.
   double deltaBic = 0.0, pValue = 0.0;
-  diagnosis::Gain gain;  ///< On blocks that were held out
+  diagnosis::Gain gain;  ///< On blocks that were held out, the other causes in place
   diagnosis::Wrenches before, after;  ///< 6 x N, left over on such blocks without and with it; empty if seen directly
   std::vector<std::string> alternatives;
   std::string tellApart;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace heft::diagnosis {
 
@@ -229,7 +230,11 @@ VectorXd whisper(const Model& model) {
   return sd;
 }
 
-Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds) {
+namespace {
+
+enum class Weights { coloured, whiteFirst };
+
+Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights) {
   Fit fit;
   fit.model = std::move(start);
   startWalk(fit.model);
@@ -237,9 +242,19 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
   VectorXd sd = whisper(fit.model);
   Linearised at = linearised(signals, fit.model);
   fit.residual = signals.measured - at.value;
-  fit.noise = fitNoise(fit.residual, stretches);
-  double last = -1e300;
-  for (int round = 0; round < rounds; ++round) {
+  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches) : white(fit.residual, stretches);
+  // What whitens best is not what the noise is learned as: evidence may fall again, and then what was best counts.
+  constexpr int kMostFalls = 2;
+  struct State {
+    Model model;
+    Noise noise;
+    Wrenches residual;
+    MatrixXd jacobian;
+  };
+  State best;
+  double most = weights == Weights::coloured ? fit.noise.evidence : -1e300;
+  int falls = 0;  // Rounds since then
+  for (int round = 0; round < rounds && falls < kMostFalls; ++round) {
     const ChannelColumns J(whitened(at.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
@@ -252,16 +267,27 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
       if (fit.model.terms.empty() || misfit(signals, stretches, fit.noise, next, sd) <= before) break;
       if (half == 3) next = fit.model;
     }
-    fit.model = next;
-    if (learnsWalk) {
-      learnWalk(fit.model, normal.inverse());
-      sd = whisper(fit.model);
-    }
+    if (learnsWalk) learnWalk(next, normal.inverse());
+    State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), std::move(at.jacobian)};
+    sd = whisper(fit.model);
     at = linearised(signals, fit.model);
     fit.residual = signals.measured - at.value;
     fit.noise = fitNoise(fit.residual, stretches);
-    if (std::abs(fit.noise.evidence - last) < 0.05) break;
-    last = fit.noise.evidence;
+    const bool rests = std::abs(fit.noise.evidence - was.noise.evidence) < 0.05;
+    if (fit.noise.evidence >= most) {
+      most = fit.noise.evidence;
+      falls = 0;
+    } else if (++falls == 1) {
+      best = std::move(was);
+    }
+    if (rests) break;
+  }
+  if (falls > 0) {
+    fit.model = std::move(best.model);
+    fit.noise = std::move(best.noise);
+    fit.residual = std::move(best.residual);
+    at.jacobian = std::move(best.jacobian);
+    sd = whisper(fit.model);
   }
   const Normal normal(ChannelColumns(whitened(at.jacobian, fit.noise, stretches)), sd);
   fit.information = normal.information;
@@ -279,6 +305,17 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
                                     ((!parameter.lowerIsFine && value <= parameter.lower + margin) || value >= parameter.upper - margin));
     }
   return fit;
+}
+
+}  // namespace
+
+Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds) {
+  return fitted(signals, stretches, std::move(start), rounds, Weights::coloured);
+}
+
+Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit) {
+  Fit other = fitted(signals, stretches, fit.model, 8, Weights::whiteFirst);
+  return other.evidence > fit.evidence ? other : fit;
 }
 
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {

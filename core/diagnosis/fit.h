@@ -60,6 +60,10 @@ class Normal {
 /// switched off (Term::active) keeps its value.
 Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds = 8);
 
+/// The fit, or the one that begins with its answer under white noise, whichever has more evidence: a noise that was learned with
+/// a long memory swallows slow misfit and holds on to it.
+Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit);
+
 /// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
 

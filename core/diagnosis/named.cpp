@@ -21,7 +21,7 @@ WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual)
   return out;
 }
 
-void describe(DiagnosedCause& cause, const Fit& fit, const Signals& signals) {
+void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals) {
   std::vector<CauseParameter>& out = cause.parameters;
   const VectorXd std = fit.std();
   Eigen::Index at = kLinear;
@@ -29,8 +29,8 @@ void describe(DiagnosedCause& cause, const Fit& fit, const Signals& signals) {
     const Eigen::Index n = term.v.size();
     if (term.form->cause->id() == cause.id) {
       VectorXd deviation = std.segment(at, n);
-      if (const VectorXd more = term.form->cause->modelStd(term.v); more.size() == n)
-        deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
+      for (const VectorXd& more : {term.form->cause->modelStd(term.v), spread})
+        if (more.size() == n) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
       for (Eigen::Index p = 0; p < n; ++p) {
         if (!term.moves(p)) {
           deviation(p) = 0.0;

@@ -19,6 +19,8 @@ constexpr std::size_t kRivals = 5;   ///< Causes that get one in the place of an
 constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
 constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
 constexpr double kBesideWandering = 30.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
+constexpr double kJump = 20.0;             ///< By how much a jump must be more than a walk of the zero: one that walks makes steps, too
+constexpr double kShareOfWandering = 0.2;  ///< And of what they explain: the further it wanders, the more they leave
 constexpr double kChance = 3.0;      ///< Twice the log-likelihood that an idle parameter hardly ever gains
 constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
@@ -58,11 +60,9 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   out.choicePenalty = candidate.choicePenalty;
   out.promised = candidate.score;
   out.fit = fitModel(signals, stretches, std::move(model), 3);
-  // A walk makes steps of its own, too: a jump of the zero, or of the load where the zero is known to walk, is more.
-  const bool maybeWalk = out.cause == "sensor_bias" || (out.cause == "payload_change" && contains(base.model, kWandering));
-  if (maybeWalk && out.fit.model.terms.size() > base.model.terms.size() &&
-      !jumpStandsOut(signals, stretches, base, out.fit))
-    return out;
+  // A walk makes steps of its own, too: where the zero is known to walk, a jump of it or of the load is more.
+  const bool maybeWalk = (out.cause == "sensor_bias" || out.cause == "payload_change") && contains(base.model, kWandering);
+  if (maybeWalk && !jumpStandsOut(signals, stretches, base, out.fit)) return out;
   weigh(out, base, signals);
   return out;
 }
@@ -218,10 +218,82 @@ Model without(const Model& model, std::string_view cause) {
 
 namespace {
 
+/// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it.
+Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, Trial trial,
+            std::span<const std::string_view> causes, std::size_t terms) {
+  for (std::size_t i = 1; i < terms; ++i) {
+    const auto ranked = promises(signals, stretches, bank, trial.fit, causes);
+    if (ranked.empty()) break;
+    auto more = trialsOf(signals, stretches, trial.fit, chosenOf(ranked, kRivals, ranked.front().score));
+    if (more.empty() || more.front().gain < kThreshold) break;
+    more.front().cause = trial.cause;
+    more.front().gain += trial.gain;
+    more.front().penalty += trial.penalty;
+    trial = std::move(more.front());
+  }
+  return trial;
+}
+
+/// A walk has waves for anything that is slow: two or three causes together may explain clearly more. `walk`: its gain; a faint
+/// one is left to be one.
+void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk, std::vector<Trial>& all) {
+  constexpr std::size_t kTop = 2, kTerms = 3;
+  constexpr double kNear = 0.4;  ///< Share of what the walk explains
+  if (walk < 2.0 * kFaint) return;
+  std::vector<std::string_view> others, done;
+  for (const auto& cause : catalogue())
+    if (cause->id() != kWandering) others.push_back(cause->id());
+  for (Trial& trial : all) {
+    const auto id = causeOf(trial.fit.model.terms.back());
+    if (done.size() == kTop || trial.gain < kNear * walk) break;
+    if (id == kWandering || std::ranges::find(done, id) != done.end()) continue;
+    done.push_back(id);
+    Trial more = grown(signals, stretches, bank, trial, others, kTerms);
+    if (more.gain > walk + kBesideWandering) trial = std::move(more);
+  }
+  sortByGain(all);
+}
+
+/// What took several terms of `cause` is compared with as many of others that come near with one.
+void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Model& model,
+                std::string_view cause, std::vector<Trial>& all) {
+  constexpr double kNear = 0.6;  ///< Share of the best
+  const auto terms = static_cast<std::size_t>(std::ranges::count_if(model.terms, [&](const Term& t) { return causeOf(t) == cause; }));
+  if (terms < 2 || all.empty()) return;
+  const double best = all.front().gain;
+  std::vector<std::string> done{std::string(cause)};
+  for (Trial& trial : all) {
+    const Form& form = *trial.fit.model.terms.back().form;
+    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, trial.cause) != done.end()) continue;
+    done.push_back(trial.cause);
+    const std::array<std::string_view, 1> same{causeOf(trial.fit.model.terms.back())};
+    trial = grown(signals, stretches, bank, std::move(trial), same, terms);
+  }
+  sortByGain(all);
+}
+
 Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
   const double behind = found.gain - trial.gain;
   return {trial.cause, behind, behind - (trial.fit.price - accepted.price) - trial.penalty,
           trial.fit.dimensions - accepted.dimensions};
+}
+
+/// How far from the only term of `cause` in `model` the parameters of other trials of it lie that explain about as much: what a
+/// deviation, which looks around one answer, does not see. Empty if there are several terms.
+VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<Trial>& all) {
+  const auto own = [&](const Term& t) { return causeOf(t) == cause; };
+  const auto& terms = model.terms;
+  if (std::ranges::count_if(terms, own) != 1) return {};
+  const Term& term = *std::ranges::find_if(terms, own);
+  VectorXd out = VectorXd::Zero(term.v.size());
+  double best = -1e300;
+  for (const Trial& trial : all) {  // The best first
+    const Term& other = trial.fit.model.terms.back();
+    if (!own(other) || other.form->choice != term.form->choice || other.v.size() != term.v.size()) continue;
+    best = std::max(best, trial.gain);
+    if (trial.gain > best - kTie) out = out.cwiseMax((other.v - term.v).cwiseAbs());
+  }
+  return out;
 }
 
 /// Both smooth or delay fast forces, and so does whatever was done to the recorded motion: how well either fits is not known
@@ -239,6 +311,7 @@ double leadFor(const Found& found, const Rival& rival) {
   constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kWandering, walkComes = rival.cause == kWandering;
   if (!walkGoes && !walkComes) return kUsual;
+  if (walkGoes && rival.cause == "sensor_bias") return kJump;
   if ((walkGoes ? rival.cause : found.cause) != "bias_drift") return walkGoes ? kFaintDrift : kUsual;
   const double drift = walkGoes ? found.gain - rival.behind : found.gain;
   const double ahead = drift < kFaint ? kFaintDrift : -kPlainWalk;  // Of the walk, for the drift to be named
@@ -280,7 +353,7 @@ std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>&
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
               const Progress& progress) {
   Search out;
-  out.null = fitModel(signals, stretches, Model{});
+  out.null = settled(signals, stretches, fitModel(signals, stretches, Model{}));
   out.final = out.null;
   std::vector<std::string> order;
   if (!options.start.terms.empty()) {
@@ -289,6 +362,9 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     for (const Term& term : out.final.model.terms)
       if (std::find(order.begin(), order.end(), causeOf(term)) == order.end()) order.emplace_back(causeOf(term));
   }
+  double wanders = 0.0;  // What a wandering zero explains, once accepted
+  if (contains(out.final.model, kWandering))
+    wanders = out.final.evidence - fitModel(signals, stretches, without(out.final.model, kWandering)).evidence;
   Tried latest, accepted;
   for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
@@ -296,7 +372,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     if (ranked.empty()) break;
     latest = {out.final, trials(signals, stretches, out.final, ranked)};
     const auto& all = latest.all;
-    const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering : 0.0);
+    const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering + kShareOfWandering * wanders : 0.0);
     if (all.empty() || all.front().gain < needed) break;
     // A richer form of what is already named comes before a second name, unless that one explains clearly more.
     const Trial* chosen = &all.front();
@@ -305,15 +381,16 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         chosen = &trial;
         break;
       }
-    // What a zero that wanders explains about as well is no drift: most of a walk's way is one.
+    // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
-        if (trial.cause == kWandering && trial.gain > chosen->gain - kBesideWandering) {
+        if (trial.cause == kWandering && trial.gain > chosen->gain - (chosen->cause == "bias_drift" ? kBesideWandering : kJump)) {
           chosen = &trial;
           break;
         }
+    if (chosen->cause == kWandering) wanders = chosen->gain;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
-    out.final = prunedOf(signals, stretches, chosen->fit, options.threshold);
+    out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
     accepted = std::move(latest);
     if (step == 0 && options.givesUp && options.givesUp(out.final)) {
       out.givenUp = true;
@@ -337,14 +414,19 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       if (Model less = without(out.final.model, cause); !accepted.all.empty() && sameForms(less, accepted.base.model))
         now = accepted;
       else
-        now.base = fitModel(signals, stretches, std::move(less));
+        now.base = settled(signals, stretches, fitModel(signals, stretches, std::move(less)));
       const Fit& rest = now.base;
       found.gain = out.final.evidence - rest.evidence;
       if (now.all.empty()) {
         const auto ranked = promises(signals, stretches, bank, rest);
         now.all = trialsOf(signals, stretches, rest, chosenOf(ranked, kRivals, found.gain));
       }
+      if (cause == kWandering)
+        outgrowWalk(signals, stretches, bank, found.gain, now.all);
+      else
+        growRivals(signals, stretches, bank, out.final.model, cause, now.all);
       const auto& all = now.all;
+      found.spread = spreadOf(out.final.model, cause, all);
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
         if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)
@@ -354,8 +436,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       const auto better = std::find_if(found.rivals.begin(), found.rivals.end(),
                                        [&](const Rival& r) { return r.behind < -leadFor(found, r); });
       if (better != found.rivals.end() && look + 1 < kLooks) {
-        out.final = prunedOf(signals, stretches, best.at(better->cause)->fit, options.threshold);
+        out.final = settled(signals, stretches, prunedOf(signals, stretches, best.at(better->cause)->fit, options.threshold));
         *std::find(order.begin(), order.end(), cause) = better->cause;
+        for (const Term& term : out.final.model.terms)
+          if (std::find(order.begin(), order.end(), causeOf(term)) == order.end()) order.emplace_back(causeOf(term));
         changed = true;
         break;
       }

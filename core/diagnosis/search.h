@@ -39,6 +39,7 @@ struct Found {
   std::string cause;
   double gain = 0.0;  ///< Evidence lost if it is taken out of the final model again
   std::vector<Rival> rivals;  ///< Tried in its place, best first
+  VectorXd spread;            ///< Of its only term's parameters: how far away others are that explain as much; empty: unknown
 };
 
 /// Whether the recording leaves it open which of the two it is. Where only its price sets a rival back, simplicity

@@ -27,7 +27,7 @@ struct Signals {
   Eigen::Matrix3Xd position;          ///< p_BSo_B [m]
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   bool positionKnown = true;
-  double cornerHz = 0.0;  ///< Above which noise made the accelerations useless, so that they were smoothed away; 0: nowhere
+  double keptHz = 0.0;  ///< Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
 
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
   int link = 0;
@@ -47,9 +47,6 @@ struct Signals {
   double blockRate() const { return rateHz / samplesPerBlock; }
   double duration() const { return static_cast<double>(size()) / rateHz; }
 };
-
-/// Share of Signals::cornerHz above which the smoothing takes from what moves.
-constexpr double kNearCorner = 0.85;
 
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);

@@ -33,6 +33,7 @@ MatrixXd normalised(MatrixXd features) {
 constexpr double kPlain = 60.0;     ///< Gain of a structure that nobody would call noise
 constexpr double kPlainBesideWalk = 120.0;  ///< The same where the zero walks: its fast waves are many times the noise
 constexpr double kBesideColour = 20.0;  ///< Gain of a wave in a noise that is not quite as it was learned
+constexpr double kShareOfWalk = 0.03;  ///< Of what a walk explains: what its waves leave over may go with anything by chance
 constexpr double kFaintest = 10.0;  ///< Gain below which nobody asks
 
 /// All rows and the products of each pair of them.
@@ -482,6 +483,21 @@ double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
 
 }  // namespace
 
+namespace {
+
+/// Twice the log-likelihood that the waves of a walk gain, as everything else is.
+double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
+  Wrenches without = fit.residual;
+  Eigen::Index at = kLinear;
+  for (const auto& term : fit.model.terms) {
+    if (term.form->walk) Eigen::Map<VectorXd>(without.data(), without.size()) += fit.jacobian.middleCols(at, term.v.size()) * term.v;
+    at += term.v.size();
+  }
+  return fit.noise.evidence - fitNoise(without, stretches).evidence;
+}
+
+}  // namespace
+
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const bool wanders = walks(fit.model);
@@ -523,7 +539,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   }
   // Close to the corner of the smoothing the model loses what the sensor still has.
   double fastest = 0.45 * signals.blockRate();
-  if (signals.cornerHz > 0.0) fastest = std::min(fastest, kNearCorner * signals.cornerHz);
+  if (signals.keptHz > 0.0) fastest = std::min(fastest, signals.keptHz);
   std::array<Judged, 4> waves;
   std::array<Wave, 4> which;
   onTwoThreads(waves.size(), [&](std::size_t i) {
@@ -539,7 +555,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
             waves[i].gain, waves[i].explained, frequency, frequency};
   }
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  if (wanders) best.gain -= kBesideColour;
+  if (wanders) best.gain -= kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches);
   const Swell high = swell(signals, stretches, fit.residual);
   if (high.excess > 1.0 && best.gain < kPlain)
     best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,

@@ -13,7 +13,8 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kLeastForTwicing = 17.0;  ///< [Hz] Where noise asks for a lower corner, it costs more than what the filter takes
+
+constexpr double kKept = 0.7, kKeptTwiced = 0.85;  ///< Share of the corner below which a filter of order 6, run both ways, takes less than 1.5 %
 
 /// Contiguous blocks that automatic segmentation takes for contact.
 std::vector<Stretch> contactCandidates(const Recording& recording, const Motion& motion, const Signals& signals) {
@@ -80,10 +81,25 @@ void setTouchesAside(Work& work) {
           touch.blocks.from = std::min(touch.blocks.from, n);
           touch.blocks.to = n + 1;
         }
-      lasts += to - from;
       touches.push_back(touch);
     }
   }
+  // One touch may have taken several terms.
+  constexpr double kApart = 0.3;  // [s]
+  std::sort(touches.begin(), touches.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
+  std::vector<Contact> apart;
+  for (const Contact& touch : touches) {
+    if (apart.empty() || touch.from > apart.back().to + kApart) {
+      apart.push_back(touch);
+      continue;
+    }
+    Contact& same = apart.back();
+    same.to = std::max(same.to, touch.to);
+    same.peakForce = std::max(same.peakForce, touch.peakForce);
+    same.blocks.to = std::max(same.blocks.to, touch.blocks.to);
+  }
+  touches = std::move(apart);
+  for (const Contact& touch : touches) lasts += touch.to - touch.from;
   for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
@@ -105,17 +121,17 @@ void setTouchesAside(Work& work) {
 
 }  // namespace
 
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff, bool twicing,
                   const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   MotionOptions smoothing;
   smoothing.cutoffHz = cutoff;
-  smoothing.twicing = cutoff >= kLeastForTwicing;
+  smoothing.twicing = twicing;
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
   Way out{std::move(*motion), {}, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
-  if (cutoff < kDefaultCutoffHz) signals.cornerHz = cutoff;
+  if (cutoff < kDefaultCutoffHz) signals.keptHz = (twicing ? kKeptTwiced : kKept) * cutoff;
   const double edge = std::max(0.3, 3.0 / cutoff);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
@@ -132,6 +148,8 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
                   !leftOut(t);
     if (!badRows.empty()) {
       while (row < recording.rows() && recording.time(row) < t - half) ++row;
+      const auto at = static_cast<std::size_t>(row);
+      if (row > 0 && row < recording.rows()) usable = usable && !(badRows[at - 1] && badRows[at]);  // Nothing was recorded here
       for (Eigen::Index i = row; i < recording.rows() && recording.time(i) <= t + half; ++i)
         usable = usable && !badRows[static_cast<std::size_t>(i)];
     }

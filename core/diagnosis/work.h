@@ -20,7 +20,7 @@ struct Way {
 };
 
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not judged.
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff, bool twicing,
                   const DiagnoseOptions& options, const std::vector<bool>& badRows);
 
 /// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.

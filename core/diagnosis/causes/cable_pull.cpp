@@ -30,9 +30,9 @@ class CablePull final : public Cause {
       add(0, "", head, {});
       add(1, "away from the sensor", head, place);
       out.back().scan = {0, 1, 2, 3};
-      std::vector<Parameter> three{{"stiffness_x", "N/m", 1.0, 1.0, -20.0, 400.0},
-                                   {"stiffness_y", "N/m", 1.0, 1.0, -20.0, 400.0},
-                                   {"stiffness_z", "N/m", 1.0, 1.0, -20.0, 400.0}};
+      std::vector<Parameter> three{{"stiffness_x", "N/m", 1.0, 1.0, 0.0, 400.0, true},
+                                   {"stiffness_y", "N/m", 1.0, 1.0, 0.0, 400.0, true},
+                                   {"stiffness_z", "N/m", 1.0, 1.0, 0.0, 400.0, true}};
       three.insert(three.end(), pull.begin(), pull.end());
       add(2, "different along each axis", three, place);
       out.back().scan = {0, 1, 2, 3, 4, 5};

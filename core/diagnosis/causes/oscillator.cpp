@@ -1,4 +1,5 @@
 // A mass on a spring: something loose in the tool (slow), or the mount that gives (fast).
+#include <algorithm>
 #include <array>
 
 #include "core/diagnosis/causes/causes.h"
@@ -74,13 +75,16 @@ class Oscillator : public Cause {
   }
 
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:
-  /// either looks like something that rings above.
+  /// either looks like something that rings above. What rolls to its place comes late, as do readings: those are more common.
   double doubt(const VectorXd& v, const Signals& signals) const override {
-    constexpr double kMore = 300.0;
-    return signals.cornerHz > 0.0 && v(4) > kNearCorner * signals.cornerHz ? kMore : 0.0;
+    constexpr double kMore = 300.0, kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
+    constexpr double kRolling = 20.0;
+    if (v(5) > kMostDamped) return kRolling;
+    return signals.keptHz > 0.0 ? kMore * std::clamp((v(4) / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
   }
 
  protected:
+  static constexpr double kMostDamped = 0.35;
   static constexpr int kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, 3 all ways, this without swinging
 
   static std::vector<Parameter> parameters(double lowest, double highest) {
@@ -90,7 +94,7 @@ class Oscillator : public Cause {
             {"moment_z", "kg m", 1.0, 0.003, -1.0, 1.0},
             {"frequency", "Hz", 1.0, 0.3, lowest, highest},
             // What is damped more does not swing.
-            {"damping", "", 1.0, 0.05, 0.001, 0.35}};
+            {"damping", "", 1.0, 0.05, 0.001, kMostDamped}};
   }
 
   std::vector<Form> at(std::initializer_list<double> frequencies, double lowest, double highest) const {

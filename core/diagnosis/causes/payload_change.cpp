@@ -38,14 +38,17 @@ class PayloadChange final : public Cause {
   void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const double m = v(1);
     const Vector3d h = v.segment<3>(2);
+    // What was picked up is small: its inertia is that of a point where its weight acts, h / m, as long as that is near.
+    constexpr double kFar = 0.5;  // [m]
+    const double size = m * m + h.squaredNorm() / (kFar * kFar);
+    const Vector3d place = size > 0.0 ? Vector3d(m / size * h) : Vector3d(Vector3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const double share = stepAt(signals.time(k), v(0), v(5));
       if (share <= 0.0) continue;
       const Vector3d s = kin.specificForce.col(k), o = kin.omega.col(k), a = kin.alpha.col(k);
       w.col(k).head<3>() += share * (m * s + a.cross(h) + o.cross(o.cross(h)));
       w.col(k).tail<3>() += share * h.cross(s);
-      // What was picked up is small: its inertia is that of a point where its weight acts.
-      if (std::abs(m) > 1e-4) w.col(k).tail<3>() += share * (h / m).cross(a.cross(h) + o.cross(o.cross(h)));
+      w.col(k).tail<3>() += share * place.cross(a.cross(h) + o.cross(o.cross(h)));
     }
   }
   std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals& signals) const override {

@@ -10,7 +10,7 @@ class Touch final : public Cause {
   std::string_view id() const override { return "contact"; }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
-    constexpr double kShortest = 0.15, kLongest = 2.5;
+    constexpr double kShortest = 0.08, kLongest = 2.5;
     std::vector<Form> out;
     const double from = signals.startTime + 0.5, to = signals.startTime + signals.duration() - 0.5;
     for (const double lasts : {0.5, 1.2})

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/diagnosis/named.h"
 #include "core/diagnosis/scan.h"
 #include "core/diagnosis/words.h"
 #include "tests/core/diagnosis/fixture.h"
@@ -137,21 +138,73 @@ TEST(Catalogue, ASlowlyTurnedLooseMassOnlySags) {
 
 TEST(Scan, JacobianIsTheDerivative) {
   const auto& p = prepared();
-  Model model = p.model;
-  for (const char* id : {"cable_pull", "time_offset", "gravity_tilt"}) {
-    const Form form = findCause(id)->forms(p.signals).front();
-    VectorXd v = form.start;
-    for (Eigen::Index i = 0; i < v.size(); ++i) v(i) += form.parameters[static_cast<std::size_t>(i)].size;
-    model.terms.push_back({std::make_shared<const Form>(form), v, {}});
+  struct Case {
+    std::vector<const char*> causes;
+    bool payload;  ///< Whether bias and payload move, too: a sensor with a memory is linearised without it for these
+  };
+  for (const Case& c : {Case{{"cable_pull", "time_offset", "gravity_tilt"}, true}, Case{{"cable_pull", "bias_drift", "wandering"}, true},
+                        Case{{"hysteresis", "cable_pull", "bias_drift", "wandering", "lever_arm"}, false}}) {
+    Model model = p.model;
+    for (const char* id : c.causes) {
+      const Form form = findCause(id)->forms(p.signals).front();
+      VectorXd v = form.start;
+      for (Eigen::Index i = 0; i < v.size(); ++i) v(i) += form.parameters[static_cast<std::size_t>(i)].size;
+      model.terms.push_back({std::make_shared<const Form>(form), v, {}});
+    }
+    const Linearised at = linearised(p.signals, model);
+    VectorXd step = VectorXd::Zero(model.size());
+    for (Eigen::Index i = c.payload ? 0 : kLinear; i < step.size(); ++i) step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
+    Model moved = model;
+    moved.unpack(model.packed() + step);
+    const Wrenches change = averaged(p.signals, predicted(p.signals, moved)) - at.value;
+    const VectorXd expected = at.jacobian * step;
+    EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm()) << c.causes.front();
   }
-  const Linearised at = linearised(p.signals, model);
-  VectorXd step = VectorXd::Zero(model.size());
-  for (Eigen::Index i = 0; i < step.size(); ++i) step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
-  Model moved = model;
-  moved.unpack(model.packed() + step);
-  const Wrenches change = averaged(p.signals, predicted(p.signals, moved)) - at.value;
-  const VectorXd expected = at.jacobian * step;
-  EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm());
+}
+
+/// At first all ways of being late are one.
+TEST(Catalogue, ALittleOfAnyFilterIsADelay) {
+  const auto& p = prepared();
+  const auto column = [&](const Form& form) { return MatrixXd(signatures(p.signals, p.model, form)); };
+  const MatrixXd late = column(findCause("time_offset")->forms(p.signals).front());
+  for (const auto& form : findCause("low_pass_lag")->forms(p.signals)) {
+    const MatrixXd filtered = column(form);
+    EXPECT_GT(std::abs(late.col(0).dot(filtered.col(0))) / (late.norm() * filtered.norm()), 0.999) << form.name;
+  }
+}
+
+/// Where a load of no mass becomes one, nothing jumps: the fit must be able to cross it.
+TEST(Catalogue, ALoadMayChangeItsSign) {
+  const auto& p = prepared();
+  const Form form = findCause("payload_change")->forms(p.signals).front();
+  const auto forceOf = [&](double mass) {
+    VectorXd v = form.start;
+    v.segment<4>(1) << mass, 2e-4, -3e-4, 4e-4;
+    Wrenches w = Wrenches::Zero(6, p.signals.size());
+    form.cause->force(form, v, p.signals, p.signals.kinematics, w);
+    return w;
+  };
+  const double step = 1e-5, largest = forceOf(0.0).cwiseAbs().maxCoeff();
+  for (double mass = -2e-3; mass < 2e-3; mass += step)
+    ASSERT_LT((forceOf(mass + step) - forceOf(mass)).cwiseAbs().maxCoeff(), 0.05 * largest) << mass;
+}
+
+/// What explains as much elsewhere widens what is said of a parameter.
+TEST(Described, ADeviationKnowsOfOtherAnswers) {
+  const auto& p = prepared();
+  Fit fit;
+  fit.model = p.model;
+  const Form form = findCause("time_offset")->forms(p.signals).front();
+  fit.model.terms.push_back({std::make_shared<const Form>(form), VectorXd::Constant(1, 0.01), {}});
+  fit.covariance = MatrixXd::Identity(kLinear + 1, kLinear + 1) * 1e-6;
+  const auto std = [&](const VectorXd& spread) {
+    DiagnosedCause cause;
+    cause.id = "time_offset";
+    describe(cause, fit, spread, p.signals);
+    return cause.parameters.front().std;
+  };
+  EXPECT_NEAR(std({}), 1.0, 1e-9) << "ms";
+  EXPECT_NEAR(std(VectorXd::Constant(1, 0.003)), std::sqrt(10.0), 1e-9);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "core/diagnosis/corrected.h"
 #include "tests/core/diagnosis/fixture.h"
@@ -153,6 +155,56 @@ TEST(Diagnose, WhatWasHeldIsNoContact) {
     ASSERT_EQ(report.causes.size(), 1u) << whole << ": " << said(report);
     EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
   }
+}
+
+/// Rows that were lost, up to a quarter of a second of them.
+TEST(Diagnose, WhatWasNotRecordedIsNoContact) {
+  const Recording whole = aRecording(MotionKind::excitation, 187);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < whole.rows(); ++i) {
+    const double t = whole.time(i);
+    const bool lost = (t > 3.1 && t < 3.34) || (t > 5.6 && t < 5.8) || (t > 8.02 && t < 8.2);
+    if (!lost) kept.push_back(i);
+  }
+  Recording recording = whole;
+  recording.time = whole.time(kept);
+  recording.q = MatrixXd(whole.q(kept, Eigen::all));
+  if (whole.dq.rows() > 0) recording.dq = MatrixXd(whole.dq(kept, Eigen::all));
+  recording.wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>(whole.wrench(kept, Eigen::all));
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
+}
+
+/// Waves of a zero that wanders could stand for both together, but not as well.
+TEST(Diagnose, TwoSlowCausesAreNoWalk) {
+  const auto report = diagnosed(aRecording(MotionKind::excitation, 188, {{"payload_change", "", 12.0}, {"bias_drift", "linear", 0.3}}));
+  for (const char* id : {"payload_change", "bias_drift"})
+    EXPECT_TRUE(std::ranges::any_of(report.causes, [&](const auto& c) { return c.id == id; })) << id << ": " << said(report);
+}
+
+TEST(Diagnose, ReadingsThatComeTooEarlyAreAMotionThatComesLate) {
+  const Recording on = aRecording(MotionKind::excitation, 189);
+  Recording recording = on;
+  const auto early = static_cast<Eigen::Index>(0.01 * on.rateHz());
+  for (Eigen::Index i = 0; i < on.rows(); ++i) recording.wrench.row(i) = on.wrench.row(std::min(on.rows() - 1, i + early));
+  const auto report = diagnosed(recording);
+  EXPECT_TRUE(namedFirstOrTied(report, "motion_lag")) << said(report);
+}
+
+/// An eighth of a second each, two close to each other.
+TEST(Diagnose, ShortTouchesAreContact) {
+  Recording recording = aRecording(MotionKind::excitation, 190);
+  for (const double at : {2.5, 4.4, 7.0, 7.3})
+    for (Eigen::Index i = 0; i < recording.rows(); ++i)
+      if (const double u = (recording.time(i) - at) / 0.12; u > 0.0 && u < 1.0) {
+        const double push = 0.5 * std::sin(std::numbers::pi * u);
+        recording.wrench(i, 1) += push;
+        recording.wrench(i, 3) += 0.08 * push;
+      }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "contact") << said(report);
 }
 
 /// Effects that the catalogue lacks, at sizes that a matched filter sees at 20 standard deviations.
