@@ -47,7 +47,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.cleaned = recording;
   Eigen::Index spikes = 0;
   RowFacts facts{unevenStamps(recording), flatTops(recording.wrench), {}, heldRows(recording)};
-  Unclipped clipping = unclipped(withoutSpikes(recording.wrench, spikes), facts.tops, recording.rateHz());
+  Unclipped clipping = unclipped(withoutSpikes(withoutZeros(recording), spikes), facts.tops, recording.rateHz());
   out.cleaned.wrench = std::move(clipping.wrench);
   facts.lost = std::move(clipping.lost);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;

@@ -55,6 +55,36 @@ std::vector<Held> heldRows(const Recording& recording) {
   return out;
 }
 
+std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording) {
+  constexpr Eigen::Index kFewest = 3;
+  const Eigen::Index n = recording.rows();
+  const auto zero = [&](Eigen::Index row) { return recording.wrench.row(row).isZero(0.0); };
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!zero(i)) continue;
+    const Eigen::Index from = i;
+    while (i < n && zero(i)) ++i;
+    out.emplace_back(from, i);
+    count += i - from;
+  }
+  if (count < kFewest) out.clear();
+  return out;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
+  for (const auto& [from, to] : zeroRuns(recording)) {
+    if (from == 0 || to == out.rows()) continue;
+    const double start = recording.time(from - 1), lasts = recording.time(to) - start;
+    for (Eigen::Index i = from; i < to; ++i) {
+      const double share = (recording.time(i) - start) / lasts;
+      out.row(i) = (1.0 - share) * recording.wrench.row(from - 1) + share * recording.wrench.row(to);
+    }
+  }
+  return out;
+}
+
 void bridge(Recording& recording, const std::vector<Held>& held) {
   for (const Held& rows : held) {
     // As far away as the gap is long: slopes between close rows are mostly noise.

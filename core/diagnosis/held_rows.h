@@ -1,5 +1,6 @@
 #pragma once
 // Stretches in which nothing new came from the sensor, or from anything.
+#include <utility>
 #include <vector>
 
 #include "core/recording/recording.h"
@@ -15,6 +16,13 @@ struct Held {
 /// Stretches of 15 ms and five times as long as the wrench usually repeats: it was held. A sensor that is polled slowly
 /// repeats often and briefly. None where they make up more than a quarter of the recording.
 std::vector<Held> heldRows(const Recording& recording);
+
+/// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are fewer than
+/// three such rows.
+std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording);
+
+/// The wrench with straight lines in their place.
+Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
 
 /// The motion of whole rows that were repeated put back: a cubic through two rows on either side.
 void bridge(Recording& recording, const std::vector<Held>& held);

@@ -37,7 +37,7 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
 
 std::optional<Direct> spikes(const Recording& recording) {
   Eigen::Index replaced = 0;
-  withoutSpikes(recording.wrench, replaced);
+  withoutSpikes(withoutZeros(recording), replaced);
   if (replaced < 3) return std::nullopt;
   Direct out;
   const double share = 100.0 * static_cast<double>(replaced) / static_cast<double>(recording.rows());
@@ -118,8 +118,8 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped, const s
     // held back, nearly all channels have moved on.
     if (i >= n || (recording.wrench.row(i).array() != recording.wrench.row(i - 1).array()).count() >= 4) held += i - from;
   }
-  for (Eigen::Index i = 0; i < n; ++i)
-    if ((recording.wrench.row(i).array() == 0.0).all()) ++zeros;
+  const auto blanks = zeroRuns(recording);
+  for (const auto& [from, to] : blanks) zeros += to - from;
   const double step = stamped && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i) {
     const double gap = (recording.time(i) - recording.time(i - 1)) / step;
@@ -129,17 +129,17 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped, const s
   // Coarse or smoothed readings stand still on all channels at once by chance, too.
   if (static_cast<double>(held) < 3.0 * total * repeatsByChance(recording)) held = 0;
   const double lost = static_cast<double>(held + missing) / total;
-  if (lost < 0.002 && zeros < 3) return std::nullopt;
+  if (lost < 0.002 && blanks.empty()) return std::nullopt;
   Direct out;
   out.cause = "dropouts";
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
                     {"zero", "%", 100.0 * static_cast<double>(zeros) / total, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
   out.rows.assign(static_cast<std::size_t>(n), false);
-  for (Eigen::Index i = 0; i < n; ++i)
-    out.rows[static_cast<std::size_t>(i)] = zeros >= 3 && (recording.wrench.row(i).array() == 0.0).all();
+  constexpr double kGap = 0.015, kBeside = 0.1;  // [s] Shorter ones are bridged well enough
+  for (const auto& [from, to] : blanks)
+    if (recording.time(to - 1) - recording.time(from) > kGap) std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
   // Where the motion was held, too, or nothing was recorded, its derivatives are wrong a little further.
-  constexpr double kGap = 0.015, kBeside = 0.1;  // [s]
   const auto beside = static_cast<Eigen::Index>(kBeside * recording.rateHz());
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i)
     if (recording.time(i) - recording.time(i - 1) > std::max(kGap, 3.0 * step))

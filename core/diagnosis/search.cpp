@@ -427,6 +427,17 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         growRivals(signals, stretches, bank, out.final.model, cause, now.all);
       const auto& all = now.all;
       found.spread = spreadOf(out.final.model, cause, all);
+      // What another of the named causes explains about as well needs no name of its own.
+      const auto other = std::ranges::find_if(all, [&](const Trial& t) {
+        const Form& form = *t.fit.model.terms.back().form;
+        return t.gain > found.gain - kTie && t.cause != cause && contains(rest.model, t.cause) && !form.local && !form.walk;
+      });
+      if (other != all.end() && look + 1 < kLooks) {
+        out.final = settled(signals, stretches, prunedOf(signals, stretches, other->fit, options.threshold));
+        std::erase(order, cause);
+        changed = true;
+        break;
+      }
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
         if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)

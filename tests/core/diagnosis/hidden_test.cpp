@@ -157,6 +157,19 @@ TEST(Diagnose, WhatWasHeldIsNoContact) {
   }
 }
 
+TEST(Diagnose, AFifthOfTheReadingsMayBeMissing) {
+  const auto report = diagnosed(aRecording(MotionKind::free, 191, {{"dropouts", "zeros", 20.0}}));
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
+}
+
+/// Six gains of their own explain what a gain and a crosstalk would.
+TEST(Diagnose, OneNameIsEnoughForOneCause) {
+  const auto report = diagnosed(aRecording(MotionKind::pickAndPlace, 192, {{"gain_error", "each", 12.0}}));
+  ASSERT_TRUE(namedFirstOrTied(report, "gain_error")) << said(report);
+  EXPECT_EQ(std::ranges::count_if(report.causes, [](const auto& c) { return c.id == "crosstalk"; }), 0) << said(report);
+}
+
 /// Rows that were lost, up to a quarter of a second of them.
 TEST(Diagnose, WhatWasNotRecordedIsNoContact) {
   const Recording whole = aRecording(MotionKind::excitation, 187);
