@@ -142,20 +142,18 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   return out;
 }
 
-/// Of the payload's mass, how much may swing as far as anybody knows.
-double swingingShare(const Fit& fit, const Found& found) {
-  double mass = found.spread.size() > 0 ? found.spread(0) : 0.0;
-  for (const auto& term : fit.model.terms)
-    if (term.form->cause->id() == found.cause) mass += term.v(0);
-  return mass / std::max(0.02, fit.model.x(6));
-}
-
-/// The least of all delays of the readings [s].
-double earliest(const Fit& fit) {
+/// First parameter of the terms of `cause`, together.
+double firstOf(const Fit& fit, std::string_view cause) {
   double out = 0.0;
   for (const auto& term : fit.model.terms)
-    if (term.form->cause->id() == "time_offset") out = std::min(out, term.v(0));
+    if (term.form->cause->id() == cause) out += term.v(0);
   return out;
+}
+
+/// Of the payload's mass, how much may swing as far as anybody knows.
+double swingingShare(const Fit& fit, const Found& found) {
+  const double more = found.spread.size() > 0 ? found.spread(0) : 0.0;
+  return (firstOf(fit, found.cause) + more) / std::max(0.02, fit.model.x(6));
 }
 
 /// What could be meant instead, for whoever mends the rig. `held`: readings were repeated.
@@ -169,7 +167,7 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   // A jump is a drift that took no time.
   if (found.cause == "sensor_bias") add("bias_drift");
   // No reading comes before what it is about: then the motion is late.
-  if (found.cause == "time_offset" && earliest(fit) < 0.0) add("motion_lag");
+  if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
   // What weighs as much as the tool is the tool on its mount.
   if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
   // What is held until the next reading comes late and cut down at once.

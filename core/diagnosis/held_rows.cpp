@@ -57,16 +57,12 @@ std::vector<Held> heldRows(const Recording& recording) {
 
 std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording) {
   constexpr Eigen::Index kFewest = 3;
-  const Eigen::Index n = recording.rows();
-  const auto zero = [&](Eigen::Index row) { return recording.wrench.row(row).isZero(0.0); };
   std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
   Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (!zero(i)) continue;
-    const Eigen::Index from = i;
-    while (i < n && zero(i)) ++i;
-    out.emplace_back(from, i);
-    count += i - from;
+  for (const auto& [from, to] : wrenchRuns(recording.wrench)) {
+    if (!recording.wrench.row(from).isZero(0.0)) continue;
+    out.emplace_back(from, to);
+    count += to - from;
   }
   if (count < kFewest) out.clear();
   return out;

@@ -261,12 +261,12 @@ void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, S
   const auto terms = static_cast<std::size_t>(std::ranges::count_if(model.terms, [&](const Term& t) { return causeOf(t) == cause; }));
   if (terms < 2 || all.empty()) return;
   const double best = all.front().gain;
-  std::vector<std::string> done{std::string(cause)};
+  std::vector<std::string_view> done{cause};
   for (Trial& trial : all) {
     const Form& form = *trial.fit.model.terms.back().form;
-    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, trial.cause) != done.end()) continue;
-    done.push_back(trial.cause);
-    const std::array<std::string_view, 1> same{causeOf(trial.fit.model.terms.back())};
+    const std::array<std::string_view, 1> same{form.cause->id()};
+    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end()) continue;
+    done.push_back(same[0]);
     trial = grown(signals, stretches, bank, std::move(trial), same, terms);
   }
   sortByGain(all);
