@@ -85,7 +85,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   if (std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; })) options.hidden.emplace_back("saturation");
   struct Smoothing {
     double cutoff;
-    bool twicing;
+    bool twicing;  ///< Lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the better
   };
   constexpr std::array<Smoothing, 6> kSmoothings{{{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
   constexpr double kClearly = 30.0, kSlightly = 10.0;  // Evidence for less, and among less, than the usual cutoff

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/motion/resample.h"
 #include "core/segmentation/wrench_runs.h"
 
 namespace heft::diagnosis {
@@ -18,15 +19,7 @@ bool repeats(const Series& series, Eigen::Index row) {
 template <class Series>
 void fill(Series& series, const VectorXd& time, const Held& rows, const std::array<Eigen::Index, 4>& at) {
   if (series.rows() == 0) return;
-  for (Eigen::Index i = rows.from; i < rows.to; ++i) {
-    series.row(i).setZero();
-    for (const Eigen::Index j : at) {
-      double weight = 1.0;
-      for (const Eigen::Index k : at)
-        if (k != j) weight *= (time(i) - time(k)) / (time(j) - time(k));
-      series.row(i) += weight * series.row(j);
-    }
-  }
+  for (Eigen::Index i = rows.from; i < rows.to; ++i) interpolate(at, time(i), time, series, series.row(i));
 }
 
 bool stoodStill(const Recording& recording, const Held& rows) {

@@ -13,7 +13,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-
 constexpr double kKept = 0.7, kKeptTwiced = 0.85;  ///< Share of the corner below which a filter of order 6, run both ways, takes less than 1.5 %
 
 /// Contiguous blocks that automatic segmentation takes for contact.

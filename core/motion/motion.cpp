@@ -66,7 +66,8 @@ class Smoother {
       return out;
     }
     Channels work = padded(signal, pad_);
-    Channels taken = work;
+    Channels taken;
+    if (twicing_) taken = work;
     filterForwardBackward(sections_, work);
     if (twicing_) {
       taken -= work;

@@ -1,7 +1,6 @@
 #include "core/motion/resample.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -27,19 +26,17 @@ UniformGrid gridFor(const VectorXd& time) {
   return grid;
 }
 
-namespace {
-
-/// The value at `t` by Lagrange's polynomial through four rows.
-Eigen::RowVectorXd through(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values) {
-  Eigen::RowVectorXd out = Eigen::RowVectorXd::Zero(values.cols());
+void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, Row out) {
+  out.setZero();
   for (const Eigen::Index i : rows) {
     double weight = 1.0;
     for (const Eigen::Index j : rows)
       if (j != i) weight *= (t - time(j)) / (time(i) - time(j));
     out += weight * values.row(i);
   }
-  return out;
 }
+
+namespace {
 
 /// Rows that bridge the gap which ends at row `right`: its ends, and one as far away from each as it is long, since slopes
 /// between close rows are mostly noise. None where it is too long to be bridged, or near an end of the recording.
@@ -71,7 +68,7 @@ Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<
       rows = {right - 2, right - 1, right, right + 1};
     const double u = (t - left) / (time(right) - left);
     if (rows)
-      out.row(k) = through(*rows, t, time, values);
+      interpolate(*rows, t, time, values, out.row(k));
     else
       out.row(k) = (1.0 - u) * values.row(right - 1) + u * values.row(right);
   }

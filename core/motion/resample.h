@@ -1,5 +1,7 @@
 #pragma once
 // Bringing irregular samples onto one uniform grid.
+#include <array>
+
 #include "core/motion/low_pass.h"
 
 namespace heft {
@@ -13,6 +15,12 @@ struct UniformGrid {
 
 /// The grid with the median time step that spans `time` (strictly rising, at least two samples).
 UniformGrid gridFor(const VectorXd& time);
+
+/// A row of a matrix of any order.
+using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
+
+/// `out` becomes the value at `t` by Lagrange's polynomial through four `rows` of `values`; it may be another of their rows.
+void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, Row out);
 
 /// Values on the grid: cubic Lagrange interpolation through the four nearest samples; across a gap of more than three steps
 /// through its ends and one sample as far beyond each as it is long. Linear where `linear` is set, where such a gap lasts more
