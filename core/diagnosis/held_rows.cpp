@@ -48,6 +48,26 @@ std::vector<Held> heldRows(const Recording& recording) {
   return out;
 }
 
+std::vector<std::pair<Eigen::Index, Eigen::Index>> staleRuns(const Recording& recording) {
+  const auto runs = wrenchRuns(recording.wrench);
+  Vector6d still = Vector6d::Zero();
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
+  Eigen::Index stale = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto& [from, to] = runs[k];
+    const bool last = k + 1 == runs.size();
+    const Vector6d moved = last ? Vector6d::Ones() : (recording.wrench.row(to).array() != recording.wrench.row(from).array()).cast<double>().matrix().transpose().eval();
+    if (!last) still += Vector6d::Ones() - moved;
+    if (to - from < 2 || moved.sum() < 4.0) continue;
+    out.emplace_back(from + 1, to);
+    stale += to - from - 1;
+  }
+  // Coarse or smoothed readings stand still on all channels at once by chance, too.
+  const double byChance = (still / std::max(1.0, static_cast<double>(runs.size()) - 1.0)).prod();
+  if (static_cast<double>(stale) < 3.0 * static_cast<double>(recording.rows()) * byChance) out.clear();
+  return out;
+}
+
 std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording) {
   constexpr Eigen::Index kFewest = 3;
   std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
@@ -61,16 +81,20 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& rec
   return out;
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording) {
-  Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
-  for (const auto& [from, to] : zeroRuns(recording)) {
-    if (from == 0 || to == out.rows()) continue;
-    const double start = recording.time(from - 1), lasts = recording.time(to) - start;
+void straightOver(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+  for (const auto& [from, to] : runs) {
+    if (from == 0 || to == wrench.rows()) continue;
+    const double start = time(from - 1), lasts = time(to) - start;
     for (Eigen::Index i = from; i < to; ++i) {
-      const double share = (recording.time(i) - start) / lasts;
-      out.row(i) = (1.0 - share) * recording.wrench.row(from - 1) + share * recording.wrench.row(to);
+      const double share = (time(i) - start) / lasts;
+      wrench.row(i) = (1.0 - share) * wrench.row(from - 1) + share * wrench.row(to);
     }
   }
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
+  straightOver(zeroRuns(recording), recording.time, out);
   return out;
 }
 

@@ -17,11 +17,19 @@ struct Held {
 /// repeats often and briefly. None where they make up more than a quarter of the recording.
 std::vector<Held> heldRows(const Recording& recording);
 
+/// Runs of rows [from, to) that repeat the reading before them, which was held back: nearly all channels have moved on when
+/// the next one comes. A smooth signal in coarse steps repeats, too, but goes on by a step in one channel or two. None if
+/// channels that stand still independently of each other would make a third as many.
+std::vector<std::pair<Eigen::Index, Eigen::Index>> staleRuns(const Recording& recording);
+
 /// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are fewer than
 /// three such rows.
 std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording);
 
-/// The wrench with straight lines in their place.
+/// Straight lines from the row before each run to the row behind it.
+void straightOver(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);
+
+/// The wrench with straight lines in place of zeros.
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
 
 /// The motion of whole rows that were repeated put back: a cubic through two rows on either side.

@@ -90,34 +90,12 @@ Direct jitter(const UnevenStamps& stamps) {
   return out;
 }
 
-/// Share of rows that would repeat the one before if the channels stood still independently of each other.
-double repeatsByChance(const Recording& recording) {
-  Vector6d still = Vector6d::Zero();
-  double fresh = 0.0;
-  for (Eigen::Index i = 1; i < recording.rows(); ++i) {
-    if (sameRow(recording, i)) continue;
-    fresh += 1.0;
-    for (Eigen::Index c = 0; c < 6; ++c) still(c) += recording.wrench(i, c) == recording.wrench(i - 1, c) ? 1.0 : 0.0;
-  }
-  return (still / std::max(1.0, fresh)).prod();
-}
-
 /// Readings that were held, zeroed or left out. `stamped`: the stamps tell how long a step took. Rows of `heldRuns` are not to
 /// be trusted.
 std::optional<Direct> dropouts(const Recording& recording, bool stamped, const std::vector<Held>& heldRuns) {
   const Eigen::Index n = recording.rows();
   Eigen::Index held = 0, zeros = 0, missing = 0;
-  for (Eigen::Index i = 1; i < n;) {
-    if (!sameRow(recording, i)) {
-      ++i;
-      continue;
-    }
-    const Eigen::Index from = i;
-    while (i < n && sameRow(recording, i)) ++i;
-    // A smooth signal in coarse steps repeats, too, but then goes on by a step in one channel or two; where readings were
-    // held back, nearly all channels have moved on.
-    if (i >= n || (recording.wrench.row(i).array() != recording.wrench.row(i - 1).array()).count() >= 4) held += i - from;
-  }
+  for (const auto& [from, to] : staleRuns(recording)) held += to - from;
   const auto blanks = zeroRuns(recording);
   for (const auto& [from, to] : blanks) zeros += to - from;
   const double step = stamped && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
@@ -126,8 +104,6 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped, const s
     if (gap > 1.7) missing += static_cast<Eigen::Index>(std::lround(gap)) - 1;
   }
   const double total = static_cast<double>(n);
-  // Coarse or smoothed readings stand still on all channels at once by chance, too.
-  if (static_cast<double>(held) < 3.0 * total * repeatsByChance(recording)) held = 0;
   const double lost = static_cast<double>(held + missing) / total;
   if (lost < 0.002 && blanks.empty()) return std::nullopt;
   Direct out;
