@@ -14,37 +14,42 @@ class Hysteresis final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
-    for (const int percent : {5, 20, 60}) {
-      std::vector<Parameter> parameters;
-      for (int c = 0; c < 6; ++c) parameters.push_back({channelName(c), "%", 100.0, 0.01, -0.3, 0.3});
-      out.push_back(formOf(this, fmt::format("play of {} % of the range", percent), parameters));
+    std::vector<Parameter> each;
+    for (int c = 0; c < 6; ++c) each.push_back({channelName(c), "%", 100.0, 0.01, -0.3, 0.3});
+    const auto add = [&](std::string name, int percent, Kind kind) {
+      out.push_back(formOf(this, fmt::format(fmt::runtime(name), percent), each));
       out.back().subset = true;
-      out.back().choice = {percent};
-    }
+      out.back().choice = {percent, kind};
+      // The same gauges, so often the same share on all channels.
+      out.push_back(formOf(this, out.back().name + ", alike on all channels", {{"all", "%", 100.0, 0.01, -0.3, 0.3}}));
+      out.back().choice = {percent, kind, kAlike};
+    };
+    for (const int percent : {5, 20, 60}) add("play of {} % of the range", percent, kPlay);
     // What remembers through many small plays: bristles that bend over a way of the load.
-    for (const int percent : {15, 40}) {
-      Form form = out.front();
-      form.name = fmt::format("bristles over {} % of the range", percent);
-      form.choice = {percent, 1};
-      out.push_back(std::move(form));
-    }
+    for (const int percent : {15, 40}) add("bristles over {} % of the range", percent, kBristles);
     return out;
   }
   int order() const override { return 50; }
   bool changesSensor() const override { return true; }
   bool linear() const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
+    const bool alike = form.choice.size() > 2;
+    Vector6d range = w.rowwise().maxCoeff() - w.rowwise().minCoeff();
+    if (alike)
+      for (const int first : {0, 3}) range.segment<3>(first).setConstant(range.segment<3>(first).maxCoeff());
     for (Eigen::Index c = 0; c < 6; ++c) {
-      if (v(c) == 0.0) continue;
-      const double r = 0.005 * form.choice[0] * (w.row(c).maxCoeff() - w.row(c).minCoeff());
-      if (form.choice.size() > 1)
-        bristles(v(c), std::max(2.0 * r, 1e-9), w.row(c));
+      const double share = v(alike ? 0 : c);
+      if (share == 0.0) continue;
+      const double r = 0.005 * form.choice[0] * range(c);
+      if (form.choice[1] == kBristles)
+        bristles(share, std::max(2.0 * r, 1e-9), w.row(c));
       else
-        play(v(c), r, w.row(c));
+        play(share, r, w.row(c));
     }
   }
 
  private:
+  enum Kind { kPlay, kBristles, kAlike };
   using Channel = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
   /// Each bends with the load and slips as soon as it is bent all the way, which takes `reach`.
