@@ -54,9 +54,9 @@ class Cause {
   virtual void geometry(const Form&, const VectorXd&, const Signals&, Kinematics&) const {}
   /// Adds forces that act on the tool.
   virtual void force(const Form&, const VectorXd&, const Signals&, const Kinematics&, Wrenches&) const {}
-  /// Changes the wrench on its way through the sensor: a linear map unless linear() is false.
+  /// Changes the wrench on its way through the sensor: a linear map unless linear() is false for the form.
   virtual void sensor(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
-  virtual bool linear() const { return true; }
+  virtual bool linear(const Form&) const { return true; }
   /// Adds to the sensor's readings.
   virtual void readings(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
   virtual bool bendsGeometry() const { return false; }

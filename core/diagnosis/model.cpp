@@ -29,7 +29,7 @@ Kinematics bent(const Signals& signals, const Order& terms) {
 /// What the sensor makes of its load. `linearOnly`: what it makes of something added to the load.
 void throughSensor(const Signals& signals, const Order& terms, Wrenches& w, bool linearOnly) {
   for (const Term* t : terms)
-    if (!linearOnly || t->form->cause->linear()) t->form->cause->sensor(*t->form, t->v, signals, w);
+    if (!linearOnly || t->form->cause->linear(*t->form)) t->form->cause->sensor(*t->form, t->v, signals, w);
 }
 
 /// What the sensor carries.
@@ -108,7 +108,7 @@ class Moving {
  public:
   Moving(const Signals& signals, const Model& model, const Kinematics& kinematics, const Wrenches& load, const Wrenches& told)
       : signals_(signals), model_(model), kinematics_(kinematics), load_(load), told_(told) {
-    linear_ = std::ranges::all_of(model.terms, [](const Term& t) { return t.form->cause->linear(); });
+    linear_ = std::ranges::all_of(model.terms, [](const Term& t) { return t.form->cause->linear(*t.form); });
   }
 
   /// Columns of the term's parameters in `jacobian` from column `at` on; those that do not move stay as they are.
@@ -189,7 +189,7 @@ Linearised linearised(const Signals& signals, const Model& model) {
   for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
   const bool throughChanges = std::ranges::any_of(terms, [](const Term* t) {
     const Cause& cause = *t->form->cause;
-    return cause.changesSensor() && cause.linear();
+    return cause.changesSensor() && cause.linear(*t->form);
   });
   if (throughChanges) {
     for (int j = 0; j < 10; ++j) {

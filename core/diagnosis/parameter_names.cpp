@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 25> kNames = {{
+constexpr std::array<Name, 27> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"lag", heft::toSay("Delay of the motion t")},
     {"time_constant", heft::toSay("Time constant T")},
@@ -41,6 +41,8 @@ constexpr std::array<Name, 25> kNames = {{
     {"zero", heft::toSay("Readings that are zero")},
     {"missing", heft::toSay("Readings that are missing")},
     {"peak_force", heft::toSay("Greatest force F")},
+    {"memory", heft::toSay("Share of the load that is remembered")},
+    {"turning_way", heft::toSay("Way back until it is forgotten, of the load's range")},
     {"step_force", heft::toSay("Step of the force readings")},
 }};
 
@@ -78,6 +80,8 @@ std::string wordsOf(std::string_view name) {
   if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1))) return heft::say("Shifted along {}", name.substr(1));
   if (name.starts_with("gain_"))
     if (const auto channel = channelOf(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
+  if (name.starts_with("asymmetry_"))
+    if (const auto channel = channelOf(name.substr(10))) return heft::say("Gain of {}, more to one side", channelWords(*channel));
   if (name.starts_with("loss_"))
     if (const auto channel = channelOf(name.substr(5))) return heft::say("Missing near the end of the range, {}", channelWords(*channel));
   if (name.starts_with("knee_"))

@@ -161,7 +161,7 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   // What a saturated sensor or one with a memory makes of a sum is linearised without these two.
   const bool plain = std::none_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
     const Cause& cause = *term.form->cause;
-    return cause.bendsGeometry() || (cause.changesSensor() && cause.linear());
+    return cause.bendsGeometry() || (cause.changesSensor() && cause.linear(*term.form));
   });
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < plain_.size(); ++i)

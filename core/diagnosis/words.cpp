@@ -206,7 +206,7 @@ struct Values {
     const CauseParameter* best = nullptr;
     double most = -1.0;
     for (const auto& p : cause.parameters) {
-      if (p.name.starts_with("time")) continue;
+      if (p.name.starts_with("time") || p.name.starts_with("turning_way")) continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {
         most = z;
@@ -271,6 +271,18 @@ std::string cableSentence(const Values& v) {
   return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.", number(most, 1));
 }
 
+/// A gain that depends on the sign of the load; empty if the strongest one does not.
+std::string sidesSentence(const Values& v) {
+  const std::string& name = v.strongest()->name;
+  const std::string channel = name.substr(name.find('_') + 1);
+  const CauseParameter* asymmetry = v.find("asymmetry_" + channel);
+  if (asymmetry == nullptr) return {};
+  const CauseParameter* gain = v.find("gain_" + channel);
+  const double both = gain != nullptr ? gain->value : 0.0;
+  return heft::say("The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.", channelWords(channelOf(channel)),
+                   both + asymmetry->value, both - asymmetry->value);
+}
+
 /// Of those causes that change a reading: one parameter says which and how much.
 std::string readingSentence(const std::string& id, const CauseParameter& p) {
   if (id == "gain_error") {
@@ -287,7 +299,7 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
     return heft::say("Joint {} is really {} degrees away from what was recorded.", p.name.substr(1, 1),
                      plusMinus(std::abs(p.value), p.std));
   return heft::say("The sensor remembers {} of its load: it reads differently going up and coming down.",
-                   parameterWords(p));
+                   p.name.starts_with("memory") ? fmt::format("{} %", plusMinus(std::abs(p.value), p.std)) : parameterWords(p));
 }
 
 std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mistake) {
@@ -311,6 +323,8 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "gravity_tilt")
     return heft::say("The robot's base is tilted by {} degrees against the stated gravity.",
                      v.norm({"tilt_x", "tilt_y"}));
+  if (id == "gain_error" && v.strongest())
+    if (const auto sides = sidesSentence(v); !sides.empty()) return sides;
   if (id == "gain_error" || id == "crosstalk" || id == "joint_offset" || id == "hysteresis")
     return v.strongest() ? readingSentence(id, *v.strongest()) : std::string();
   if (id == "cable_pull") return cableSentence(v);

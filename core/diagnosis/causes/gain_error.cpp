@@ -1,4 +1,4 @@
-// One channel of the sensor reads too much or too little.
+// One channel of the sensor reads too much or too little: either way, or more to one side and less to the other.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -13,15 +13,30 @@ class GainError final : public Cause {
     std::vector<Form> out;
     for (int c = 0; c < 6; ++c) {
       out.push_back(formOf(this, channelName(c), {{fmt::format("gain_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7}}));
-      out.back().choice = {c};
+      out.back().choice = {c, kBothSides};
+    }
+    for (int c = 0; c < 6; ++c) {
+      out.push_back(formOf(this, fmt::format("{} by its sign", channelName(c)),
+                           {{fmt::format("gain_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7},
+                            {fmt::format("asymmetry_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7}}));
+      out.back().subset = true;  // A load that pushes one way only does not tell the two apart.
+      out.back().choice = {c, kBySign};
     }
     return out;
   }
   int order() const override { return 30; }
   bool changesSensor() const override { return true; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
-    w.row(form.choice[0]) *= 1.0 + v(0);
+    auto row = w.row(form.choice[0]);
+    if (form.choice[1] == kBySign)
+      row += v(0) * row + v(1) * row.cwiseAbs();
+    else
+      row *= 1.0 + v(0);
   }
+  bool linear(const Form& form) const override { return form.choice[1] == kBothSides; }
+
+ private:
+  enum Kind { kBothSides, kBySign };
 };
 
 }  // namespace

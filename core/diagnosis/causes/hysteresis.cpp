@@ -21,7 +21,10 @@ class Hysteresis final : public Cause {
       out.back().subset = true;
       out.back().choice = {percent, kind};
       // The same gauges, so often the same share on all channels.
-      out.push_back(formOf(this, out.back().name + ", alike on all channels", {{"all", "%", 100.0, 0.01, -0.3, 0.3}}));
+      out.push_back(formOf(this, out.back().name + ", alike on all channels",
+                           {{"memory", "%", 100.0, 0.01, -0.3, 0.3}, {"turning_way", "%", 100.0, 0.05, 0.01, 3.0}}));
+      out.back().start(1) = 0.01 * percent;
+      out.back().scan = {0};
       out.back().choice = {percent, kind, kAlike};
     };
     for (const int percent : {5, 20, 60}) add("play of {} % of the range", percent, kPlay);
@@ -31,7 +34,7 @@ class Hysteresis final : public Cause {
   }
   int order() const override { return 50; }
   bool changesSensor() const override { return true; }
-  bool linear() const override { return false; }
+  bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     const bool alike = form.choice.size() > 2;
     Vector6d range = w.rowwise().maxCoeff() - w.rowwise().minCoeff();
@@ -40,7 +43,7 @@ class Hysteresis final : public Cause {
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double share = v(alike ? 0 : c);
       if (share == 0.0) continue;
-      const double r = 0.005 * form.choice[0] * range(c);
+      const double r = 0.5 * (alike ? v(1) : 0.01 * form.choice[0]) * range(c);
       if (form.choice[1] == kBristles)
         bristles(share, std::max(2.0 * r, 1e-9), w.row(c));
       else

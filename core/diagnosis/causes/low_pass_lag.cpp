@@ -1,4 +1,4 @@
-// A low-pass filter inside the sensor or its driver: T y' + y = w, once or twice, or the mean since a while ago.
+// A low-pass filter inside the sensor or its driver: T y' + y = w, T / 2 twice, or the mean over the last 2 T: by T late, all.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +41,7 @@ class LowPassLag final : public Cause {
       if (v(0) > 1e-6) w = meanSince(w, v(0), signals.rateHz);
       return;
     }
-    for (int stage = 0; v(0) > 1e-6 && stage < form.choice[0]; ++stage) w = onePole(w, v(0), signals.rateHz);
+    for (int stage = 0; v(0) > 1e-6 && stage < form.choice[0]; ++stage) w = onePole(w, v(0) / form.choice[0], signals.rateHz);
   }
 
  private:

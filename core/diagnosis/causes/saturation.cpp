@@ -25,7 +25,7 @@ class Saturation final : public Cause {
   }
   int order() const override { return 45; }
   bool changesSensor() const override { return true; }
-  bool linear() const override { return false; }
+  bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     auto channel = w.row(form.choice[0]);
     const double end = form.choice[1], range = channel.maxCoeff() - channel.minCoeff();
