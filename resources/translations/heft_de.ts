@@ -6402,6 +6402,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Where the corrected meta file is used, estimate once more with it.</source>
         <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
+    <message>
+        <source>Share of the load that is remembered</source>
+        <translation>Anteil der Last, der gemerkt wird</translation>
+    </message>
+    <message>
+        <source>Way back until it is forgotten, of the load&apos;s range</source>
+        <translation>Rückweg, bis er vergessen ist, vom Bereich der Last</translation>
+    </message>
+    <message>
+        <source>Gain of {}, more to one side</source>
+        <translation>Verstärkung von {}, zu einer Seite mehr</translation>
+    </message>
+    <message>
+        <source>The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.</source>
+        <translation>Der Kanal {} liegt zur einen Seite um {:+.1f} % daneben und zur anderen um {:+.1f} %.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -27,7 +27,8 @@ std::map<std::string, double> expected(const EffectTruth& hidden) {
     for (std::size_t i = 0; i < 3; ++i) out[std::string(stem) + xyz[i]] = scale * number(hidden, name, i);
   };
   if (kind == "time_offset/constant") out["delay"] = 1e3 * number(hidden, "delay_s");
-  if (kind == "low_pass_lag/one-pole") out["time_constant"] = 1e3 * number(hidden, "lag_s");
+  if (hidden.id == "hysteresis") out["memory"] = -100.0 * number(hidden, "share");
+  if (hidden.id == "low_pass_lag") out["time_constant"] = 1e3 * number(hidden, "lag_s");
   if (hidden.id == "motion_lag") out["lag"] = 1e3 * number(hidden, "lag_s");
   if (kind == "derivative_noise/scaled") out["loss"] = 100.0 * number(hidden, "share");
   if (kind == "gravity_tilt/tilt") vector("tilt_", "axis_b", kDegrees * number(hidden, "angle_rad"));

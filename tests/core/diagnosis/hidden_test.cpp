@@ -171,6 +171,42 @@ TEST(Diagnose, OneNameIsEnoughForOneCause) {
 }
 
 /// Rows that were lost, up to a quarter of a second of them.
+/// A reading that is held grows old, but only until the next one comes: neither a delay nor a smoothing of the rest.
+TEST(Diagnose, WhatWasHeldBrieflyIsNotLate) {
+  for (const auto motion : {MotionKind::pickAndPlace, MotionKind::excitation}) {
+    const auto report = diagnosed(aRecording(motion, 245, {{"dropouts", "", 20.0}}));
+    ASSERT_FALSE(report.causes.empty());
+    EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
+    for (const auto& cause : report.causes) EXPECT_TRUE(cause.id == "dropouts" || cause.id == "contact") << said(report);
+  }
+  const auto polled = diagnosed(aRecording(MotionKind::excitation, 246, {{"repeats", "polling", 90.0}}));
+  for (const auto& cause : polled.causes) EXPECT_EQ(cause.id, "dropouts") << said(polled);
+  // A delay of the fresh readings is still seen.
+  const auto late = diagnosed(aRecording(MotionKind::excitation, 247, {{"dropouts", "", 20.0}, {"time_offset", "", 8.0}}));
+  const auto delay = std::ranges::find_if(late.causes, [](const auto& c) { return c.id == "time_offset" || c.id == "low_pass_lag"; });
+  ASSERT_NE(delay, late.causes.end()) << said(late);
+  EXPECT_NEAR(delay->parameters.front().value, 8.0, 4.0 * delay->parameters.front().std) << said(late);
+}
+
+/// Whatever the filter, its time constant is how late it makes the readings; and the memory of a sensor is the share it forgets late.
+TEST(Diagnose, NumbersMeanTheSameInEveryForm) {
+  struct Case {
+    EffectRequest effect;
+    const char* parameter;
+    double value;
+  };
+  for (const Case& c : {Case{{"low_pass_lag", "one-pole", 15.0}, "time_constant", 15.0}, Case{{"low_pass_lag", "average", 15.0}, "time_constant", 15.0},
+                        Case{{"low_pass_lag", "second-order", 15.0}, "time_constant", 15.0}, Case{{"hysteresis", "", 3.0}, "memory", -3.0}}) {
+    const auto report = diagnosed(aRecording(MotionKind::excitation, 248, {c.effect}));
+    ASSERT_FALSE(report.causes.empty());
+    const auto& found = report.causes.front();
+    EXPECT_EQ(found.id, c.effect.id) << c.effect.form << ": " << said(report);
+    const auto number = std::ranges::find_if(found.parameters, [&](const auto& p) { return p.name == c.parameter; });
+    ASSERT_NE(number, found.parameters.end()) << said(report);
+    EXPECT_NEAR(number->value, c.value, 4.0 * number->std) << c.effect.form << ": " << said(report);
+  }
+}
+
 TEST(Diagnose, WhatWasNotRecordedIsNoContact) {
   const Recording whole = aRecording(MotionKind::excitation, 187);
   std::vector<Eigen::Index> kept;
