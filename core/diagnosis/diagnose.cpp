@@ -51,7 +51,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.cleaned.wrench = std::move(clipping.wrench);
   facts.lost = std::move(clipping.lost);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
-  straightOver(staleRuns(recording), out.cleaned.time, out.cleaned.wrench);
+  refresh(out.cleaned, recording);
   bridge(out.cleaned, facts.held);
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;

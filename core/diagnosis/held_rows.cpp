@@ -22,6 +22,18 @@ void fill(Series& series, const VectorXd& time, const Held& rows, const std::arr
   for (Eigen::Index i = rows.from; i < rows.to; ++i) interpolate(at, time(i), time, series, series.row(i));
 }
 
+/// Straight lines from the row before each run to the row behind it.
+void straightOver(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+  for (const auto& [from, to] : runs) {
+    if (from == 0 || to == wrench.rows()) continue;
+    const double start = time(from - 1), lasts = time(to) - start;
+    for (Eigen::Index i = from; i < to; ++i) {
+      const double share = (time(i) - start) / lasts;
+      wrench.row(i) = (1.0 - share) * wrench.row(from - 1) + share * wrench.row(to);
+    }
+  }
+}
+
 bool stoodStill(const Recording& recording, const Held& rows) {
   for (Eigen::Index i = rows.from; i < rows.to; ++i)
     if (!repeats(recording.q, i) || !repeats(recording.position, i) || !repeats(recording.quaternion, i)) return false;
@@ -81,21 +93,16 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& rec
   return out;
 }
 
-void straightOver(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
-  for (const auto& [from, to] : runs) {
-    if (from == 0 || to == wrench.rows()) continue;
-    const double start = time(from - 1), lasts = time(to) - start;
-    for (Eigen::Index i = from; i < to; ++i) {
-      const double share = (time(i) - start) / lasts;
-      wrench.row(i) = (1.0 - share) * wrench.row(from - 1) + share * wrench.row(to);
-    }
-  }
-}
-
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
   straightOver(zeroRuns(recording), recording.time, out);
   return out;
+}
+
+void refresh(Recording& cleaned, const Recording& recording) {
+  auto runs = staleRuns(recording);
+  std::erase_if(runs, [&](const auto& run) { return stoodStill(recording, {run.first, run.second}); });
+  straightOver(runs, cleaned.time, cleaned.wrench);
 }
 
 void bridge(Recording& recording, const std::vector<Held>& held) {

@@ -26,11 +26,12 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> staleRuns(const Recording& re
 /// three such rows.
 std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording);
 
-/// Straight lines from the row before each run to the row behind it.
-void straightOver(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);
-
-/// The wrench with straight lines in place of zeros.
+/// The wrench with straight lines in their place.
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
+
+/// Straight lines from one fresh reading to the next in `cleaned`, where the readings of `recording` are stale. Not where the
+/// motion was held with them: then both are equally old.
+void refresh(Recording& cleaned, const Recording& recording);
 
 /// The motion of whole rows that were repeated put back: a cubic through two rows on either side.
 void bridge(Recording& recording, const std::vector<Held>& held);

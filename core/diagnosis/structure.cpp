@@ -10,6 +10,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/periodogram.h"
+#include "core/diagnosis/rhythms.h"
 #include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
@@ -118,16 +119,6 @@ std::vector<Group> groups(const Signals& signals) {
   return out;
 }
 
-/// Columns (6N x 6F) of features of blocks, F x N: a channel's features in its own rows only.
-MatrixXd onEachChannel(const MatrixXd& features) {
-  const Eigen::Index count = features.rows(), blocks = features.cols();
-  MatrixXd columns = MatrixXd::Zero(6 * blocks, 6 * count);
-  for (Eigen::Index c = 0; c < 6; ++c)
-    for (Eigen::Index f = 0; f < count; ++f)
-      for (Eigen::Index n = 0; n < blocks; ++n) columns(6 * n + c, c * count + f) = features(f, n);
-  return columns;
-}
-
 /// A group's features, averaged, on each of the six channels.
 MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
   const Eigen::Index blocks = signals.blocks();
@@ -135,233 +126,6 @@ MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
   const int m = signals.samplesPerBlock;
   for (Eigen::Index n = 0; n < blocks; ++n) averagedFeatures.col(n) = features.middleCols(n * m, m).rowwise().mean();
   return onEachChannel(normalised(averagedFeatures));
-}
-
-struct Judged {
-  double gain = 0.0, explained = 0.0;
-};
-
-Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
-
-/// The residual under one noise, and what the fit could do about it.
-struct Ground {
-  const std::vector<Stretch>& stretches;
-  const Fit& fit;
-  Noise noise;
-  bool learnsAgain;  ///< The noise is no more than a weighting; gains are counted with noise refitted to what is left.
-  MatrixXd basis;
-  VectorXd r;        ///< Whitened residual, freed of what the fit can do
-  double energy = 1.0;
-
-  double before;     ///< Evidence of the residual as it is
-
-  Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)
-      : stretches(where), fit(what), noise(with), learnsAgain(refits), before(what.noise.evidence) {
-    Fit weighted;
-    weighted.noise = noise;
-    weighted.jacobian = fit.jacobian;
-    basis = explainedSpace(weighted, stretches);
-    take(whitened(flat(fit.residual), noise, stretches));
-  }
-
-  /// The same with another residual in its place, of the same noise.
-  Ground(const Ground& other, const Wrenches& residual) : Ground(other) {
-    before = fitNoise(residual, stretches).evidence;
-    take(whitened(flat(residual), noise, stretches));
-  }
-
-  /// Evidence of `left` (whitened) with the noise learned from it, over what it was.
-  double evidence(const VectorXd& left) const {
-    Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
-    for (Eigen::Index c = 0; c < 6; ++c) residual.row(c) *= noise.channels[static_cast<std::size_t>(c)].sigma;
-    return fitNoise(residual, stretches).evidence - before;
-  }
-
-  /// Whitened columns without what the fit can do.
-  MatrixXd freed(const MatrixXd& columns) const {
-    MatrixXd C = whitened(columns, noise, stretches);
-    C -= basis * (basis.transpose() * C);
-    return C;
-  }
-
- private:
-  void take(const MatrixXd& innovations) {
-    r = innovations;
-    energy = std::max(1.0, r.squaredNorm());
-    r -= basis * (basis.transpose() * r);
-  }
-};
-
-constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
-
-/// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many times,
-/// otherwise each as it is needed.
-class Dictionary {
- public:
-  explicit Dictionary(MatrixXd columns, bool askedOften = false)
-      : C(std::move(columns)), squares(C.colwise().squaredNorm().transpose()) {
-    if (!askedOften && C.cols() > kFew) return;
-    products_ = MatrixXd::Zero(C.cols(), C.cols());
-    products_.selfadjointView<Eigen::Lower>().rankUpdate(C.transpose());
-    products_.triangularView<Eigen::StrictlyUpper>() = products_.transpose();
-    if (C.cols() > kFew) return;
-    scale_ = squares.cwiseSqrt().cwiseMax(1e-9).cwiseInverse();
-    MatrixXd unit = scale_.asDiagonal() * products_ * scale_.asDiagonal();
-    unit.diagonal().array() += 1e-6;
-    together_.compute(unit);
-  }
-
-  VectorXd productsWith(Eigen::Index i) const { return products_.size() > 0 ? VectorXd(products_.col(i)) : VectorXd(C.transpose() * C.col(i)); }
-  /// What all columns together, at most kFew, make of `r`.
-  VectorXd likeness(const VectorXd& r) const {
-    return C * (scale_.asDiagonal() * together_.solve(scale_.asDiagonal() * (C.transpose() * r)));
-  }
-
-  MatrixXd C;
-  VectorXd squares;
-
- private:
-  MatrixXd products_;
-  VectorXd scale_;
-  Eigen::LDLT<MatrixXd> together_;
-};
-
-/// All columns at once: a little of everything is cheaper so than piece by piece. `tries`: of how many such sets this is
-/// the best.
-Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries) {
-  const VectorXd left = ground.r - of.likeness(ground.r);
-  const double explained = ground.r.squaredNorm() - left.squaredNorm();
-  const double gain = ground.learnsAgain ? ground.evidence(left) : explained;
-  const double price = priceOf(gain, static_cast<double>((of.squares.array() > 1e-12).count()), lnN);
-  return {gain - price - 2.0 * std::log(2.0 * tries), explained / ground.energy};
-}
-
-/// Forward selection: the column that explains most, as long as it pays for itself and for the choice. What is chosen is
-/// made orthogonal to what was chosen before (Chen, Billings and Luo 1989), by products alone.
-Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
-  constexpr double kLeast = 1e-12;  // Squared length below which a column says nothing new
-  Judged out;
-  VectorXd g = of.C.transpose() * ground.r, squares = of.squares, left = ground.r;
-  const double choice = 2.0 * std::log(2.0 * static_cast<double>(of.C.cols()));
-  double price = 0.0, explained = 0.0, gain = 0.0;
-  std::vector<VectorXd> chosen, shares;  // Unit columns, and what each column has of them
-  int idle = 0;
-  for (int step = 0; step < 12 && idle < 3; ++step) {
-    Eigen::Index best = -1;
-    double most = 0.0;
-    for (Eigen::Index i = 0; i < squares.size(); ++i) {
-      if (squares(i) < kLeast) continue;
-      const double z2 = g(i) * g(i) / squares(i);
-      if (z2 > most) {
-        most = z2;
-        best = i;
-      }
-    }
-    if (best < 0 || most < lnN + choice) break;
-    price += lnN + choice;
-    explained += most;
-    VectorXd unit = of.C.col(best), share = of.productsWith(best);
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      unit -= shares[k](best) * chosen[k];
-      share -= shares[k](best) * shares[k];
-    }
-    const double length = std::sqrt(squares(best)), along = g(best) / length;
-    unit /= length;
-    share /= length;
-    left -= along * unit;
-    g -= along * share;
-    squares -= share.cwiseAbs2();
-    squares(best) = 0.0;
-    chosen.push_back(std::move(unit));
-    shares.push_back(std::move(share));
-    gain = (ground.learnsAgain ? ground.evidence(left) : explained) - price;
-    ++idle;
-    if (gain <= out.gain) continue;
-    out = {gain, explained / ground.energy};
-    idle = 0;
-  }
-  return out;
-}
-
-Judged judge(const Dictionary& of, const Ground& ground, double lnN) {
-  Judged out = judgeBest(of, ground, lnN);
-  if (of.C.cols() > kFew) return out;
-  const Judged all = judgeAll(of, ground, lnN, 1.0);
-  return all.gain > out.gain ? all : out;
-}
-
-/// A wave in something that grows, such as time or an angle.
-struct Wave {
-  std::size_t of = 0;     ///< Which angle
-  double multiple = 0.0;  ///< Of it
-};
-
-/// Its sine and cosine, 2 x N.
-MatrixXd courseOf(const VectorXd& angle, double multiple) {
-  MatrixXd out(2, angle.size());
-  out.row(0) = (multiple * angle.array()).sin().matrix().transpose();
-  out.row(1) = (multiple * angle.array()).cos().matrix().transpose();
-  return out;
-}
-
-/// The best of `candidates`, waves of `angles` (each N), in all channels together, and others beside it while they pay.
-Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, const Ground& ground, double lnN,
-                  Wave& first) {
-  Judged out;
-  out.gain = -1e300;
-  if (candidates.empty()) return out;
-  const Eigen::Index blocks = angles.front().size();
-  std::vector<double> power(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const MatrixXd course = courseOf(angles[candidates[i].of], candidates[i].multiple);
-    MatrixXd columns(6 * blocks, 2);
-    for (Eigen::Index n = 0; n < blocks; ++n)
-      for (Eigen::Index part = 0; part < 2; ++part) columns.block<6, 1>(6 * n, part).setConstant(course(part, n));
-    const MatrixXd C = whitened(columns, ground.noise, ground.stretches);
-    for (Eigen::Index part = 0; part < 2; ++part) {
-      const Eigen::Map<const Wrenches> u(C.col(part).data(), 6, blocks), r(ground.r.data(), 6, blocks);
-      const Vector6d dots = u.cwiseProduct(r).rowwise().sum(), sizes = u.rowwise().squaredNorm();
-      power[i] += dots.cwiseAbs2().cwiseQuotient(sizes.cwiseMax(1e-9)).sum();
-    }
-  }
-  const double tries = static_cast<double>(candidates.size());
-  MatrixXd taken(0, blocks);
-  for (int step = 0; step < 3; ++step) {
-    const auto best = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
-    const Wave& wave = candidates[best];
-    taken = stacked(MatrixXd(taken), courseOf(angles[wave.of], wave.multiple));
-    const Judged judged = judgeAll(Dictionary(ground.freed(onEachChannel(taken))), ground, lnN, std::pow(tries, step + 1));
-    if (judged.gain <= out.gain) break;
-    out = judged;
-    if (step == 0) first = wave;
-    // Its neighbours are the same wave.
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (candidates[i].of == wave.of && std::abs(candidates[i].multiple - wave.multiple) < 0.2 * wave.multiple) power[i] = 0.0;
-  }
-  return out;
-}
-
-/// Waves in time up to `highest` [Hz]; slower ones than these are slowWave()'s, which knows what a walk does.
-std::vector<Wave> rhythms(const Signals& signals, double highest) {
-  std::vector<Wave> out;
-  for (double f = std::max(0.6, 3.0 / signals.duration()); f < highest; f += 0.6 / signals.duration())
-    out.push_back({0, 2.0 * std::numbers::pi * f});
-  return out;
-}
-
-/// Waves in the joints' angles, of which the motion shows at least one and that are not too fast for the blocks.
-std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& angles) {
-  constexpr double kFewest = 3.0, kMost = 40.0;
-  std::vector<Wave> out;
-  for (std::size_t j = 0; j < angles.size(); ++j) {
-    const double range = angles[j].maxCoeff() - angles[j].minCoeff();
-    const double fastest = signals.dq.row(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
-    const double least = std::max(kFewest, 2.0 * std::numbers::pi / std::max(1e-3, range));
-    const double most = std::min(kMost, 2.0 * std::numbers::pi * 0.4 * signals.blockRate() / std::max(1e-3, fastest));
-    // Steps fine enough that a wave between two of them is seen.
-    for (double m = least; m < most; m += std::max(0.25, 1.5 / std::max(1e-3, range))) out.push_back({j, m});
-  }
-  return out;
 }
 
 /// Where the residual's power density stands highest above that of its own fast noise, 8 to 20 Hz.
@@ -529,30 +293,16 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
     }
     strongest.gain = 0.0;
   }
-  std::vector<VectorXd> time(1), angles;
-  time[0].resize(signals.blocks());
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n) time[0](n) = signals.blockTime(n) - signals.startTime;
-  const Eigen::Index m = signals.samplesPerBlock;
-  for (Eigen::Index j = 0; signals.q.cols() == signals.size() && j < signals.q.rows(); ++j) {
-    angles.emplace_back(signals.blocks());
-    for (Eigen::Index n = 0; n < signals.blocks(); ++n) angles.back()(n) = signals.q.row(j).segment(n * m, m).mean();
-  }
   // Close to the corner of the smoothing the model loses what the sensor still has.
   double fastest = 0.45 * signals.blockRate();
   if (signals.keptHz > 0.0) fastest = std::min(fastest, signals.keptHz);
-  std::array<Judged, 4> waves;
-  std::array<Wave, 4> which;
-  onTwoThreads(waves.size(), [&](std::size_t i) {
-    const bool inTime = i < 2;
-    waves[i] = judgeWaves(inTime ? time : angles, inTime ? rhythms(signals, fastest) : ripples(signals, angles),
-                          grounds[i % 2], lnN, which[i]);
-  });
-  for (std::size_t i = 0; i < waves.size(); ++i) {
-    waves[i].gain -= kBesideColour;
-    if (waves[i].gain <= best.gain) continue;
-    const double frequency = i < 2 ? which[i].multiple / (2.0 * std::numbers::pi) : 0.0;
-    best = {i < 2 ? fmt::format("a rhythm of {:.2g} Hz", frequency) : heft::toSay("the joint angles, several times a turn"),
-            waves[i].gain, waves[i].explained, frequency, frequency};
+  constexpr std::array<WaveKind, 3> kKinds{WaveKind::onChannels, WaveKind::inTheWorld, WaveKind::overJoints};
+  std::array<BestWave, 2 * kKinds.size()> waves;
+  onTwoThreads(waves.size(), [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
+  for (const auto& [wave, frequency] : waves) {
+    if (wave.gain - kBesideColour <= best.gain) continue;
+    best = {frequency > 0.0 ? fmt::format("a rhythm of {:.2g} Hz", frequency) : heft::toSay("the joint angles, several times a turn"),
+            wave.gain - kBesideColour, wave.explained, frequency, frequency};
   }
   // Beside a zero that wanders, what its waves leave over is no structure yet.
   if (wanders) best.gain -= kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches);

@@ -1,0 +1,143 @@
+#include "core/diagnosis/ground.h"
+
+#include <cmath>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
+
+Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
+
+}  // namespace
+
+Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)
+    : stretches(where), fit(what), noise(with), learnsAgain(refits), before(what.noise.evidence) {
+  Fit weighted;
+  weighted.noise = noise;
+  weighted.jacobian = fit.jacobian;
+  basis = explainedSpace(weighted, stretches);
+  take(whitened(flat(fit.residual), noise, stretches));
+}
+
+Ground::Ground(const Ground& other, const Wrenches& residual) : Ground(other) {
+  before = fitNoise(residual, stretches).evidence;
+  take(whitened(flat(residual), noise, stretches));
+}
+
+double Ground::evidence(const VectorXd& left) const {
+  Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
+  for (Eigen::Index c = 0; c < 6; ++c) residual.row(c) *= noise.channels[static_cast<std::size_t>(c)].sigma;
+  return fitNoise(residual, stretches).evidence - before;
+}
+
+MatrixXd Ground::freed(const MatrixXd& columns) const {
+  MatrixXd C = whitened(columns, noise, stretches);
+  C -= basis * (basis.transpose() * C);
+  return C;
+}
+
+void Ground::take(const MatrixXd& innovations) {
+  r = innovations;
+  energy = std::max(1.0, r.squaredNorm());
+  r -= basis * (basis.transpose() * r);
+}
+
+Dictionary::Dictionary(MatrixXd columns, bool askedOften)
+    : C(std::move(columns)), squares(C.colwise().squaredNorm().transpose()) {
+  if (!askedOften && C.cols() > kFew) return;
+  products_ = MatrixXd::Zero(C.cols(), C.cols());
+  products_.selfadjointView<Eigen::Lower>().rankUpdate(C.transpose());
+  products_.triangularView<Eigen::StrictlyUpper>() = products_.transpose();
+  if (C.cols() > kFew) return;
+  scale_ = squares.cwiseSqrt().cwiseMax(1e-9).cwiseInverse();
+  MatrixXd unit = scale_.asDiagonal() * products_ * scale_.asDiagonal();
+  unit.diagonal().array() += 1e-6;
+  together_.compute(unit);
+}
+
+VectorXd Dictionary::productsWith(Eigen::Index i) const {
+  return products_.size() > 0 ? VectorXd(products_.col(i)) : VectorXd(C.transpose() * C.col(i));
+}
+
+VectorXd Dictionary::likeness(const VectorXd& r) const {
+  return C * (scale_.asDiagonal() * together_.solve(scale_.asDiagonal() * (C.transpose() * r)));
+}
+
+Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries) {
+  const VectorXd left = ground.r - of.likeness(ground.r);
+  const double explained = ground.r.squaredNorm() - left.squaredNorm();
+  const double gain = ground.learnsAgain ? ground.evidence(left) : explained;
+  const double price = priceOf(gain, static_cast<double>((of.squares.array() > 1e-12).count()), lnN);
+  return {gain - price - 2.0 * std::log(2.0 * tries), explained / ground.energy};
+}
+
+namespace {
+
+/// Forward selection: the column that explains most, as long as it pays for itself and for the choice. What is chosen is
+/// made orthogonal to what was chosen before (Chen, Billings and Luo 1989), by products alone.
+Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
+  constexpr double kLeast = 1e-12;  // Squared length below which a column says nothing new
+  Judged out;
+  VectorXd g = of.C.transpose() * ground.r, squares = of.squares, left = ground.r;
+  const double choice = 2.0 * std::log(2.0 * static_cast<double>(of.C.cols()));
+  double price = 0.0, explained = 0.0, gain = 0.0;
+  std::vector<VectorXd> chosen, shares;  // Unit columns, and what each column has of them
+  int idle = 0;
+  for (int step = 0; step < 12 && idle < 3; ++step) {
+    Eigen::Index best = -1;
+    double most = 0.0;
+    for (Eigen::Index i = 0; i < squares.size(); ++i) {
+      if (squares(i) < kLeast) continue;
+      const double z2 = g(i) * g(i) / squares(i);
+      if (z2 > most) {
+        most = z2;
+        best = i;
+      }
+    }
+    if (best < 0 || most < lnN + choice) break;
+    price += lnN + choice;
+    explained += most;
+    VectorXd unit = of.C.col(best), share = of.productsWith(best);
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      unit -= shares[k](best) * chosen[k];
+      share -= shares[k](best) * shares[k];
+    }
+    const double length = std::sqrt(squares(best)), along = g(best) / length;
+    unit /= length;
+    share /= length;
+    left -= along * unit;
+    g -= along * share;
+    squares -= share.cwiseAbs2();
+    squares(best) = 0.0;
+    chosen.push_back(std::move(unit));
+    shares.push_back(std::move(share));
+    gain = (ground.learnsAgain ? ground.evidence(left) : explained) - price;
+    ++idle;
+    if (gain <= out.gain) continue;
+    out = {gain, explained / ground.energy};
+    idle = 0;
+  }
+  return out;
+}
+
+}  // namespace
+
+Judged judge(const Dictionary& of, const Ground& ground, double lnN) {
+  Judged out = judgeBest(of, ground, lnN);
+  if (!of.few()) return out;
+  const Judged all = judgeAll(of, ground, lnN, 1.0);
+  return all.gain > out.gain ? all : out;
+}
+
+MatrixXd onEachChannel(const MatrixXd& features) {
+  const Eigen::Index count = features.rows(), blocks = features.cols();
+  MatrixXd columns = MatrixXd::Zero(6 * blocks, 6 * count);
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (Eigen::Index f = 0; f < count; ++f)
+      for (Eigen::Index n = 0; n < blocks; ++n) columns(6 * n + c, c * count + f) = features(f, n);
+  return columns;
+}
+
+}  // namespace heft::diagnosis

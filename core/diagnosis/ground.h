@@ -1,0 +1,65 @@
+#pragma once
+// Columns that might explain what a fit leaves over, judged under its noise.
+#include "core/diagnosis/fit.h"
+
+namespace heft::diagnosis {
+
+struct Judged {
+  double gain = 0.0, explained = 0.0;  ///< Evidence; share of the residual's energy
+};
+
+/// The residual under one noise, and what the fit could do about it.
+struct Ground {
+  const std::vector<Stretch>& stretches;
+  const Fit& fit;
+  Noise noise;
+  bool learnsAgain;  ///< The noise is no more than a weighting; gains are counted with noise refitted to what is left.
+  MatrixXd basis;
+  VectorXd r;        ///< Whitened residual, freed of what the fit can do
+  double energy = 1.0;
+
+  double before;     ///< Evidence of the residual as it is
+
+  Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits);
+  /// The same with another residual in its place, of the same noise.
+  Ground(const Ground& other, const Wrenches& residual);
+
+  /// Evidence of `left` (whitened) with the noise learned from it, over what it was.
+  double evidence(const VectorXd& left) const;
+  /// Whitened columns without what the fit can do.
+  MatrixXd freed(const MatrixXd& columns) const;
+
+ private:
+  void take(const MatrixXd& innovations);
+};
+
+/// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many times,
+/// otherwise each as it is needed.
+class Dictionary {
+ public:
+  explicit Dictionary(MatrixXd columns, bool askedOften = false);
+  VectorXd productsWith(Eigen::Index i) const;
+  /// What all columns together, if they are few, make of `r`.
+  VectorXd likeness(const VectorXd& r) const;
+  bool few() const { return scale_.size() > 0; }
+
+  MatrixXd C;
+  VectorXd squares;
+
+ private:
+  MatrixXd products_;
+  VectorXd scale_;
+  Eigen::LDLT<MatrixXd> together_;
+};
+
+/// All columns at once, which must be few: a little of everything is cheaper so than piece by piece. `tries`: of how many such
+/// sets this is the best.
+Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries);
+
+/// As many of the columns as pay for themselves, or all at once.
+Judged judge(const Dictionary& of, const Ground& ground, double lnN);
+
+/// Columns (6N x 6F) of features of blocks, F x N: a channel's features in its own rows only.
+MatrixXd onEachChannel(const MatrixXd& features);
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,197 @@
+#include "core/diagnosis/rhythms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
+
+namespace heft::diagnosis {
+
+namespace {
+
+/// A wave in something that grows, such as time or an angle.
+struct Wave {
+  std::size_t of = 0;     ///< Which angle
+  double multiple = 0.0;  ///< Of it
+};
+
+/// Its sine and cosine, 2 x N.
+MatrixXd courseOf(const VectorXd& angle, double multiple) {
+  MatrixXd out(2, angle.size());
+  out.row(0) = (multiple * angle.array()).sin().matrix().transpose();
+  out.row(1) = (multiple * angle.array()).cos().matrix().transpose();
+  return out;
+}
+
+MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd out(a.rows() + b.rows(), a.cols());
+  out << a, b;
+  return out;
+}
+
+/// What sine and cosine of each candidate explain of the whitened residual in all channels, each for itself.
+std::vector<double> powersOnChannels(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, const Ground& ground) {
+  const Eigen::Index blocks = angles.front().size();
+  std::vector<double> out(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const MatrixXd course = courseOf(angles[candidates[i].of], candidates[i].multiple);
+    MatrixXd columns(6 * blocks, 2);
+    for (Eigen::Index n = 0; n < blocks; ++n)
+      for (Eigen::Index part = 0; part < 2; ++part) columns.block<6, 1>(6 * n, part).setConstant(course(part, n));
+    const MatrixXd C = whitened(columns, ground.noise, ground.stretches);
+    for (Eigen::Index part = 0; part < 2; ++part) {
+      const Eigen::Map<const Wrenches> u(C.col(part).data(), 6, blocks), r(ground.r.data(), 6, blocks);
+      const Vector6d dots = u.cwiseProduct(r).rowwise().sum(), sizes = u.rowwise().squaredNorm();
+      out[i] += dots.cwiseAbs2().cwiseQuotient(sizes.cwiseMax(1e-9)).sum();
+    }
+  }
+  return out;
+}
+
+/// R_BS of each block, at its middle.
+std::vector<Matrix3d> orientations(const Signals& signals) {
+  std::vector<Matrix3d> out;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    out.push_back(signals.R_BS[static_cast<std::size_t>(n * signals.samplesPerBlock + signals.samplesPerBlock / 2)]);
+  return out;
+}
+
+/// The same of forces and torques along the axes of B. The tool turns slowly against the waves, so that whitening only
+/// makes them larger and shifts them, as the noise's spectrum says.
+std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const VectorXd& time, const std::vector<Wave>& candidates,
+                                     const Ground& ground, double blockRate) {
+  const Eigen::Index blocks = time.size();
+  const Eigen::Map<const Wrenches> r(ground.r.data(), 6, blocks);
+  MatrixXd turned = MatrixXd::Zero(blocks, 18);  // Row c of the channel times axis i of B: column 3 c + i
+  VectorXd sizes = VectorXd::Zero(18);
+  for (const auto& s : ground.stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n)
+      for (Eigen::Index c = 0; c < 6; ++c)
+        for (Eigen::Index i = 0; i < 3; ++i) {
+          const double along = R_BS[static_cast<std::size_t>(n)](i, c % 3);
+          turned(n, 3 * c + i) = along * r(c, n);
+          sizes(3 * c + i) += 0.5 * along * along;
+        }
+  std::vector<double> out(candidates.size());
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const double omega = candidates[k].multiple;
+    const MatrixXd sums = courseOf(time, omega) * turned;  // 2 x 18: sine, cosine
+    std::array<std::complex<double>, 6> response;
+    for (std::size_t c = 0; c < 6; ++c) {
+      const ArModel& model = ground.noise.channels[c];
+      response[c] = 1.0;
+      for (int i = 0; i < model.order(); ++i) response[c] -= model.coefficients(i) * std::polar(1.0, -omega * (i + 1) / blockRate);
+      response[c] /= model.sigma;
+    }
+    for (Eigen::Index kind = 0; kind < 2; ++kind)
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        std::complex<double> along = 0.0;
+        double size = 0.0;
+        for (Eigen::Index c = 3 * kind; c < 3 * kind + 3; ++c) {
+          along += std::conj(response[static_cast<std::size_t>(c)]) * std::complex<double>(sums(1, 3 * c + i), -sums(0, 3 * c + i));
+          size += std::norm(response[static_cast<std::size_t>(c)]) * sizes(3 * c + i);
+        }
+        out[k] += std::norm(along) / std::max(1e-9, size);
+      }
+  }
+  return out;
+}
+
+/// Columns (6N x 6F) of courses, F x N, as forces and torques along the axes of B.
+MatrixXd inTheWorld(const std::vector<Matrix3d>& R_BS, const MatrixXd& courses) {
+  const Eigen::Index count = courses.rows(), blocks = courses.cols();
+  MatrixXd columns = MatrixXd::Zero(6 * blocks, 6 * count);
+  for (Eigen::Index f = 0; f < count; ++f)
+    for (Eigen::Index n = 0; n < blocks; ++n)
+      for (Eigen::Index kind = 0; kind < 2; ++kind)
+        columns.block<3, 3>(6 * n + 3 * kind, 6 * f + 3 * kind) = courses(f, n) * R_BS[static_cast<std::size_t>(n)].transpose();
+  return columns;
+}
+
+using Columns = std::function<MatrixXd(const MatrixXd& courses)>;
+
+/// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay. `power`:
+/// what each explains by a first look.
+Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, std::vector<double> power, const Columns& columns,
+                  const Ground& ground, double lnN, Wave& first) {
+  Judged out;
+  out.gain = -1e300;
+  if (candidates.empty()) return out;
+  const double tries = static_cast<double>(candidates.size());
+  MatrixXd taken(0, angles.front().size());
+  for (int step = 0; step < 3; ++step) {
+    const auto best = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
+    const Wave& wave = candidates[best];
+    taken = stacked(MatrixXd(taken), courseOf(angles[wave.of], wave.multiple));
+    const Judged judged = judgeAll(Dictionary(ground.freed(columns(taken))), ground, lnN, std::pow(tries, step + 1));
+    if (judged.gain <= out.gain) break;
+    out = judged;
+    if (step == 0) first = wave;
+    // Its neighbours are the same wave.
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (candidates[i].of == wave.of && std::abs(candidates[i].multiple - wave.multiple) < 0.2 * wave.multiple) power[i] = 0.0;
+  }
+  return out;
+}
+
+/// Waves in time up to `highest` [Hz]; slower ones than these are slowWave()'s, which knows what a walk does.
+std::vector<Wave> rhythms(const Signals& signals, double highest) {
+  std::vector<Wave> out;
+  for (double f = std::max(0.6, 3.0 / signals.duration()); f < highest; f += 0.6 / signals.duration())
+    out.push_back({0, 2.0 * std::numbers::pi * f});
+  return out;
+}
+
+/// Waves in the joints' angles, of which the motion shows at least one and that are not too fast for the blocks.
+std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& angles) {
+  constexpr double kFewest = 3.0, kMost = 40.0;
+  std::vector<Wave> out;
+  for (std::size_t j = 0; j < angles.size(); ++j) {
+    const double range = angles[j].maxCoeff() - angles[j].minCoeff();
+    const double fastest = signals.dq.row(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
+    const double least = std::max(kFewest, 2.0 * std::numbers::pi / std::max(1e-3, range));
+    const double most = std::min(kMost, 2.0 * std::numbers::pi * 0.4 * signals.blockRate() / std::max(1e-3, fastest));
+    // Steps fine enough that a wave between two of them is seen.
+    for (double m = least; m < most; m += std::max(0.25, 1.5 / std::max(1e-3, range))) out.push_back({j, m});
+  }
+  return out;
+}
+
+std::vector<VectorXd> blockTimes(const Signals& signals) {
+  std::vector<VectorXd> out(1, VectorXd(signals.blocks()));
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) out[0](n) = signals.blockTime(n) - signals.startTime;
+  return out;
+}
+
+std::vector<VectorXd> blockAngles(const Signals& signals) {
+  std::vector<VectorXd> out;
+  const Eigen::Index m = signals.samplesPerBlock;
+  for (Eigen::Index j = 0; signals.q.cols() == signals.size() && j < signals.q.rows(); ++j) {
+    out.emplace_back(signals.blocks());
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n) out.back()(n) = signals.q.row(j).segment(n * m, m).mean();
+  }
+  return out;
+}
+
+}  // namespace
+
+BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, double lnN, double highestHz) {
+  const bool inTime = kind != WaveKind::overJoints;
+  const std::vector<VectorXd> angles = inTime ? blockTimes(signals) : blockAngles(signals);
+  const std::vector<Wave> candidates = inTime ? rhythms(signals, highestHz) : ripples(signals, angles);
+  if (candidates.empty()) return {{-1e300, 0.0}, 0.0};
+  BestWave out;
+  Wave first;
+  if (kind == WaveKind::inTheWorld) {
+    const auto R_BS = orientations(signals);
+    out.judged = judgeWaves(angles, candidates, powersInTheWorld(R_BS, angles[0], candidates, ground, signals.blockRate()),
+                            [&](const MatrixXd& courses) { return inTheWorld(R_BS, courses); }, ground, lnN, first);
+  } else {
+    out.judged = judgeWaves(angles, candidates, powersOnChannels(angles, candidates, ground), onEachChannel, ground, lnN, first);
+  }
+  out.frequencyHz = inTime ? first.multiple / (2.0 * std::numbers::pi) : 0.0;
+  return out;
+}
+
+}  // namespace heft::diagnosis

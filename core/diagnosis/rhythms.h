@@ -1,0 +1,18 @@
+#pragma once
+// Waves in what a fit leaves over: rhythms in time, fixed in the sensor or in the world, and ripples over a joint's turn.
+#include "core/diagnosis/ground.h"
+
+namespace heft::diagnosis {
+
+struct BestWave {
+  Judged judged;
+  double frequencyHz = 0.0;  ///< In time; 0 for a ripple
+};
+
+enum class WaveKind { onChannels, inTheWorld, overJoints };
+
+/// The best wave of its kind up to `highestHz`, and others beside it while they pay. Slower ones than 0.6 Hz are slowWave()'s,
+/// which knows what a walk does.
+BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, double lnN, double highestHz);
+
+}  // namespace heft::diagnosis
