@@ -89,7 +89,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     bool twicing;  ///< Lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the better
   };
   constexpr std::array<Smoothing, 6> kSmoothings{{{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
-  constexpr double kClearly = 30.0, kSlightly = 10.0;  // Evidence for less, and among less, than the usual cutoff
+  constexpr double kClearly = 30.0;  // Evidence for another way than this one
   std::vector<Way> ways;
   for (const auto& [cutoff, twicing] : kSmoothings) {
     auto way = wayOf(recording, readings.cleaned, robot, cutoff, twicing, options, readings.bad);
@@ -97,10 +97,15 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.push_back(std::move(*way));
   }
   lookForContact(ways.front(), readings.cleaned, options);
-  const std::vector<double> plain = nullEvidence(ways);
   std::size_t at = 0;
-  for (std::size_t i = 1; i < plain.size(); ++i)
-    if (plain[i] > plain[at] + (at == 0 ? kClearly : kSlightly)) at = i;
+  // The way that leaves most of the motion among those that are next to best.
+  const auto leastSmoothed = [&](const std::vector<double>& evidence) {
+    constexpr double kSlightly = 10.0;
+    const double best = *std::ranges::max_element(evidence);
+    return static_cast<std::size_t>(std::ranges::find_if(evidence, [&](double e) { return e > best - kSlightly; }) - evidence.begin());
+  };
+  const std::vector<double> plain = nullEvidence(ways);
+  if (*std::ranges::max_element(plain) > plain[at] + kClearly) at = leastSmoothed(plain);
   const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
@@ -111,9 +116,8 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     onTwoThreads(ways.size(), [&](std::size_t i) {
       if (i != at) gains[i] = evidenceAt(ways[i], work);
     });
-    const auto best = std::ranges::max_element(gains);
-    if (*best <= kClearly) return false;
-    at = static_cast<std::size_t>(best - gains.begin());
+    if (*std::ranges::max_element(gains) <= kClearly) return false;
+    at = leastSmoothed(gains);
     return true;
   };
   Searched out;
