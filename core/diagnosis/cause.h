@@ -22,6 +22,7 @@ struct Parameter {
   double size = 1.0;   ///< A realistic size (SI): sets steps of differentiation and of the search
   double lower = 0.0, upper = 0.0;  ///< What is physically believable (SI); at a bound the cause is not accepted.
   bool lowerIsFine = false;         ///< Unless it may well lie at its lower bound, such as how long a step takes.
+  double (*told)(double) = nullptr; ///< What is reported instead of scale * value, where that is no multiple of it
 };
 
 class Cause;
@@ -60,7 +61,7 @@ class Cause {
   /// Adds to the sensor's readings.
   virtual void readings(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
   virtual bool bendsGeometry() const { return false; }
-  virtual bool changesSensor() const { return false; }
+  virtual bool changesSensor(const Form&) const { return false; }
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
   virtual double doubt(const VectorXd&, const Signals&) const { return 0.0; }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty: none.

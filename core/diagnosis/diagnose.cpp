@@ -51,7 +51,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.cleaned.wrench = std::move(clipping.wrench);
   facts.lost = std::move(clipping.lost);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
-  refresh(out.cleaned, recording);
+  refresh(out.cleaned, recording, facts.held);
   bridge(out.cleaned, facts.held);
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
@@ -318,6 +318,7 @@ std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCau
     const VectorXd& size = visible[b];
     for (Eigen::Index i = 0; i < size.size(); ++i) {
       const Parameter& p = signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
+      if (p.told != nullptr) continue;  // No measure of how large the cause is
       const double value = size(i) * std::abs(p.scale);
       const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
       if (known == out.end())

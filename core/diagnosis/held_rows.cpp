@@ -99,10 +99,39 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
   return out;
 }
 
-void refresh(Recording& cleaned, const Recording& recording) {
+void refresh(Recording& cleaned, const Recording& recording, const std::vector<Held>& notJudged) {
+  constexpr double kLongest = 0.02;  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
   auto runs = staleRuns(recording);
-  std::erase_if(runs, [&](const auto& run) { return stoodStill(recording, {run.first, run.second}); });
-  straightOver(runs, cleaned.time, cleaned.wrench);
+  std::erase_if(runs, [&](const auto& run) {
+    return stoodStill(recording, {run.first, run.second}) ||
+           std::ranges::any_of(notJudged, [&](const Held& held) { return held.from == run.first; });
+  });
+  double sum = 0.0, squares = 0.0;
+  for (const auto& [from, to] : runs) {
+    const double lasts = recording.time(to - 1) - recording.time(from - 1);
+    sum += lasts;
+    squares += lasts * lasts;
+  }
+  if (squares > kLongest * sum) return;
+  std::vector<bool> stale(static_cast<std::size_t>(recording.rows()), false);
+  for (const auto& [from, to] : runs) std::fill(stale.begin() + from, stale.begin() + to, true);
+  const VectorXd& time = cleaned.time;
+  // The fresh row nearest to `at` on the way on from `row`, or none.
+  const auto freshBeyond = [&](Eigen::Index row, Eigen::Index step, double at) {
+    const double way = static_cast<double>(step);
+    while (row >= 0 && row < time.size() && (stale[static_cast<std::size_t>(row)] || way * (time(row) - at) < 0.0)) row += step;
+    return row;
+  };
+  for (const auto& [from, to] : runs) {
+    if (to == time.size()) continue;
+    // As far away as the reading was held: slopes between close rows are mostly noise.
+    const double lasted = time(to) - time(from - 1);
+    const Eigen::Index before = freshBeyond(from - 2, -1, time(from - 1) - lasted), behind = freshBeyond(to + 1, 1, time(to) + lasted);
+    if (before < 0 || behind >= time.size())
+      straightOver({{from, to}}, time, cleaned.wrench);
+    else
+      fill(cleaned.wrench, time, {from, to}, {before, from - 1, to, behind});
+  }
 }
 
 void bridge(Recording& recording, const std::vector<Held>& held) {

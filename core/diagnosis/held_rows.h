@@ -29,9 +29,9 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& rec
 /// The wrench with straight lines in their place.
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
 
-/// Straight lines from one fresh reading to the next in `cleaned`, where the readings of `recording` are stale. Not where the
-/// motion was held with them: then both are equally old.
-void refresh(Recording& cleaned, const Recording& recording);
+/// Cubics through fresh readings in `cleaned`, where those of `recording` are stale. Not where the motion was held with them:
+/// then both are equally old; and not where most are held for long.
+void refresh(Recording& cleaned, const Recording& recording, const std::vector<Held>& notJudged);
 
 /// The motion of whole rows that were repeated put back: a cubic through two rows on either side.
 void bridge(Recording& recording, const std::vector<Held>& held);

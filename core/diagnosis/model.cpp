@@ -147,7 +147,7 @@ class Moving {
     const Cause& cause = *moved.form->cause;
     const Order terms = inOrder(model_.terms);
     if (cause.bendsGeometry()) return sensed(signals_, terms, loads(signals_, model_, terms, bent(signals_, terms))) - told_;
-    if (cause.changesSensor()) return sensed(signals_, terms, load_) - told_;
+    if (cause.changesSensor(*moved.form)) return sensed(signals_, terms, load_) - told_;
     Wrenches out = forceOf(moved) - force;
     // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
     if (linear_)
@@ -189,7 +189,7 @@ Linearised linearised(const Signals& signals, const Model& model) {
   for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
   const bool throughChanges = std::ranges::any_of(terms, [](const Term* t) {
     const Cause& cause = *t->form->cause;
-    return cause.changesSensor() && cause.linear(*t->form);
+    return cause.changesSensor(*t->form) && cause.linear(*t->form);
   });
   if (throughChanges) {
     for (int j = 0; j < 10; ++j) {
@@ -221,7 +221,7 @@ MatrixXd signatures(const Signals& signals, const Model& model, const Form& form
   const Kinematics kinematics = bent(signals, before);
   MatrixXd out(6 * signals.blocks(), static_cast<Eigen::Index>(form.scan.size()));
   const Cause& cause = *form.cause;
-  const bool additive = !cause.bendsGeometry() && !cause.changesSensor();
+  const bool additive = !cause.bendsGeometry() && !cause.changesSensor(form);
   Wrenches value;
   if (!additive) value = sensed(signals, before, loads(signals, model, before, kinematics));
   for (std::size_t i = 0; i < form.scan.size(); ++i) {

@@ -40,7 +40,10 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
         std::string name = parameter.name;
         for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
           name = fmt::format("{}_{}", parameter.name, i);
-        out.push_back({name, parameter.unit, term.v(p) * parameter.scale, deviation(p) * std::abs(parameter.scale)});
+        const auto told = [&](double value) { return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale; };
+        const double little = 1e-3 * parameter.size;
+        const double slope = std::abs(told(term.v(p) + little) - told(term.v(p) - little)) / (2.0 * little);
+        out.push_back({name, parameter.unit, told(term.v(p)), deviation(p) * slope});
       }
       for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) cause.when.push_back(stretch);
     }

@@ -161,7 +161,7 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   // What a saturated sensor or one with a memory makes of a sum is linearised without these two.
   const bool plain = std::none_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
     const Cause& cause = *term.form->cause;
-    return cause.bendsGeometry() || (cause.changesSensor() && cause.linear(*term.form));
+    return cause.bendsGeometry() || (cause.changesSensor(*term.form) && cause.linear(*term.form));
   });
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < plain_.size(); ++i)
@@ -170,7 +170,7 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   onTwoThreads(out.size(), [&](std::size_t i) {
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
-    const bool keeps = plain && !cause.bendsGeometry() && !cause.changesSensor();
+    const bool keeps = plain && !cause.bendsGeometry() && !cause.changesSensor(known.form);
     out[i] = known;
     if (!keeps || !known.columns) out[i].columns = std::make_shared<const MatrixXd>(signatures(signals, model, known.form));
     if (keeps) known.columns = out[i].columns;

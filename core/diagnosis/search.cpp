@@ -201,7 +201,7 @@ bool believable(const Fit& fit) {
   // What swings is a part of the payload, or all of it.
   Eigen::Index at = kLinear;
   for (const auto& term : fit.model.terms) {
-    const bool mount = causeOf(term) == "flexible_mount", swings = mount || causeOf(term) == "loose_mass";
+    const bool mount = causeOf(term) == "flexible_mount" && term.v.size() > 2, swings = mount || causeOf(term) == "loose_mass";
     if (mount && term.v(0) < kLeastOnMount * mass) return false;
     if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;
     at += term.v.size();

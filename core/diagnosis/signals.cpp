@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 namespace heft::diagnosis {
 
@@ -91,13 +93,18 @@ Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateH
   return out;
 }
 
-Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) {
+namespace {
+
+/// Exact response of y' = kappa rate (u - y), whose pole may be complex, between samples of u interpolated by cubics, started in
+/// balance.
+template <class Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> followed(const Eigen::MatrixXd& value, Scalar kappa) {
   const Eigen::Index n = value.cols();
-  const double kappa = 1.0 / (T * rateHz);
   // Moments I_i = int_0^1 u^i kappa e^(-kappa (1-u)) du of the response's weight over a step.
-  std::array<double, 4> moment{};
-  if (kappa > 1.0) {
-    moment[0] = -std::expm1(-kappa);
+  std::array<Scalar, 4> moment{};
+  const Scalar keep = std::exp(-kappa);
+  if (std::abs(kappa) > 1.0) {
+    moment[0] = 1.0 - keep;
     for (std::size_t i = 1; i < 4; ++i) moment[i] = 1.0 - static_cast<double>(i) / kappa * moment[i - 1];
   } else {
     constexpr std::array<double, 5> kNode{0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
@@ -105,7 +112,7 @@ Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) {
     constexpr std::array<double, 5> kWeight{0.118463442528095, 0.239314335249683, 0.284444444444444, 0.239314335249683,
                                             0.118463442528095};
     for (std::size_t j = 0; j < 5; ++j) {
-      double power = kWeight[j] * kappa * std::exp(-kappa * (1.0 - kNode[j]));
+      Scalar power = kWeight[j] * kappa * std::exp(-kappa * (1.0 - kNode[j]));
       for (std::size_t i = 0; i < 4; ++i) {
         moment[i] += power;
         power *= kNode[j];
@@ -113,18 +120,28 @@ Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) {
     }
   }
   // Cubic through u = -1, 0, 1, 2 in powers of u, integrated term by term.
-  const std::array<double, 4> weight{(2.0 * -moment[1] + 3.0 * moment[2] - moment[3]) / 6.0,
+  const std::array<Scalar, 4> weight{(-2.0 * moment[1] + 3.0 * moment[2] - moment[3]) / 6.0,
                                      moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3],
                                      moment[1] + 0.5 * moment[2] - 0.5 * moment[3], (moment[3] - moment[1]) / 6.0};
-  const double keep = std::exp(-kappa);
-  Eigen::MatrixXd out(value.rows(), n);
-  out.col(0) = value.col(0);
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> out(value.rows(), n);
+  out.col(0) = value.col(0).template cast<Scalar>();
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
     out.col(k + 1) = keep * out.col(k);
     for (Eigen::Index i = 0; i < 4; ++i)
       out.col(k + 1) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + i - 1, 0, n - 1));
   }
   return out;
+}
+
+}  // namespace
+
+Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) { return followed(value, 1.0 / (T * rateHz)); }
+
+Eigen::MatrixXd throughSpring(const Eigen::MatrixXd& value, double frequencyHz, double damping, double rateHz) {
+  const double omega = 2.0 * std::numbers::pi * frequencyHz;
+  const std::complex<double> pole(-damping * omega, omega * std::sqrt(1.0 - damping * damping));
+  // Its two poles apart: G = 2 Re(p / (p - p*) P), P with the pole p and 1 at rest.
+  return 2.0 * (pole / std::complex<double>(0.0, 2.0 * pole.imag()) * followed(value, -pole / rateHz)).real();
 }
 
 Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz) {

@@ -63,6 +63,10 @@ Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateH
 /// Exact response of T y' + y = u between samples of u interpolated by cubics, started in balance; T [s] > 0.
 Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz);
 
+/// What a spring with a damper beside it passes on of a force on the mass that it carries: the response of
+/// y'' + 2 z w y' + w^2 y = 2 z w u' + w^2 u, as exact and started so; w = 2 pi f, damping z < 1.
+Eigen::MatrixXd throughSpring(const Eigen::MatrixXd& value, double frequencyHz, double damping, double rateHz);
+
 /// Central differences in time of each row [1/s].
 Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz);
 

@@ -13,7 +13,7 @@ class GainError final : public Cause {
     std::vector<Form> out;
     for (int c = 0; c < 6; ++c) {
       out.push_back(formOf(this, channelName(c), {{fmt::format("gain_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7}}));
-      out.back().choice = {c, kBothSides};
+      out.back().choice = {c};
     }
     for (int c = 0; c < 6; ++c) {
       out.push_back(formOf(this, fmt::format("{} by its sign", channelName(c)),
@@ -25,18 +25,20 @@ class GainError final : public Cause {
     return out;
   }
   int order() const override { return 30; }
-  bool changesSensor() const override { return true; }
+  bool changesSensor(const Form&) const override { return true; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     auto row = w.row(form.choice[0]);
-    if (form.choice[1] == kBySign)
+    if (bySign(form))
       row += v(0) * row + v(1) * row.cwiseAbs();
     else
       row *= 1.0 + v(0);
   }
-  bool linear(const Form& form) const override { return form.choice[1] == kBothSides; }
+  bool linear(const Form& form) const override { return !bySign(form); }
 
  private:
-  enum Kind { kBothSides, kBySign };
+  static constexpr int kBySign = 1;  ///< Second in form.choice, after the channel
+
+  static bool bySign(const Form& form) { return form.choice.size() > 1; }
 };
 
 }  // namespace

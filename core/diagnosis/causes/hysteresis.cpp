@@ -19,7 +19,7 @@ class Hysteresis final : public Cause {
     const auto add = [&](std::string name, int percent, Kind kind) {
       out.push_back(formOf(this, fmt::format(fmt::runtime(name), percent), each));
       out.back().subset = true;
-      out.back().choice = {percent, kind};
+      out.back().choice = kind == kPlay ? std::vector<int>{percent} : std::vector<int>{percent, kind};
       // The same gauges, so often the same share on all channels.
       out.push_back(formOf(this, out.back().name + ", alike on all channels",
                            {{"memory", "%", 100.0, 0.01, -0.3, 0.3}, {"turning_way", "%", 100.0, 0.05, 0.01, 3.0}}));
@@ -33,7 +33,7 @@ class Hysteresis final : public Cause {
     return out;
   }
   int order() const override { return 50; }
-  bool changesSensor() const override { return true; }
+  bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     const bool alike = form.choice.size() > 2;
@@ -44,7 +44,7 @@ class Hysteresis final : public Cause {
       const double share = v(alike ? 0 : c);
       if (share == 0.0) continue;
       const double r = 0.5 * (alike ? v(1) : 0.01 * form.choice[0]) * range(c);
-      if (form.choice[1] == kBristles)
+      if (form.choice.size() > 1 && form.choice[1] == kBristles)
         bristles(share, std::max(2.0 * r, 1e-9), w.row(c));
       else
         play(share, r, w.row(c));

@@ -27,25 +27,26 @@ class LowPassLag final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"time_offset", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
-    for (const int stages : {1, 2, kMean}) {
-      out.push_back(formOf(this, stages == 1 ? "" : stages == 2 ? "two stages" : "mean",
+    for (const int filter : {kOne, kTwo, kMean}) {
+      out.push_back(formOf(this, filter == kOne ? "" : filter == kTwo ? "two stages" : "mean",
                            {{"time_constant", "ms", kMilli, 0.005, 0.0, 0.8}}));
-      out.back().choice = {stages};
+      out.back().choice = {filter};
     }
     return out;
   }
   int order() const override { return 60; }
-  bool changesSensor() const override { return true; }
+  bool changesSensor(const Form&) const override { return true; }
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
-    if (form.choice[0] == kMean) {
-      if (v(0) > 1e-6) w = meanSince(w, v(0), signals.rateHz);
-      return;
-    }
-    for (int stage = 0; v(0) > 1e-6 && stage < form.choice[0]; ++stage) w = onePole(w, v(0) / form.choice[0], signals.rateHz);
+    if (v(0) <= 1e-6) return;
+    const int stages = form.choice[0] == kTwo ? 2 : 1;
+    if (form.choice[0] == kMean)
+      w = meanSince(w, v(0), signals.rateHz);
+    else
+      for (int stage = 0; stage < stages; ++stage) w = onePole(w, v(0) / stages, signals.rateHz);
   }
 
  private:
-  static constexpr int kMean = 0;
+  enum Filter { kMean = 0, kOne = 1, kTwo = 3 };  // 2, in older files, had the time of each of two stages
 };
 
 }  // namespace

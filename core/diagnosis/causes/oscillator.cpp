@@ -77,13 +77,16 @@ class Oscillator : public Cause {
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:
   /// either looks like something that rings above. What rolls to its place comes late, as do readings: those are more common.
   double doubt(const VectorXd& v, const Signals& signals) const override {
-    constexpr double kMore = 300.0, kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
     constexpr double kRolling = 20.0;
-    if (v(5) > kMostDamped) return kRolling;
-    return signals.keptHz > 0.0 ? kMore * std::clamp((v(4) / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
+    return v(5) > kMostDamped ? kRolling : doubtAt(v(4), signals);
   }
 
  protected:
+  static double doubtAt(double frequency, const Signals& signals) {
+    constexpr double kMore = 300.0, kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
+    return signals.keptHz > 0.0 ? kMore * std::clamp((frequency / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
+  }
+
   static constexpr double kMostDamped = 0.35;
   static constexpr int kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, 3 all ways, this without swinging
 
@@ -153,18 +156,50 @@ class FlexibleMount final : public Oscillator {
   std::vector<std::string> lookAlikes() const override { return {"loose_mass"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (signals.rateHz < 100.0) return {};
-    return at({13.0, 15.0, 17.5, 20.0, 23.0}, 11.0, 60.0);
+    auto out = at({13.0, 15.0, 17.5, 20.0, 23.0}, kSoftest, kStiffest);
+    // The whole tool gives, by as much per newton to all sides: how far tells the frequency, whether or not it rings.
+    for (const double damping : {0.05, 0.2}) {
+      Form form = formOf(this, fmt::format("whole tool, damped {:.2f}", damping),
+                         {{"frequency", "Hz", 1.0, giveAt(25.0), 0.0, giveAt(kSoftest), false, frequencyAt},
+                          {"damping", "", 1.0, 0.05, 0.001, kMostDamped}});
+      form.start(1) = damping;
+      form.scan = {0};
+      form.choice = {kWhole};
+      out.push_back(std::move(form));
+    }
+    return out;
+  }
+  bool changesSensor(const Form& form) const override { return form.choice[0] == kWhole; }
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+    if (form.choice[0] != kWhole) Oscillator::force(form, v, signals, kin, w);
+  }
+  /// What comes through the mount before it reaches the gauges.
+  void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    if (form.choice[0] == kWhole && v(0) > 0.0) w = throughSpring(w, frequencyAt(v(0)), v(1), signals.rateHz);
+  }
+  double doubt(const VectorXd& v, const Signals& signals) const override {
+    return v.size() > 2 ? Oscillator::doubt(v, signals) : doubtAt(frequencyAt(v(0)), signals);
   }
   /// A hand hardly shakes a tool that fast: what shows is how far the mount gives, which is mass over frequency squared, and
   /// how that splits is guessed from the little that is left of the resonance below the smoothing's corner.
   VectorXd modelStd(const VectorXd& v) const override {
     constexpr double kShare = 0.12, kGuessed = 20.0;  // [Hz]
+    constexpr double kUneven = 0.06;  // That the tool gives alike to all sides, and how it turns, are guessed, too
+    if (v.size() == 2) return Eigen::Vector2d(kUneven * v(0), 0.0);
     const double share = kShare * std::min(1.0, std::pow(v(4) / kGuessed, 2));
     VectorXd out = VectorXd::Zero(v.size());
     out.head<4>() = 2.0 * share * v.head<4>().cwiseAbs();
     out(4) = share * v(4);
     return out;
   }
+
+ private:
+  static constexpr double kSoftest = 11.0, kStiffest = 60.0;  // [Hz]
+  static constexpr int kWhole = 5;
+
+  /// How far a mass goes per unit of acceleration [s2], by the frequency at which it rings on the mount [Hz].
+  static double giveAt(double frequency) { return std::pow(2.0 * std::numbers::pi * frequency, -2); }
+  static double frequencyAt(double give) { return 1.0 / (2.0 * std::numbers::pi * std::sqrt(std::max(give, 1e-12))); }
 };
 
 }  // namespace

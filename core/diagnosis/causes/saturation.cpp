@@ -24,7 +24,7 @@ class Saturation final : public Cause {
     return out;
   }
   int order() const override { return 45; }
-  bool changesSensor() const override { return true; }
+  bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     auto channel = w.row(form.choice[0]);

@@ -18,7 +18,7 @@ class SensorRotation final : public Cause {
     return {form};
   }
   int order() const override { return 20; }
-  bool changesSensor() const override { return true; }
+  bool changesSensor(const Form&) const override { return true; }
   void sensor(const Form&, const VectorXd& v, const Signals&, Wrenches& w) const override {
     const Matrix3d R = rotationFromVector(v).transpose();
     w.topRows<3>() = (R * w.topRows<3>()).eval();

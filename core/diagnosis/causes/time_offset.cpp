@@ -13,7 +13,7 @@ class TimeOffset final : public Cause {
     return {formOf(this, "", {{"delay", "ms", kMilli, 0.005, -0.3, 0.3}})};
   }
   int order() const override { return 70; }
-  bool changesSensor() const override { return true; }
+  bool changesSensor(const Form&) const override { return true; }
   void sensor(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     if (v(0) != 0.0) w = delayed(w, v(0), signals.rateHz);
   }

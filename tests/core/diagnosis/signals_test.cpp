@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace heft::diagnosis {
@@ -38,6 +39,20 @@ TEST(OnePole, HasTheGainAndLagOfTheEquation) {
     for (Eigen::Index k = std::min<Eigen::Index>(700, static_cast<Eigen::Index>(12.0 * T * kRate) + 10); k < 790; ++k)
       EXPECT_NEAR(out(0, k), expected(0, k), 2e-4) << T << " at " << k;
   }
+}
+
+TEST(ThroughSpring, HasTheResponseOfTheEquation) {
+  for (const double rings : {12.0, 35.0, 60.0, 250.0})
+    for (const double f : {0.5, 3.0, 8.0}) {
+      const double damping = 0.1, omega = 2.0 * std::numbers::pi * rings, w = 2.0 * std::numbers::pi * f;
+      MatrixXd u(1, 1200);
+      for (Eigen::Index k = 0; k < u.cols(); ++k) u(0, k) = std::sin(w * static_cast<double>(k) / kRate);
+      const MatrixXd y = diagnosis::throughSpring(u, rings, damping, kRate);
+      const std::complex<double> s(0.0, w), gain = (2.0 * damping * omega * s + omega * omega) / (s * s + 2.0 * damping * omega * s + omega * omega);
+      for (Eigen::Index k = 1000; k < 1150; ++k)
+        EXPECT_NEAR(y(0, k), (gain * std::polar(1.0, w * static_cast<double>(k) / kRate)).imag(), 0.03 * std::abs(gain - 1.0) + 1e-5)
+            << rings << " Hz, " << f << " Hz";
+    }
 }
 
 TEST(OnePole, KeepsAConstant) {
