@@ -22,6 +22,7 @@ struct Parameter {
   double size = 1.0;   ///< A realistic size (SI): sets steps of differentiation and of the search
   double lower = 0.0, upper = 0.0;  ///< What is physically believable (SI); at a bound the cause is not accepted.
   bool lowerIsFine = false;         ///< Unless it may well lie at its lower bound, such as how long a step takes.
+  bool saysHowMuch = true;          ///< Of the cause there is
   double (*told)(double) = nullptr; ///< What is reported instead of scale * value, where that is no multiple of it
 };
 

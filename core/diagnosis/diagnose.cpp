@@ -318,7 +318,7 @@ std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCau
     const VectorXd& size = visible[b];
     for (Eigen::Index i = 0; i < size.size(); ++i) {
       const Parameter& p = signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
-      if (p.told != nullptr) continue;  // No measure of how large the cause is
+      if (!p.saysHowMuch) continue;
       const double value = size(i) * std::abs(p.scale);
       const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
       if (known == out.end())

@@ -41,8 +41,8 @@ constexpr std::array<Name, 27> kNames = {{
     {"zero", heft::toSay("Readings that are zero")},
     {"missing", heft::toSay("Readings that are missing")},
     {"peak_force", heft::toSay("Greatest force F")},
-    {"memory", heft::toSay("Share of the load that is remembered")},
-    {"turning_way", heft::toSay("Way back until it is forgotten, of the load's range")},
+    {"memory", heft::toSay("Share that is remembered")},
+    {"turning_way", heft::toSay("Forgotten after, of the load's range")},
     {"step_force", heft::toSay("Step of the force readings")},
 }};
 

@@ -6403,12 +6403,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
     <message>
-        <source>Share of the load that is remembered</source>
-        <translation>Anteil der Last, der gemerkt wird</translation>
+        <source>Share that is remembered</source>
+        <translation>Gemerkter Anteil</translation>
     </message>
     <message>
-        <source>Way back until it is forgotten, of the load&apos;s range</source>
-        <translation>Rückweg, bis er vergessen ist, vom Bereich der Last</translation>
+        <source>Forgotten after, of the load&apos;s range</source>
+        <translation>Vergessen nach, vom Bereich der Last</translation>
     </message>
     <message>
         <source>Gain of {}, more to one side</source>

@@ -18,7 +18,7 @@ class GainError final : public Cause {
     for (int c = 0; c < 6; ++c) {
       out.push_back(formOf(this, fmt::format("{} by its sign", channelName(c)),
                            {{fmt::format("gain_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7},
-                            {fmt::format("asymmetry_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7}}));
+                            {fmt::format("asymmetry_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7, false, false}}));
       out.back().subset = true;  // A load that pushes one way only does not tell the two apart.
       out.back().choice = {c, kBySign};
     }

@@ -160,7 +160,7 @@ class FlexibleMount final : public Oscillator {
     // The whole tool gives, by as much per newton to all sides: how far tells the frequency, whether or not it rings.
     for (const double damping : {0.05, 0.2}) {
       Form form = formOf(this, fmt::format("whole tool, damped {:.2f}", damping),
-                         {{"frequency", "Hz", 1.0, giveAt(25.0), 0.0, giveAt(kSoftest), false, frequencyAt},
+                         {{"frequency", "Hz", 1.0, giveAt(25.0), 0.0, giveAt(kSoftest), false, false, frequencyAt},
                           {"damping", "", 1.0, 0.05, 0.001, kMostDamped}});
       form.start(1) = damping;
       form.scan = {0};
