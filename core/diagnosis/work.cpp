@@ -61,6 +61,27 @@ std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, c
   return evidence(left) < (1.0 - kMost) * evidence(contacts) ? left : contacts;
 }
 
+/// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter.
+double loudnessBeside(const Contact& touch, const Work& work) {
+  constexpr double kNear = 2.0, kApart = 0.1, kWindow = 1.0;  // [s]
+  const Fit& fit = work.search.final;
+  const VectorXd innovations = whitened(Eigen::Map<const VectorXd>(fit.residual.data(), fit.residual.size()), fit.noise, work.stretches);
+  const Eigen::Map<const Wrenches> e(innovations.data(), 6, fit.residual.cols());
+  const auto length = static_cast<Eigen::Index>(kWindow * work.signals.blockRate());
+  std::vector<double> usual;
+  double near = 0.0, count = 0.0;
+  for (const auto& s : work.stretches) {
+    for (Eigen::Index n = s.from; n + length <= s.to; n += length) usual.push_back(e.middleCols(n, length).squaredNorm() / static_cast<double>(length));
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      const double t = work.signals.blockTime(n);
+      if (t < touch.from - kNear || t > touch.to + kNear || (t > touch.from - kApart && t < touch.to + kApart)) continue;
+      near += e.col(n).squaredNorm();
+      count += 1.0;
+    }
+  }
+  return count > 0.0 && !usual.empty() ? std::max(1.0, near / count / std::max(1e-12, median(usual))) : 1.0;
+}
+
 /// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are none.
 void setTouchesAside(Work& work) {
   constexpr double kMostOfTime = 0.2;
@@ -100,9 +121,12 @@ void setTouchesAside(Work& work) {
   touches = std::move(apart);
   for (const Contact& touch : touches) lasts += touch.to - touch.from;
   for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
+  // Where the noise is louder for a while, something of it looks like a touch.
+  double evidence = 0.0;
+  for (const auto& touch : touches) evidence += touch.evidence / loudnessBeside(touch, work);
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
-  if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost) {
+  if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && evidence > kThreshold) {
     std::vector<Stretch> holes;
     for (const auto& touch : touches) holes.push_back(touch.blocks);
     Signals less = signals;
