@@ -109,6 +109,18 @@ TEST(SampleTests, SmoothedReadingsThatStandStillWereNotLost) {
   EXPECT_EQ(std::count(found.begin(), found.end(), "dropouts"), 0);
 }
 
+/// Somebody switched a motor on nearby: five times the noise for a few seconds is neither spikes nor anything else.
+TEST(SampleTests, NoiseThatIsLouderForAWhileIsNoSpike) {
+  Recording recording = aRecording(MotionKind::free, 252);
+  RandomStream random(252, RandomPurpose::effect);
+  for (Eigen::Index i = recording.rows() / 3; i < recording.rows() / 2; ++i)
+    for (Eigen::Index c = 0; c < 6; ++c) recording.wrench(i, c) += (c < 3 ? 0.25 : 0.008) * random.normal();
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{});
+  // Single readings far off are spikes there, too.
+  for (const double share : {0.2, 0.4, 0.45, 0.7}) recording.wrench(static_cast<Eigen::Index>(share * static_cast<double>(recording.rows())), 2) += 8.0;
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
+}
+
 TEST(SampleTests, UnevenStampsAreNoLostReadings) {
   EXPECT_EQ(directCauses(aRecording(MotionKind::free, 13, {{"jitter", "", 0.8}})), std::vector<std::string>{"jitter"});
 }
