@@ -265,6 +265,12 @@ TEST(Diagnose, TwoSlowCausesAreNoWalk) {
     EXPECT_TRUE(std::ranges::any_of(report.causes, [&](const auto& c) { return c.id == id; })) << id << ": " << said(report);
 }
 
+/// Joints that all stand a little wrong: a walk of the zero explains as much, but no walk looks so much like a joint.
+TEST(Diagnose, WhatOneCauseExplainsIsNoWalk) {
+  const auto report = diagnosed(drawHidden(HiddenCase::variant, 16180300017, 1.0, "joint_offset").recording);
+  EXPECT_TRUE(namedFirstOrTied(report, "joint_offset")) << said(report);
+}
+
 TEST(Diagnose, ReadingsThatComeTooEarlyAreAMotionThatComesLate) {
   const Recording on = aRecording(MotionKind::excitation, 189);
   Recording recording = on;
