@@ -46,12 +46,12 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   Readings out;
   out.cleaned = recording;
   Eigen::Index spikes = 0;
-  RowFacts facts{unevenStamps(recording), flatTops(recording.wrench), {}, heldRows(recording)};
+  RowFacts facts{unevenStamps(recording), flatTops(recording.wrench), {}, heldRows(recording), staleRuns(recording)};
   Unclipped clipping = unclipped(withoutSpikes(withoutZeros(recording), spikes), facts.tops, recording.rateHz());
   out.cleaned.wrench = std::move(clipping.wrench);
   facts.lost = std::move(clipping.lost);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
-  refresh(out.cleaned, recording, facts.held);
+  refresh(out.cleaned, recording, facts.stale, facts.held);
   bridge(out.cleaned, facts.held);
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;

@@ -23,7 +23,7 @@ void fill(Series& series, const VectorXd& time, const Held& rows, const std::arr
 }
 
 /// Straight lines from the row before each run to the row behind it.
-void straightOver(const std::vector<std::pair<Eigen::Index, Eigen::Index>>& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+void straightOver(const Runs& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
   for (const auto& [from, to] : runs) {
     if (from == 0 || to == wrench.rows()) continue;
     const double start = time(from - 1), lasts = time(to) - start;
@@ -60,10 +60,10 @@ std::vector<Held> heldRows(const Recording& recording) {
   return out;
 }
 
-std::vector<std::pair<Eigen::Index, Eigen::Index>> staleRuns(const Recording& recording) {
+Runs staleRuns(const Recording& recording) {
   const auto runs = wrenchRuns(recording.wrench);
   Vector6d still = Vector6d::Zero();
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
+  Runs out;
   Eigen::Index stale = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const auto& [from, to] = runs[k];
@@ -80,9 +80,9 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> staleRuns(const Recording& re
   return out;
 }
 
-std::vector<std::pair<Eigen::Index, Eigen::Index>> zeroRuns(const Recording& recording) {
+Runs zeroRuns(const Recording& recording) {
   constexpr Eigen::Index kFewest = 3;
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
+  Runs out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : wrenchRuns(recording.wrench)) {
     if (!recording.wrench.row(from).isZero(0.0)) continue;
@@ -99,30 +99,29 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
   return out;
 }
 
-void refresh(Recording& cleaned, const Recording& recording, const std::vector<Held>& notJudged) {
+void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {
   constexpr double kLongest = 0.02;  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
-  auto runs = staleRuns(recording);
-  std::erase_if(runs, [&](const auto& run) {
+  std::erase_if(stale, [&](const auto& run) {
     return stoodStill(recording, {run.first, run.second}) ||
            std::ranges::any_of(notJudged, [&](const Held& held) { return held.from == run.first; });
   });
   double sum = 0.0, squares = 0.0;
-  for (const auto& [from, to] : runs) {
+  for (const auto& [from, to] : stale) {
     const double lasts = recording.time(to - 1) - recording.time(from - 1);
     sum += lasts;
     squares += lasts * lasts;
   }
   if (squares > kLongest * sum) return;
-  std::vector<bool> stale(static_cast<std::size_t>(recording.rows()), false);
-  for (const auto& [from, to] : runs) std::fill(stale.begin() + from, stale.begin() + to, true);
+  std::vector<bool> old(static_cast<std::size_t>(recording.rows()), false);
+  for (const auto& [from, to] : stale) std::fill(old.begin() + from, old.begin() + to, true);
   const VectorXd& time = cleaned.time;
   // The fresh row nearest to `at` on the way on from `row`, or none.
   const auto freshBeyond = [&](Eigen::Index row, Eigen::Index step, double at) {
     const double way = static_cast<double>(step);
-    while (row >= 0 && row < time.size() && (stale[static_cast<std::size_t>(row)] || way * (time(row) - at) < 0.0)) row += step;
+    while (row >= 0 && row < time.size() && (old[static_cast<std::size_t>(row)] || way * (time(row) - at) < 0.0)) row += step;
     return row;
   };
-  for (const auto& [from, to] : runs) {
+  for (const auto& [from, to] : stale) {
     if (to == time.size()) continue;
     // As far away as the reading was held: slopes between close rows are mostly noise.
     const double lasted = time(to) - time(from - 1);

@@ -90,15 +90,14 @@ Direct jitter(const UnevenStamps& stamps) {
   return out;
 }
 
-/// Readings that were held, zeroed or left out. `stamped`: the stamps tell how long a step took. Rows of `heldRuns` are not to
-/// be trusted.
-std::optional<Direct> dropouts(const Recording& recording, bool stamped, const std::vector<Held>& heldRuns) {
+/// Readings that were held, zeroed or left out. Rows that are held for long are not to be trusted.
+std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts) {
   const Eigen::Index n = recording.rows();
   Eigen::Index held = 0, zeros = 0, missing = 0;
-  for (const auto& [from, to] : staleRuns(recording)) held += to - from;
+  for (const auto& [from, to] : facts.stale) held += to - from;
   const auto blanks = zeroRuns(recording);
   for (const auto& [from, to] : blanks) zeros += to - from;
-  const double step = stamped && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
+  const double step = !facts.stamps && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i) {
     const double gap = (recording.time(i) - recording.time(i - 1)) / step;
     if (gap > 1.7) missing += static_cast<Eigen::Index>(std::lround(gap)) - 1;
@@ -120,7 +119,7 @@ std::optional<Direct> dropouts(const Recording& recording, bool stamped, const s
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i)
     if (recording.time(i) - recording.time(i - 1) > std::max(kGap, 3.0 * step))
       std::fill(out.rows.begin() + std::max<Eigen::Index>(0, i - beside), out.rows.begin() + std::min(n, i + beside), true);
-  for (const Held& run : heldRuns) {
+  for (const Held& run : facts.held) {
     const Eigen::Index margin = run.motionToo ? beside : 0;
     std::fill(out.rows.begin() + std::max<Eigen::Index>(0, run.from - margin), out.rows.begin() + std::min(n, run.to + margin), true);
   }
@@ -133,7 +132,7 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   std::vector<Direct> out;
   if (auto found = saturation(recording, facts.tops, facts.lost)) out.push_back(std::move(*found));
   if (facts.stamps) out.push_back(jitter(*facts.stamps));
-  if (auto found = dropouts(recording, !facts.stamps, facts.held)) out.push_back(std::move(*found));
+  if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));
   if (auto found = spikes(recording)) out.push_back(std::move(*found));
   for (auto& found : reportedVelocities(recording, motion)) out.push_back(std::move(found));

@@ -32,6 +32,7 @@ struct RowFacts {
   std::vector<FlatTop> tops;           ///< As of flatTops(its wrench)
   std::vector<bool> lost;              ///< To these: as of unclipped()
   std::vector<Held> held;              ///< As of heldRows(recording)
+  Runs stale;                          ///< As of staleRuns(recording)
 };
 
 /// Tests on a recording as it was read; `motion` as worked out from it.

@@ -1,4 +1,5 @@
-// A low-pass filter inside the sensor or its driver: T y' + y = w, T / 2 twice, or the mean over the last 2 T: by T late, all.
+// A low-pass filter inside the sensor or its driver: T y' + y = w, the same with T / 2 twice, or the mean over the
+// last 2 T. Each makes slow readings late by T.
 #include <algorithm>
 #include <array>
 #include <cmath>
