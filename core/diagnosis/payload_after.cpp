@@ -52,6 +52,11 @@ bool possible(const EstimateReport& report) {
   return report.payload.mass > 3.0 * report.std.mass && report.payload.com.norm() < 0.4;
 }
 
+bool movesFar(const EstimateReport& is, const EstimateReport& was) {
+  constexpr double kFar = 0.25;
+  return std::abs(is.payload.mass - was.payload.mass) > kFar * std::abs(was.payload.mass);
+}
+
 void leaveAsItWas(DiagnosisReport& report, const char* code, std::string text, std::string remedy) {
   report.after = report.before;
   report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
@@ -82,6 +87,10 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   } else if (report.verdict == Verdict::unexplained && !predictsBetter(report.after, report.before)) {
     leaveAsItWas(report, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
+                 heft::say("Find what is unknown first: record the motion once more, more slowly."));
+  } else if (report.verdict == Verdict::unexplained && !work.mistake && movesFar(report.after, report.before)) {
+    leaveAsItWas(report, "payload_left_as_it_was",
+                 heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {
     report.findings.push_back({Severity::info, "payload_as_stated",

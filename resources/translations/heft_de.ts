@@ -6418,6 +6418,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.</source>
         <translation>Der Kanal {} liegt zur einen Seite um {:+.1f} % daneben und zur anderen um {:+.1f} %.</translation>
     </message>
+    <message>
+        <source>With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was.</source>
+        <translation>Ohne diese Ursachen wäre die Last um ein Viertel leichter oder schwerer, während etwas Unbekanntes bleibt; deshalb bleibt sie, wie sie war.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
