@@ -131,6 +131,12 @@ Judged judge(const Dictionary& of, const Ground& ground, double lnN) {
   return all.gain > out.gain ? all : out;
 }
 
+MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd out(a.rows() + b.rows(), a.cols());
+  out << a, b;
+  return out;
+}
+
 MatrixXd onEachChannel(const MatrixXd& features) {
   const Eigen::Index count = features.rows(), blocks = features.cols();
   MatrixXd columns = MatrixXd::Zero(6 * blocks, 6 * count);

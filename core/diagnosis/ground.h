@@ -59,6 +59,9 @@ Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double t
 /// As many of the columns as pay for themselves, or all at once.
 Judged judge(const Dictionary& of, const Ground& ground, double lnN);
 
+/// The rows of `b` below those of `a`, which may have none.
+MatrixXd stacked(const MatrixXd& a, const MatrixXd& b);
+
 /// Columns (6N x 6F) of features of blocks, F x N: a channel's features in its own rows only.
 MatrixXd onEachChannel(const MatrixXd& features);
 

@@ -1,6 +1,7 @@
 #include "core/diagnosis/rhythms.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -21,12 +22,6 @@ MatrixXd courseOf(const VectorXd& angle, double multiple) {
   MatrixXd out(2, angle.size());
   out.row(0) = (multiple * angle.array()).sin().matrix().transpose();
   out.row(1) = (multiple * angle.array()).cos().matrix().transpose();
-  return out;
-}
-
-MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
-  MatrixXd out(a.rows() + b.rows(), a.cols());
-  out << a, b;
   return out;
 }
 
@@ -112,12 +107,11 @@ MatrixXd inTheWorld(const std::vector<Matrix3d>& R_BS, const MatrixXd& courses) 
 using Columns = std::function<MatrixXd(const MatrixXd& courses)>;
 
 /// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay. `power`:
-/// what each explains by a first look.
+/// what each explains by a first look; there is at least one.
 Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, std::vector<double> power, const Columns& columns,
                   const Ground& ground, double lnN, Wave& first) {
   Judged out;
   out.gain = -1e300;
-  if (candidates.empty()) return out;
   const double tries = static_cast<double>(candidates.size());
   MatrixXd taken(0, angles.front().size());
   for (int step = 0; step < 3; ++step) {

@@ -48,12 +48,6 @@ MatrixXd withProducts(const MatrixXd& rows) {
   return out;
 }
 
-MatrixXd stacked(const MatrixXd& a, const MatrixXd& b) {
-  MatrixXd out(a.rows() + b.rows(), a.cols());
-  out << a, b;
-  return out;
-}
-
 /// How far each row is ahead of what follows it with a play of `half` to either side: what remembers the last way back.
 MatrixXd aheadOfPlay(const MatrixXd& rows, double half) {
   MatrixXd out(rows.rows(), rows.cols());

@@ -61,12 +61,9 @@ std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, c
   return evidence(left) < (1.0 - kMost) * evidence(contacts) ? left : contacts;
 }
 
-/// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter.
-double loudnessBeside(const Contact& touch, const Work& work) {
+/// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter. `e`: innovations, 6 x N.
+double loudnessBeside(const Contact& touch, const Work& work, const Eigen::Map<const Wrenches>& e) {
   constexpr double kNear = 2.0, kApart = 0.1, kWindow = 1.0;  // [s]
-  const Fit& fit = work.search.final;
-  const VectorXd innovations = whitened(Eigen::Map<const VectorXd>(fit.residual.data(), fit.residual.size()), fit.noise, work.stretches);
-  const Eigen::Map<const Wrenches> e(innovations.data(), 6, fit.residual.cols());
   const auto length = static_cast<Eigen::Index>(kWindow * work.signals.blockRate());
   std::vector<double> usual;
   double near = 0.0, count = 0.0;
@@ -122,8 +119,10 @@ void setTouchesAside(Work& work) {
   for (const Contact& touch : touches) lasts += touch.to - touch.from;
   for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
   // Where the noise is louder for a while, something of it looks like a touch.
+  const Wrenches& residual = search.final.residual;
+  const VectorXd innovations = whitened(Eigen::Map<const VectorXd>(residual.data(), residual.size()), search.final.noise, work.stretches);
   double evidence = 0.0;
-  for (const auto& touch : touches) evidence += touch.evidence / loudnessBeside(touch, work);
+  for (const auto& touch : touches) evidence += touch.evidence / loudnessBeside(touch, work, {innovations.data(), 6, residual.cols()});
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
   if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && evidence > kThreshold) {

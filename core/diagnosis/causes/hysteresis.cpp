@@ -37,7 +37,9 @@ class Hysteresis final : public Cause {
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     const bool alike = form.choice.size() > 2;
-    Vector6d range = w.rowwise().maxCoeff() - w.rowwise().minCoeff();
+    Vector6d range = Vector6d::Zero();
+    for (Eigen::Index c = 0; c < 6; ++c)
+      if (alike || v(c) != 0.0) range(c) = w.row(c).maxCoeff() - w.row(c).minCoeff();
     if (alike)
       for (const int first : {0, 3}) range.segment<3>(first).setConstant(range.segment<3>(first).maxCoeff());
     for (Eigen::Index c = 0; c < 6; ++c) {
