@@ -66,7 +66,7 @@ class Cause {
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
   virtual double doubt(const VectorXd&, const Signals&) const { return 0.0; }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty: none.
-  virtual VectorXd modelStd(const VectorXd&) const { return {}; }
+  virtual VectorXd modelStd(const Form&, const VectorXd&) const { return {}; }
   /// Stretches of time [s] in which it acts; empty: always.
   virtual std::vector<std::pair<double, double>> when(const Form&, const VectorXd&, const Signals&) const { return {}; }
 };

@@ -29,7 +29,7 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
     const Eigen::Index n = term.v.size();
     if (term.form->cause->id() == cause.id) {
       VectorXd deviation = std.segment(at, n);
-      for (const VectorXd& more : {term.form->cause->modelStd(term.v), spread})
+      for (const VectorXd& more : {term.form->cause->modelStd(*term.form, term.v), spread})
         if (more.size() == n) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
       for (Eigen::Index p = 0; p < n; ++p) {
         if (!term.moves(p)) {

@@ -34,19 +34,14 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
   return out;
 }
 
-Kinematics withJointOffset(const Signals& signals, int joint, double offset) {
+Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixXd& dq, const MatrixXd& ddq) {
   Kinematics out;
   const Eigen::Index n = signals.size();
   out.specificForce.resize(3, n);
   out.omega.resize(3, n);
   out.alpha.resize(3, n);
-  VectorXd q(signals.q.rows()), dq(signals.q.rows()), ddq(signals.q.rows());
   for (Eigen::Index k = 0; k < n; ++k) {
-    q = signals.q.col(k);
-    dq = signals.dq.col(k);
-    ddq = signals.ddq.col(k);
-    q(joint) += offset;
-    const FrameMotion frame = signals.robot->frameMotion(signals.link, signals.X_LS, q, dq, ddq);
+    const FrameMotion frame = signals.robot->frameMotion(signals.link, signals.X_LS, q.col(k), dq.col(k), ddq.col(k));
     const Matrix3d R = frame.X_BS.linear();
     out.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - signals.gravity);
     out.omega.col(k) = R.transpose() * frame.w_BS_B;

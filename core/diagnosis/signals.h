@@ -51,8 +51,8 @@ struct Signals {
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);
 
-/// Kinematics with the joints at q + offset; only with a robot.
-Kinematics withJointOffset(const Signals& signals, int joint, double offset);
+/// Kinematics of another motion of the joints, each dof x K; only with a robot.
+Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixXd& dq, const MatrixXd& ddq);
 
 /// Averages of samplesPerBlock neighbours.
 Wrenches averaged(const Signals& signals, const Wrenches& wrench);

@@ -384,6 +384,9 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "derivative_noise" && v.find("noise"))
     return heft::say("The reported joint velocities are noisy, by {} % of the motion's speed; Heft can use the angles instead.",
                      v.size("noise"));
+  if (id == "derivative_noise" && v.find("smoothing"))
+    return heft::say("The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too small.",
+                     v.size("smoothing"));
   if (id == "derivative_noise")
     return cause.direct ? heft::say("The reported joint velocities are {} % off; Heft can use the angles instead.",
                                     v.size("loss"))

@@ -44,6 +44,32 @@ inline void addWorldForce(const Signals& signals, const Eigen::Matrix3Xd& force_
   }
 }
 
+/// Adds what other motions of the joints, each dof x K, change; only with a robot.
+inline void changeJoints(const Signals& signals, Kinematics& kinematics, const MatrixXd& q, const MatrixXd& dq, const MatrixXd& ddq) {
+  const Kinematics moved = kinematicsOf(signals, q, dq, ddq);
+  kinematics.specificForce += moved.specificForce - signals.kinematics.specificForce;
+  kinematics.omega += moved.omega - signals.kinematics.omega;
+  kinematics.alpha += moved.alpha - signals.kinematics.alpha;
+}
+
+/// Changes velocity and acceleration by `change`, which takes and returns one of them in B axes, and leaves gravity as it is.
+template <class Change>
+void changeMotion(const Signals& signals, Kinematics& kinematics, Change change) {
+  const auto changed = [&](Eigen::Matrix3Xd value) {
+    for (Eigen::Index k = 0; k < value.cols(); ++k) value.col(k) = (signals.R_BS[static_cast<std::size_t>(k)] * value.col(k)).eval();
+    Eigen::Matrix3Xd out = change(value);
+    for (Eigen::Index k = 0; k < out.cols(); ++k)
+      out.col(k) = (signals.R_BS[static_cast<std::size_t>(k)].transpose() * out.col(k)).eval();
+    return out;
+  };
+  Eigen::Matrix3Xd gravity(3, signals.size());
+  for (Eigen::Index k = 0; k < signals.size(); ++k)
+    gravity.col(k) = signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity;
+  kinematics.specificForce = changed(kinematics.specificForce + gravity) - gravity;
+  kinematics.omega = changed(kinematics.omega);
+  kinematics.alpha = changed(kinematics.alpha);
+}
+
 /// Two unit vectors across gravity, B axes.
 inline std::pair<Vector3d, Vector3d> acrossGravity(const Vector3d& gravity) {
   const Vector3d g = gravity.norm() > 1e-6 ? Vector3d(gravity.normalized()) : Vector3d(-Vector3d::UnitZ());

@@ -21,10 +21,9 @@ class JointOffset final : public Cause {
   bool bendsGeometry() const override { return true; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kin) const override {
     if (v(0) == 0.0) return;
-    const Kinematics moved = withJointOffset(signals, form.choice[0], v(0));
-    kin.specificForce += moved.specificForce - signals.kinematics.specificForce;
-    kin.omega += moved.omega - signals.kinematics.omega;
-    kin.alpha += moved.alpha - signals.kinematics.alpha;
+    MatrixXd q = signals.q;
+    q.row(form.choice[0]).array() += v(0);
+    changeJoints(signals, kin, q, signals.dq, signals.ddq);
   }
 };
 

@@ -5,15 +5,6 @@
 namespace heft::diagnosis {
 namespace {
 
-Eigen::Matrix3Xd rotated(const Signals& signals, const Eigen::Matrix3Xd& value, bool toBase) {
-  Eigen::Matrix3Xd out(3, value.cols());
-  for (Eigen::Index k = 0; k < value.cols(); ++k) {
-    const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
-    out.col(k) = toBase ? Vector3d(R * value.col(k)) : Vector3d(R.transpose() * value.col(k));
-  }
-  return out;
-}
-
 class MotionLag final : public Cause {
  public:
   std::string_view id() const override { return "motion_lag"; }
@@ -31,18 +22,9 @@ class MotionLag final : public Cause {
   bool bendsGeometry() const override { return true; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     if (std::abs(v(0)) < 1e-7) return;
-    const auto late = [&](const Eigen::Matrix3Xd& value) -> Eigen::Matrix3Xd {
-      const Eigen::Matrix3Xd base = rotated(signals, value, true);
-      const MatrixXd moved = form.choice[0] == 0 ? onePole(base, v(0), signals.rateHz)
-                                                 : delayed(base, v(0), signals.rateHz);
-      return rotated(signals, moved, false);
-    };
-    Eigen::Matrix3Xd gravity(3, signals.size());
-    for (Eigen::Index k = 0; k < signals.size(); ++k)
-      gravity.col(k) = signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity;
-    kinematics.specificForce = late(kinematics.specificForce + gravity) - gravity;
-    kinematics.omega = late(kinematics.omega);
-    kinematics.alpha = late(kinematics.alpha);
+    changeMotion(signals, kinematics, [&](const Eigen::Matrix3Xd& value) -> Eigen::Matrix3Xd {
+      return form.choice[0] == 0 ? onePole(value, v(0), signals.rateHz) : delayed(value, v(0), signals.rateHz);
+    });
   }
 };
 

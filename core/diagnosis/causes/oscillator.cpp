@@ -182,7 +182,7 @@ class FlexibleMount final : public Oscillator {
   }
   /// A hand hardly shakes a tool that fast: what shows is how far the mount gives, which is mass over frequency squared, and
   /// how that splits is guessed from the little that is left of the resonance below the smoothing's corner.
-  VectorXd modelStd(const VectorXd& v) const override {
+  VectorXd modelStd(const Form&, const VectorXd& v) const override {
     constexpr double kShare = 0.12, kGuessed = 20.0;  // [Hz]
     constexpr double kUneven = 0.06;  // That the tool gives alike to all sides, and how it turns, are guessed, too
     if (v.size() == 2) return Eigen::Vector2d(kUneven * v(0), 0.0);
