@@ -215,15 +215,15 @@ Linearised linearised(const Signals& signals, const Model& model) {
   return out;
 }
 
-MatrixXd signatures(const Signals& signals, const Model& model, const Form& form) {
+Surroundings::Surroundings(const Signals& signals, const Model& model)
+    : signals_(signals), model_(model), terms_(inOrder(model.terms)), kinematics_(bent(signals, terms_)),
+      sensed_(sensed(signals, terms_, loads(signals, model, terms_, kinematics_))) {}
+
+MatrixXd Surroundings::signatures(const Form& form) const {
   const auto shared = std::make_shared<const Form>(form);
-  const Order before = inOrder(model.terms);
-  const Kinematics kinematics = bent(signals, before);
-  MatrixXd out(6 * signals.blocks(), static_cast<Eigen::Index>(form.scan.size()));
+  MatrixXd out(6 * signals_.blocks(), static_cast<Eigen::Index>(form.scan.size()));
   const Cause& cause = *form.cause;
   const bool additive = !cause.bendsGeometry() && !cause.changesSensor(form);
-  Wrenches value;
-  if (!additive) value = sensed(signals, before, loads(signals, model, before, kinematics));
   for (std::size_t i = 0; i < form.scan.size(); ++i) {
     const auto p = static_cast<std::size_t>(form.scan[i]);
     const double step = kStep * form.parameters[p].size;
@@ -232,17 +232,17 @@ MatrixXd signatures(const Signals& signals, const Model& model, const Form& form
     Wrenches w;
     if (additive) {
       // Forces and readings add to whatever is there: only they need to pass the sensor.
-      w = Wrenches::Zero(6, signals.size());
-      cause.force(form, v, signals, kinematics, w);
-      throughSensor(signals, before, w, true);
-      cause.readings(form, v, signals, w);
+      w = Wrenches::Zero(6, signals_.size());
+      cause.force(form, v, signals_, kinematics_, w);
+      throughSensor(signals_, terms_, w, true);
+      cause.readings(form, v, signals_, w);
     } else {
-      Model with = model;
+      Model with = model_;
       with.terms.push_back({shared, v, {}});
       const Order terms = inOrder(with.terms);
-      w = sensed(signals, terms, loads(signals, with, terms, cause.bendsGeometry() ? bent(signals, terms) : kinematics)) - value;
+      w = sensed(signals_, terms, loads(signals_, with, terms, cause.bendsGeometry() ? bent(signals_, terms) : kinematics_)) - sensed_;
     }
-    out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals, w)) / step;
+    out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, w)) / step;
   }
   return out;
 }

@@ -41,7 +41,19 @@ struct Linearised {
 };
 Linearised linearised(const Signals& signals, const Model& model);
 
-/// How the reading changes with each parameter in form.scan at form.start, with `model` around it: 6N x scan.size().
-MatrixXd signatures(const Signals& signals, const Model& model, const Form& form);
+/// A model that a form may be added to; neither it nor the signals may go before this.
+class Surroundings {
+ public:
+  Surroundings(const Signals& signals, const Model& model);
+  /// How the reading changes with each parameter in form.scan at form.start: 6N x scan.size().
+  MatrixXd signatures(const Form& form) const;
+
+ private:
+  const Signals& signals_;
+  const Model& model_;
+  std::vector<const Term*> terms_;  ///< In their order
+  Kinematics kinematics_;           ///< As the terms bend it
+  Wrenches sensed_;                 ///< Without what adds to the readings
+};
 
 }  // namespace heft::diagnosis

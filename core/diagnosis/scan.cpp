@@ -167,12 +167,13 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   for (std::size_t i = 0; i < plain_.size(); ++i)
     if (!wanted || wanted(plain_[i].form)) which.push_back(i);
   std::vector<Signature> out(which.size());
+  const Surroundings surroundings(signals, model);
   onTwoThreads(out.size(), [&](std::size_t i) {
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
     const bool keeps = plain && !cause.bendsGeometry() && !cause.changesSensor(known.form);
     out[i] = known;
-    if (!keeps || !known.columns) out[i].columns = std::make_shared<const MatrixXd>(signatures(signals, model, known.form));
+    if (!keeps || !known.columns) out[i].columns = std::make_shared<const MatrixXd>(surroundings.signatures(known.form));
     if (keeps) known.columns = out[i].columns;
   });
   return out;
@@ -244,10 +245,11 @@ Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches,
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const Noise flatNoise = white(fit.residual, stretches);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
+  const Surroundings surroundings(signals, fit.model);
   const auto at = [&](double time) {
     Signature out{candidate.form, {}};
     out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
-    out.columns = std::make_shared<const MatrixXd>(signatures(signals, fit.model, out.form));
+    out.columns = std::make_shared<const MatrixXd>(surroundings.signatures(out.form));
     return out;
   };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.

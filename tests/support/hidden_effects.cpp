@@ -157,7 +157,7 @@ std::optional<EffectRequest> drawRequest(const EffectKind& kind, const std::stri
                                          const Payload& payload, const SimulateOptions& options, RandomStream& random) {
   EffectRequest request{kind.id, form, kind.typical};
   if (kind.id == "frame_error") return request;  // There is no half mistake.
-  if (!contains(kSeenDirectly, kind.id)) {
+  if (!contains(kSeenDirectly, kind.id) || form == "recorded") {
     const auto size = visibleSize(kind.typical, kind.largest, [&](double s) {
       return misfit(payload, options, {kind.id, form, s});
     });

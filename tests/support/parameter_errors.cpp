@@ -31,6 +31,7 @@ std::map<std::string, double> expected(const EffectTruth& hidden) {
   if (hidden.id == "low_pass_lag") out["time_constant"] = 1e3 * number(hidden, "lag_s");
   if (hidden.id == "motion_lag") out["lag"] = 1e3 * number(hidden, "lag_s");
   if (kind == "derivative_noise/scaled") out["loss"] = 100.0 * number(hidden, "share");
+  if (kind == "derivative_noise/recorded") out["smoothing"] = 1e3 * number(hidden, "width_s");
   if (kind == "gravity_tilt/tilt") vector("tilt_", "axis_b", kDegrees * number(hidden, "angle_rad"));
   if (hidden.id == "sensor_rotation") vector("r", "axis_s", kDegrees * number(hidden, "angle_rad"));
   if (kind == "lever_arm/offset") vector("d", "offset_s_m", 1e3);

@@ -1,28 +1,34 @@
 // Everything inertial looks smaller than it is: by one share, inertial part x (1 - loss), where accelerations are noisy; the
-// faster the more, inertial part x exp(-(width omega)^2 / 2), where the motion was smoothed before it was recorded.
-#include <algorithm>
-#include <cmath>
-
+// faster the more where the motion was smoothed before it was recorded, inertial part x exp(-(T omega)^2 / 2) as a bell of width T
+// does, or 1 / (1 + (T omega)^4) as a Butterworth filter of order 2 that ran forward and backward.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
 namespace heft::diagnosis {
 namespace {
 
-/// [ms] of a width's square.
-double widthOf(double square) { return kMilli * std::sqrt(std::max(0.0, square)); }
+enum Smoothing { kBell = 1, kButterworth = 2 };  // A form without a choice is the share
 
-/// Undoes a smoothing by a bell whose variance in time is `square` [s2]: exp(x) of x = (width omega)^2 / 2 by (1 + x / n)^n, which
-/// lets what smoothing left of fast noise be.
-MatrixXd sharpened(const MatrixXd& value, double square, double rateHz) {
-  constexpr int kTimes = 3;
-  const double weight = square * rateHz * rateHz / (2.0 * kTimes);
+double bellWidth(double square) { return kMilli * std::sqrt(std::max(0.0, square)); }
+double butterworthWidth(double fourthPower) { return kMilli * std::pow(std::max(0.0, fourthPower), 0.25); }
+
+/// value - weight * second difference of its rows.
+MatrixXd lessBent(const MatrixXd& value, double weight) {
   MatrixXd out = value;
   const Eigen::Index n = value.cols();
-  for (int i = 0; i < kTimes && n > 2; ++i) {
-    const MatrixXd bend = out.leftCols(n - 2) - 2.0 * out.middleCols(1, n - 2) + out.rightCols(n - 2);
-    out.middleCols(1, n - 2) -= weight * bend;
+  if (n > 2) out.middleCols(1, n - 2) -= weight * (value.leftCols(n - 2) - 2.0 * value.middleCols(1, n - 2) + value.rightCols(n - 2));
+  return out;
+}
+
+/// Undoes a smoothing of one kind and size, T^2 or T^4. Of the bell, exp(x) with x = (T omega)^2 / 2, only (1 + x / 3)^3 is
+/// undone: what it left of fast noise stays small.
+MatrixXd sharpened(const MatrixXd& value, int kind, double size, double rateHz) {
+  if (kind == kButterworth) {
+    const MatrixXd fourth = lessBent(value, 1.0) - value;
+    return value + size * std::pow(rateHz, 4) * (lessBent(fourth, 1.0) - fourth);
   }
+  MatrixXd out = value;
+  for (int i = 0; i < 3; ++i) out = lessBent(out, size * rateHz * rateHz / 6.0);
   return out;
 }
 
@@ -34,23 +40,27 @@ class DerivativeNoise final : public Cause {
     std::vector<Form> out;
     if (signals.positionKnown) out.push_back(formOf(this, "", {{"loss", "%", 100.0, 0.05, -0.5, 0.5}}));
     constexpr double kTypical = 0.01, kLongest = 0.06;  // [s]
-    Parameter width{"smoothing", "ms", kMilli, kTypical * kTypical, 0.0, kLongest * kLongest};
-    width.told = widthOf;
-    out.push_back(formOf(this, "smoothed", {width}));
-    out.back().choice = {1};
+    for (const int kind : {kBell, kButterworth}) {
+      const double power = kind == kBell ? 2.0 : 4.0;
+      Parameter size{"smoothing", "ms", kMilli, std::pow(kTypical, power), 0.0, std::pow(kLongest, power)};
+      size.told = kind == kBell ? bellWidth : butterworthWidth;
+      out.push_back(formOf(this, kind == kBell ? "smoothed" : "smoothed more sharply", {size}));
+      out.back().choice = {kind};
+    }
     return out;
   }
   /// Filters of one width differ the more, the more they take of a hand's tremor.
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
     if (form.choice.empty()) return {};
     constexpr double kTremor = 2.0 * std::numbers::pi * 8.0;  // [rad/s]
-    return v * (0.05 + 0.25 * std::min(1.0, 0.5 * v(0) * kTremor * kTremor));
+    const double lost = form.choice[0] == kBell ? 0.5 * v(0) * std::pow(kTremor, 2) : v(0) * std::pow(kTremor, 4);
+    return (form.choice[0] == kBell ? 1.0 : 2.0) * v * (0.15 + 0.25 * std::min(1.0, lost));
   }
   int order() const override { return 14; }
   bool bendsGeometry() const override { return true; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     if (!form.choice.empty()) {
-      const auto sharp = [&](const MatrixXd& value) { return sharpened(value, v(0), signals.rateHz); };
+      const auto sharp = [&](const MatrixXd& value) { return sharpened(value, form.choice[0], v(0), signals.rateHz); };
       if (signals.robot != nullptr)
         changeJoints(signals, kinematics, sharp(signals.q), sharp(signals.dq), sharp(signals.ddq));
       else

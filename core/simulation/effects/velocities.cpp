@@ -1,4 +1,4 @@
-// What a controller reports as velocity: late, smoothed, scaled or noisy.
+// What a controller reports as velocity: late, smoothed, scaled or noisy; or a whole motion smoothed before it was written.
 #include <algorithm>
 #include <cmath>
 
@@ -76,6 +76,25 @@ class DerivativeNoise final : public Effect {
   }
   void log(Recording& recording) override {
     const double rate = recording.rateHz();
+    if (form_ == "recorded") {
+      // Twice a mean over 2 half + 1 rows: (width w)^2 / 2 is lost at the angular frequency w; stated for 5 Hz.
+      constexpr double kStatedAt = 2.0 * 3.14159265358979 * 5.0;  // [rad/s]
+      const auto half = static_cast<Eigen::Index>(std::llround(0.5 * rate * std::sqrt(12.0 * share_) / kStatedAt));
+      note("width_s", std::sqrt(static_cast<double>(2 * half * (half + 1)) / 3.0) / rate);
+      const auto smooth = [&](auto& columns) {
+        for (Eigen::Index c = 0; c < columns.cols() && columns.rows() > 0; ++c)
+          columns.col(c) = averaged(averaged(columns.col(c), half, half), half, half);
+      };
+      smooth(recording.q);
+      smooth(recording.dq);
+      smooth(recording.position);
+      smooth(recording.twist);
+      for (Eigen::Index k = 1; k < recording.quaternion.rows(); ++k)
+        if (recording.quaternion.row(k).dot(recording.quaternion.row(k - 1)) < 0.0) recording.quaternion.row(k) *= -1.0;
+      smooth(recording.quaternion);
+      recording.quaternion.rowwise().normalize();
+      return;
+    }
     eachVelocity(recording, [&](VectorXd& column) {
       if (form_ == "noisy") {
         const double size = share_ * std::sqrt(column.squaredNorm() / static_cast<double>(column.size()));
@@ -110,11 +129,11 @@ void addVelocityKinds(std::vector<EffectKind>& kinds) {
                    making<MotionLag>()});
   kinds.push_back({"derivative_noise",
                    "%",
-                   "reported joint velocities too small, or their noise",
+                   "reported joint velocities too small, or their noise; or the recorded motion smoothed",
                    20.0,
                    90.0,
                    false,
-                   {"scaled", "smoothed", "noisy"},
+                   {"scaled", "smoothed", "noisy", "recorded"},
                    making<DerivativeNoise>()});
 }
 

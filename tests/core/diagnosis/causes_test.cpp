@@ -165,7 +165,8 @@ TEST(Scan, JacobianIsTheDerivative) {
 /// At first all ways of being late are one.
 TEST(Catalogue, ALittleOfAnyFilterIsADelay) {
   const auto& p = prepared();
-  const auto column = [&](const Form& form) { return MatrixXd(signatures(p.signals, p.model, form)); };
+  const Surroundings surroundings(p.signals, p.model);
+  const auto column = [&](const Form& form) { return surroundings.signatures(form); };
   const MatrixXd late = column(findCause("time_offset")->forms(p.signals).front());
   for (const auto& form : findCause("low_pass_lag")->forms(p.signals)) {
     const MatrixXd filtered = column(form);

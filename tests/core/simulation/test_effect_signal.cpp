@@ -1,6 +1,7 @@
 // What gauges, filters, transport, converter and log do to the signal.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -232,6 +233,28 @@ TEST(EffectSignal, JointsAndVelocitiesAreReportedWrongly) {
   for (Eigen::Index k = 500; k < exact.rows() - 1; k += 41)
     EXPECT_LT((0.03 * 500.0 * (filtered.row(k + 1) - filtered.row(k - 1)) + filtered.row(k) - exact.row(k)).norm(),
               0.02 * exact.cwiseAbs().maxCoeff());
+}
+
+TEST(EffectSignal, AMotionSmoothedBeforeItWasWrittenLosesWhatIsFast) {
+  const Simulated plain = simulatedOrDie(quietOptions());
+  const Simulated smoothed = withEffect("derivative_noise/recorded=10");
+  EXPECT_EQ(smoothed.recording.wrench, plain.recording.wrench);
+  // A narrow filter takes width^2 / 2 of the second derivative, the stated share at 5 Hz, and is not late.
+  const auto& noted = smoothed.truth.effects.front().parameters;
+  const double width = std::ranges::find_if(noted, [](const auto& p) { return p.name == "width_s"; })->values.front();
+  EXPECT_NEAR(0.5 * std::pow(width * 2.0 * std::numbers::pi * 5.0, 2), 0.1, 0.01);
+  const MatrixXd& q = plain.recording.q;
+  const double step = 1.0 / plain.recording.rateHz();
+  const auto far = static_cast<Eigen::Index>(std::llround(width / step));
+  const double across = static_cast<double>(far) * step;
+  double largest = 0.0, off = 0.0;
+  for (Eigen::Index k = 500; k + 500 < q.rows(); k += 7) {
+    const VectorXd lost = (0.5 * width * width / (across * across)) * (q.row(k + far) - 2.0 * q.row(k) + q.row(k - far));
+    const VectorXd change = smoothed.recording.q.row(k) - q.row(k);
+    largest = std::max(largest, change.norm());
+    off = std::max(off, (change - lost).norm());
+  }
+  EXPECT_LT(off, 0.1 * largest);
 }
 
 TEST(EffectSignal, FrameMistakesOfPeople) {
