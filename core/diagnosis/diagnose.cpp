@@ -188,6 +188,14 @@ struct Judged {
   bool dropped = false;
 };
 
+/// Whether our own smoothing of the motion leaves all that the final model has of `cause`.
+bool ownSmoothing(const Work& work, std::string_view cause) {
+  double over = 0.0;
+  for (const Term& term : work.search.final.model.terms)
+    if (term.form->cause->id() == cause) over += term.form->cause->overOwnSmoothing(*term.form, term.v, work.signals);
+  return over < 1.0;
+}
+
 /// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing speaks for it.
 Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance, const std::vector<Direct>& directs) {
   Judged out;
@@ -203,7 +211,7 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
   for (const Found* found : order) {
     // Part of the model, but no cause that somebody could mend.
     const bool turned = work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
-    if (found->cause == kWandering || turned) continue;
+    if (found->cause == kWandering || turned || ownSmoothing(work, found->cause)) continue;
     Fit rest = fitModel(work.signals, work.stretches, without(search.final.model, found->cause));
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
     const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
