@@ -196,6 +196,20 @@ bool ownSmoothing(const Work& work, std::string_view cause) {
   return over < 1.0;
 }
 
+/// Whether any amplitude of `cause` is known to differ from none.
+bool standsOut(const Fit& fit, std::string_view cause) {
+  constexpr double kDeviations = 3.0;
+  const VectorXd std = fit.std();
+  Eigen::Index at = kLinear;
+  for (const Term& term : fit.model.terms) {
+    if (term.form->cause->id() == cause)
+      for (const int p : term.form->scan)
+        if (term.moves(p) && std::abs(term.v(p) - term.form->start(p)) > kDeviations * std(at + p)) return true;
+    at += term.v.size();
+  }
+  return false;
+}
+
 /// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing speaks for it.
 Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance, const std::vector<Direct>& directs) {
   Judged out;
@@ -227,7 +241,9 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
     // one of them is not like the others, such as the first of a drift that settles.
     const bool nearlyAll = found->gain >= kFaint && 10 * gain.blocksBetter >= 8 * gain.blocks;
     const bool harms = gain.explainedFraction < -kHarm;
-    if (!nearlyAll && (harms || (!local && !(explains && 2 * gain.blocksBetter >= gain.blocks)))) {
+    // Beside something unknown, what may as well be nothing is a part of that.
+    const bool vague = needed > 0.0 && !standsOut(search.final, found->cause);
+    if (vague || (!nearlyAll && (harms || (!local && !(explains && 2 * gain.blocksBetter >= gain.blocks))))) {
       // Nothing is gained where it was not fitted: it is no cause.
       search.final = std::move(rest);
       out.last = std::move(before);
@@ -261,6 +277,22 @@ Wrenches steadyResidual(const Work& work, Findings& findings) {
                       heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
                       heft::say("Let the sensor warm up, and keep recordings short."), {}});
   return fitModel(work.signals, work.stretches, std::move(still)).residual;
+}
+
+/// What was set aside and is no contact is unknown, unless something else is.
+void saySomethingOdd(const Work& work, DiagnosisReport& out) {
+  double evidence = 0.0, lasts = 0.0;
+  for (const Contact& odd : work.odd) {
+    evidence += odd.evidence;
+    lasts += odd.to - odd.from;
+  }
+  out.findings.push_back({Severity::warning, "odd_stretches",
+                          heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
+                                    std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
+                          heft::say("Look at what switches, shakes or turns on the tool at these moments."), {}});
+  if (out.remaining.gain > kUnexplained) return;
+  out.remaining.goesWith = work.oddGoesWith;
+  out.remaining.gain = evidence;
 }
 
 /// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in coarse
@@ -392,6 +424,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
   }
+  if (!work.odd.empty()) saySomethingOdd(work, out);
   out.baseline = rmsOf(work.stretches, work.search.null.residual);
   out.noise = rmsOf(work.stretches, final.residual);
   const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));

@@ -1,9 +1,33 @@
 #include "core/diagnosis/events.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace heft::diagnosis {
+
+namespace {
+
+/// Innovations of all blocks, 6 x N.
+Wrenches innovationsOf(const Signals& signals, const Fit& fit) {
+  const Eigen::Map<const VectorXd> flat(fit.residual.data(), fit.residual.size());
+  const VectorXd u = whitened(flat, fit.noise, {{0, signals.blocks()}});
+  return Eigen::Map<const Wrenches>(u.data(), 6, signals.blocks());
+}
+
+/// Share of the power of innovations in a stretch that holds for a tenth of a second: 0.2 for noise, next to 1 for a push.
+double steadiness(const Signals& signals, const Wrenches& innovations, const Stretch& where) {
+  const auto length = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(std::lround(0.1 * signals.blockRate())));
+  double steady = 0.0, all = 1e-300;
+  for (Eigen::Index n = where.from; n + length <= where.to; n += length) {
+    const auto part = innovations.middleCols(n, length);
+    steady += part.rowwise().sum().squaredNorm() / static_cast<double>(length);
+    all += part.squaredNorm();
+  }
+  return where.to - where.from < length ? 1.0 : steady / all;
+}
+
+}  // namespace
 
 double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Index from, Eigen::Index to) {
   // A little of what lies around it starts the memory, as far as it is to be trusted.
@@ -22,16 +46,67 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 }
 
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
+  constexpr double kSteady = 0.45;
   std::vector<Contact> out;
+  const Wrenches innovations = innovationsOf(signals, fit);
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from), signals.blockTime(stretch.to - 1), 0.0,
                     evidenceForLeavingOut(signals, fit, stretch.from, stretch.to), stretch};
     if (contact.evidence < kThreshold) continue;
     for (Eigen::Index n = stretch.from; n < stretch.to; ++n)
       contact.peakForce = std::max(contact.peakForce, fit.residual.col(n).head<3>().norm());
+    contact.steady = steadiness(signals, innovations, stretch) > kSteady;
     out.push_back(contact);
   }
   return out;
+}
+
+std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kFollows = 0.35;  ///< Share of what is left; of pushes it was 0.06 at most
+  constexpr Eigen::Index kApart = 5;
+  if (contacts.size() < 2) return {};
+  const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
+  Wrenches motion = Wrenches::Zero(6, blocks);  // Velocity and turning, S axes
+  for (Eigen::Index k = 0; k < blocks * m; ++k) {
+    motion.col(k / m).head<3>() += signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.velocity.col(k) / static_cast<double>(m);
+    motion.col(k / m).tail<3>() += signals.kinematics.omega.col(k) / static_cast<double>(m);
+  }
+  std::vector<bool> known = signals.usable;
+  for (const Contact& contact : contacts)
+    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) known[static_cast<std::size_t>(n)] = true;
+  // What is left of force and torque if the law in all other places tells each contact, by either law.
+  struct Law {
+    Eigen::Index first, count;
+    std::string_view name;
+  };
+  constexpr std::array<Law, 2> kLaws{{{0, 3, "how fast the tool moves"}, {3, 3, "how fast the tool turns"}}};
+  std::string_view best;
+  double most = kFollows;
+  for (const Law& law : kLaws) {
+    const auto G = motion.middleRows(law.first, law.count);
+    const double scale = G.squaredNorm() / static_cast<double>(blocks) + 1e-12;
+    Eigen::Vector2d all = Eigen::Vector2d::Zero(), left = Eigen::Vector2d::Zero();
+    for (const Contact& contact : contacts) {
+      Matrix3d A = 1e-3 * scale * Matrix3d::Identity();
+      Eigen::Matrix<double, 3, 6> b = Eigen::Matrix<double, 3, 6>::Zero();
+      for (Eigen::Index n = 0; n < blocks; ++n) {
+        if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart)) continue;
+        A += G.col(n) * G.col(n).transpose();
+        b += G.col(n) * fit.residual.col(n).transpose();
+      }
+      const Eigen::Matrix<double, 3, 6> X = A.ldlt().solve(b);
+      for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
+        const Vector6d r = fit.residual.col(n), rest = r - X.transpose() * G.col(n);
+        all += Eigen::Vector2d(r.head<3>().squaredNorm(), r.tail<3>().squaredNorm());
+        left += Eigen::Vector2d(rest.head<3>().squaredNorm(), rest.tail<3>().squaredNorm());
+      }
+    }
+    const double follows = 1.0 - (left.array() / all.array().max(1e-300)).minCoeff();
+    if (follows <= most) continue;
+    most = follows;
+    best = law.name;
+  }
+  return std::string(best);
 }
 
 }  // namespace heft::diagnosis

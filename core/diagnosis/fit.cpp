@@ -319,12 +319,21 @@ Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit f
 }
 
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
-  const VectorXd sd = whisper(fit.model);
+  // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say.
+  constexpr double kOrder = 3.0, kLittle = 0.1;
+  VectorXd sd = whisper(fit.model);
+  Eigen::Index at = kLinear;
+  for (const auto& term : fit.model.terms) {
+    for (const int p : term.form->scan)
+      if (term.form->start(p) == 0.0)
+        sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term.v(p)) + kLittle * term.form->parameters[static_cast<std::size_t>(p)].size);
+    at += term.v.size();
+  }
   Model model = fit.model;
   for (int round = 0; round < 2; ++round) {
-    const Linearised at = round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
-    const Wrenches residual = signals.measured - at.value;
-    const ChannelColumns J(whitened(at.jacobian, fit.noise, stretches));
+    const Linearised around = round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
+    const Wrenches residual = signals.measured - around.value;
+    const ChannelColumns J(whitened(around.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
     const VectorXd g = J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2());
     model = moved(model, Normal(J, sd).solve(g), 1.0);

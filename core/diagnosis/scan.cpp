@@ -213,8 +213,9 @@ void take(Candidate& candidate, const Weighting::Answer& answer) {
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
                             const std::vector<Signature>& bank) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  std::map<const Cause*, int> forms;
-  for (const auto& signature : bank) ++forms[signature.form.cause];
+  // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies.
+  std::map<const Cause*, std::map<std::vector<int>, int>> forms;
+  for (const auto& signature : bank) ++forms[signature.form.cause][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
   std::vector<Candidate> out(bank.size());
@@ -225,7 +226,8 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
     const Form& form = bank[i].form;
     Candidate& candidate = out[i];
     candidate.form = form;
-    candidate.choicePenalty = 2.0 * std::log(static_cast<double>(forms.at(form.cause)));
+    const auto& kinds = forms.at(form.cause);
+    candidate.choicePenalty = 2.0 * std::log(static_cast<double>(std::ssize(kinds) * kinds.at(form.choice)));
     // What moves between the forms, such as a frequency, has been chosen from more than their number.
     if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
     take(candidate, best);

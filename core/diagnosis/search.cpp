@@ -304,12 +304,14 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
   return out;
 }
 
-/// Both smooth or delay fast forces, and so does whatever was done to the recorded motion: how well either fits is not known
-/// better than to a share of what both explain.
+/// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger than the
+/// motion says, a mount below its resonance like motion that was smoothed: how well either fits is not known better than to a
+/// share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
   constexpr double kShare = 0.05;
   const auto lags = [](std::string_view id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; };
-  return lags(a) && lags(b) ? kShare * gain : 0.0;
+  const auto enlarges = [](std::string_view id) { return id == "flexible_mount" || id == "derivative_noise"; };
+  return (lags(a) && lags(b)) || (enlarges(a) && enlarges(b)) ? kShare * gain : 0.0;
 }
 
 /// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm. Of a

@@ -1,7 +1,6 @@
 #include "core/diagnosis/work.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "core/base/say.h"
@@ -41,24 +40,39 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
       signals.usable[static_cast<std::size_t>(n)] = false;
 }
 
-/// What is left of `contacts` if one cause that shows in few places only, such as the end of the sensor's range or a jump of
-/// its zero, is behind most of it: that one is not seen elsewhere, and looks like contact as long as it is set aside.
+/// What is left of `contacts` if one cause is behind most of it, such as the end of the sensor's range, a jump of its zero or a
+/// cable that is slack elsewhere: that one looks like contact as long as it is set aside.
 std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, const Search& found, const std::vector<Contact>& contacts,
                                     const std::vector<Stretch>& holes) {
   constexpr double kMost = 0.9;  ///< Share of the evidence for contact
-  constexpr std::array<std::string_view, 3> kLocal{"saturation", "sensor_bias", "payload_change"};
+  std::vector<std::string_view> causes;
+  for (const auto& cause : catalogue())
+    if (cause->id() != "contact" && cause->id() != kWandering) causes.push_back(cause->id());
   const auto evidence = [](const std::vector<Contact>& all) {
     double sum = 0.0;
     for (const auto& contact : all) sum += contact.evidence;
     return sum;
   };
   const auto stretches = stretchesOf(whole.usable);
-  auto other = withOneOf(whole, stretches, bank, fitModel(whole, stretches, found.final.model, 4), kLocal);
+  auto other = withOneOf(whole, stretches, bank, fitModel(whole, stretches, found.final.model, 4), causes);
   if (!other) return contacts;
   // Contact makes noise of its own: what is left is judged by the noise elsewhere.
   other->noise = found.final.noise;
   auto left = contactsIn(whole, *other, holes);
   return evidence(left) < (1.0 - kMost) * evidence(contacts) ? left : contacts;
+}
+
+/// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else.
+void setOddAside(Work& work, const Signals& whole) {
+  std::vector<Contact> pushes;
+  for (const Contact& contact : work.contacts) (contact.steady ? pushes : work.odd).push_back(contact);
+  if (!work.odd.empty()) work.oddGoesWith = heft::toSay("noise that comes and goes");
+  if (const std::string law = lawOf(whole, work.search.final, pushes); !law.empty()) {
+    work.odd = std::move(work.contacts);
+    work.oddGoesWith = law;
+    pushes.clear();
+  }
+  work.contacts = std::move(pushes);
 }
 
 /// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter. `e`: innovations, 6 x N.
@@ -133,8 +147,10 @@ void setTouchesAside(Work& work) {
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
       signals = std::move(less);
       work.stretches = std::move(stretches);
-      work.contacts.insert(work.contacts.end(), touches.begin(), touches.end());
-      std::sort(work.contacts.begin(), work.contacts.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
+      // Where something else than contact comes and goes, a little more of it is no touch either.
+      auto& known = work.odd.empty() ? work.contacts : work.odd;
+      known.insert(known.end(), touches.begin(), touches.end());
+      std::sort(known.begin(), known.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
       search.null = fitModel(signals, work.stretches, Model{});
     }
   }
@@ -256,6 +272,7 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
   }
+  setOddAside(work, whole);
   setTouchesAside(work);
   return work;
 }

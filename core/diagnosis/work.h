@@ -35,6 +35,8 @@ struct Work {
   Signals signals;
   std::vector<Stretch> stretches;
   std::vector<Contact> contacts;
+  std::vector<Contact> odd;  ///< Set aside like contact, but no push
+  std::string oddGoesWith;   ///< Not translated
   std::optional<FrameMistake> mistake;
   SignatureBank bank;  ///< Of `signals`
   Search search;

@@ -1,4 +1,7 @@
-// A cable or hose that pulls like a spring towards where it is fixed.
+// A cable or hose that pulls like a spring towards where it is fixed, all the time or where it is taut.
+#include <algorithm>
+#include <iterator>
+
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -6,6 +9,50 @@ namespace heft::diagnosis {
 namespace {
 
 Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean(); }
+
+enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4 };  ///< Form::choice
+
+/// Where the tool was at the middle of each of up to 200 parts of the recording.
+std::vector<Vector3d> places(const Signals& signals) {
+  constexpr Eigen::Index kMost = 200;
+  const Eigen::Index n = signals.position.cols(), step = std::max<Eigen::Index>(1, n / kMost);
+  std::vector<Vector3d> out;
+  for (Eigen::Index k = step / 2; k < n; k += step) out.emplace_back(signals.position.col(k));
+  return out;
+}
+
+/// Forms of one that has a length: fixed to each side of the tool's places, taut at a quarter of them, at half, or at all.
+std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
+  constexpr double kReach = 0.7, kFarthest = 4.0;  // [m]
+  const std::vector<Vector3d> all = places(signals);
+  const Vector3d centre = middle(signals);
+  std::vector<Form> out;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        const int axes = std::abs(x) + std::abs(y) + std::abs(z);
+        if (axes == 0 || axes == 2) continue;
+        const Vector3d anchor = centre + kReach * Vector3d(x, y, z).normalized();
+        std::vector<double> far;
+        for (const Vector3d& p : all) far.push_back((p - anchor).norm());
+        std::ranges::sort(far);
+        for (const double slack : {0.75, 0.5, 0.0}) {
+          const double length = slack > 0.0 ? far[static_cast<std::size_t>(slack * static_cast<double>(far.size()))] : 0.5 * far.front();
+          std::vector<Parameter> parameters{{"stiffness", "N/m", 1.0, 3.0, 0.0, 400.0}};
+          for (int axis = 0; axis < 3; ++axis)
+            parameters.push_back({fmt::format("anchor_{}", "xyz"[axis]), "mm", kMilli, 0.1, centre(axis) - kFarthest, centre(axis) + kFarthest});
+          parameters.push_back({"length", "mm", kMilli, 0.05, 0.0, kFarthest, true});
+          Form form = formOf(cause, fmt::format("{} from {:+d}{:+d}{:+d}", slack > 0.0 ? fmt::format("slack for {:.0f} %", 100.0 * slack) : "taut", x, y, z),
+                             withPlace(std::move(parameters)));
+          form.start.segment<3>(1) = anchor;
+          form.start(4) = length;
+          form.scan = {0};
+          form.choice = {kTaut};
+          out.push_back(std::move(form));
+        }
+      }
+  return out;
+}
 
 class CablePull final : public Cause {
  public:
@@ -27,22 +74,34 @@ class CablePull final : public Cause {
     if (signals.positionKnown) {
       std::vector<Parameter> head{stiffness};
       head.insert(head.end(), pull.begin(), pull.end());
-      add(0, "", head, {});
-      add(1, "away from the sensor", head, place);
+      add(kSpring, "", head, {});
+      add(kAway, "away from the sensor", head, place);
       out.back().scan = {0, 1, 2, 3};
       std::vector<Parameter> three{{"stiffness_x", "N/m", 1.0, 1.0, 0.0, 400.0, true},
                                    {"stiffness_y", "N/m", 1.0, 1.0, 0.0, 400.0, true},
                                    {"stiffness_z", "N/m", 1.0, 1.0, 0.0, 400.0, true}};
       three.insert(three.end(), pull.begin(), pull.end());
-      add(2, "different along each axis", three, place);
+      add(kPerAxis, "different along each axis", three, place);
       out.back().scan = {0, 1, 2, 3, 4, 5};
+      std::ranges::move(tautForms(this, signals), std::back_inserter(out));
     }
-    add(3, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, 0.0, 20.0}},
+    add(kTwist, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, 0.0, 20.0}},
         {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_y", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_z", "N m", 1.0, 0.02, -5.0, 5.0}});
     return out;
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
-    if (form.choice[0] == 3) {
+    if (form.choice[0] == kTaut) {
+      const Vector3d anchor = v.segment<3>(1), r = v.segment<3>(5);
+      Eigen::Matrix3Xd held = Eigen::Matrix3Xd::Zero(3, w.cols());
+      for (Eigen::Index k = 0; k < w.cols(); ++k) {
+        const Vector3d way = signals.position.col(k) + signals.R_BS[static_cast<std::size_t>(k)] * r - anchor;
+        const double far = way.norm();
+        if (far > std::max(v(4), 1e-6)) held.col(k) = v(0) * (1.0 - v(4) / far) * way;
+      }
+      addWorldForce(signals, held, r, w);
+      return;
+    }
+    if (form.choice[0] == kTwist) {
       const Matrix3d& R0 = signals.R_BS[signals.R_BS.size() / 2];
       for (Eigen::Index k = 0; k < w.cols(); ++k) {
         const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
@@ -50,7 +109,7 @@ class CablePull final : public Cause {
       }
       return;
     }
-    const bool perAxis = form.choice[0] == 2;
+    const bool perAxis = form.choice[0] == kPerAxis;
     const Eigen::Index at = perAxis ? 3 : 1;
     const Vector3d stiffness = perAxis ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
     const Vector3d pull = v.segment<3>(at);

@@ -146,8 +146,46 @@ class LooseMass final : public Oscillator {
         form.choice = {kRolls};
         out.push_back(std::move(form));
       }
+    // It swung already when the recording began: in the other forms it starts in balance.
+    for (const double frequency : {1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5}) {
+      std::vector<Parameter> own;
+      for (const char* phase : {"start", "quarter"})
+        for (const char axis : {'x', 'y', 'z'}) own.push_back({fmt::format("{}_{}", phase, axis), "N", 1.0, 0.2, -50.0, 50.0});
+      own.push_back({"frequency", "Hz", 1.0, 0.3, 0.4, 13.0});
+      // What hardly dies away is a rhythm of something that runs.
+      own.push_back({"damping", "", 1.0, 0.05, 0.03, kMostDamped});
+      Form form = formOf(this, fmt::format("swinging from the start, {:.1f} Hz", frequency), withPlace(std::move(own)));
+      form.start(6) = frequency;
+      form.start(7) = 0.06;
+      form.scan = {0, 1, 2, 3, 4, 5};
+      form.choice = {kFromStart};
+      out.push_back(std::move(form));
+    }
     return out;
   }
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+    if (form.choice[0] != kFromStart) {
+      Oscillator::force(form, v, signals, kin, w);
+      return;
+    }
+    // Dies away in the tool's axes; what turning does to it is left out.
+    const double omega = 2.0 * std::numbers::pi * v(6), fast = omega * std::sqrt(1.0 - v(7) * v(7));
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      const double t = signals.time(k) - signals.startTime, left = std::exp(-v(7) * omega * t);
+      if (left < 1e-4) break;
+      const Vector3d f = left * (std::cos(fast * t) * v.head<3>() + std::sin(fast * t) * v.segment<3>(3));
+      w.col(k).head<3>() += f;
+      w.col(k).tail<3>() += Vector3d(v.tail<3>()).cross(f);
+    }
+  }
+  double doubt(const VectorXd& v, const Signals& signals) const override {
+    constexpr double kRare = 20.0;
+    return v.size() > kLongest ? kRare : Oscillator::doubt(v, signals);
+  }
+
+ private:
+  static constexpr int kFromStart = 5;     ///< form.choice
+  static constexpr Eigen::Index kLongest = 8;  ///< Parameters of any other form
 };
 
 class FlexibleMount final : public Oscillator {
