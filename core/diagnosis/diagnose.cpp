@@ -11,6 +11,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/held_rows.h"
+#include "core/diagnosis/hum.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/surrogates.h"
@@ -295,6 +296,20 @@ void saySomethingOdd(const Work& work, DiagnosisReport& out) {
   out.remaining.gain = evidence;
 }
 
+/// A line in the spectrum is said; one that makes up much of what is fast and is not the mains' is unknown, unless something else is.
+void sayHum(const Hum& hum, DiagnosisReport& out) {
+  constexpr double kMuch = 0.2;
+  const bool unknown = !hum.mains && hum.share > kMuch;
+  out.findings.push_back({unknown ? Severity::warning : Severity::info, "readings_hum",
+                          heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum.frequencyHz, hum.force, hum.torque),
+                          hum.mains ? heft::say("That is the mains: check the sensor's shield and earth.")
+                                    : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."), {}});
+  if (!unknown || out.remaining.gain > kUnexplained) return;
+  out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
+  out.remaining.share = hum.share;
+  out.remaining.gain = 1e3;
+}
+
 /// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in coarse
 /// steps: these add a little noise and no more. Contact belongs to the task more often than to the rig: it comes last.
 void sortByStrength(std::vector<DiagnosedCause>& causes) {
@@ -425,6 +440,9 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.remaining.gain = 2.0 * kUnexplained * excess;
   }
   if (!work.odd.empty()) saySomethingOdd(work, out);
+  // Readings that were held, lost or late have lines of their own.
+  if (readings->directs.empty())
+    if (const auto hum = humIn(readings->cleaned, work.signals)) sayHum(*hum, out);
   out.baseline = rmsOf(work.stretches, work.search.null.residual);
   out.noise = rmsOf(work.stretches, final.residual);
   const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));

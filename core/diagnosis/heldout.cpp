@@ -64,6 +64,16 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
   return out;
 }
 
+Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
+  const auto all = parts(stretches);
+  Eigen::Matrix<double, 10, Eigen::Dynamic> out(10, std::ssize(all));
+  onTwoThreads(all.size(), [&](std::size_t i) {
+    const auto training = outside(stretches, all[i]);
+    out.col(static_cast<Eigen::Index>(i)) = (training.empty() ? fit.model : refitted(signals, training, fit)).x.tail<10>();
+  });
+  return out;
+}
+
 Gain gainOf(const std::vector<Stretch>& stretches, const Noise& noise, const Wrenches& before, const Wrenches& after) {
   Gain out;
   const auto all = parts(stretches);

@@ -16,6 +16,9 @@ struct Gain {
 /// noise model is the fit's own.
 Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
 
+/// Payloads fitted without each of these parts in turn, one a column.
+Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+
 /// Compares two such residuals part by part, in units of `noise`.
 Gain gainOf(const std::vector<Stretch>& stretches, const Noise& noise, const Wrenches& before, const Wrenches& after);
 

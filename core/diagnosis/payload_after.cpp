@@ -11,22 +11,67 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// Deviations of mass and centre may not be smaller than the joint fit of payload and causes finds them.
-void widen(EstimateReport& report, const Fit& fit) {
-  const VectorXd std = fit.std();
+/// Variances of mass and centre.
+struct Doubt {
+  double mass = 0.0;
+  Vector3d com = Vector3d::Zero();
+
+  void add(const Vector10d& payload, const Vector10d& other, double weight) {
+    const auto centre = [](const Vector10d& p) { return Vector3d(p.segment<3>(1) / std::max(0.02, std::abs(p(0)))); };
+    mass += weight * std::pow(payload(0) - other(0), 2);
+    com += weight * (centre(payload) - centre(other)).cwiseAbs2();
+  }
+};
+
+/// As the joint fit of payload and causes has them.
+Doubt ofFit(const Fit& fit) {
+  Doubt out;
   const double m = std::max(0.02, std::abs(fit.model.x(6)));
-  const auto grow = [](double& deviation, Interval& interval, double least) {
-    if (!(deviation < least) || !(deviation > 0.0)) return;
-    const double factor = least / deviation, middle = 0.5 * (interval.lower + interval.upper);
-    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
-    deviation = least;
-  };
-  grow(report.std.mass, report.interval95.mass, std(6));
+  out.mass = fit.covariance(6, 6);
   for (int i = 0; i < 3; ++i) {
     const double c = fit.model.x(7 + i) / m;
     const double variance = fit.covariance(7 + i, 7 + i) - 2.0 * c * fit.covariance(6, 7 + i) + c * c * fit.covariance(6, 6);
-    grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], std::sqrt(std::max(0.0, variance)) / m);
+    out.com(i) = std::max(0.0, variance) / (m * m);
   }
+  return out;
+}
+
+/// What a deviation of the fit does not know: which of the causes that tie it is, each with a payload of its own, and, where
+/// something is left that is no noise, what that does to the payload (jackknife over ten parts of the recording).
+Doubt ofModel(const DiagnosisReport& report, const Work& work) {
+  Doubt out;
+  const Vector10d payload = work.search.final.model.x.tail<10>();
+  for (const Found& found : work.search.found) {
+    const bool named = std::ranges::any_of(report.causes, [&](const DiagnosedCause& c) { return c.id == found.cause; });
+    if (!named) continue;
+    Doubt most;
+    for (const Rival& rival : found.rivals) {
+      Doubt one;
+      one.add(payload, rival.payload, 1.0);
+      most.mass = std::max(most.mass, one.mass);
+      most.com = most.com.cwiseMax(one.com);
+    }
+    out.mass += most.mass;
+    out.com += most.com;
+  }
+  if (report.verdict != Verdict::unexplained) return out;
+  const auto all = payloadsWithoutParts(work.signals, work.stretches, work.search.final);
+  const double n = static_cast<double>(all.cols());
+  for (Eigen::Index i = 0; i < all.cols(); ++i) out.add(all.col(i), all.rowwise().mean(), (n - 1.0) / n);
+  return out;
+}
+
+/// Deviations of mass and centre may not be smaller than `fit` has them, and there is `more`.
+void widen(EstimateReport& report, const Doubt& fit, const Doubt& more) {
+  const auto grow = [](double& deviation, Interval& interval, double least, double beside) {
+    const double wide = std::sqrt(std::max(deviation * deviation, least) + beside);
+    if (!(deviation > 0.0) || !(wide > deviation)) return;
+    const double factor = wide / deviation, middle = 0.5 * (interval.lower + interval.upper);
+    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
+    deviation = wide;
+  };
+  grow(report.std.mass, report.interval95.mass, fit.mass, more.mass);
+  for (int i = 0; i < 3; ++i) grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], fit.com(i), more.com(i));
 }
 
 /// Unseen stretches come out no worse in force and torque, and better in one.
@@ -57,8 +102,9 @@ bool movesFar(const EstimateReport& is, const EstimateReport& was) {
   return std::abs(is.payload.mass - was.payload.mass) > kFar * std::abs(was.payload.mass);
 }
 
-void leaveAsItWas(DiagnosisReport& report, const char* code, std::string text, std::string remedy) {
+void leaveAsItWas(DiagnosisReport& report, const Doubt& more, const char* code, std::string text, std::string remedy) {
   report.after = report.before;
+  widen(report.after, {}, more);
   report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
 }
 
@@ -71,25 +117,29 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   if (!was) return was.error();
   report.before = std::move(*was);
   report.after = report.before;
-  if (report.causes.empty()) return std::nullopt;
+  const Doubt more = ofModel(report, work);
+  if (report.causes.empty()) {
+    widen(report.after, {}, more);
+    return std::nullopt;
+  }
   const auto clean = freed(cleaned, robot, work);
   if (!clean) return clean.error();
   auto is = estimate(*clean, robot, options, progress);
   if (!is) return std::nullopt;
   report.after = std::move(*is);
-  widen(report.after, work.search.final);
+  widen(report.after, ofFit(work.search.final), more);
   if (possible(report.before) && !possible(report.after)) {
     // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
     report.verdict = Verdict::unexplained;
-    leaveAsItWas(report, "causes_not_believable",
+    leaveAsItWas(report, more, "causes_not_believable",
                  heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
                  heft::say("Repeat the recording without touching anything."));
   } else if (report.verdict == Verdict::unexplained && !predictsBetter(report.after, report.before)) {
-    leaveAsItWas(report, "payload_left_as_it_was",
+    leaveAsItWas(report, more, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.verdict == Verdict::unexplained && !work.mistake && movesFar(report.after, report.before)) {
-    leaveAsItWas(report, "payload_left_as_it_was",
+    leaveAsItWas(report, more, "payload_left_as_it_was",
                  heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {

@@ -173,8 +173,9 @@ std::string toText(const DiagnosisReport& report) {
     out += fmt::format("   Check: {}\n", cause.check);
   }
   if (report.verdict == Verdict::unexplained)
-    out += fmt::format("\nUnknown: {:.1f} % of what is left goes with {}; no cause in the catalogue accounts for it.\n",
-                       100.0 * report.remaining.share, report.remaining.goesWith);
+    out += fmt::format("\nUnknown: {} goes with {}; no cause in the catalogue accounts for it.\n",
+                       report.remaining.share > 0.0 ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share) : "something",
+                       report.remaining.goesWith);
   if (!report.causes.empty())
     out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before), payloadLine(report.after));
   if (report.check)

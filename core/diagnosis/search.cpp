@@ -135,6 +135,25 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
   return all;
 }
 
+/// The model with all parameters of one term, of which the first look had freed only some: what the others of the same cause
+/// explain needs no second name. Added to `all`, best first.
+void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all) {
+  const std::size_t before = all.size();
+  for (std::size_t i = 0; i < base.model.terms.size(); ++i) {
+    const Term& term = base.model.terms[i];
+    if (!term.form->subset || std::ranges::all_of(term.form->scan, [&](int p) { return term.moves(p); })) continue;
+    Trial whole;
+    whole.cause = causeOf(term);
+    Model model = base.model;
+    model.terms[i].active.clear();
+    whole.fit = fitModel(signals, stretches, std::move(model));
+    if (!believable(whole.fit)) continue;
+    whole.gain = whole.fit.evidence - base.evidence;
+    all.push_back(std::move(whole));
+  }
+  if (all.size() > before) sortByGain(all);
+}
+
 /// Whether another term of the form can add to the model: one with a place of its own may come again, any other that is
 /// already in can not. Beside a drift a walk is none: what a straight line leaves has richer forms of drift.
 bool mayAdd(const Form& form, const Model& model) {
@@ -283,7 +302,7 @@ void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, S
 Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
   const double behind = found.gain - trial.gain;
   return {trial.cause, behind, behind - (trial.fit.price - accepted.price) - trial.penalty,
-          trial.fit.dimensions - accepted.dimensions};
+          trial.fit.dimensions - accepted.dimensions, trial.fit.model.x.tail<10>()};
 }
 
 /// How far from the only term of `cause` in `model` the parameters of other trials of it lie that explain about as much: what a
@@ -383,6 +402,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     latest = {out.final, trials(signals, stretches, out.final, ranked)};
+    addCompletions(signals, stretches, out.final, latest.all);
     const auto& all = latest.all;
     const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering + kShareOfWandering * wanders : 0.0);
     if (all.empty() || all.front().gain < needed) break;
@@ -438,6 +458,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       if (now.all.empty()) {
         const auto ranked = promises(signals, stretches, bank, rest);
         now.all = trialsOf(signals, stretches, rest, chosenOf(ranked, kRivals, found.gain));
+        addCompletions(signals, stretches, rest, now.all);
       }
       if (cause == kWandering)
         outgrowWalk(signals, stretches, bank, found.gain, now.all);

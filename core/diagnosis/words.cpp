@@ -459,7 +459,7 @@ std::string causeSentence(const DiagnosedCause& cause, const std::optional<Frame
 
 std::string goesWithWords(const std::string& goesWith) {
   double from = 0.0, to = 0.0;
-  if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1) return heft::say("a rhythm of {:.2g} Hz", from);
+  if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1) return from < 10.0 ? heft::say("a rhythm of {:.2g} Hz", from) : heft::say("a rhythm of {:.0f} Hz", from);
   if (std::sscanf(goesWith.c_str(), "slow swings, %lf to %lf times", &from, &to) == 2)
     return heft::say("slow swings, {:.1f} to {:.0f} times a second", from, to);
   return heft::say(fmt::runtime(goesWith));
