@@ -254,6 +254,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<doubl
   for (int c = 0; c < 6; ++c) {
     const auto limits = spikeLimits(wrench.col(c), kPart);
     if (limits.empty()) continue;
+    std::vector<Eigen::Index> found;
     for (Eigen::Index i = 3; i + 3 < n; ++i) {
       const double limit = limits[static_cast<std::size_t>(i / kPart)];
       const auto near = wrench.col(c).segment(i - 3, 7);
@@ -265,15 +266,16 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<doubl
       // Three or more samples far out are an event, not a spike.
       if (((near.array() - centre).abs() > 0.5 * limit).count() > 2) continue;
       out(i, c) = centre;
-      touched[static_cast<std::size_t>(i)] = true;
+      found.push_back(i);
     }
+    // What happens all the time is the signal.
+    if (static_cast<double>(found.size()) > 0.05 * static_cast<double>(n)) {
+      out.col(c) = wrench.col(c);
+      continue;
+    }
+    for (const Eigen::Index i : found) touched[static_cast<std::size_t>(i)] = true;
   }
   replaced = std::count(touched.begin(), touched.end(), true);
-  // What happens all the time is the signal.
-  if (static_cast<double>(replaced) > 0.05 * static_cast<double>(n)) {
-    replaced = 0;
-    return wrench;
-  }
   return out;
 }
 

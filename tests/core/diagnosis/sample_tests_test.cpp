@@ -122,6 +122,16 @@ TEST(SampleTests, NoiseThatIsLouderForAWhileIsNoSpike) {
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
 }
 
+/// In a hundredth of each channel's readings, and so in six of a hundred rows.
+TEST(SampleTests, SpikesOnEachChannelForItself) {
+  Recording recording = aRecording(MotionKind::free, 253);
+  RandomStream random(253, RandomPurpose::effect);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (Eigen::Index c = 0; c < 6; ++c)
+      if (random.chance(0.01)) recording.wrench(i, c) += c < 3 ? 3.0 : 0.2;
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
+}
+
 TEST(SampleTests, UnevenStampsAreNoLostReadings) {
   EXPECT_EQ(directCauses(aRecording(MotionKind::free, 13, {{"jitter", "", 0.8}})), std::vector<std::string>{"jitter"});
 }
