@@ -280,8 +280,8 @@ Wrenches steadyResidual(const Work& work, Findings& findings) {
   return fitModel(work.signals, work.stretches, std::move(still)).residual;
 }
 
-/// What was set aside and is no contact is unknown, unless something else is.
-void saySomethingOdd(const Work& work, DiagnosisReport& out) {
+/// What was set aside and is no contact is unknown, unless something else is, or it is `known` to come of single readings.
+void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
   double evidence = 0.0, lasts = 0.0;
   for (const Contact& odd : work.odd) {
     evidence += odd.evidence;
@@ -291,7 +291,7 @@ void saySomethingOdd(const Work& work, DiagnosisReport& out) {
                           heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
                                     std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
                           heft::say("Look at what switches, shakes or turns on the tool at these moments."), {}});
-  if (out.remaining.gain > kUnexplained) return;
+  if (out.remaining.gain > kUnexplained || known) return;
   out.remaining.goesWith = work.oddGoesWith;
   out.remaining.gain = evidence;
 }
@@ -439,7 +439,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
   }
-  if (!work.odd.empty()) saySomethingOdd(work, out);
+  if (!work.odd.empty()) saySomethingOdd(work, !readings->directs.empty(), out);
   // Readings that were held, lost or late have lines of their own.
   if (readings->directs.empty())
     if (const auto hum = humIn(readings->cleaned, work.signals)) sayHum(*hum, out);

@@ -8,19 +8,20 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// Innovations of all blocks, 6 x N.
-Wrenches innovationsOf(const Signals& signals, const Fit& fit) {
-  const Eigen::Map<const VectorXd> flat(fit.residual.data(), fit.residual.size());
-  const VectorXd u = whitened(flat, fit.noise, {{0, signals.blocks()}});
-  return Eigen::Map<const Wrenches>(u.data(), 6, signals.blocks());
+/// Size of what the fit leaves on each channel where it is judged.
+Vector6d usualSize(const Signals& signals, const Fit& fit) {
+  Vector6d out = Vector6d::Constant(1e-12);
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) out += fit.residual.col(n).cwiseAbs2();
+  return out.cwiseSqrt();
 }
 
-/// Share of the power of innovations in a stretch that holds for a tenth of a second: 0.2 for noise, next to 1 for a push.
-double steadiness(const Signals& signals, const Wrenches& innovations, const Stretch& where) {
-  const auto length = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(std::lround(0.1 * signals.blockRate())));
+/// Share of the power of `residual` in a stretch that holds for a tenth of a second: 0.2 for white noise, next to 1 for a push.
+double steadiness(const Wrenches& residual, const Stretch& where, double blockRate) {
+  const auto length = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(std::lround(0.1 * blockRate)));
   double steady = 0.0, all = 1e-300;
-  for (Eigen::Index n = where.from; n + length <= where.to; n += length) {
-    const auto part = innovations.middleCols(n, length);
+  for (Eigen::Index n = where.from; n + length <= where.to; ++n) {
+    const auto part = residual.middleCols(n, length);
     steady += part.rowwise().sum().squaredNorm() / static_cast<double>(length);
     all += part.squaredNorm();
   }
@@ -46,16 +47,16 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 }
 
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
-  constexpr double kSteady = 0.45;
+  constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
-  const Wrenches innovations = innovationsOf(signals, fit);
+  const Wrenches scaled = usualSize(signals, fit).cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from), signals.blockTime(stretch.to - 1), 0.0,
                     evidenceForLeavingOut(signals, fit, stretch.from, stretch.to), stretch};
     if (contact.evidence < kThreshold) continue;
     for (Eigen::Index n = stretch.from; n < stretch.to; ++n)
       contact.peakForce = std::max(contact.peakForce, fit.residual.col(n).head<3>().norm());
-    contact.steady = steadiness(signals, innovations, stretch) > kSteady;
+    contact.steady = contact.to - contact.from < kBounce || steadiness(scaled, stretch, signals.blockRate()) > kSteady;
     out.push_back(contact);
   }
   return out;

@@ -31,6 +31,8 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
       VectorXd deviation = std.segment(at, n);
       for (const VectorXd& more : {term.form->cause->modelStd(*term.form, term.v), spread})
         if (more.size() == n) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
+      // When something happened is not known better than to a part of a sample, whatever a smooth step says.
+      if (term.form->local) deviation(0) = std::hypot(deviation(0), 0.25 / signals.rateHz);
       for (Eigen::Index p = 0; p < n; ++p) {
         if (!term.moves(p)) {
           deviation(p) = 0.0;

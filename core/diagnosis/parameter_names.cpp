@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 27> kNames = {{
+constexpr std::array<Name, 29> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"lag", heft::toSay("Delay of the motion t")},
     {"time_constant", heft::toSay("Time constant T")},
@@ -34,6 +34,8 @@ constexpr std::array<Name, 27> kNames = {{
     {"time", heft::toSay("At the time t")},
     {"duration", heft::toSay("Duration")},
     {"loss", heft::toSay("Missing share")},
+    {"smoothing", heft::toSay("Smoothed over T")},
+    {"length", heft::toSay("Length when slack L")},
     {"count", heft::toSay("Number")},
     {"share", heft::toSay("Share of the readings")},
     {"spread", heft::toSay("Spread of the time stamps")},
@@ -47,7 +49,7 @@ constexpr std::array<Name, 27> kNames = {{
 }};
 
 /// With an axis or a channel in place of {}.
-constexpr std::array<Name, 9> kAlong = {{
+constexpr std::array<Name, 11> kAlong = {{
     {"stiffness_", heft::toSay("Stiffness along {0}, k{0}")},
     {"force_", heft::toSay("Force along {0}, F{0}")},
     {"torque_", heft::toSay("Torque about {0}, M{0}")},
@@ -56,6 +58,8 @@ constexpr std::array<Name, 9> kAlong = {{
     {"at_", heft::toSay("Place from the sensor, {0}")},
     {"slope_", heft::toSay("Share along {0}")},
     {"tilt_", heft::toSay("Tilted about {0}")},
+    {"start_", heft::toSay("Force of the swing at the start along {0}")},
+    {"quarter_", heft::toSay("The same a quarter of a swing later along {0}")},
     {"anchor_", heft::toSay("Place it pulls from, {0}")},
 }};
 

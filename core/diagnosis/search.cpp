@@ -114,6 +114,9 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
     Trial& trial = *resting[i];
     trial.fit = fitModel(signals, stretches, trial.fit.model);
     weigh(trial, base, signals);
+    if (trial.gain > trial.promised - kTie) return;
+    trial.fit = settled(signals, stretches, std::move(trial.fit));
+    weigh(trial, base, signals);
   });
   sortByGain(all);
   return all;
@@ -159,7 +162,7 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
 bool mayAdd(const Form& form, const Model& model) {
   if (form.walk && contains(model, "bias_drift")) return false;
   return form.local || std::none_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
-           return t.form->cause == form.cause && t.form->name == form.name;
+           return t.form->cause == form.cause && (t.form->name == form.name || t.form->alone || form.alone);
          });
 }
 
@@ -299,6 +302,22 @@ void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, S
   sortByGain(all);
 }
 
+/// What was accepted has come to rest on a long way; where its own cause does not reach as much again, others that came as near
+/// are fitted as long.
+void settleRivals(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Found& found, std::vector<Trial>& all) {
+  const auto own = std::ranges::find_if(all, [&](const Trial& t) { return t.cause == found.cause; });
+  if (own == all.end() || own->gain > found.gain - 0.5 * kTie) return;
+  const double near = own->gain - 2.0 * kTie;
+  std::vector<Trial*> others;
+  for (Trial& trial : all)
+    if (trial.gain > near && trial.cause != found.cause && others.size() < kFinished) others.push_back(&trial);
+  onTwoThreads(others.size(), [&](std::size_t i) {
+    others[i]->fit = settled(signals, stretches, std::move(others[i]->fit));
+    weigh(*others[i], base, signals);
+  });
+  sortByGain(all);
+}
+
 Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
   const double behind = found.gain - trial.gain;
   return {trial.cause, behind, behind - (trial.fit.price - accepted.price) - trial.penalty,
@@ -324,12 +343,12 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
 }
 
 /// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger than the
-/// motion says, a mount below its resonance like motion that was smoothed: how well either fits is not known better than to a
+/// motion says, what swings below its resonance like motion that was smoothed: how well either fits is not known better than to a
 /// share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
   constexpr double kShare = 0.05;
   const auto lags = [](std::string_view id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; };
-  const auto enlarges = [](std::string_view id) { return id == "flexible_mount" || id == "derivative_noise"; };
+  const auto enlarges = [](std::string_view id) { return id == "flexible_mount" || id == "loose_mass" || id == "derivative_noise"; };
   return (lags(a) && lags(b)) || (enlarges(a) && enlarges(b)) ? kShare * gain : 0.0;
 }
 
@@ -464,6 +483,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         outgrowWalk(signals, stretches, bank, found.gain, now.all);
       else
         growRivals(signals, stretches, bank, out.final.model, cause, now.all);
+      settleRivals(signals, stretches, rest, found, now.all);
       const auto& all = now.all;
       found.spread = spreadOf(out.final.model, cause, all);
       // What another of the named causes explains about as well needs no name of its own.

@@ -264,6 +264,9 @@ std::string dropoutSentence(const Values& v) {
 std::string cableSentence(const Values& v) {
   if (v.find("twist_stiffness"))
     return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
+  if (v.find("length"))
+    return heft::say("A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.", v.size("length"),
+                     v.size("stiffness"));
   if (v.find("stiffness"))
     return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
   double most = 0.0;

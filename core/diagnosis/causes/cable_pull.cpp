@@ -48,6 +48,7 @@ std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
           form.start(4) = length;
           form.scan = {0};
           form.choice = {kTaut};
+          form.alone = true;
           out.push_back(std::move(form));
         }
       }

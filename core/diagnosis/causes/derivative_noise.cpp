@@ -38,7 +38,7 @@ MatrixXd sharpened(const MatrixXd& value, int kind, double size, double rateHz) 
 class DerivativeNoise final : public Cause {
  public:
   std::string_view id() const override { return "derivative_noise"; }
-  std::vector<std::string> lookAlikes() const override { return {"motion_lag"}; }
+  std::vector<std::string> lookAlikes() const override { return {"motion_lag", "flexible_mount"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     if (signals.positionKnown) out.push_back(formOf(this, "", {{"loss", "%", 100.0, 0.05, -0.5, 0.5}}));

@@ -83,7 +83,7 @@ class Oscillator : public Cause {
 
  protected:
   static double doubtAt(double frequency, const Signals& signals) {
-    constexpr double kMore = 300.0, kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
+    constexpr double kMore = 20.0, kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
     return signals.keptHz > 0.0 ? kMore * std::clamp((frequency / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
   }
 
@@ -191,7 +191,7 @@ class LooseMass final : public Oscillator {
 class FlexibleMount final : public Oscillator {
  public:
   std::string_view id() const override { return "flexible_mount"; }
-  std::vector<std::string> lookAlikes() const override { return {"loose_mass"}; }
+  std::vector<std::string> lookAlikes() const override { return {"loose_mass", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (signals.rateHz < 100.0) return {};
     auto out = at({13.0, 15.0, 17.5, 20.0, 23.0}, kSoftest, kStiffest);

@@ -280,7 +280,8 @@ TEST(Diagnose, ReadingsThatComeTooEarlyAreAMotionThatComesLate) {
   EXPECT_TRUE(namedFirstOrTied(report, "motion_lag")) << said(report);
 }
 
-/// What is fast was made smaller and nothing came late, by a filter of another form: a loose mass rings, this does not.
+/// What is fast was made smaller and nothing came late, by a filter of another form: a loose mass rings, this does not. A stiff
+/// mount may be tied with it.
 TEST(Diagnose, MotionThatWasSmoothedBeforeItWasRecorded) {
   struct Case {
     MotionKind motion;
@@ -288,8 +289,9 @@ TEST(Diagnose, MotionThatWasSmoothedBeforeItWasRecorded) {
   };
   for (const Case& c : {Case{MotionKind::excitation, 60.0, 35.5}, Case{MotionKind::free, 4.0, 9.4}, Case{MotionKind::pickAndPlace, 10.0, 14.3}}) {
     const auto report = diagnosed(aRecording(c.motion, 191, {{"derivative_noise", "recorded", c.lost}}));
-    EXPECT_EQ(report.verdict, Verdict::explained) << toString(c.motion) << ": " << said(report);
-    ASSERT_TRUE(namedFirstOrTied(report, "derivative_noise")) << toString(c.motion) << ": " << said(report);
+    EXPECT_NE(report.verdict, Verdict::unexplained) << toString(c.motion) << ": " << said(report);
+    ASSERT_FALSE(report.causes.empty());
+    ASSERT_EQ(report.causes.front().id, "derivative_noise") << toString(c.motion) << ": " << said(report);
     const auto& parameters = report.causes.front().parameters;
     const auto width = std::ranges::find_if(parameters, [](const auto& p) { return p.name == "smoothing"; });
     ASSERT_NE(width, parameters.end()) << toString(c.motion);

@@ -1,0 +1,153 @@
+// What looks like contact, or like nothing, and is something else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/motion/motion.h"
+#include "core/robot/robot_model.h"
+#include "tests/core/diagnosis/fixture.h"
+
+namespace heft::test {
+namespace {
+
+const DiagnosedCause* named(const DiagnosisReport& report, std::string_view id) {
+  const auto found = std::ranges::find_if(report.causes, [&](const auto& c) { return c.id == id; });
+  return found == report.causes.end() ? nullptr : &*found;
+}
+
+const CauseParameter* parameter(const DiagnosedCause& cause, std::string_view name) {
+  const auto found = std::ranges::find_if(cause.parameters, [&](const auto& p) { return p.name == name; });
+  return found == cause.parameters.end() ? nullptr : &*found;
+}
+
+std::string said(const DiagnosisReport& report) {
+  std::string out(toString(report.verdict));
+  for (const auto& cause : report.causes) out += " " + cause.id;
+  return out + ", remaining " + report.remaining.goesWith;
+}
+
+bool finds(const DiagnosisReport& report, std::string_view code) {
+  return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
+}
+
+/// Adds `amplitude(t)` to force x and a tenth of a metre times it to torque y.
+template <class Amplitude>
+void push(Recording& recording, const Amplitude& amplitude) {
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    recording.wrench(i, 0) += amplitude(recording.time(i));
+    recording.wrench(i, 4) += 0.1 * amplitude(recording.time(i));
+  }
+}
+
+/// A hose of 12 N/m that is slack for half of the way: fixed 0.5 m beside the middle of it, in the world.
+TEST(NoContact, ASlackHoseIsOne) {
+  Recording recording = aRecording(MotionKind::free, 301);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d middle = motion.position.rowwise().mean(), anchor = middle + Vector3d(0.3, -0.4, 0.0);
+  std::vector<double> far;
+  for (Eigen::Index k = 0; k < motion.size(); ++k) far.push_back((motion.position.col(k) - anchor).norm());
+  std::vector<double> sorted = far;
+  std::ranges::sort(sorted);
+  const double length = sorted[sorted.size() / 2];
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
+    const double stretch = far[static_cast<std::size_t>(k)] - length;
+    if (stretch <= 0.0) continue;
+    const Vector3d way = (motion.position.col(k) - anchor).normalized();
+    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * (12.0 * stretch * way)).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause* cable = named(report, "cable_pull");
+  ASSERT_NE(cable, nullptr) << said(report);
+  ASSERT_NE(parameter(*cable, "anchor_x"), nullptr);
+  for (int axis = 0; axis < 3; ++axis) {
+    const CauseParameter* at = parameter(*cable, std::string("anchor_") + "xyz"[axis]);
+    EXPECT_NEAR(at->value, 1e3 * anchor(axis), 4.0 * at->std + 5.0) << at->name;
+  }
+  EXPECT_NEAR(parameter(*cable, "stiffness")->value, 12.0, 4.0 * parameter(*cable, "stiffness")->std);
+}
+
+TEST(NoContact, BurstsOfInterferenceAreUnknown) {
+  Recording recording = aRecording(MotionKind::free, 302);
+  push(recording, [](double t) {
+    for (const double from : {3.0, 5.5, 8.5})
+      if (t > from && t < from + 0.6) return std::sin(2.0 * std::numbers::pi * 15.0 * t) > 0.0 ? 0.7 : -0.7;
+    return 0.0;
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "noise that comes and goes");
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// A motor that spins inside the tool resists being turned: torque omega x h, which no cause of the catalogue makes.
+TEST(NoContact, ASpinningRotorIsUnknown) {
+  Recording recording = aRecording(MotionKind::pickAndPlace, 303);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d h(-0.03, 0.02, 0.05);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
+    recording.wrench.row(i).tail<3>() += Vector3d(motion.omega.col(k)).cross(h).transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "how fast the tool turns") << said(report);
+}
+
+TEST(NoContact, AFanIsHeardAndTheMainsAreNoCause) {
+  const auto with = [](double frequency) {
+    Recording recording = aRecording(MotionKind::free, 304);
+    push(recording, [&](double t) { return 0.3 * std::sin(2.0 * std::numbers::pi * frequency * t); });
+    return diagnosed(recording);
+  };
+  const auto fan = with(31.0);
+  EXPECT_EQ(fan.verdict, Verdict::unexplained) << said(fan);
+  EXPECT_EQ(fan.remaining.goesWith, "a rhythm of 31 Hz");
+  const auto mains = with(50.0);
+  EXPECT_EQ(mains.verdict, Verdict::clean) << said(mains);
+  EXPECT_TRUE(finds(mains, "readings_hum"));
+  EXPECT_FALSE(finds(diagnosed(aRecording(MotionKind::free, 304)), "readings_hum"));
+}
+
+/// Somebody pressed "record" while it swung: what it does before it has come to rest is no touch.
+TEST(NoContact, AMassThatSwingsFromTheStart) {
+  const Recording whole = aRecording(MotionKind::free, 305, {{"loose_mass", "sprung", 120.0}});
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < whole.rows(); ++i)
+    if (whole.time(i) > 2.3) kept.push_back(i);
+  Recording recording = whole;
+  recording.time = VectorXd(whole.time(kept));
+  recording.q = MatrixXd(whole.q(kept, Eigen::all));
+  if (whole.dq.rows() > 0) recording.dq = MatrixXd(whole.dq(kept, Eigen::all));
+  recording.wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>(whole.wrench(kept, Eigen::all));
+  const auto report = diagnosed(recording);
+  ASSERT_FALSE(report.causes.empty());
+  EXPECT_EQ(report.causes.front().id, "loose_mass") << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// Two of its angles are seen first; joint 7 could make up for the third.
+TEST(NoContact, AllThreeAnglesOfATurnedSensor) {
+  Recording recording = aRecording(MotionKind::pickAndPlace, 306);
+  const Vector3d turned = Vector3d(-1.0, 1.1, 2.0) * std::numbers::pi / 180.0;
+  const Matrix3d R = Eigen::AngleAxisd(turned.norm(), turned.normalized()).toRotationMatrix();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    recording.wrench.row(i).head<3>() = (R.transpose() * recording.wrench.row(i).head<3>().transpose()).transpose().eval();
+    recording.wrench.row(i).tail<3>() = (R.transpose() * recording.wrench.row(i).tail<3>().transpose()).transpose().eval();
+  }
+  const auto report = diagnosed(recording);
+  const DiagnosedCause* rotation = named(report, "sensor_rotation");
+  ASSERT_NE(rotation, nullptr) << said(report);
+  EXPECT_EQ(named(report, "joint_offset"), nullptr) << said(report);
+  for (int axis = 0; axis < 3; ++axis) {
+    const CauseParameter* angle = parameter(*rotation, std::string("r") + "xyz"[axis]);
+    ASSERT_NE(angle, nullptr) << said(report);
+    EXPECT_NEAR(angle->value, turned(axis) * 180.0 / std::numbers::pi, 4.0 * angle->std) << angle->name;
+  }
+}
+
+}  // namespace
+}  // namespace heft::test
