@@ -6422,6 +6422,58 @@ Bitte prüfen Sie den Namen.</translation>
         <source>With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was.</source>
         <translation>Ohne diese Ursachen wäre die Last um ein Viertel leichter oder schwerer, während etwas Unbekanntes bleibt; deshalb bleibt sie, wie sie war.</translation>
     </message>
+    <message>
+        <source>{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.</source>
+        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
+    </message>
+    <message>
+        <source>Look at what switches, shakes or turns on the tool at these moments.</source>
+        <translation>Sehen Sie nach, was am Werkzeug in diesen Augenblicken schaltet, rüttelt oder dreht.</translation>
+    </message>
+    <message>
+        <source>The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.</source>
+        <translation>Die Messwerte brummen mit {:.0f} Hz, um {:.2g} N und {:.2g} N m.</translation>
+    </message>
+    <message>
+        <source>That is the mains: check the sensor&apos;s shield and earth.</source>
+        <translation>Das ist das Stromnetz: Prüfen Sie Schirm und Erdung des Sensors.</translation>
+    </message>
+    <message>
+        <source>Switch off what runs nearby, such as a fan or a motor, and record once more.</source>
+        <translation>Schalten Sie ab, was in der Nähe läuft, etwa einen Lüfter oder Motor, und nehmen Sie noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too small.</source>
+        <translation>Die Bewegung wurde vor der Aufnahme geglättet, um {} ms zu beiden Seiten, sodass Schnelles darin zu klein ist.</translation>
+    </message>
+    <message>
+        <source>a rhythm of {:.0f} Hz</source>
+        <translation>einem Rhythmus von {:.0f} Hz</translation>
+    </message>
+    <message>
+        <source>noise that comes and goes</source>
+        <translation>Rauschen, das kommt und geht</translation>
+    </message>
+    <message>
+        <source>Smoothed over T</source>
+        <translation>Geglättet über T</translation>
+    </message>
+    <message>
+        <source>Length when slack L</source>
+        <translation>Länge, solange schlaff, L</translation>
+    </message>
+    <message>
+        <source>Force of the swing at the start along {0}</source>
+        <translation>Kraft der Schwingung am Anfang längs {0}</translation>
+    </message>
+    <message>
+        <source>The same a quarter of a swing later along {0}</source>
+        <translation>Dieselbe eine Viertelschwingung später längs {0}</translation>
+    </message>
+    <message>
+        <source>A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.</source>
+        <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt und schlaff {} mm lang, zieht das Werkzeug zurück: {} N je Meter.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -185,7 +185,8 @@ void RealityPanel::markPull() {
                                   [](const DiagnosedCause& c) { return c.id == "cable_pull"; });
   if (cause == now.report->causes.end()) return;
   PullMark mark;
-  double within = 0.0, sum = 0.0;
+  double within = 0.0, sum = 0.0, length = 0.0;
+  bool placed = false;  // Where it is fixed is found itself; otherwise that is where its force would be none
   Vector3d stiffness = Vector3d::Zero();
   std::array<const VectorXd*, 3> place{};
   for (int i = 0; i < 3; ++i) {
@@ -194,18 +195,27 @@ void RealityPanel::markPull() {
     for (const auto& p : cause->parameters) {
       if (p.name == "stiffness" || p.name == "stiffness_" + axis) stiffness(i) = p.value, std = p.std;
       if (p.name == "force_" + axis) pull = p.value, pullStd = p.std;
+      if (p.name == "length") length = 1e-3 * p.value;
+      if (p.name != "anchor_" + axis) continue;
+      placed = true;
+      mark.anchor(i) = 1e-3 * p.value;
+      within = std::max(within, 1e-3 * p.std);
     }
     for (const auto& w : now.witnesses)
       if (w.id == "position_" + axis) place[static_cast<std::size_t>(i)] = &w.value;
     // A soft axis does not tell a place.
     if (!place[static_cast<std::size_t>(i)] || stiffness(i) < 3.0 * std || !(stiffness(i) > 0.0)) return;
+    if (placed) continue;
     const double away = pull / stiffness(i);
     mark.anchor(i) = place[static_cast<std::size_t>(i)]->mean() + away;
     within = std::max(within, std::hypot(pullStd, away * std) / stiffness(i));
   }
   const Eigen::Index blocks = place[0]->size();
-  for (Eigen::Index n = 0; n < blocks; ++n)
-    sum += stiffness.cwiseProduct(Vector3d((*place[0])(n), (*place[1])(n), (*place[2])(n)) - mark.anchor).norm();
+  for (Eigen::Index n = 0; n < blocks; ++n) {
+    const Vector3d way = Vector3d((*place[0])(n), (*place[1])(n), (*place[2])(n)) - mark.anchor;
+    const double far = way.norm();
+    if (far > length) sum += stiffness.cwiseProduct((1.0 - length / far) * way).norm();
+  }
   mark.title = tr("Something pulls from here");
   mark.note = tr("within %1 cm, %2 N on average")
                   .arg(numberText(std::max(1.0, 200.0 * within), 0), numberText(sum / static_cast<double>(std::max<Eigen::Index>(1, blocks)), 1));
