@@ -31,15 +31,15 @@ std::vector<std::vector<Stretch>> parts(const std::vector<Stretch>& stretches) {
   return out;
 }
 
-std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::vector<Stretch>& part) {
+std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::vector<Stretch>& part, Eigen::Index gap) {
   std::vector<Stretch> out;
   for (auto s : stretches) {
     std::vector<Stretch> left{s};
     for (const auto& hole : part) {
       std::vector<Stretch> next;
       for (const auto& piece : left) {
-        if (hole.from - kGap > piece.from) next.push_back({piece.from, std::min(piece.to, hole.from - kGap)});
-        if (hole.to + kGap < piece.to) next.push_back({std::max(piece.from, hole.to + kGap), piece.to});
+        if (hole.from - gap > piece.from) next.push_back({piece.from, std::min(piece.to, hole.from - gap)});
+        if (hole.to + gap < piece.to) next.push_back({std::max(piece.from, hole.to + gap), piece.to});
       }
       left = std::move(next);
     }
@@ -55,7 +55,7 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
   Wrenches out = fit.residual;
   const auto all = parts(stretches);
   onTwoThreads(all.size(), [&](std::size_t i) {
-    const auto training = outside(stretches, all[i]);
+    const auto training = outside(stretches, all[i], kGap);
     if (training.empty()) return;
     const Model model = refitted(signals, training, fit);
     const Wrenches residual = signals.measured - averaged(signals, predicted(signals, model));
@@ -68,7 +68,7 @@ Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& si
   const auto all = parts(stretches);
   Eigen::Matrix<double, 10, Eigen::Dynamic> out(10, std::ssize(all));
   onTwoThreads(all.size(), [&](std::size_t i) {
-    const auto training = outside(stretches, all[i]);
+    const auto training = outside(stretches, all[i], 0);
     out.col(static_cast<Eigen::Index>(i)) = (training.empty() ? fit.model : refitted(signals, training, fit)).x.tail<10>();
   });
   return out;

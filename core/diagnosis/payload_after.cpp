@@ -36,9 +36,8 @@ Doubt ofFit(const Fit& fit) {
   return out;
 }
 
-/// What a deviation of the fit does not know: which of the causes that tie it is, each with a payload of its own, and, where
-/// something is left that is no noise, what that does to the payload (jackknife over ten parts of the recording).
-Doubt ofModel(const DiagnosisReport& report, const Work& work) {
+/// What lies between the payloads of causes that tie.
+Doubt ofTies(const DiagnosisReport& report, const Work& work) {
   Doubt out;
   const Vector10d payload = work.search.final.model.x.tail<10>();
   for (const Found& found : work.search.found) {
@@ -54,8 +53,13 @@ Doubt ofModel(const DiagnosisReport& report, const Work& work) {
     out.mass += most.mass;
     out.com += most.com;
   }
-  if (report.verdict != Verdict::unexplained) return out;
-  const auto all = payloadsWithoutParts(work.signals, work.stretches, work.search.final);
+  return out;
+}
+
+/// What something unknown does to the payload of `fit`: a jackknife over ten parts of the recording.
+Doubt ofUnknown(const Work& work, const Fit& fit) {
+  Doubt out;
+  const auto all = payloadsWithoutParts(work.signals, work.stretches, fit);
   const double n = static_cast<double>(all.cols());
   for (Eigen::Index i = 0; i < all.cols(); ++i) out.add(all.col(i), all.rowwise().mean(), (n - 1.0) / n);
   return out;
@@ -102,9 +106,9 @@ bool movesFar(const EstimateReport& is, const EstimateReport& was) {
   return std::abs(is.payload.mass - was.payload.mass) > kFar * std::abs(was.payload.mass);
 }
 
-void leaveAsItWas(DiagnosisReport& report, const Doubt& more, const char* code, std::string text, std::string remedy) {
+void leaveAsItWas(DiagnosisReport& report, const Work& work, const char* code, std::string text, std::string remedy) {
   report.after = report.before;
-  widen(report.after, {}, more);
+  widen(report.after, {}, ofUnknown(work, work.search.null));
   report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
 }
 
@@ -117,9 +121,9 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   if (!was) return was.error();
   report.before = std::move(*was);
   report.after = report.before;
-  const Doubt more = ofModel(report, work);
+  const bool unknown = report.verdict == Verdict::unexplained;
   if (report.causes.empty()) {
-    widen(report.after, {}, more);
+    if (unknown) widen(report.after, {}, ofUnknown(work, work.search.null));
     return std::nullopt;
   }
   const auto clean = freed(cleaned, robot, work);
@@ -127,19 +131,20 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   auto is = estimate(*clean, robot, options, progress);
   if (!is) return std::nullopt;
   report.after = std::move(*is);
-  widen(report.after, ofFit(work.search.final), more);
+  widen(report.after, ofFit(work.search.final), ofTies(report, work));
+  if (unknown) widen(report.after, {}, ofUnknown(work, work.search.final));
   if (possible(report.before) && !possible(report.after)) {
     // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
     report.verdict = Verdict::unexplained;
-    leaveAsItWas(report, more, "causes_not_believable",
+    leaveAsItWas(report, work, "causes_not_believable",
                  heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
                  heft::say("Repeat the recording without touching anything."));
   } else if (report.verdict == Verdict::unexplained && !predictsBetter(report.after, report.before)) {
-    leaveAsItWas(report, more, "payload_left_as_it_was",
+    leaveAsItWas(report, work, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.verdict == Verdict::unexplained && !work.mistake && movesFar(report.after, report.before)) {
-    leaveAsItWas(report, more, "payload_left_as_it_was",
+    leaveAsItWas(report, work, "payload_left_as_it_was",
                  heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {
