@@ -307,6 +307,7 @@ void sayHum(const Hum& hum, DiagnosisReport& out) {
   if (!unknown || out.remaining.gain > kUnexplained) return;
   out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
   out.remaining.share = hum.share;
+  out.remaining.lowHz = out.remaining.highHz = hum.frequencyHz;
   out.remaining.gain = 1e3;
 }
 

@@ -433,7 +433,9 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Something unknown"), Light::unknown, false, card.frame), Say::tr("shown, not named"), {}, card.frame));
   card.layout->addWidget(wrappedLabel(Say::tr("Something is left that goes with %1.").arg(goesWithText(report.remaining.goesWith)), "cardTitle", card.frame));
   const auto spectrum = diagnosis::spectrumOf(report.series, false);
-  if (spectrum.frequency.size() > 0) {
+  const Eigen::Index lines = spectrum.frequency.size();
+  // What is faster than the curve reaches shows in it at a place where it is not.
+  if (lines > 0 && report.remaining.lowHz < spectrum.frequency(lines - 1)) {
     Chart chart;
     chart.yTitle = Say::tr("What is left, by frequency [N/√Hz]");
     chart.xTitle = Say::tr("Frequency [Hz]");
@@ -453,8 +455,8 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   QString band;
   if (report.remaining.highHz > 0.0)
     band = Say::tr(" Most of it lies at %1 Hz.").arg(numberText(report.remaining.lowHz, 1));
-  card.layout->addWidget(wrappedLabel(Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) + band +
-                                          Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing."),
+  const QString part = share > 0.0 ? Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) : QString();
+  card.layout->addWidget(wrappedLabel((part + band + Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing.")).trimmed(),
                                       "caption", card.frame));
   auto* row = new QHBoxLayout;
   row->addWidget(boldFirst(Say::tr("What helps:"), Say::tr("record the same motion once more, without touching anything, and compare."), card.frame), 1);

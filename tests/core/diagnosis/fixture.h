@@ -30,4 +30,11 @@ inline DiagnosisReport diagnosed(const Recording& recording, std::vector<std::st
   return diagnose(recording, &RobotModel::panda(), options).value();
 }
 
+/// What a failing test shows of a report.
+inline std::string said(const DiagnosisReport& report) {
+  std::string out(toString(report.verdict));
+  for (const auto& cause : report.causes) out += " " + cause.id;
+  return out + ", remaining " + report.remaining.goesWith;
+}
+
 }  // namespace heft::test

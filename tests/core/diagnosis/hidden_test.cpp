@@ -20,12 +20,6 @@ bool namedFirstOrTied(const DiagnosisReport& report, const std::string& id) {
   return first.id == id || std::find(first.alternatives.begin(), first.alternatives.end(), id) != first.alternatives.end();
 }
 
-std::string said(const DiagnosisReport& report) {
-  std::string out(toString(report.verdict));
-  for (const auto& cause : report.causes) out += " " + cause.id;
-  return out + ", remaining " + report.remaining.goesWith;
-}
-
 TEST(Diagnose, CleanIsClean) {
   for (const std::uint64_t seed : {21u, 22u})
     for (const auto motion : {MotionKind::free, MotionKind::excitation}) {

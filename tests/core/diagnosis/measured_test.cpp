@@ -8,6 +8,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/motion/motion.h"
 #include "core/recording/csv_reader.h"
+#include "tests/core/diagnosis/fixture.h"
 #include "tests/support/injection.h"
 
 namespace heft::test {
@@ -47,12 +48,6 @@ const DiagnosedCause* causeIn(const DiagnosisReport& report, const std::string& 
     return c.id == id || std::find(c.alternatives.begin(), c.alternatives.end(), id) != c.alternatives.end();
   });
   return found == report.causes.end() ? nullptr : &*found;
-}
-
-std::string said(const DiagnosisReport& report) {
-  std::string out(toString(report.verdict));
-  for (const auto& cause : report.causes) out += " " + cause.id;
-  return out;
 }
 
 TEST_F(Measured, ContactIsNamedAndThePayloadIsThatOfTheReference) {

@@ -22,12 +22,6 @@ const CauseParameter* parameter(const DiagnosedCause& cause, std::string_view na
   return found == cause.parameters.end() ? nullptr : &*found;
 }
 
-std::string said(const DiagnosisReport& report) {
-  std::string out(toString(report.verdict));
-  for (const auto& cause : report.causes) out += " " + cause.id;
-  return out + ", remaining " + report.remaining.goesWith;
-}
-
 bool finds(const DiagnosisReport& report, std::string_view code) {
   return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
 }
