@@ -371,7 +371,8 @@ double leadFor(const Found& found, const Rival& rival) {
 }  // namespace
 
 bool tied(const Found& found, const Rival& rival) {
-  if (rival.behind < kTie + slackBetween(found.cause, rival.cause, found.gain)) return true;
+  const double slack = slackBetween(found.cause, rival.cause, found.gain);
+  if (rival.behind < kTie + slack || (slack > 0.0 && rival.worse < slack)) return true;
   const bool explains = rival.behind < found.gain;
   if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
   if (rival.worse > kSame) return false;
