@@ -37,8 +37,7 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
   while (whole[0].from > std::max<Eigen::Index>(0, from - kMemory) && signals.usable[static_cast<std::size_t>(whole[0].from - 1)]) --whole[0].from;
   while (whole[0].to < std::min(signals.blocks(), to + kMemory) && signals.usable[static_cast<std::size_t>(whole[0].to)]) ++whole[0].to;
   // Innovations of the stretch cost their square.
-  const Eigen::Map<const VectorXd> flat(fit.residual.data(), fit.residual.size());
-  const MatrixXd u = whitened(flat, fit.noise, whole);
+  const MatrixXd u = whitened(flat(fit.residual), fit.noise, whole);
   double cost = 0.0;
   for (Eigen::Index n = from; n < to; ++n)
     for (Eigen::Index c = 0; c < 6; ++c) cost += u(6 * n + c, 0) * u(6 * n + c, 0) - 1.0;

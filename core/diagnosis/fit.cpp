@@ -9,8 +9,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
-
 /// Moves by `step`, kept inside bounds and, for the causes' parameters, within a few realistic sizes at once.
 Model moved(const Model& from, const VectorXd& step, double factor) {
   VectorXd all = from.packed() + factor * step;

@@ -8,8 +8,6 @@ namespace {
 
 constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
 
-Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
-
 }  // namespace
 
 Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)

@@ -52,8 +52,6 @@ Wrenches readings(const Signals& signals, const Model& model, const Order& terms
   return sensed;
 }
 
-Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
-
 }  // namespace
 
 Eigen::Index Model::size() const {

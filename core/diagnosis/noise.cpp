@@ -33,7 +33,7 @@ Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, in
     out.channels[static_cast<std::size_t>(c)] = model;
     counts(c) = count;
   }
-  const VectorXd innovations = whitened(Eigen::Map<const VectorXd>(residual.data(), residual.size()), out, stretches);
+  const VectorXd innovations = whitened(flat(residual), out, stretches);
   const Vector6d squares = Eigen::Map<const Wrenches>(innovations.data(), 6, residual.cols()).rowwise().squaredNorm();
   for (int c = 0; c < 6; ++c) {
     const ArModel& model = out.channels[static_cast<std::size_t>(c)];

@@ -139,11 +139,11 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
     leaveAsItWas(report, work, "causes_not_believable",
                  heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
                  heft::say("Repeat the recording without touching anything."));
-  } else if (report.verdict == Verdict::unexplained && !predictsBetter(report.after, report.before)) {
+  } else if (unknown && !predictsBetter(report.after, report.before)) {
     leaveAsItWas(report, work, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
-  } else if (report.verdict == Verdict::unexplained && !work.mistake && movesFar(report.after, report.before)) {
+  } else if (unknown && !work.mistake && movesFar(report.after, report.before)) {
     leaveAsItWas(report, work, "payload_left_as_it_was",
                  heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));

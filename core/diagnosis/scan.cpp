@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kFinerChoice = 6.0;
 
-Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
-
 /// Draws the waves of a walk (`amplitudes`, of `variances` from the data) to what a walk of the likeliest size makes of
 /// them; returns their price.
 double asWalk(VectorXd& amplitudes, const VectorXd& variances) {

@@ -10,6 +10,9 @@ namespace heft::diagnosis {
 
 using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< A column an instant: force [N], torque [N m], S axes
 
+/// All of it one instant after the other.
+inline Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
+
 /// Motion that the payload feels, S axes; a cause may bend it. K columns.
 struct Kinematics {
   Eigen::Matrix3Xd specificForce;  ///< s = R_BS^T (a - g) [m/s2]

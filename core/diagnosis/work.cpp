@@ -134,7 +134,7 @@ void setTouchesAside(Work& work) {
   for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
   // Where the noise is louder for a while, something of it looks like a touch.
   const Wrenches& residual = search.final.residual;
-  const VectorXd innovations = whitened(Eigen::Map<const VectorXd>(residual.data(), residual.size()), search.final.noise, work.stretches);
+  const VectorXd innovations = whitened(flat(residual), search.final.noise, work.stretches);
   double evidence = 0.0;
   for (const auto& touch : touches) evidence += touch.evidence / loudnessBeside(touch, work, {innovations.data(), 6, residual.cols()});
   search.found.erase(found);

@@ -30,6 +30,15 @@ inline DiagnosisReport diagnosed(const Recording& recording, std::vector<std::st
   return diagnose(recording, &RobotModel::panda(), options).value();
 }
 
+/// Only the rows `kept` of a recording of joints.
+inline Recording withRows(Recording recording, const std::vector<Eigen::Index>& kept) {
+  recording.time = VectorXd(recording.time(kept));
+  recording.q = MatrixXd(recording.q(kept, Eigen::all));
+  if (recording.dq.rows() > 0) recording.dq = MatrixXd(recording.dq(kept, Eigen::all));
+  recording.wrench = decltype(recording.wrench)(recording.wrench(kept, Eigen::all));
+  return recording;
+}
+
 /// What a failing test shows of a report.
 inline std::string said(const DiagnosisReport& report) {
   std::string out(toString(report.verdict));

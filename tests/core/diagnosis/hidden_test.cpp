@@ -242,12 +242,7 @@ TEST(Diagnose, WhatWasNotRecordedIsNoContact) {
     const bool lost = (t > 3.1 && t < 3.34) || (t > 5.6 && t < 5.8) || (t > 8.02 && t < 8.2);
     if (!lost) kept.push_back(i);
   }
-  Recording recording = whole;
-  recording.time = whole.time(kept);
-  recording.q = MatrixXd(whole.q(kept, Eigen::all));
-  if (whole.dq.rows() > 0) recording.dq = MatrixXd(whole.dq(kept, Eigen::all));
-  recording.wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>(whole.wrench(kept, Eigen::all));
-  const auto report = diagnosed(recording);
+  const auto report = diagnosed(withRows(whole, kept));
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
 }

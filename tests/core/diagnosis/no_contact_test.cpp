@@ -26,6 +26,10 @@ bool finds(const DiagnosisReport& report, std::string_view code) {
   return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
 }
 
+Eigen::Index sampleAt(const Motion& motion, double t) {
+  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((t - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
+}
+
 /// Adds `amplitude(t)` to force x and a tenth of a metre times it to torque y.
 template <class Amplitude>
 void push(Recording& recording, const Amplitude& amplitude) {
@@ -46,7 +50,7 @@ TEST(NoContact, ASlackHoseIsOne) {
   std::ranges::sort(sorted);
   const double length = sorted[sorted.size() / 2];
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const auto k = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
+    const Eigen::Index k = sampleAt(motion, recording.time(i));
     const double stretch = far[static_cast<std::size_t>(k)] - length;
     if (stretch <= 0.0) continue;
     const Vector3d way = (motion.position.col(k) - anchor).normalized();
@@ -83,7 +87,7 @@ TEST(NoContact, ASpinningRotorIsUnknown) {
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
   const Vector3d h(-0.03, 0.02, 0.05);
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const auto k = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
+    const Eigen::Index k = sampleAt(motion, recording.time(i));
     recording.wrench.row(i).tail<3>() += Vector3d(motion.omega.col(k)).cross(h).transpose();
   }
   const auto report = diagnosed(recording);
@@ -112,12 +116,7 @@ TEST(NoContact, AMassThatSwingsFromTheStart) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < whole.rows(); ++i)
     if (whole.time(i) > 2.3) kept.push_back(i);
-  Recording recording = whole;
-  recording.time = VectorXd(whole.time(kept));
-  recording.q = MatrixXd(whole.q(kept, Eigen::all));
-  if (whole.dq.rows() > 0) recording.dq = MatrixXd(whole.dq(kept, Eigen::all));
-  recording.wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>(whole.wrench(kept, Eigen::all));
-  const auto report = diagnosed(recording);
+  const auto report = diagnosed(withRows(whole, kept));
   ASSERT_FALSE(report.causes.empty());
   EXPECT_EQ(report.causes.front().id, "loose_mass") << said(report);
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);

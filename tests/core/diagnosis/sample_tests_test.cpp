@@ -137,17 +137,13 @@ TEST(SampleTests, UnevenStampsAreNoLostReadings) {
 }
 
 TEST(SampleTests, StampsOfAMotionTakenUnevenlyAreRight) {
-  Recording recording = aRecording(MotionKind::free, 14);
+  const Recording recording = aRecording(MotionKind::free, 14);
   // Every row is where its stamp says; which rows there are is up to chance.
   RandomStream random(14, RandomPurpose::effect);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < recording.rows(); ++i)
     if (random.chance(0.5)) kept.push_back(i);
-  recording.time = VectorXd(recording.time(kept));
-  recording.q = MatrixXd(recording.q(kept, Eigen::all));
-  if (recording.dq.rows() > 0) recording.dq = MatrixXd(recording.dq(kept, Eigen::all));
-  recording.wrench = decltype(recording.wrench)(recording.wrench(kept, Eigen::all));
-  EXPECT_FALSE(diagnosis::unevenStamps(recording));
+  EXPECT_FALSE(diagnosis::unevenStamps(withRows(recording, kept)));
 }
 
 TEST(SampleTests, EvenStampsAreThoseOfTheRows) {
