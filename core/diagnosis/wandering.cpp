@@ -4,32 +4,55 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/two_threads.h"
+
 namespace heft::diagnosis {
 
 namespace {
 
-constexpr int kWaves = 14;
-
-/// Cosines with k half waves over the recording, k = 1 .. count, in the judged blocks of each channel.
-struct CosineWaves {
-  MatrixXd amplitudes;  ///< count x 6
-  VectorXd unsure;      ///< count: variances of them where blocks were left out, over those where none are
+/// A residual in parts of `seconds` each, without its mean, turned so that both a random walk and white noise are independent
+/// from row to row. Parts of which less than half is judged are not there.
+struct Turned {
+  MatrixXd y;         ///< M x 6
+  VectorXd walk;      ///< M: variances of a walk that goes as far as one white reading scatters over the recording
+  MatrixXd from;      ///< M x (M + 1): what turns a function of the parts' times likewise
+  VectorXd time;      ///< M + 1 [s]
 };
 
-CosineWaves cosineWaves(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual, int count) {
-  MatrixXd A = MatrixXd::Zero(count + 1, count + 1), b = MatrixXd::Zero(count + 1, 6);
-  VectorXd row(count + 1);
-  const double n = static_cast<double>(signals.blocks());
+Turned turned(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual, double seconds) {
+  const auto length = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::lround(seconds * signals.blockRate())));
+  const Eigen::Index parts = signals.blocks() / length;
+  MatrixXd sums = MatrixXd::Zero(parts, 6);
+  VectorXd times = VectorXd::Zero(parts), counts = VectorXd::Zero(parts);
   for (const auto& s : stretches)
-    for (Eigen::Index i = s.from; i < s.to; ++i) {
-      for (int k = 0; k <= count; ++k) row(k) = std::cos(std::numbers::pi * k * (static_cast<double>(i) + 0.5) / n);
-      A += row * row.transpose();
-      b += row * residual.col(i).transpose();
+    for (Eigen::Index n = s.from; n < std::min(s.to, parts * length); ++n) {
+      sums.row(n / length) += residual.col(n).transpose();
+      times(n / length) += signals.blockTime(n);
+      counts(n / length) += 1.0;
     }
-  A.diagonal().array() += 1e-6 * A(0, 0);
-  const Eigen::LDLT<MatrixXd> solver(A);
-  const MatrixXd inverse = solver.solve(MatrixXd::Identity(count + 1, count + 1));
-  return {solver.solve(b).bottomRows(count), 0.5 * n * inverse.diagonal().tail(count)};
+  std::vector<Eigen::Index> in;
+  for (Eigen::Index i = 0; i < parts; ++i)
+    if (2.0 * counts(i) >= static_cast<double>(length)) in.push_back(i);
+  Turned out;
+  const auto count = std::ssize(in);
+  if (count < 3) return out;
+  out.time.resize(count);
+  MatrixXd y(count, 6), K(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Index at = in[static_cast<std::size_t>(i)];
+    y.row(i) = sums.row(at) / counts(at);
+    out.time(i) = times(at) / counts(at) - signals.startTime;
+  }
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j) K(i, j) = std::min(out.time(i), out.time(j)) / signals.duration();
+  K.rowwise() -= K.colwise().mean().eval();
+  K.colwise() -= K.rowwise().mean().eval();
+  // The smallest is the mean's: nothing of it is left.
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(K);
+  out.from = solver.eigenvectors().rightCols(count - 1).transpose();
+  out.walk = solver.eigenvalues().tail(count - 1).cwiseMax(0.0);
+  out.y = out.from * y;
+  return out;
 }
 
 }  // namespace
@@ -55,37 +78,45 @@ bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches
 }
 
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr int kAll = 3 * kWaves;
   constexpr double kBelow = 0.6;   // [Hz]; faster ones are looked for elsewhere
-  constexpr double kLimit = 74.0;  // squared deviations of two neighbours in all channels: 12 on average
-  const CosineWaves waves = cosineWaves(signals, stretches, residual, kAll);
-  VectorXd together = VectorXd::Zero(kAll);
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const VectorXd power = waves.amplitudes.col(c).cwiseAbs2();
-    // A walk on top of noise, fitted so that single waves that stand out count little (Student's t, three degrees).
-    const auto spectrum = [&](double floor, double walk, int k) { return floor * (waves.unsure(k - 1) + walk / (k * k)); };
-    double best = -1e300, floor = 0.0, walk = 0.0;
-    const double lowest = std::max(1e-18, 0.1 * power.cwiseQuotient(waves.unsure).tail(2 * kWaves).mean());
-    for (double f = lowest; f < 20.0 * lowest; f *= 1.3)
-      for (double a = 0.0; a < 1e6; a = a == 0.0 ? 0.3 : 1.6 * a) {
-        double sum = 0.0;
-        for (int k = 1; k <= kAll; ++k) {
-          const double variance = spectrum(f, a, k);
-          sum -= std::log(variance) + 4.0 * std::log1p(power(k - 1) / (3.0 * variance));
-        }
-        if (sum > best) {
-          best = sum;
-          floor = f;
-          walk = a;
-        }
-      }
-    for (int k = 1; k <= kAll; ++k) together(k - 1) += power(k - 1) / spectrum(floor, walk, k);
-  }
-  // Half a wave over the recording is what a drift looks like. A wave that fits no whole number of times shows in two.
-  double excess = 0.0;
-  for (int k = 2; k < kAll && 0.5 * k < kBelow * signals.duration(); ++k)
-    excess = std::max(excess, (together(k - 1) + together(k)) / kLimit);
-  return excess;
+  constexpr double kLimit = 85.0;  // Of 120 recordings with and without a walk the highest was 48; waves of 20 deviations began at 138
+  constexpr double kMostParts = 400.0;
+  const double part = std::max(0.2, signals.duration() / kMostParts);
+  const Turned at = turned(signals, stretches, residual, part);
+  const Eigen::Index count = at.y.rows();
+  if (count < 8) return 0.0;
+  std::vector<VectorXd> weights{VectorXd::Ones(count)};
+  for (double a = 0.1; a < 1e4; a *= 1.6) weights.push_back((1.0 + a * at.walk.array()).inverse().matrix());
+  // Twice the log-likelihood of a channel as a walk of any size on noise of any size, with the wave `X` or, where that is empty,
+  // without.
+  const auto likelihood = [&](Eigen::Index channel, const VectorXd& weight, const MatrixXd& X) {
+    const auto y = at.y.col(channel);
+    double left = weight.dot(y.cwiseAbs2());
+    if (X.cols() > 0) {
+      const MatrixXd W = weight.asDiagonal() * X;
+      const VectorXd b = W.transpose() * y;
+      left -= b.dot((X.transpose() * W + 1e-9 * MatrixXd::Identity(2, 2)).ldlt().solve(b));
+    }
+    return weight.array().log().sum() - static_cast<double>(count) * std::log(std::max(1e-300, left));
+  };
+  const auto best = [&](const MatrixXd& X) {
+    Vector6d out = Vector6d::Constant(-1e300);
+    for (const VectorXd& weight : weights)
+      for (Eigen::Index c = 0; c < 6; ++c) out(c) = std::max(out(c), likelihood(c, weight, X));
+    return out.sum();
+  };
+  // Less than a whole wave over the recording is what a drift looks like.
+  const double step = 0.15 / signals.duration(), none = best({});
+  std::vector<double> frequencies;
+  for (double f = 1.0 / signals.duration(); f < std::min(kBelow, 0.25 / part); f += step) frequencies.push_back(f);
+  std::vector<double> gains(frequencies.size(), 0.0);
+  onTwoThreads(frequencies.size(), [&](std::size_t i) {
+    const Eigen::ArrayXd phase = 2.0 * std::numbers::pi * frequencies[i] * at.time.array();
+    MatrixXd wave(at.time.size(), 2);
+    wave << phase.cos().matrix(), phase.sin().matrix();
+    gains[i] = best(at.from * wave) - none;
+  });
+  return gains.empty() ? 0.0 : *std::ranges::max_element(gains) / kLimit;
 }
 
 }  // namespace heft::diagnosis

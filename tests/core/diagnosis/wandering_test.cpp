@@ -55,6 +55,15 @@ TEST(SlowWave, IsSeenAboveTheWalk) {
     }
 }
 
+/// Half of the time is left out, as where things are picked and placed.
+TEST(SlowWave, IsSeenThroughManyGaps) {
+  const std::vector<Stretch> between{{20, 140}, {240, 300}, {420, 520}, {640, 700}, {800, 980}};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_GT(judged(seed, 0.01, 0.15, false, between), 1.0) << seed;
+    EXPECT_LT(judged(seed, 0.05, 0.0, false, between), 1.0) << seed;
+  }
+}
+
 /// A walk of 60 draws: what its waves cost is least where the walk is as large as they are.
 TEST(Walk, ThePriceIsLeastAtItsOwnSize) {
   RandomStream random(3, RandomPurpose::walk, 0);
