@@ -62,8 +62,11 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.directs = sampleTests(recording, out.motion, facts);
   std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
   for (const auto& direct : out.directs) {
-    // Velocities that disagree with the angles are not used, here or for the payload.
-    if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") out.cleaned.dq.resize(0, out.cleaned.dq.cols());
+    // Velocities that disagree with the angles or poses are not used, here or for the payload.
+    if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") {
+      out.cleaned.dq.resize(0, out.cleaned.dq.cols());
+      out.cleaned.twist.resize(0, 6);
+    }
     for (std::size_t i = 0; i < direct.rows.size(); ++i) {
       out.bad.resize(direct.rows.size(), false);
       out.bad[i] = out.bad[i] || direct.rows[i];

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "core/diagnosis/between_rows.h"
 #include "core/diagnosis/signals.h"
@@ -19,10 +20,10 @@ constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
 constexpr double kLagNamed = 0.003;  ///< [s]
 constexpr double kLossNamed = 0.03;
 constexpr double kNoiseNamed = 0.05;        ///< Of the motion's own speed
-constexpr double kNoiseMatters = 0.004;     ///< [rad/s]; less is how finely velocities are reported
+constexpr double kNoiseMatters = 0.004;     ///< [rad/s, m/s]; less is how finely velocities are reported
 constexpr double kMemory = 0.05;     ///< [s] over which what is left over does not change
 
-/// Slope of the angles `q` (dof x K) as it would be reported with a lag [s].
+/// Slope of the angles, or of the pose, `q` (D x K) as it would be reported with a lag [s].
 using Reporting = std::function<MatrixXd(const MatrixXd& q, const MatrixXd& slope, double lag, double rateHz)>;
 
 struct Match {
@@ -33,11 +34,11 @@ struct Match {
 
 class Comparison {
  public:
-  Comparison(const Motion& motion, MatrixXd reported, double recordedHz)
-      : q_(motion.q),
-        slope_(rateOf(motion.q, motion.rateHz)),
+  Comparison(MatrixXd q, MatrixXd reported, double rateHz, double recordedHz)
+      : q_(std::move(q)),
+        slope_(rateOf(q_, rateHz)),
         reported_(std::move(reported)),
-        rateHz_(motion.rateHz),
+        rateHz_(rateHz),
         halfStep_(0.5 / std::max(1.0, recordedHz)) {
     edge_ = static_cast<Eigen::Index>(kEdge * rateHz_);
     count_ = q_.cols() - 2 * edge_;
@@ -70,7 +71,7 @@ class Comparison {
     return out;
   }
 
-  /// Root mean square [rad/s] of what a match leaves, and of the motion's own speed.
+  /// Root mean square [rad/s, m/s] of what a match leaves, and of the motion's own speed.
   double leftOver(const Match& match) const { return std::sqrt(match.left / static_cast<double>(count_ * q_.rows())); }
   double speed() const { return std::sqrt(slope_.middleCols(edge_, count_).squaredNorm() / static_cast<double>(count_ * q_.rows())); }
 
@@ -100,22 +101,50 @@ const std::array<Reporting, 3>& reportings() {
   return kAll;
 }
 
-/// The reported velocities at the motion's instants, dof x K.
-MatrixXd reportedAt(const Recording& recording, const Motion& motion) {
-  MatrixXd out(recording.dq.cols(), motion.size());
+/// Rows of `values` (rows x D) at the motion's instants, D x K.
+template <typename Values>
+MatrixXd atInstants(const Recording& recording, const Values& values, const Motion& motion) {
+  MatrixXd out(values.cols(), motion.size());
   BetweenRows rows(recording.time);
-  for (Eigen::Index k = 0; k < motion.size(); ++k) out.col(k) = rows.at(recording.dq, motion.time(k)).transpose();
+  for (Eigen::Index k = 0; k < motion.size(); ++k) out.col(k) = rows.at(values, motion.time(k)).transpose();
   return out;
+}
+
+/// How far S has turned about the axes of B since the start, 3 x K: what its angular velocity is the slope of.
+MatrixXd turnedSinceStart(const Motion& motion) {
+  MatrixXd out = MatrixXd::Zero(3, motion.size());
+  Vector3d last = Vector3d::Zero();
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    const Vector3d w = motion.R_BS[static_cast<std::size_t>(k)] * motion.omega.col(k);
+    if (k > 0) out.col(k) = out.col(k - 1) + 0.5 * (last + w) / motion.rateHz;
+    last = w;
+  }
+  return out;
+}
+
+/// Velocities that were reported, of joints or of S, against what they are the slope of; none where there are none.
+std::optional<Comparison> comparisonOf(const Recording& recording, const Motion& motion) {
+  const auto rate = motion.rateHz, recorded = recording.rateHz();
+  if (motion.q.cols() == motion.size()) {
+    if (recording.dq.rows() < 2) return {};
+    return Comparison(motion.q, atInstants(recording, recording.dq, motion), rate, recorded);
+  }
+  if (recording.twist.rows() < 2) return {};
+  const MatrixXd twist = atInstants(recording, recording.twist, motion), turned = turnedSinceStart(motion);
+  if (!motion.originAccelerationKnown) return Comparison(turned, twist.bottomRows(3), rate, recorded);
+  MatrixXd pose(6, motion.size());
+  pose << motion.position, turned;
+  return Comparison(std::move(pose), twist, rate, recorded);
 }
 
 }  // namespace
 
 std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion) {
   std::vector<Direct> out;
-  if (recording.dq.rows() < 2 || motion.q.cols() != motion.size() ||
-      static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0)
-    return out;
-  const Comparison comparison(motion, reportedAt(recording, motion), recording.rateHz());
+  if (static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0) return out;
+  const auto compared = comparisonOf(recording, motion);
+  if (!compared) return out;
+  const Comparison& comparison = *compared;
   const Match plain = comparison.at(reportings()[0], 0.0);
   Match late;
   const Reporting* way = nullptr;

@@ -1,10 +1,11 @@
 #pragma once
-// Joint velocities as a controller reports them, late, smoothed or scaled, against the slope of the joint angles.
+// Velocities as a controller reports them, late, smoothed or scaled: of joints against the slope of the angles, of the sensor
+// against that of its poses.
 #include "core/diagnosis/sample_tests.h"
 
 namespace heft::diagnosis {
 
-/// Empty where no velocities were reported, or where they agree with the angles.
+/// Empty where no velocities were reported, or where they agree with the angles or poses.
 std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion);
 
 }  // namespace heft::diagnosis

@@ -319,7 +319,7 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                                   : heft::say("The force readings arrive {} ms before the motion.", v.size("delay"));
   if (id == "low_pass_lag") return heft::say("The force readings are smoothed over {} ms.", v.size("time_constant"));
   if (id == "motion_lag")
-    return cause.direct ? heft::say("The reported joint velocities come {} ms late; Heft can use the angles instead.",
+    return cause.direct ? heft::say("The reported velocities come {} ms late; Heft can use the positions instead.",
                                     v.size("lag"))
                         : heft::say("Accelerations come {} ms late; the angles do not.", v.size("lag"));
   if (id == "sensor_rotation") return heft::say("The sensor sits turned by {} degrees.", v.norm({"rx", "ry", "rz"}));
@@ -385,13 +385,13 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return heft::say("The sensor's origin sits {} mm away from where the meta file puts it.",
                      v.norm({"dx", "dy", "dz"}));
   if (id == "derivative_noise" && v.find("noise"))
-    return heft::say("The reported joint velocities are noisy, by {} % of the motion's speed; Heft can use the angles instead.",
+    return heft::say("The reported velocities are noisy, by {} % of the motion's speed; Heft can use the positions instead.",
                      v.size("noise"));
   if (id == "derivative_noise" && v.find("smoothing"))
     return heft::say("The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too small.",
                      v.size("smoothing"));
   if (id == "derivative_noise")
-    return cause.direct ? heft::say("The reported joint velocities are {} % off; Heft can use the angles instead.",
+    return cause.direct ? heft::say("The reported velocities are {} % off; Heft can use the positions instead.",
                                     v.size("loss"))
                         : heft::say("The forces of acceleration are {} % off what the motion says.", v.size("loss"));
   if (id == "dropouts") return dropoutSentence(v);

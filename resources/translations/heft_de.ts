@@ -5775,8 +5775,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Kraftwerte sind über {} ms geglättet.</translation>
     </message>
     <message>
-        <source>The reported joint velocities come {} ms late; Heft can use the angles instead.</source>
-        <translation>Die gemeldeten Gelenkgeschwindigkeiten kommen {} ms zu spät; Heft kann stattdessen die Winkel benutzen.</translation>
+        <source>The reported velocities come {} ms late; Heft can use the positions instead.</source>
+        <translation>Die gemeldeten Geschwindigkeiten kommen {} ms zu spät; Heft kann stattdessen die Lagen benutzen.</translation>
     </message>
     <message>
         <source>Accelerations come {} ms late; the angles do not.</source>
@@ -5847,8 +5847,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
     </message>
     <message>
-        <source>The reported joint velocities are {} % off; Heft can use the angles instead.</source>
-        <translation>Die gemeldeten Gelenkgeschwindigkeiten liegen {} % daneben; Heft kann stattdessen die Winkel benutzen.</translation>
+        <source>The reported velocities are {} % off; Heft can use the positions instead.</source>
+        <translation>Die gemeldeten Geschwindigkeiten liegen {} % daneben; Heft kann stattdessen die Lagen benutzen.</translation>
     </message>
     <message>
         <source>The forces of acceleration are {} % off what the motion says.</source>
@@ -6363,8 +6363,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
     <message>
-        <source>The reported joint velocities are noisy, by {} % of the motion&apos;s speed; Heft can use the angles instead.</source>
-        <translation>Die gemeldeten Gelenkgeschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Winkel nehmen.</translation>
+        <source>The reported velocities are noisy, by {} % of the motion&apos;s speed; Heft can use the positions instead.</source>
+        <translation>Die gemeldeten Geschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Lagen nehmen.</translation>
     </message>
     <message>
         <source>Something in the tool is loose and rolls to another place as it turns.</source>

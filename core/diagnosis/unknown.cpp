@@ -1,0 +1,79 @@
+#include "core/diagnosis/unknown.h"
+
+#include <fmt/format.h>
+
+#include "core/base/say.h"
+#include "core/diagnosis/hum.h"
+#include "core/diagnosis/wandering.h"
+#include "core/diagnosis/words.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+/// A walk has waves for anything that is slow. What swings, or goes with the motion, beyond what the walk explains is none.
+void sayHiddenByWalk(const Work& work, DiagnosisReport& out) {
+  constexpr double kBeyond = 30.0;  ///< Of 70 walks none came nearer than 5 below; what was hidden went at least 90 beyond
+  const Fit& final = work.search.final;
+  const bool wanders = walks(final.model);
+  const Fit steady = wanders ? fitModel(work.signals, work.stretches, without(final.model, kWandering)) : final;
+  bool hides = false;
+  if (const double excess = slowWave(work.signals, work.stretches, steady.residual); excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
+    out.remaining.goesWith = heft::toSay("a slow wave in time");
+    out.remaining.gain = 2.0 * kUnexplained * excess;
+    hides = true;
+  }
+  if (!wanders) return;
+  if (out.remaining.gain <= kUnexplained) {
+    const Structure hidden = structureIn(work.signals, work.stretches, steady);
+    hides = hidden.gain > final.evidence - steady.evidence + kBeyond;
+    if (hides) out.remaining = hidden;
+  }
+  if (hides) return;
+  out.findings.push_back({Severity::info, "zero_wanders",
+                          heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
+                          heft::say("Let the sensor warm up, and keep recordings short."), {}});
+}
+
+/// What was set aside and is no contact is unknown.
+void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
+  double evidence = 0.0, lasts = 0.0;
+  for (const Contact& odd : work.odd) {
+    evidence += odd.evidence;
+    lasts += odd.to - odd.from;
+  }
+  out.findings.push_back({Severity::warning, "odd_stretches",
+                          heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
+                                    std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
+                          heft::say("Look at what switches, shakes or turns on the tool at these moments."), {}});
+  if (out.remaining.gain > kUnexplained || known) return;
+  out.remaining.goesWith = work.oddGoesWith;
+  out.remaining.gain = evidence;
+}
+
+/// A line in the spectrum is said; one that makes up much of what is fast and is not the mains' is unknown.
+void sayHum(const Hum& hum, DiagnosisReport& out) {
+  constexpr double kMuch = 0.2;
+  const bool unknown = !hum.mains && hum.share > kMuch;
+  out.findings.push_back({unknown ? Severity::warning : Severity::info, "readings_hum",
+                          heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum.frequencyHz, hum.force, hum.torque),
+                          hum.mains ? heft::say("That is the mains: check the sensor's shield and earth.")
+                                    : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."), {}});
+  if (!unknown || out.remaining.gain > kUnexplained) return;
+  out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
+  out.remaining.share = hum.share;
+  out.remaining.lowHz = out.remaining.highHz = hum.frequencyHz;
+  out.remaining.gain = 1e3;
+}
+
+}  // namespace
+
+void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
+  sayHiddenByWalk(work, out);
+  if (!work.odd.empty()) saySomethingOdd(work, known, out);
+  // Readings that were held, lost or late have lines of their own.
+  if (known) return;
+  if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, out);
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,15 @@
+#pragma once
+// What no cause of the catalogue accounts for, beside what goes with the motion (structure.h).
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/work.h"
+
+namespace heft::diagnosis {
+
+/// Gain of a structure above which it is one.
+constexpr double kUnexplained = 12.0;
+
+/// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings and makes it
+/// what remains, unless something else does. `known`: single readings tell of something wrong with them.
+void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out);
+
+}  // namespace heft::diagnosis
