@@ -11,13 +11,12 @@
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/held_rows.h"
-#include "core/diagnosis/hum.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
-#include "core/diagnosis/wandering.h"
+#include "core/diagnosis/unknown.h"
 #include "core/diagnosis/words.h"
 #include "core/estimation/prepare.h"
 
@@ -27,7 +26,6 @@ using namespace diagnosis;
 
 namespace {
 
-constexpr double kUnexplained = 12.0;
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
 constexpr double kGainOfFaint = 0.012;       ///< The same for a cause that next to nothing speaks for
 constexpr double kHarm = 0.1;                ///< Share of the unseen misfit that no cause may add
@@ -272,48 +270,6 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
   return out;
 }
 
-/// What is left over when nothing allows for a zero that wanders; says so where something did.
-Wrenches steadyResidual(const Work& work, Findings& findings) {
-  const Fit& final = work.search.final;
-  Model still = without(final.model, kWandering);
-  if (still.terms.size() == final.model.terms.size()) return final.residual;
-  findings.push_back({Severity::info, "zero_wanders",
-                      heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
-                      heft::say("Let the sensor warm up, and keep recordings short."), {}});
-  return fitModel(work.signals, work.stretches, std::move(still)).residual;
-}
-
-/// What was set aside and is no contact is unknown, unless something else is, or it is `known` to come of single readings.
-void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
-  double evidence = 0.0, lasts = 0.0;
-  for (const Contact& odd : work.odd) {
-    evidence += odd.evidence;
-    lasts += odd.to - odd.from;
-  }
-  out.findings.push_back({Severity::warning, "odd_stretches",
-                          heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
-                                    std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
-                          heft::say("Look at what switches, shakes or turns on the tool at these moments."), {}});
-  if (out.remaining.gain > kUnexplained || known) return;
-  out.remaining.goesWith = work.oddGoesWith;
-  out.remaining.gain = evidence;
-}
-
-/// A line in the spectrum is said; one that makes up much of what is fast and is not the mains' is unknown, unless something else is.
-void sayHum(const Hum& hum, DiagnosisReport& out) {
-  constexpr double kMuch = 0.2;
-  const bool unknown = !hum.mains && hum.share > kMuch;
-  out.findings.push_back({unknown ? Severity::warning : Severity::info, "readings_hum",
-                          heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum.frequencyHz, hum.force, hum.torque),
-                          hum.mains ? heft::say("That is the mains: check the sensor's shield and earth.")
-                                    : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."), {}});
-  if (!unknown || out.remaining.gain > kUnexplained) return;
-  out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
-  out.remaining.share = hum.share;
-  out.remaining.lowHz = out.remaining.highHz = hum.frequencyHz;
-  out.remaining.gain = 1e3;
-}
-
 /// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in coarse
 /// steps: these add a little noise and no more. Contact belongs to the task more often than to the rig: it comes last.
 void sortByStrength(std::vector<DiagnosedCause>& causes) {
@@ -438,20 +394,12 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     fitted = judged(work, needed, 0.0, found->chance, readings->directs);
     if (fitted.dropped) out.remaining = structureIn(work.signals, work.stretches, final);
   }
-  if (const double excess = slowWave(work.signals, work.stretches, steadyResidual(work, out.findings));
-      excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
-    out.remaining.goesWith = heft::toSay("a slow wave in time");
-    out.remaining.gain = 2.0 * kUnexplained * excess;
-  }
-  if (!work.odd.empty()) saySomethingOdd(work, !readings->directs.empty(), out);
-  // Readings that were held, lost or late have lines of their own.
-  if (readings->directs.empty())
-    if (const auto hum = humIn(readings->cleaned, work.signals)) sayHum(*hum, out);
   out.baseline = rmsOf(work.stretches, work.search.null.residual);
   out.noise = rmsOf(work.stretches, final.residual);
   const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
+  sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
 
   if (work.mistake) {
     WrenchRms was = out.baseline;

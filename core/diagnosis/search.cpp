@@ -268,7 +268,7 @@ Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, Signa
 /// one is left to be one.
 void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk, std::vector<Trial>& all) {
   constexpr std::size_t kTop = 2, kTerms = 3;
-  constexpr double kNear = 0.4;  ///< Share of what the walk explains
+  constexpr double kNear = 0.25;  ///< Share of what the walk explains
   if (walk < 2.0 * kFaint) return;
   std::vector<std::string_view> others, done;
   for (const auto& cause : catalogue())

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -201,11 +202,14 @@ struct Values {
       }
     return plusMinus(std::sqrt(sum), std);
   }
-  /// The one that stands out most from its deviation.
+  /// The one of this term that stands out most from its deviation.
   const CauseParameter* strongest() const {
     const CauseParameter* best = nullptr;
     double most = -1.0;
     for (const auto& p : cause.parameters) {
+      const auto last = p.name.rfind('_');
+      const bool counted = last != std::string::npos && last + 1 < p.name.size() && std::isdigit(static_cast<unsigned char>(p.name[last + 1])) != 0;
+      if ((counted ? p.name.substr(last) : std::string()) != ending) continue;
       if (p.name.starts_with("time") || p.name.starts_with("turning_way")) continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {
@@ -277,7 +281,7 @@ std::string cableSentence(const Values& v) {
 /// A gain that depends on the sign of the load; empty if the strongest one does not.
 std::string sidesSentence(const Values& v) {
   const std::string& name = v.strongest()->name;
-  const std::string channel = name.substr(name.find('_') + 1);
+  const std::string channel = name.substr(name.find('_') + 1, 2);
   const CauseParameter* asymmetry = v.find("asymmetry_" + channel);
   if (asymmetry == nullptr) return {};
   const CauseParameter* gain = v.find("gain_" + channel);
@@ -311,8 +315,9 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "frame_error" || (id == "sensor_rotation" && cause.direct))
     return mistake ? mistakeSentence(*mistake) : std::string();
   if (id == "sensor_bias")
-    return heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1),
-                     v.norm({"fx", "fy", "fz"}));
+    return v.find("fx") || v.find("fy") || v.find("fz")
+               ? heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1), v.norm({"fx", "fy", "fz"}))
+               : heft::say("At {} s the sensor's zero jumped by {} N m.", number(v.value("time"), 1), v.norm({"tx", "ty", "tz"}));
   if (id == "bias_drift") return driftSentence(v);
   if (id == "time_offset")
     return v.value("delay") > 0.0 ? heft::say("The force readings arrive {} ms late.", v.size("delay"))
@@ -455,7 +460,7 @@ std::string causeSentence(const DiagnosedCause& cause, const std::optional<Frame
     if (std::none_of(cause.parameters.begin(), cause.parameters.end(),
                      [&](const auto& p) { return p.name.ends_with(ending); }))
       break;
-    text += " " + sentenceOf({cause, ending}, mistake);
+    if (const std::string more = sentenceOf({cause, ending}, mistake); !text.ends_with(more)) text += " " + more;
   }
   return text.empty() ? cause.sentence : text;
 }

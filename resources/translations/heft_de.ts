@@ -6474,6 +6474,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.</source>
         <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt und schlaff {} mm lang, zieht das Werkzeug zurück: {} N je Meter.</translation>
     </message>
+    <message>
+        <source>At {} s the sensor&apos;s zero jumped by {} N m.</source>
+        <translation>Bei {} s sprang die Null des Sensors um {} N m.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -49,6 +49,38 @@ TEST(Catalogue, HasWordsAndUniqueNames) {
   EXPECT_EQ(findCause("no_such_cause"), nullptr);
 }
 
+/// What took two terms is said twice, each with its own numbers; what would be said in the same words, once.
+TEST(Words, EachTermIsSaidOnce) {
+  DiagnosedCause gains;
+  gains.id = "gain_error";
+  gains.parameters = {{"gain_fx", "%", 5.0, 0.1}, {"gain_ty_2", "%", -3.0, 0.1}};
+  EXPECT_EQ(causeSentence(gains, {}), "The channel force x reads 5.0 \u00b1 0.2 % too much. The channel torque y reads 3.0 \u00b1 0.2 % too little.");
+  gains.parameters[1] = {"gain_fx_2", "%", 5.0, 0.1};
+  EXPECT_EQ(causeSentence(gains, {}), "The channel force x reads 5.0 \u00b1 0.2 % too much.");
+  DiagnosedCause jump;
+  jump.id = "sensor_bias";
+  jump.parameters = {{"time", "s", 4.0, 0.01}, {"tx", "N m", 0.5, 0.01}};
+  EXPECT_EQ(causeSentence(jump, {}), "At 4.0 s the sensor's zero jumped by 0.50 \u00b1 0.02 N m.");
+}
+
+/// What little a width takes at the corner of Heft's own smoothing is no cause; what takes a tremor is.
+TEST(Catalogue, OwnSmoothingIsNoCause) {
+  const Cause& cause = *findCause("derivative_noise");
+  Signals signals = prepared().signals;
+  for (const Form& form : cause.forms(signals)) {
+    if (form.choice.empty()) continue;
+    const auto over = [&](double width) {
+      return cause.overOwnSmoothing(form, VectorXd::Constant(1, std::pow(width, form.name == "smoothed" ? 2.0 : 4.0)), signals);
+    };
+    signals.keptHz = 0.0;
+    EXPECT_LT(over(0.004), 1.0) << form.name;
+    EXPECT_GT(over(0.008), 1.0) << form.name;
+    signals.keptHz = 10.0;
+    EXPECT_LT(over(0.004), 1.0) << form.name;
+    EXPECT_GT(over(0.012), 1.0) << form.name;
+  }
+}
+
 TEST(Catalogue, EveryFormIsSilentAtItsStart) {
   const Wrenches plain = predicted(prepared().signals, prepared().model);
   for (const auto& cause : catalogue())

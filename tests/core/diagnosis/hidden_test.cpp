@@ -314,6 +314,17 @@ TEST(Diagnose, WhatNoCauseCanBeIsUnexplained) {
   }
 }
 
+/// A random walk of the zero has waves for anything that is slow: beside touches it explained all of these.
+TEST(Diagnose, AWalkOfTheZeroHidesNothingUnknown) {
+  for (const auto& [kind, seed] : {std::pair{"backlash_torque", 2026112300002u}, {"temperature_wave", 2026112300001u}}) {
+    const auto hidden = drawHidden(HiddenCase::unlisted, seed, 2.0, kind);
+    ASSERT_TRUE(hidden.truth.touches) << kind;
+    const auto report = diagnosed(hidden.recording);
+    EXPECT_EQ(report.verdict, Verdict::unexplained) << kind << ": " << said(report);
+    EXPECT_FALSE(std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })) << kind;
+  }
+}
+
 TEST(Diagnose, CoarseReadingsComeAfterWhatMattersMore) {
   const auto report =
       diagnosed(aRecording(MotionKind::free, 304, {{"quantisation", "", 0.5}, {"time_offset", "", 15.0}}));

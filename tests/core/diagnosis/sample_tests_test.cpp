@@ -105,6 +105,39 @@ TEST(SampleTests, TheLagOfReportedVelocitiesIsWithinItsDeviations) {
     }
 }
 
+/// The same of a tool's velocity, where poses were recorded and no joints.
+TEST(SampleTests, TheLagOfReportedTwistsIsWithinItsDeviations) {
+  const Recording joints = aRecording(MotionKind::free, 17);
+  MotionOptions options;
+  options.cutoffHz = 25.0;
+  options.outputRateHz = 0.0;
+  const Motion motion = motionOf(joints, &RobotModel::panda(), options).value();
+  Recording poses;
+  poses.meta = joints.meta;
+  poses.time = VectorXd::LinSpaced(motion.size(), motion.time(0), motion.time(motion.size() - 1));
+  poses.wrench = motion.wrench.transpose();
+  poses.position = motion.position.transpose();
+  poses.quaternion.resize(motion.size(), 4);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> twist(motion.size(), 6);
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+    poses.quaternion.row(k) = Quaterniond(R).coeffs().transpose();
+    twist.row(k) << motion.velocity.col(k).transpose(), (R * motion.omega.col(k)).transpose();
+  }
+  const auto lagOf = [&](double lag) {
+    const double keeps = lag > 0.0 ? std::exp(-1.0 / (motion.rateHz * lag)) : 0.0;
+    poses.twist = twist;
+    for (Eigen::Index k = 1; k < motion.size(); ++k)
+      poses.twist.row(k) = keeps * poses.twist.row(k - 1) + (1.0 - keeps) * twist.row(k);
+    return diagnosis::reportedVelocities(poses, motionOf(poses, nullptr, options).value());
+  };
+  EXPECT_TRUE(lagOf(0.0).empty());
+  const auto found = lagOf(0.030);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found.front().cause, "motion_lag");
+  EXPECT_NEAR(found.front().parameters.front().value, 30.0, 3.0);
+}
+
 TEST(SampleTests, SmoothedReadingsThatStandStillWereNotLost) {
   const auto found = directCauses(aRecording(MotionKind::excitation, 18, {{"low_pass_lag", "average", 50.0}}));
   EXPECT_EQ(std::count(found.begin(), found.end(), "dropouts"), 0);
