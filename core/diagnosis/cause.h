@@ -65,7 +65,7 @@ class Cause {
   virtual bool bendsGeometry() const { return false; }
   virtual bool changesSensor(const Form&) const { return false; }
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
-  virtual double doubt(const VectorXd&, const Signals&) const { return 0.0; }
+  virtual double doubt(const Form&, const VectorXd&, const Signals&) const { return 0.0; }
   /// How much of it there is over what Heft's own smoothing of these signals may leave; where all terms of a cause come to less
   /// than 1, they are part of the model but nothing that somebody could mend.
   virtual double overOwnSmoothing(const Form&, const VectorXd&, const Signals&) const { return 1.0; }

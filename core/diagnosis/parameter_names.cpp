@@ -79,6 +79,7 @@ std::string wordsOf(std::string_view name) {
     if (name.starts_with(each.name) && isAxis(name.substr(each.name.size())))
       return heft::say(fmt::runtime(each.words), name.substr(each.name.size()));
   if (const auto channel = channelOf(name)) return heft::say("Size in {}", channelWords(*channel));
+  if (name == "gain_force") return heft::say("Gain of all forces off by");
   if (name == "step_torque") return heft::say("Step of the torque readings");
   if (name.size() == 2 && name[0] == 'r' && isAxis(name.substr(1))) return heft::say("Turned about {}", name.substr(1));
   if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1))) return heft::say("Shifted along {}", name.substr(1));

@@ -42,7 +42,7 @@ struct Trial {
 /// What the trial's fit adds to `base`, for its price.
 void weigh(Trial& trial, const Fit& base, const Signals& signals) {
   const Term& term = trial.fit.model.terms.back();
-  trial.penalty = trial.choicePenalty + term.form->cause->doubt(term.v, signals);
+  trial.penalty = trial.choicePenalty + term.form->cause->doubt(*term.form, term.v, signals);
   trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
 }
 

@@ -292,6 +292,9 @@ std::string sidesSentence(const Values& v) {
 
 /// Of those causes that change a reading: one parameter says which and how much.
 std::string readingSentence(const std::string& id, const CauseParameter& p) {
+  if (p.name.starts_with("gain_force"))
+    return p.value > 0.0 ? heft::say("All forces read {} % too much against the torques.", plusMinus(p.value, p.std))
+                         : heft::say("All forces read {} % too little against the torques.", plusMinus(-p.value, p.std));
   if (id == "gain_error") {
     const std::string channel = channelWords(channelOf(std::string_view(p.name).substr(5)));
     return p.value > 0.0 ? heft::say("The channel {} reads {} % too much.", channel, plusMinus(p.value, p.std))

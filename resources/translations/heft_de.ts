@@ -6478,6 +6478,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>At {} s the sensor&apos;s zero jumped by {} N m.</source>
         <translation>Bei {} s sprang die Null des Sensors um {} N m.</translation>
     </message>
+    <message>
+        <source>Gain of all forces off by</source>
+        <translation>Verstärkung aller Kräfte daneben um</translation>
+    </message>
+    <message>
+        <source>All forces read {} % too much against the torques.</source>
+        <translation>Alle Kräfte werden gegenüber den Momenten {} % zu groß gemessen.</translation>
+    </message>
+    <message>
+        <source>All forces read {} % too little against the torques.</source>
+        <translation>Alle Kräfte werden gegenüber den Momenten {} % zu klein gemessen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -1,4 +1,5 @@
-// One channel of the sensor reads too much or too little: either way, or more to one side and less to the other.
+// One channel of the sensor reads too much or too little: either way, or more to one side and less to the other. Or all forces do
+// against the torques: with the payload free, that is the sensor's place shifted along the way to the centre of mass.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -22,11 +23,19 @@ class GainError final : public Cause {
       out.back().subset = true;  // A load that pushes one way only does not tell the two apart.
       out.back().choice = {c, kBySign};
     }
+    out.push_back(formOf(this, "all forces", {{"gain_force", "%", 100.0, 0.02, -0.7, 0.7}}));
+    out.back().choice = {kForces};
     return out;
   }
   int order() const override { return 30; }
   bool changesSensor(const Form&) const override { return true; }
+  /// Whoever bolts a sensor on is more often wrong about its place than its maker is about newtons.
+  double doubt(const Form& form, const VectorXd&, const Signals&) const override { return form.choice[0] == kForces ? 20.0 : 0.0; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
+    if (form.choice[0] == kForces) {
+      w.topRows<3>() *= 1.0 + v(0);
+      return;
+    }
     auto row = w.row(form.choice[0]);
     if (bySign(form))
       row += v(0) * row + v(1) * row.cwiseAbs();
@@ -36,6 +45,7 @@ class GainError final : public Cause {
   bool linear(const Form& form) const override { return !bySign(form); }
 
  private:
+  static constexpr int kForces = 6;  ///< form.choice: instead of a channel
   static constexpr int kBySign = 1;  ///< Second in form.choice, after the channel
 
   static bool bySign(const Form& form) { return form.choice.size() > 1; }

@@ -76,9 +76,9 @@ class Oscillator : public Cause {
 
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:
   /// either looks like something that rings above. What rolls to its place comes late, as do readings: those are more common.
-  double doubt(const VectorXd& v, const Signals& signals) const override {
+  double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
     constexpr double kRolling = 20.0;
-    return v(5) > kMostDamped ? kRolling : doubtAt(v(4), signals);
+    return form.choice[0] == kRolls ? kRolling : doubtAt(v(4), signals);
   }
 
  protected:
@@ -178,14 +178,13 @@ class LooseMass final : public Oscillator {
       w.col(k).tail<3>() += Vector3d(v.tail<3>()).cross(f);
     }
   }
-  double doubt(const VectorXd& v, const Signals& signals) const override {
+  double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
     constexpr double kRare = 20.0;
-    return v.size() > kLongest ? kRare : Oscillator::doubt(v, signals);
+    return form.choice[0] == kFromStart ? kRare : Oscillator::doubt(form, v, signals);
   }
 
  private:
   static constexpr int kFromStart = 5;     ///< form.choice
-  static constexpr Eigen::Index kLongest = 8;  ///< Parameters of any other form
 };
 
 class FlexibleMount final : public Oscillator {
@@ -215,8 +214,8 @@ class FlexibleMount final : public Oscillator {
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     if (form.choice[0] == kWhole && v(0) > 0.0) w = throughSpring(w, frequencyAt(v(0)), v(1), signals.rateHz);
   }
-  double doubt(const VectorXd& v, const Signals& signals) const override {
-    return v.size() > 2 ? Oscillator::doubt(v, signals) : doubtAt(frequencyAt(v(0)), signals);
+  double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
+    return form.choice[0] == kWhole ? doubtAt(frequencyAt(v(0)), signals) : Oscillator::doubt(form, v, signals);
   }
   /// A hand hardly shakes a tool that fast: what shows is how far the mount gives, which is mass over frequency squared, and
   /// how that splits is guessed from the little that is left of the resonance below the smoothing's corner.
