@@ -16,8 +16,9 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 29> kNames = {{
+constexpr std::array<Name, 30> kNames = {{
     {"delay", heft::toSay("Delay t")},
+    {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
     {"time_constant", heft::toSay("Time constant T")},
     {"stiffness", heft::toSay("Stiffness k")},

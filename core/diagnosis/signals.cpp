@@ -61,19 +61,42 @@ Wrenches averaged(const Signals& signals, const Wrenches& wrench) {
   return out;
 }
 
+namespace {
+
+/// Four samples around an instant so many samples away, and their shares in a cubic through them.
+struct Between {
+  Eigen::Index base;  ///< Of the second one
+  std::array<double, 4> weight;
+};
+
+Between between(double samples) {
+  const double whole = std::floor(samples), u = samples - whole;
+  return {static_cast<Eigen::Index>(std::clamp(whole, -1e6, 1e6)),
+          {-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0, -(u + 1.0) * u * (u - 2.0) / 2.0,
+           (u + 1.0) * u * (u - 1.0) / 6.0}};
+}
+
+}  // namespace
+
+Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, const VectorXd& delays, double rateHz) {
+  const Eigen::Index n = value.cols();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(value.rows(), n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto [base, weight] = between(-delays(k) * rateHz);
+    for (Eigen::Index i = 0; i < 4; ++i)
+      out.col(k) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + base + i - 1, 0, n - 1));
+  }
+  return out;
+}
+
 Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz) {
   const Eigen::Index n = value.cols();
   Eigen::MatrixXd out(value.rows(), n);
-  const double shift = delay * rateHz;
-  const double whole = std::floor(-shift);
-  const double u = -shift - whole;  // Between the samples at 0 and 1 of four at -1, 0, 1, 2.
-  const std::array<double, 4> weight{-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
-                                     -(u + 1.0) * u * (u - 2.0) / 2.0, (u + 1.0) * u * (u - 1.0) / 6.0};
-  const auto base = static_cast<Eigen::Index>(std::clamp(whole, -1e6, 1e6));
+  const auto [base, weight] = between(-delay * rateHz);
   // All at once where the four samples are there; before and after, the first and the last sample go on.
   const Eigen::Index first = std::clamp<Eigen::Index>(1 - base, 0, n),
                      last = std::clamp<Eigen::Index>(n - 2 - base, first, n);
-  const auto shifted = [&](Eigen::Index i) { return value.middleCols(first + base + i - 1, last - first); };
+  const auto shifted = [&, base = base](Eigen::Index i) { return value.middleCols(first + base + i - 1, last - first); };
   if (last > first)
     out.middleCols(first, last - first) =
         weight[0] * shifted(0) + weight[1] * shifted(1) + weight[2] * shifted(2) + weight[3] * shifted(3);

@@ -62,6 +62,8 @@ Wrenches averaged(const Signals& signals, const Wrenches& wrench);
 
 /// The rows of `value` read `delay` seconds earlier (positive: late), cubic between samples, held at the ends.
 Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz);
+/// The same with a delay [s] of its own for each instant.
+Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, const VectorXd& delays, double rateHz);
 
 /// Exact response of T y' + y = u between samples of u interpolated by cubics, started in balance; T [s] > 0.
 Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz);

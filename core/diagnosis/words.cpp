@@ -210,7 +210,7 @@ struct Values {
       const auto last = p.name.rfind('_');
       const bool counted = last != std::string::npos && last + 1 < p.name.size() && std::isdigit(static_cast<unsigned char>(p.name[last + 1])) != 0;
       if ((counted ? p.name.substr(last) : std::string()) != ending) continue;
-      if (p.name.starts_with("time") || p.name.starts_with("turning_way")) continue;
+      if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration")) continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {
         most = z;
@@ -322,6 +322,8 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                ? heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1), v.norm({"fx", "fy", "fz"}))
                : heft::say("At {} s the sensor's zero jumped by {} N m.", number(v.value("time"), 1), v.norm({"tx", "ty", "tz"}));
   if (id == "bias_drift") return driftSentence(v);
+  if (id == "time_offset" && v.find("clock_drift"))
+    return heft::say("The clocks of force readings and motion run apart, by {} ms a second.", v.size("clock_drift"));
   if (id == "time_offset")
     return v.value("delay") > 0.0 ? heft::say("The force readings arrive {} ms late.", v.size("delay"))
                                   : heft::say("The force readings arrive {} ms before the motion.", v.size("delay"));
@@ -471,6 +473,7 @@ std::string causeSentence(const DiagnosedCause& cause, const std::optional<Frame
 std::string goesWithWords(const std::string& goesWith) {
   double from = 0.0, to = 0.0;
   if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1) return from < 10.0 ? heft::say("a rhythm of {:.2g} Hz", from) : heft::say("a rhythm of {:.0f} Hz", from);
+  if (std::sscanf(goesWith.c_str(), "a shaking of %lf to %lf Hz", &from, &to) == 2) return heft::say("a shaking of {:.0f} to {:.0f} Hz", from, to);
   if (std::sscanf(goesWith.c_str(), "slow swings, %lf to %lf times", &from, &to) == 2)
     return heft::say("slow swings, {:.1f} to {:.0f} times a second", from, to);
   return heft::say(fmt::runtime(goesWith));

@@ -314,6 +314,10 @@
         <source>These stretches are left out already; the step Mark shows them.</source>
         <translation>Diese Abschnitte sind schon ausgelassen; der Schritt Markieren zeigt sie.</translation>
     </message>
+    <message>
+        <source> Most of it lies between %1 and %2 Hz.</source>
+        <translation> Das meiste davon liegt zwischen %1 und %2 Hz.</translation>
+    </message>
 </context>
 <context>
     <name>ExportText</name>
@@ -6489,6 +6493,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>All forces read {} % too little against the torques.</source>
         <translation>Alle Kräfte werden gegenüber den Momenten {} % zu klein gemessen.</translation>
+    </message>
+    <message>
+        <source>Clocks run apart by</source>
+        <translation>Uhren laufen auseinander um</translation>
+    </message>
+    <message>
+        <source>The clocks of force readings and motion run apart, by {} ms a second.</source>
+        <translation>Die Uhren von Kraftwerten und Bewegung laufen auseinander, um {} ms je Sekunde.</translation>
+    </message>
+    <message>
+        <source>a shaking of {:.0f} to {:.0f} Hz</source>
+        <translation>einem Rütteln von {:.0f} bis {:.0f} Hz</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,8 @@
 // The sensor's zero moves: slowly, or at once.
+#include <algorithm>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
@@ -12,6 +14,8 @@ double sizeOf(int channel) { return channel < 3 ? 0.1 : 0.005; }
 const char* unitOf(int channel) { return channel < 3 ? "N" : "N m"; }
 
 class BiasDrift final : public Cause {
+  enum Course { kSteady, kSettling, kCurved, kRamp };  // form.choice
+
  public:
   std::string_view id() const override { return "bias_drift"; }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
@@ -27,7 +31,7 @@ class BiasDrift final : public Cause {
     };
     out.push_back(formOf(this, "", drift("", 1.0)));
     out.back().subset = true;
-    out.back().choice = {0};
+    out.back().choice = {kSteady};
     for (const double part : {0.12, 0.35}) {
       std::vector<Parameter> parameters;
       for (int c = 0; c < 6; ++c)
@@ -37,14 +41,27 @@ class BiasDrift final : public Cause {
       form.start(6) = part * T;
       form.scan = {0, 1, 2, 3, 4, 5};
       form.subset = true;
-      form.choice = {1};
+      form.choice = {kSettling};
+      out.push_back(form);
+    }
+    // From one level to another, such as that of a sensor that warms up for a while.
+    for (const auto& [from, lasts] : {std::pair{0.0, 0.3}, {0.0, 0.6}, {0.3, 0.3}, {0.3, 0.6}, {0.6, 0.3}}) {
+      std::vector<Parameter> parameters(out.back().parameters.begin(), out.back().parameters.begin() + 6);
+      parameters.push_back({"duration", "s", 1.0, 0.1 * T, 0.03 * T, T, false, false});
+      parameters.push_back({"time", "s", 1.0, 0.1 * T, 0.0, 0.95 * T, true, false});
+      Form form = formOf(this, "from one level to another", parameters);
+      form.start(6) = lasts * T;
+      form.start(7) = from * T;
+      form.scan = {0, 1, 2, 3, 4, 5};
+      form.subset = true;
+      form.choice = {kRamp};
       out.push_back(form);
     }
     auto curved = drift("", 1.0);
     for (const auto& p : drift("_bend", 1.0)) curved.push_back(p);
     out.push_back(formOf(this, "curved", curved));
     out.back().subset = true;
-    out.back().choice = {2};
+    out.back().choice = {kCurved};
     return out;
   }
   int order() const override { return 80; }
@@ -52,13 +69,17 @@ class BiasDrift final : public Cause {
     const double T = signals.duration();
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const double t = static_cast<double>(k) / signals.rateHz;
-      if (form.choice[0] == 1) {
+      if (form.choice[0] == kSettling) {
         w.col(k) -= std::expm1(-t / v(6)) * v.head<6>();
+        continue;
+      }
+      if (form.choice[0] == kRamp) {
+        w.col(k) += std::clamp((t - v(7)) / v(6), 0.0, 1.0) * v.head<6>();
         continue;
       }
       w.col(k) += t * v.head<6>();
       // The bend has neither mean nor slope over the recording.
-      if (form.choice[0] == 2) w.col(k) += (t * t / T - t + T / 6.0) * v.tail<6>();
+      if (form.choice[0] == kCurved) w.col(k) += (t * t / T - t + T / 6.0) * v.tail<6>();
     }
   }
 };

@@ -1,4 +1,4 @@
-// The wrench arrives later (or earlier) than the motion: y(t) = w(t - delay).
+// The wrench arrives later (or earlier) than the motion: y(t) = w(t - delay), by more and more where two clocks run apart.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -10,13 +10,27 @@ class TimeOffset final : public Cause {
   std::string_view id() const override { return "time_offset"; }
   std::vector<std::string> lookAlikes() const override { return {"low_pass_lag", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
-    return {formOf(this, "", {{"delay", "ms", kMilli, 0.005, -0.3, 0.3}})};
+    const Parameter delay{"delay", "ms", kMilli, 0.005, -0.3, 0.3};
+    Form apart = formOf(this, "clocks that run apart", {delay, {"clock_drift", "ms/s", kMilli, 1e-4, -0.01, 0.01}});
+    apart.choice = {kApart};
+    return {formOf(this, "", {delay}), apart};
   }
   int order() const override { return 70; }
   bool changesSensor(const Form&) const override { return true; }
-  void sensor(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
-    if (v(0) != 0.0) w = delayed(w, v(0), signals.rateHz);
+  void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    if (v.isZero(0.0)) return;
+    if (form.choice.empty()) {
+      w = delayed(w, v(0), signals.rateHz);
+      return;
+    }
+    // The delay is that at the middle of the recording: there it does not depend on how fast the clocks part.
+    const auto n = w.cols();
+    const double apart = 0.5 * static_cast<double>(n) / signals.rateHz * v(1);
+    w = delayed(w, VectorXd::LinSpaced(n, v(0) - apart, v(0) + apart), signals.rateHz);
   }
+
+ private:
+  static constexpr int kApart = 1;  ///< form.choice
 };
 
 }  // namespace
