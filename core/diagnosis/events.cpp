@@ -28,6 +28,31 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
   return where.to - where.from < length ? 1.0 : steady / all;
 }
 
+/// Share of what is left of force, or of torque, in all contacts that goes with `motion` (3 x N), by the law that holds in all other
+/// places that are `known`.
+double toldFromElsewhere(const Eigen::Matrix3Xd& motion, const Wrenches& residual, const std::vector<Contact>& contacts, const std::vector<bool>& known) {
+  constexpr Eigen::Index kApart = 5;
+  const Eigen::Index blocks = motion.cols();
+  const double little = 1e-3 * (motion.squaredNorm() / static_cast<double>(blocks) + 1e-12);
+  Eigen::Vector2d all = Eigen::Vector2d::Zero(), left = Eigen::Vector2d::Zero();
+  for (const Contact& contact : contacts) {
+    Matrix3d A = little * Matrix3d::Identity();
+    Eigen::Matrix<double, 3, 6> b = Eigen::Matrix<double, 3, 6>::Zero();
+    for (Eigen::Index n = 0; n < blocks; ++n) {
+      if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart)) continue;
+      A += motion.col(n) * motion.col(n).transpose();
+      b += motion.col(n) * residual.col(n).transpose();
+    }
+    const Eigen::Matrix<double, 3, 6> X = A.ldlt().solve(b);
+    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
+      const Vector6d r = residual.col(n), rest = r - X.transpose() * motion.col(n);
+      all += Eigen::Vector2d(r.head<3>().squaredNorm(), r.tail<3>().squaredNorm());
+      left += Eigen::Vector2d(rest.head<3>().squaredNorm(), rest.tail<3>().squaredNorm());
+    }
+  }
+  return 1.0 - (left.array() / all.array().max(1e-300)).minCoeff();
+}
+
 }  // namespace
 
 double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Index from, Eigen::Index to) {
@@ -62,8 +87,6 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
 }
 
 std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr double kFollows = 0.35;  ///< Share of what is left; of pushes it was 0.06 at most
-  constexpr Eigen::Index kApart = 5;
   if (contacts.size() < 2) return {};
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   Wrenches motion = Wrenches::Zero(6, blocks);  // Velocity and turning, S axes
@@ -71,41 +94,32 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
     motion.col(k / m).head<3>() += signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.velocity.col(k) / static_cast<double>(m);
     motion.col(k / m).tail<3>() += signals.kinematics.omega.col(k) / static_cast<double>(m);
   }
-  std::vector<bool> known = signals.usable;
+  std::vector<bool> inContact(static_cast<std::size_t>(blocks), false), everywhere = signals.usable;
   for (const Contact& contact : contacts)
-    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) known[static_cast<std::size_t>(n)] = true;
-  // What is left of force and torque if the law in all other places tells each contact, by either law.
+    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
+      inContact[static_cast<std::size_t>(n)] = everywhere[static_cast<std::size_t>(n)] = true;
   struct Law {
-    Eigen::Index first, count;
+    Eigen::Index first;
     std::string_view name;
   };
-  constexpr std::array<Law, 2> kLaws{{{0, 3, "how fast the tool moves"}, {3, 3, "how fast the tool turns"}}};
+  constexpr std::array<Law, 2> kLaws{{{0, "how fast the tool moves"}, {3, "how fast the tool turns"}}};
+  // A law that holds at all times, or one that acts in a zone only. Of pushes 0.2 at most went with either.
+  struct Where {
+    const std::vector<bool>& known;
+    double follows;  ///< Share of what is left that a law must tell
+    std::size_t fewest;
+  };
+  const std::array<Where, 2> wheres{{{everywhere, 0.35, 2}, {inContact, 0.5, 4}}};
   std::string_view best;
-  double most = kFollows;
-  for (const Law& law : kLaws) {
-    const auto G = motion.middleRows(law.first, law.count);
-    const double scale = G.squaredNorm() / static_cast<double>(blocks) + 1e-12;
-    Eigen::Vector2d all = Eigen::Vector2d::Zero(), left = Eigen::Vector2d::Zero();
-    for (const Contact& contact : contacts) {
-      Matrix3d A = 1e-3 * scale * Matrix3d::Identity();
-      Eigen::Matrix<double, 3, 6> b = Eigen::Matrix<double, 3, 6>::Zero();
-      for (Eigen::Index n = 0; n < blocks; ++n) {
-        if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart)) continue;
-        A += G.col(n) * G.col(n).transpose();
-        b += G.col(n) * fit.residual.col(n).transpose();
-      }
-      const Eigen::Matrix<double, 3, 6> X = A.ldlt().solve(b);
-      for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
-        const Vector6d r = fit.residual.col(n), rest = r - X.transpose() * G.col(n);
-        all += Eigen::Vector2d(r.head<3>().squaredNorm(), r.tail<3>().squaredNorm());
-        left += Eigen::Vector2d(rest.head<3>().squaredNorm(), rest.tail<3>().squaredNorm());
-      }
+  double most = 0.0;
+  for (const Law& law : kLaws)
+    for (const Where& where : wheres) {
+      if (contacts.size() < where.fewest) continue;
+      const double share = toldFromElsewhere(motion.middleRows<3>(law.first), fit.residual, contacts, where.known);
+      if (share < where.follows || share <= most) continue;
+      most = share;
+      best = law.name;
     }
-    const double follows = 1.0 - (left.array() / all.array().max(1e-300)).minCoeff();
-    if (follows <= most) continue;
-    most = follows;
-    best = law.name;
-  }
   return std::string(best);
 }
 

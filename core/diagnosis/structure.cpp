@@ -9,8 +9,8 @@
 #include <random>
 
 #include "core/base/say.h"
-#include "core/diagnosis/periodogram.h"
 #include "core/diagnosis/rhythms.h"
+#include "core/diagnosis/swell.h"
 #include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
@@ -120,56 +120,6 @@ MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
   const int m = signals.samplesPerBlock;
   for (Eigen::Index n = 0; n < blocks; ++n) averagedFeatures.col(n) = features.middleCols(n * m, m).rowwise().mean();
   return onEachChannel(normalised(averagedFeatures));
-}
-
-/// Where the residual's power density stands highest above that of its own fast noise, 8 to 20 Hz.
-struct Swell {
-  double excess = 0.0;  ///< Over the limit that no noise of a sensor reaches
-  double share = 0.0;   ///< Of the residual's power below 20 Hz
-  double lowHz = 0.0, highHz = 0.0;
-};
-
-Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  struct Band {
-    double low, high, limit;
-  };
-  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The slowest band
-  // of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the next one: 7 times.
-  constexpr double kFall = 12.0;
-  constexpr std::array<Band, 3> kBands{{{0.6, 2.0, 60.0}, {2.0, 4.0, 40.0}, {8.0, 20.0, 0.0}}};
-  constexpr Eigen::Index kShortest = 100;
-  std::array<Vector6d, kBands.size()> power;
-  std::array<double, kBands.size()> count{};
-  power.fill(Vector6d::Zero());
-  Vector6d total = Vector6d::Zero();
-  for (const auto& s : stretches) {
-    const Eigen::Index length = s.to - s.from;
-    if (length < kShortest) continue;
-    const double resolution = signals.blockRate() / static_cast<double>(length);
-    const auto lines = static_cast<Eigen::Index>(std::ceil(20.0 / resolution)) - 1;
-    const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
-    total += here.rowwise().sum();
-    for (Eigen::Index k = 1; k <= lines; ++k) {
-      const double f = static_cast<double>(k) * resolution;
-      for (std::size_t b = 0; b < kBands.size(); ++b)
-        if (f >= kBands[b].low && f < kBands[b].high) {
-          power[b] += here.col(k - 1);
-          count[b] += 1.0;
-        }
-    }
-  }
-  Swell out;
-  if (count.back() < 1.0) return out;
-  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
-    if (count[b] < 1.0) continue;
-    for (Eigen::Index c = 0; c < 6; ++c) {
-      const double floor = power.back()(c) / count.back();
-      double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
-      if (b == 0 && count[1] > 0.0) excess = std::min(excess, power[0](c) / count[0] / std::max(1e-300, power[1](c) / count[1]) / kFall);
-      if (excess > out.excess) out = {excess, power[b](c) / std::max(1e-300, total(c)), kBands[b].low, kBands[b].high};
-    }
-  }
-  return out;
 }
 
 /// Orthonormal cosines over `count` blocks, count x count.
@@ -300,6 +250,9 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   }
   // Beside a zero that wanders, what its waves leave over is no structure yet.
   if (wanders) best.gain -= kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches);
+  if (const Swell shaking = shakingIn(signals, stretches, fit.residual); shaking.excess > 1.0 && best.gain < kPlain)
+    best = {fmt::format("a shaking of {:.0f} to {:.0f} Hz", shaking.lowHz, shaking.highHz), kPlain * shaking.excess, shaking.share,
+            shaking.lowHz, shaking.highHz};
   const Swell high = swell(signals, stretches, fit.residual);
   if (high.excess > 1.0 && best.gain < kPlain)
     best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,

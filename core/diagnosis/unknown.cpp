@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/base/say.h"
 #include "core/diagnosis/hum.h"
 #include "core/diagnosis/wandering.h"
@@ -51,15 +53,21 @@ void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
   out.remaining.gain = evidence;
 }
 
+/// Whether what remains is `hum` as blocks show it, folded down by their rate.
+bool isFolded(const Hum& hum, double blockRate, const Structure& remaining) {
+  const double folded = std::abs(hum.frequencyHz - blockRate * std::round(hum.frequencyHz / blockRate));
+  return remaining.highHz > 0.0 && folded > remaining.lowHz - 1.0 && folded < remaining.highHz + 1.0;
+}
+
 /// A line in the spectrum is said; one that makes up much of what is fast and is not the mains' is unknown.
-void sayHum(const Hum& hum, DiagnosisReport& out) {
+void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
   constexpr double kMuch = 0.2;
   const bool unknown = !hum.mains && hum.share > kMuch;
   out.findings.push_back({unknown ? Severity::warning : Severity::info, "readings_hum",
                           heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum.frequencyHz, hum.force, hum.torque),
                           hum.mains ? heft::say("That is the mains: check the sensor's shield and earth.")
                                     : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."), {}});
-  if (!unknown || out.remaining.gain > kUnexplained) return;
+  if (!unknown || (out.remaining.gain > kUnexplained && !isFolded(hum, blockRate, out.remaining))) return;
   out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
   out.remaining.share = hum.share;
   out.remaining.lowHz = out.remaining.highHz = hum.frequencyHz;
@@ -73,7 +81,7 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
   if (!work.odd.empty()) saySomethingOdd(work, known, out);
   // Readings that were held, lost or late have lines of their own.
   if (known) return;
-  if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, out);
+  if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);
 }
 
 }  // namespace heft::diagnosis

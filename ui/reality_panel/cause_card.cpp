@@ -453,7 +453,9 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   }
   const double share = 100.0 * std::clamp(report.remaining.share, 0.0, 1.0);
   QString band;
-  if (report.remaining.highHz > 0.0)
+  if (report.remaining.highHz > report.remaining.lowHz)
+    band = Say::tr(" Most of it lies between %1 and %2 Hz.").arg(numberText(report.remaining.lowHz, 1), numberText(report.remaining.highHz, 1));
+  else if (report.remaining.highHz > 0.0)
     band = Say::tr(" Most of it lies at %1 Hz.").arg(numberText(report.remaining.lowHz, 1));
   const QString part = share > 0.0 ? Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) : QString();
   card.layout->addWidget(wrappedLabel((part + band + Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing.")).trimmed(),

@@ -314,6 +314,63 @@ TEST(Diagnose, WhatNoCauseCanBeIsUnexplained) {
   }
 }
 
+/// A conveyor beside the robot shakes its base while it speeds up from 8 to 14 Hz: the memory of a noise learned from that explains
+/// it all, and no single wave does.
+TEST(Diagnose, AShakingOfChangingFrequencyIsUnexplained) {
+  Recording recording = aRecording(MotionKind::free, 262);
+  const double T = recording.time(recording.rows() - 1);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double t = recording.time(i), phase = 2.0 * std::numbers::pi * (8.0 * t + 3.0 * t * t / T);
+    recording.wrench(i, 1) += 0.15 * std::sin(phase);
+    recording.wrench(i, 3) -= 0.009 * std::sin(phase);
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_TRUE(report.remaining.goesWith.starts_with("a shaking of")) << said(report);
+  EXPECT_NEAR(report.remaining.lowHz, 8.0, 1.6);
+  EXPECT_NEAR(report.remaining.highHz, 14.0, 1.6);
+}
+
+/// Two computers, each with a clock of its own: readings are 5 ms late at first and 25 ms in the end.
+TEST(Diagnose, ClocksThatRunApart) {
+  Recording recording = aRecording(MotionKind::free, 263);
+  const double T = recording.time(recording.rows() - 1);
+  const auto given = recording.wrench;
+  const double rate = recording.rateHz();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double late = 0.005 + 0.020 * recording.time(i) / T;
+    const double at = std::max(0.0, static_cast<double>(i) - late * rate);
+    const auto before = static_cast<Eigen::Index>(at);
+    const double share = at - static_cast<double>(before);
+    recording.wrench.row(i) = (1.0 - share) * given.row(before) + share * given.row(std::min(before + 1, recording.rows() - 1));
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  ASSERT_EQ(report.causes.front().id, "time_offset") << said(report);
+  for (const CauseParameter& p : report.causes.front().parameters) {
+    const double truth = p.name == "delay" ? 15.0 : 20.0 / T;
+    EXPECT_NEAR(p.value, truth, 3.0 * p.std + 0.01 * truth) << p.name;
+  }
+  EXPECT_EQ(report.causes.front().parameters.size(), 2u);
+}
+
+/// The zero goes from one level to another between 4 and 7 s: a walk has waves for that, but not so few.
+TEST(Diagnose, AZeroThatCreepsForAWhile) {
+  Recording recording = aRecording(MotionKind::free, 264);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double u = std::clamp((recording.time(i) - 4.0) / 3.0, 0.0, 1.0);
+    recording.wrench(i, 0) += 0.3 * u;
+    recording.wrench(i, 4) -= 0.01 * u;
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "bias_drift") << said(report);
+  for (const CauseParameter& p : report.causes.front().parameters) {
+    const double truth = p.name == "fx" ? 0.3 : p.name == "ty" ? -0.01 : p.name == "duration" ? 3.0 : p.name == "time" ? 4.0 : 0.0;
+    EXPECT_NEAR(p.value, truth, 4.0 * p.std) << p.name;
+  }
+}
+
 /// A random walk of the zero has waves for anything that is slow: beside touches it explained all of these.
 TEST(Diagnose, AWalkOfTheZeroHidesNothingUnknown) {
   for (const auto& [kind, seed] : {std::pair{"backlash_torque", 2026112300002u}, {"temperature_wave", 2026112300001u}}) {

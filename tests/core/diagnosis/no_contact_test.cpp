@@ -95,6 +95,22 @@ TEST(NoContact, ASpinningRotorIsUnknown) {
   EXPECT_EQ(report.remaining.goesWith, "how fast the tool turns") << said(report);
 }
 
+/// A magnet's field brakes what moves in one half of the space, by 6 N s/m: the tool is slowed, not touched.
+TEST(NoContact, ABrakeInPartOfTheSpaceIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 306);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d normal = Vector3d(0.6, -0.7, 0.3).normalized();
+  const double level = normal.dot(motion.position.rowwise().mean()) + 0.03;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const Eigen::Index k = sampleAt(motion, recording.time(i));
+    const double inside = 0.5 * (1.0 + std::tanh((normal.dot(motion.position.col(k)) - level) / 0.005));
+    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * (6.0 * inside * motion.velocity.col(k))).transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
 TEST(NoContact, AFanIsHeardAndTheMainsAreNoCause) {
   const auto with = [](double frequency) {
     Recording recording = aRecording(MotionKind::free, 304);

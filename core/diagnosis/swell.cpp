@@ -1,0 +1,101 @@
+#include "core/diagnosis/swell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/diagnosis/periodogram.h"
+#include "core/math/statistics.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr Eigen::Index kShortest = 100;  ///< Blocks of a stretch that is looked at
+
+}  // namespace
+
+Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  struct Band {
+    double low, high, limit;
+  };
+  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The slowest band
+  // of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the next one: 7 times.
+  constexpr double kFall = 12.0;
+  constexpr std::array<Band, 3> kBands{{{0.6, 2.0, 60.0}, {2.0, 4.0, 40.0}, {8.0, 20.0, 0.0}}};
+  std::array<Vector6d, kBands.size()> power;
+  std::array<double, kBands.size()> count{};
+  power.fill(Vector6d::Zero());
+  Vector6d total = Vector6d::Zero();
+  for (const auto& s : stretches) {
+    const Eigen::Index length = s.to - s.from;
+    if (length < kShortest) continue;
+    const double resolution = signals.blockRate() / static_cast<double>(length);
+    const auto lines = static_cast<Eigen::Index>(std::ceil(20.0 / resolution)) - 1;
+    const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
+    total += here.rowwise().sum();
+    for (Eigen::Index k = 1; k <= lines; ++k) {
+      const double f = static_cast<double>(k) * resolution;
+      for (std::size_t b = 0; b < kBands.size(); ++b)
+        if (f >= kBands[b].low && f < kBands[b].high) {
+          power[b] += here.col(k - 1);
+          count[b] += 1.0;
+        }
+    }
+  }
+  Swell out;
+  if (count.back() < 1.0) return out;
+  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
+    if (count[b] < 1.0) continue;
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double floor = power.back()(c) / count.back();
+      double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
+      if (b == 0 && count[1] > 0.0) excess = std::min(excess, power[0](c) / count[0] / std::max(1e-300, power[1](c) / count[1]) / kFall);
+      if (excess > out.excess) out = {excess, power[b](c) / std::max(1e-300, total(c)), kBands[b].low, kBands[b].high};
+    }
+  }
+  return out;
+}
+
+Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  constexpr double kLimit = 8.0;  // Of 134 recordings without any, the highest was 2.5
+  constexpr Eigen::Index kBins = 24, kSlowest = 5, kFastest = 22, kBeside = 2;  // A hertz each, the first about 1 Hz
+  if (signals.blockRate() < 2.0 * (kBins + 0.5)) return {};
+  MatrixXd density = MatrixXd::Zero(6, kBins);
+  VectorXd count = VectorXd::Zero(kBins);
+  for (const auto& s : stretches) {
+    const Eigen::Index length = s.to - s.from;
+    if (length < kShortest) continue;
+    const double resolution = signals.blockRate() / static_cast<double>(length);
+    const auto lines = static_cast<Eigen::Index>((kBins + 0.5) / resolution);
+    const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
+    for (Eigen::Index k = 1; k <= lines; ++k) {
+      const auto bin = static_cast<Eigen::Index>(std::lround(static_cast<double>(k) * resolution)) - 1;
+      if (bin < 0 || bin >= kBins) continue;
+      density.col(bin) += here.col(k - 1);
+      count(bin) += 1.0;
+    }
+  }
+  if (count.minCoeff() < 1.0) return {};
+  density = density * count.cwiseInverse().asDiagonal();
+  const auto usual = [&](Eigen::Index channel, Eigen::Index from, Eigen::Index to) {
+    std::vector<double> all;
+    for (Eigen::Index b = from; b < to; ++b) all.push_back(density(channel, b));
+    return median(all);
+  };
+  Swell out;
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (Eigen::Index b = kSlowest - 1; b < kFastest; ++b) {
+      const double floor = std::max(usual(c, 0, b - kBeside + 1), usual(c, std::min(b + kBeside, kBins - 1), kBins));
+      const double excess = density(c, b) / std::max(1e-300, floor) / kLimit;
+      if (excess <= out.excess) continue;
+      Eigen::Index first = b, last = b;
+      while (first > 0 && density(c, first - 1) > kLimit * floor) --first;
+      while (last + 1 < kBins && density(c, last + 1) > kLimit * floor) ++last;
+      out = {excess, density.row(c).segment(first, last - first + 1).sum() / density.row(c).sum(), static_cast<double>(first) + 0.5,
+             static_cast<double>(last) + 1.5};
+    }
+  return out;
+}
+
+}  // namespace heft::diagnosis
