@@ -11,6 +11,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/between_rows.h"
 #include "core/diagnosis/time_stamps.h"
+#include "core/diagnosis/velocities.h"
 #include "core/diagnosis/words.h"
 
 namespace heft {
@@ -160,7 +161,7 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
     } else if (id == "jitter") {
       if (auto stamps = unevenStamps(out)) out.time = std::move(stamps->even);
     } else if (id == "motion_lag" || id == "derivative_noise") {
-      out.dq.resize(0, out.dq.cols());
+      dropReportedVelocities(out);
     }
   }
   if (fitted.empty()) return out;

@@ -17,6 +17,7 @@
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/unknown.h"
+#include "core/diagnosis/velocities.h"
 #include "core/diagnosis/words.h"
 #include "core/estimation/prepare.h"
 
@@ -61,10 +62,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles or poses are not used, here or for the payload.
-    if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") {
-      out.cleaned.dq.resize(0, out.cleaned.dq.cols());
-      out.cleaned.twist.resize(0, 6);
-    }
+    if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") dropReportedVelocities(out.cleaned);
     for (std::size_t i = 0; i < direct.rows.size(); ++i) {
       out.bad.resize(direct.rows.size(), false);
       out.bad[i] = out.bad[i] || direct.rows[i];

@@ -139,6 +139,11 @@ std::optional<Comparison> comparisonOf(const Recording& recording, const Motion&
 
 }  // namespace
 
+void dropReportedVelocities(Recording& recording) {
+  recording.dq.resize(0, recording.dq.cols());
+  recording.twist.resize(0, 6);
+}
+
 std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion) {
   std::vector<Direct> out;
   if (static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0) return out;

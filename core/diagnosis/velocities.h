@@ -8,4 +8,7 @@ namespace heft::diagnosis {
 /// Empty where no velocities were reported, or where they agree with the angles or poses.
 std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion);
 
+/// Of joints and of the sensor: where they disagree, angles and poses alone tell how it moved.
+void dropReportedVelocities(Recording& recording);
+
 }  // namespace heft::diagnosis
