@@ -37,6 +37,18 @@ void sayHiddenByWalk(const Work& work, DiagnosisReport& out) {
                           heft::say("Let the sensor warm up, and keep recordings short."), {}});
 }
 
+/// A drift in place of what goes with the motion: where that explains as much as the drift and the walk together, neither is known.
+void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
+  constexpr double kAsMuch = 10.0;  ///< Less than the drift; of 27 that were one none came nearer than 40
+  constexpr double kPlain = 60.0;
+  const Fit& final = work.search.final;
+  Model bare = without(final.model, "bias_drift");
+  if (out.remaining.gain > kUnexplained || bare.terms.size() == final.model.terms.size()) return;
+  const Fit fit = fitModel(work.signals, work.stretches, without(bare, kWandering));
+  const Structure hidden = structureIn(work.signals, work.stretches, fit);
+  if (hidden.gain > kPlain && hidden.gain > final.evidence - fit.evidence - kAsMuch) out.remaining = hidden;
+}
+
 /// What was set aside and is no contact is unknown.
 void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
   double evidence = 0.0, lasts = 0.0;
@@ -78,6 +90,7 @@ void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
 
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
   sayHiddenByWalk(work, out);
+  sayHiddenByDrift(work, out);
   if (!work.odd.empty()) saySomethingOdd(work, known, out);
   // Readings that were held, lost or late have lines of their own.
   if (known) return;
