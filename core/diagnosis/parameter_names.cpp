@@ -108,14 +108,18 @@ std::string wordsOf(std::string_view name) {
 
 }  // namespace
 
+std::string_view occurrenceOf(std::string_view name) {
+  const auto line = name.rfind('_');
+  const bool counted = line != std::string_view::npos && line + 1 < name.size() && std::isdigit(static_cast<unsigned char>(name[line + 1])) != 0;
+  return counted ? name.substr(line) : std::string_view();
+}
+
 std::string parameterName(std::string_view name) {
   std::string words = wordsOf(name);
   if (!words.empty()) return words;
-  // "delay_2": of the second time that a cause was found.
-  const auto line = name.rfind('_');
-  if (line != std::string_view::npos && line + 1 < name.size() && std::isdigit(static_cast<unsigned char>(name[line + 1]))) {
-    words = wordsOf(name.substr(0, line));
-    if (!words.empty()) return heft::say("{} ({})", words, name.substr(line + 1));
+  if (const auto ending = occurrenceOf(name); !ending.empty()) {
+    words = wordsOf(name.substr(0, name.size() - ending.size()));
+    if (!words.empty()) return heft::say("{} ({})", words, ending.substr(1));
   }
   return std::string(name);
 }

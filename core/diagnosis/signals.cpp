@@ -76,23 +76,27 @@ Between between(double samples) {
            (u + 1.0) * u * (u - 1.0) / 6.0}};
 }
 
+/// Column `k` of `value`, moved; before and after, the first and the last one go on.
+void move(const Eigen::MatrixXd& value, Eigen::Index k, const Between& by, Eigen::Ref<Eigen::VectorXd> out) {
+  out.setZero();
+  for (Eigen::Index i = 0; i < 4; ++i)
+    out += by.weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + by.base + i - 1, 0, value.cols() - 1));
+}
+
 }  // namespace
 
 Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, const VectorXd& delays, double rateHz) {
   const Eigen::Index n = value.cols();
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(value.rows(), n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const auto [base, weight] = between(-delays(k) * rateHz);
-    for (Eigen::Index i = 0; i < 4; ++i)
-      out.col(k) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + base + i - 1, 0, n - 1));
-  }
+  Eigen::MatrixXd out(value.rows(), n);
+  for (Eigen::Index k = 0; k < n; ++k) move(value, k, between(-delays(k) * rateHz), out.col(k));
   return out;
 }
 
 Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz) {
   const Eigen::Index n = value.cols();
   Eigen::MatrixXd out(value.rows(), n);
-  const auto [base, weight] = between(-delay * rateHz);
+  const Between by = between(-delay * rateHz);
+  const auto& [base, weight] = by;
   // All at once where the four samples are there; before and after, the first and the last sample go on.
   const Eigen::Index first = std::clamp<Eigen::Index>(1 - base, 0, n),
                      last = std::clamp<Eigen::Index>(n - 2 - base, first, n);
@@ -103,10 +107,7 @@ Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateH
   for (Eigen::Index k = 0; k < n; ++k) {
     if (k == first) k = last;
     if (k == n) break;
-    out.col(k).setZero();
-    for (Eigen::Index i = 0; i < 4; ++i)
-      out.col(k) +=
-          weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + base + i - 1, 0, n - 1));
+    move(value, k, by, out.col(k));
   }
   return out;
 }

@@ -20,6 +20,9 @@ struct Kinematics {
   Eigen::Matrix3Xd alpha;          ///< [rad/s2]
 };
 
+/// Share of the corner below which a smoothing by twicing, of order 6 and run both ways, takes less than 1.5 %.
+constexpr double kKeptTwiced = 0.85;
+
 /// The recording at about 200 Hz, K instants, and blocks of it at about 50 Hz, N of them, on which everything is judged.
 struct Signals {
   double startTime = 0.0;  ///< [s] on the recording's clock

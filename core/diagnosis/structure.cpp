@@ -250,13 +250,12 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   }
   // Beside a zero that wanders, what its waves leave over is no structure yet.
   if (wanders) best.gain -= kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches);
-  if (const Swell shaking = shakingIn(signals, stretches, fit.residual); shaking.excess > 1.0 && best.gain < kPlain)
-    best = {fmt::format("a shaking of {:.0f} to {:.0f} Hz", shaking.lowHz, shaking.highHz), kPlain * shaking.excess, shaking.share,
-            shaking.lowHz, shaking.highHz};
-  const Swell high = swell(signals, stretches, fit.residual);
-  if (high.excess > 1.0 && best.gain < kPlain)
-    best = {fmt::format("slow swings, {:.1f} to {:.0f} times a second", high.lowHz, high.highHz), kPlain * high.excess, high.share,
-            high.lowHz, high.highHz};
+  const auto unlessPlain = [&](const Swell& found, fmt::format_string<const double&, const double&> words) {
+    if (found.excess > 1.0 && best.gain < kPlain)
+      best = {fmt::format(words, found.lowHz, found.highHz), kPlain * found.excess, found.share, found.lowHz, found.highHz};
+  };
+  unlessPlain(shakingIn(signals, stretches, fit.residual), "a shaking of {:.0f} to {:.0f} Hz");
+  unlessPlain(swell(signals, stretches, fit.residual), "slow swings, {:.1f} to {:.0f} times a second");
   return best;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -207,9 +206,7 @@ struct Values {
     const CauseParameter* best = nullptr;
     double most = -1.0;
     for (const auto& p : cause.parameters) {
-      const auto last = p.name.rfind('_');
-      const bool counted = last != std::string::npos && last + 1 < p.name.size() && std::isdigit(static_cast<unsigned char>(p.name[last + 1])) != 0;
-      if ((counted ? p.name.substr(last) : std::string()) != ending) continue;
+      if (occurrenceOf(p.name) != ending) continue;
       if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration")) continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {

@@ -25,6 +25,8 @@ std::string causeLooks(std::string_view id);
 std::string goesWithWords(const std::string& goesWith);
 /// "force x" to "torque z"
 std::string channelWords(int channel);
+/// "_2" of "delay_2", the delay of the second time that a cause was found; empty for the first.
+std::string_view occurrenceOf(std::string_view name);
 /// "Stiffness k" for the file's "stiffness"; the name itself where this version has no words for it.
 std::string parameterName(std::string_view name);
 /// "2.60 ± 0.10 N/m", with half of the 95 % interval.

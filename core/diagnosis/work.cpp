@@ -12,7 +12,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kKept = 0.7, kKeptTwiced = 0.85;  ///< Share of the corner below which a filter of order 6, run both ways, takes less than 1.5 %
+constexpr double kKept = 0.7;  ///< As kKeptTwiced, of a filter that is not
 
 /// Contiguous blocks that automatic segmentation takes for contact.
 std::vector<Stretch> contactCandidates(const Recording& recording, const Motion& motion, const Signals& signals) {

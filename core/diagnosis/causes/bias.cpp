@@ -32,10 +32,10 @@ class BiasDrift final : public Cause {
     out.push_back(formOf(this, "", drift("", 1.0)));
     out.back().subset = true;
     out.back().choice = {kSteady};
+    std::vector<Parameter> levels;  // How far it goes in all
+    for (int c = 0; c < 6; ++c) levels.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
     for (const double part : {0.12, 0.35}) {
-      std::vector<Parameter> parameters;
-      for (int c = 0; c < 6; ++c)
-        parameters.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
+      std::vector<Parameter> parameters = levels;
       parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 3.0 * T});
       Form form = formOf(this, "settling", parameters);
       form.start(6) = part * T;
@@ -46,7 +46,7 @@ class BiasDrift final : public Cause {
     }
     // From one level to another, such as that of a sensor that warms up for a while.
     for (const auto& [from, lasts] : {std::pair{0.0, 0.3}, {0.0, 0.6}, {0.3, 0.3}, {0.3, 0.6}, {0.6, 0.3}}) {
-      std::vector<Parameter> parameters(out.back().parameters.begin(), out.back().parameters.begin() + 6);
+      std::vector<Parameter> parameters = levels;
       parameters.push_back({"duration", "s", 1.0, 0.1 * T, 0.03 * T, T, false, false});
       parameters.push_back({"time", "s", 1.0, 0.1 * T, 0.0, 0.95 * T, true, false});
       Form form = formOf(this, "from one level to another", parameters);
