@@ -248,12 +248,16 @@ bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
   return std::ranges::find(kLikeAWalk, cause) == kLikeAWalk.end() && gain > std::max(kFaint, kMost * walk);
 }
 
-/// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it.
+/// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it and
+/// together they may still reach `goal`.
 Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, Trial trial,
-            std::span<const std::string_view> causes, std::size_t terms) {
+            std::span<const std::string_view> causes, std::size_t terms, double goal) {
+  constexpr double kMore = 1.5;  ///< Times what a first look promises, and a tie more: no fit in a hundred has gained that
   for (std::size_t i = 1; i < terms; ++i) {
     const auto ranked = promises(signals, stretches, bank, trial.fit, causes);
     if (ranked.empty()) break;
+    const double most = kMore * std::max(0.0, ranked.front().score) + kTie;
+    if (trial.gain + static_cast<double>(terms - i) * most < goal) break;
     auto more = trialsOf(signals, stretches, trial.fit, chosenOf(ranked, kRivals, ranked.front().score));
     if (more.empty() || more.front().gain < kThreshold) break;
     more.front().cause = trial.cause;
@@ -278,7 +282,7 @@ void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, 
     if (done.size() == kTop || trial.gain < kNear * walk) break;
     if (id == kWandering || std::ranges::find(done, id) != done.end()) continue;
     done.push_back(id);
-    Trial more = grown(signals, stretches, bank, trial, others, kTerms);
+    Trial more = grown(signals, stretches, bank, trial, others, kTerms, walk + kBesideWandering);
     if (more.gain > walk + kBesideWandering) trial = std::move(more);
   }
   sortByGain(all);
@@ -297,7 +301,7 @@ void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, S
     const std::array<std::string_view, 1> same{form.cause->id()};
     if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end()) continue;
     done.push_back(same[0]);
-    trial = grown(signals, stretches, bank, std::move(trial), same, terms);
+    trial = grown(signals, stretches, bank, std::move(trial), same, terms, 0.0);
   }
   sortByGain(all);
 }

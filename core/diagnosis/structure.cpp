@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "core/base/say.h"
@@ -35,7 +36,6 @@ constexpr double kPlain = 60.0;     ///< Gain of a structure that nobody would c
 constexpr double kPlainBesideWalk = 120.0;  ///< The same where the zero walks: its fast waves are many times the noise
 constexpr double kBesideColour = 20.0;  ///< Gain of a wave in a noise that is not quite as it was learned
 constexpr double kShareOfWalk = 0.03;  ///< Of what a walk explains: what its waves leave over may go with anything by chance
-constexpr double kFaintest = 10.0;  ///< Gain below which nobody asks
 
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
@@ -174,20 +174,31 @@ class Waves {
   MatrixXd cosines_, size_;
 };
 
-/// What the same columns gain at most where there is nothing but noise of the residual's colour: more than any draw, and more
-/// than one in some hundred, since a dozen groups are asked.
-double gainByChance(const Dictionary& of, const Ground& ground, double lnN) {
-  constexpr std::size_t kDraws = 20;
-  const Waves waves(ground.fit.residual, ground.stretches);
-  std::mt19937_64 random(7);
-  std::vector<MatrixXd> signs(kDraws);
-  for (auto& drawn : signs) drawn = waves.draw(random);
-  std::vector<double> gains(kDraws, 0.0);
-  onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(of, Ground(ground, waves.reshuffled(signs[i])), lnN).gain; });
-  const Eigen::Map<const VectorXd> all(gains.data(), std::ssize(gains));
-  const double mean = all.mean(), deviation = std::sqrt((all.array() - mean).square().mean());
-  return std::max(all.maxCoeff(), mean + 3.0 * deviation);
-}
+/// Noise of the residual's colour that goes with nothing, and what columns gain in it.
+class Chance {
+ public:
+  Chance(const Ground& ground, double lnN) : ground_(ground), lnN_(lnN), waves_(ground.fit.residual, ground.stretches) {
+    std::mt19937_64 random(7);
+    for (auto& drawn : signs_) drawn = waves_.draw(random);
+  }
+
+  /// What the columns gain at most where there is nothing: more than any draw, and more than one in some hundred, since a dozen
+  /// groups are asked.
+  double gainOf(const Dictionary& columns) const {
+    std::array<double, kDraws> gains{};
+    onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(columns, Ground(ground_, waves_.reshuffled(signs_[i])), lnN_).gain; });
+    const Eigen::Map<const VectorXd> all(gains.data(), kDraws);
+    const double mean = all.mean(), deviation = std::sqrt((all.array() - mean).square().mean());
+    return std::max(all.maxCoeff(), mean + 3.0 * deviation);
+  }
+
+ private:
+  static constexpr std::size_t kDraws = 20;
+  const Ground& ground_;
+  double lnN_;
+  Waves waves_;
+  std::array<MatrixXd, kDraws> signs_;
+};
 
 }  // namespace
 
@@ -206,9 +217,11 @@ double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
-Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
+Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const bool wanders = walks(fit.model);
+  // Beside a zero that wanders, what its waves leave over is no structure yet.
+  const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
                                       Ground(stretches, fit, white(fit.residual, stretches), true)};
@@ -221,6 +234,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   Structure best;
   best.gain = -1e300;
   // Strongest first; what noise of this colour would do as well by chance is none.
+  std::array<std::optional<Chance>, 2> chance;
   for (;;) {
     std::size_t at = 0, on = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -230,8 +244,9 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
           on = g;
         }
     Judged& strongest = judged[at][on];
-    if (strongest.gain < kFaintest || strongest.gain > (wanders ? kPlainBesideWalk : kPlain) ||
-        strongest.gain > gainByChance(Dictionary(grounds[on].freed(columnsOf(all[at].features, signals)), true), grounds[on], lnN)) {
+    const bool asks = strongest.gain >= least + ofWalk && strongest.gain <= (wanders ? kPlainBesideWalk : kPlain);
+    if (asks && !chance[on]) chance[on].emplace(grounds[on], lnN);
+    if (!asks || strongest.gain > chance[on]->gainOf(Dictionary(grounds[on].freed(columnsOf(all[at].features, signals)), true))) {
       best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
       break;
     }
@@ -248,8 +263,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
     best = {frequency > 0.0 ? fmt::format("a rhythm of {:.2g} Hz", frequency) : heft::toSay("the joint angles, several times a turn"),
             wave.gain - kBesideColour, wave.explained, frequency, frequency};
   }
-  // Beside a zero that wanders, what its waves leave over is no structure yet.
-  if (wanders) best.gain -= kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches);
+  best.gain -= ofWalk;
   const auto unlessPlain = [&](const Swell& found, fmt::format_string<const double&, const double&> words) {
     if (found.excess > 1.0 && best.gain < kPlain)
       best = {fmt::format(words, found.lowHz, found.highHz), kPlain * found.excess, found.share, found.lowHz, found.highHz};

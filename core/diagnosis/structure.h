@@ -13,7 +13,8 @@ struct Structure {
   double lowHz = 0.0, highHz = 0.0;  ///< Band in which most of it lies
 };
 
-/// The strongest structure in what the fit leaves over; gain below zero if there is none.
-Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+/// The strongest structure in what the fit leaves over; gain below zero if there is none. Whether one that gains less than
+/// `least` is there by chance is not asked.
+Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least = 10.0);
 
 }  // namespace heft::diagnosis

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/say.h"
@@ -27,8 +28,9 @@ void sayHiddenByWalk(const Work& work, DiagnosisReport& out) {
   }
   if (!wanders) return;
   if (out.remaining.gain <= kUnexplained) {
-    const Structure hidden = structureIn(work.signals, work.stretches, steady);
-    hides = hidden.gain > final.evidence - steady.evidence + kBeyond;
+    const double enough = final.evidence - steady.evidence + kBeyond;
+    const Structure hidden = structureIn(work.signals, work.stretches, steady, enough);
+    hides = hidden.gain > enough;
     if (hides) out.remaining = hidden;
   }
   if (hides) return;
@@ -45,8 +47,9 @@ void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
   Model bare = without(final.model, "bias_drift");
   if (out.remaining.gain > kUnexplained || bare.terms.size() == final.model.terms.size()) return;
   const Fit fit = fitModel(work.signals, work.stretches, without(bare, kWandering));
-  const Structure hidden = structureIn(work.signals, work.stretches, fit);
-  if (hidden.gain > kPlain && hidden.gain > final.evidence - fit.evidence - kAsMuch) out.remaining = hidden;
+  const double enough = std::max(kPlain, final.evidence - fit.evidence - kAsMuch);
+  const Structure hidden = structureIn(work.signals, work.stretches, fit, enough);
+  if (hidden.gain > enough) out.remaining = hidden;
 }
 
 /// What was set aside and is no contact is unknown.
