@@ -19,7 +19,7 @@
 #include "core/diagnosis/unknown.h"
 #include "core/diagnosis/velocities.h"
 #include "core/diagnosis/words.h"
-#include "core/estimation/prepare.h"
+#include "core/estimation/spikes.h"
 
 namespace heft {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/diagnosis/velocities.h"
-#include "core/estimation/prepare.h"
+#include "core/estimation/spikes.h"
 
 namespace heft::diagnosis {
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <future>
-#include <numbers>
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
 
@@ -217,68 +217,6 @@ int Prepared::foldOf(Eigen::Index block) const {
   return static_cast<int>(std::min<Eigen::Index>(kFolds - 1, before * kFolds / std::max<Eigen::Index>(1, usedBlocks)));
 }
 
-namespace {
-
-/// How far a reading of one channel must stand out, for each kPart rows: its scatter there or beside, and at least the usual one.
-/// Empty where there is too little of it.
-std::vector<double> spikeLimits(const Eigen::Ref<const VectorXd>& channel, Eigen::Index part) {
-  constexpr std::size_t kFewest = 20;
-  constexpr double kTimes = 8.0 * 1.4826 / std::numbers::sqrt2;
-  // Scatter from steps between rows that differ: repeated rows of a polled sensor say nothing about its noise.
-  std::vector<double> steps, here, scatter;
-  for (Eigen::Index i = 1; i < channel.size(); ++i) {
-    if (channel(i) != channel(i - 1)) here.push_back(std::abs(channel(i) - channel(i - 1)));
-    if ((i + 1) % part != 0 && i + 1 < channel.size()) continue;
-    steps.insert(steps.end(), here.begin(), here.end());
-    scatter.push_back(here.size() < kFewest ? 0.0 : median(std::move(here)));
-    here.clear();
-  }
-  if (steps.size() < kFewest) return {};
-  const double usual = median(std::move(steps));
-  std::vector<double> out(scatter.size());
-  for (std::size_t k = 0; k < scatter.size(); ++k) {
-    const double beside = std::max(scatter[k > 0 ? k - 1 : 0], scatter[std::min(k + 1, scatter.size() - 1)]);
-    out[k] = kTimes * std::max({usual, scatter[k], beside});
-  }
-  return out;
-}
-
-}  // namespace
-
-Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench,
-                                                       Eigen::Index& replaced) {
-  Eigen::Matrix<double, Eigen::Dynamic, 6> out = wrench;
-  constexpr Eigen::Index kPart = 500;  // Rows: half a second or so, in which noise may be louder than elsewhere
-  const Eigen::Index n = wrench.rows();
-  std::vector<bool> touched(static_cast<std::size_t>(n), false);
-  for (int c = 0; c < 6; ++c) {
-    const auto limits = spikeLimits(wrench.col(c), kPart);
-    if (limits.empty()) continue;
-    std::vector<Eigen::Index> found;
-    for (Eigen::Index i = 3; i + 3 < n; ++i) {
-      const double limit = limits[static_cast<std::size_t>(i / kPart)];
-      const auto near = wrench.col(c).segment(i - 3, 7);
-      // Cheap test first: a spike stands out from both of its outer neighbours, to the same side.
-      const double before = wrench(i, c) - near(0), after = wrench(i, c) - near(6);
-      if (std::abs(before) < limit || std::abs(after) < limit || before * after < 0.0) continue;
-      const double centre = median(std::vector<double>(near.data(), near.data() + 7));
-      if (std::abs(wrench(i, c) - centre) < limit) continue;
-      // Three or more samples far out are an event, not a spike.
-      if (((near.array() - centre).abs() > 0.5 * limit).count() > 2) continue;
-      out(i, c) = centre;
-      found.push_back(i);
-    }
-    // What happens all the time is the signal.
-    if (static_cast<double>(found.size()) > 0.05 * static_cast<double>(n)) {
-      out.col(c) = wrench.col(c);
-      continue;
-    }
-    for (const Eigen::Index i : found) touched[static_cast<std::size_t>(i)] = true;
-  }
-  replaced = std::count(touched.begin(), touched.end(), true);
-  return out;
-}
-
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress) {
   progress(0.1, heft::say("Working out how the tool moved"));
@@ -334,7 +272,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
         {Severity::info,
          "spikes_removed",
          heft::say(
-             "{} samples ({:.2g} %) held isolated spikes in the wrench and were replaced by their neighbours' median.",
+             "{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.",
              spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
          {},
          {}});

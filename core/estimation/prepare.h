@@ -56,9 +56,4 @@ double advantage(const Prepared& first, const Prepared& second);
 /// Less smoothing is kept unless more of it has this advantage: a fiftieth of the innovations' size in each channel.
 constexpr double kWorthSmoothing = 0.12;
 
-/// The wrench without isolated spikes: samples further than eight times the local scatter from the median of their
-/// seven neighbours take that median. Counts what was replaced.
-Eigen::Matrix<double, Eigen::Dynamic, 6> withoutSpikes(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench,
-                                                       Eigen::Index& replaced);
-
 }  // namespace heft

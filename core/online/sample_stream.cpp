@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimation/prepare.h"
+#include "core/estimation/spikes.h"
 #include "core/math/statistics.h"
 #include "core/motion/resample.h"
 

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
+#include "core/estimation/spikes.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 
@@ -163,6 +165,29 @@ TEST(SampleTests, SpikesOnEachChannelForItself) {
     for (Eigen::Index c = 0; c < 6; ++c)
       if (random.chance(0.01)) recording.wrench(i, c) += c < 3 ? 3.0 : 0.2;
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
+}
+
+/// Adds `count` leaps that die away within some 10 ms to the given channels, all at the same moments.
+Recording withLeaps(Recording recording, std::uint64_t seed, int count, const std::vector<Eigen::Index>& channels) {
+  RandomStream random(seed, RandomPurpose::effect);
+  for (int k = 0; k < count; ++k) {
+    const auto at = static_cast<Eigen::Index>(random.uniform(0.1, 0.9) * static_cast<double>(recording.rows()));
+    for (Eigen::Index i = at; i < at + 30; ++i)
+      for (const Eigen::Index c : channels) recording.wrench(i, c) += (c < 3 ? 6.0 : 0.4) * std::exp(-static_cast<double>(i - at) / 3.0);
+  }
+  return recording;
+}
+
+/// Of one channel it is electricity; what is felt by several may be a knock.
+TEST(SampleTests, ALeapOfOneChannelThatDiesAwayIsASpike) {
+  const Recording recording = aRecording(MotionKind::free, 254);
+  const Recording leaping = withLeaps(recording, 254, 20, {1});
+  EXPECT_EQ(directCauses(leaping), std::vector<std::string>{"spikes"});
+  Eigen::Index replaced = 0;
+  const auto cleaned = withoutSpikes(leaping.wrench, replaced);
+  const double before = (leaping.wrench - recording.wrench).norm(), after = (cleaned - recording.wrench).norm();
+  EXPECT_LT(after, 0.4 * before);
+  EXPECT_TRUE(directCauses(withLeaps(recording, 254, 20, {1, 3})).empty());
 }
 
 TEST(SampleTests, UnevenStampsAreNoLostReadings) {

@@ -1,0 +1,149 @@
+#include "core/estimation/spikes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "core/math/statistics.h"
+
+namespace heft {
+
+namespace {
+
+constexpr Eigen::Index kLevel = 7;     ///< Rows whose median is the level beside a discharge
+constexpr Eigen::Index kLongest = 24;  ///< Rows of a discharge
+constexpr double kHolds = 0.35;        ///< Of its height in the second row; a single reading far off is none
+constexpr double kMostShare = 0.05;    ///< Of a channel's rows; what happens all the time is the signal
+constexpr double kBack = 0.15;         ///< Of its height: within that it has fallen back, the load having moved on
+constexpr std::size_t kFewestDischarges = 3;
+
+/// How far a reading of one channel must stand out, for each kPart rows: its scatter there or beside, and at least the usual one.
+/// Empty where there is too little of it.
+std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part) {
+  constexpr std::size_t kFewest = 20;
+  constexpr double kTimes = 8.0 * 1.4826 / std::numbers::sqrt2;
+  // Scatter from steps between rows that differ: repeated rows of a polled sensor say nothing about its noise.
+  std::vector<double> steps, here, scatter;
+  for (Eigen::Index i = 1; i < channel.size(); ++i) {
+    if (channel(i) != channel(i - 1)) here.push_back(std::abs(channel(i) - channel(i - 1)));
+    if ((i + 1) % part != 0 && i + 1 < channel.size()) continue;
+    steps.insert(steps.end(), here.begin(), here.end());
+    scatter.push_back(here.size() < kFewest ? 0.0 : median(std::move(here)));
+    here.clear();
+  }
+  if (steps.size() < kFewest) return {};
+  const double usual = median(std::move(steps));
+  std::vector<double> out(scatter.size());
+  for (std::size_t k = 0; k < scatter.size(); ++k) {
+    const double beside = std::max(scatter[k > 0 ? k - 1 : 0], scatter[std::min(k + 1, scatter.size() - 1)]);
+    out[k] = kTimes * std::max({usual, scatter[k], beside});
+  }
+  return out;
+}
+
+/// A channel leaps in one row, no other with it, and falls back.
+struct Discharge {
+  int channel = 0;
+  Eigen::Index from = 0, to = 0;  ///< Rows [from, to)
+  double before = 0.0, after = 0.0;  ///< Levels on either side
+};
+
+double medianOf(const WrenchSamples& wrench, int channel, Eigen::Index from) {
+  const auto rows = wrench.col(channel).segment(from, kLevel);
+  return median(std::vector<double>(rows.data(), rows.data() + kLevel));
+}
+
+/// The discharge whose first row is `i`, if there is one. `limits`: of each channel, in the part that `i` is in.
+std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel, const std::array<double, 6>& limits) {
+  const double limit = limits[static_cast<std::size_t>(channel)], last = wrench(i - 1, channel);
+  if (std::abs(wrench(i, channel) - last) < limit) return {};
+  // A reading that was held leaps, too, when it is fresh again.
+  if (last == wrench(i - 2, channel) && last == wrench(i - 3, channel)) return {};
+  Discharge out{channel, i, i, medianOf(wrench, channel, i - kLevel), 0.0};
+  const double height = wrench(i, channel) - out.before;
+  if (std::abs(height) < limit || (wrench(i + 1, channel) - out.before) / height < kHolds) return {};
+  // A knock is felt on several channels.
+  for (int c = 0; c < 6; ++c)
+    for (Eigen::Index k = i - 1; k < i + 3 && c != channel; ++k)
+      if (std::abs(wrench(k, c) - wrench(k - 1, c)) > 0.75 * limits[static_cast<std::size_t>(c)]) return {};
+  // Where the channel would have gone, by its way before.
+  const double slope = (out.before - medianOf(wrench, channel, i - 3 * kLevel)) / static_cast<double>(2 * kLevel);
+  for (out.to = i + 1; out.to <= i + kLongest; ++out.to) {
+    if (out.to + 2 * kLevel > wrench.rows()) return {};
+    // It is the highest where it begins.
+    if ((wrench(out.to, channel) - out.before) / height > 1.2) return {};
+    out.after = medianOf(wrench, channel, out.to);
+    const double off = out.after - out.before - slope * static_cast<double>(out.to - i + kLevel);
+    const double falls = medianOf(wrench, channel, out.to + kLevel) - out.after;
+    if (std::abs(off) < std::max(0.5 * limit, kBack * std::abs(height)) && std::abs(falls) < 0.5 * limit) break;
+  }
+  if (out.to > i + kLongest) return {};
+  return out;
+}
+
+/// Replaces discharges by lines and marks their rows.
+void bridgeDischarges(WrenchSamples& wrench, const std::array<std::vector<double>, 6>& limits, Eigen::Index part, std::vector<bool>& touched) {
+  std::vector<Discharge> found;
+  for (int c = 0; c < 6; ++c) {
+    Eigen::Index rows = 0;
+    const std::size_t before = found.size();
+    for (Eigen::Index i = 3 * kLevel; i + kLevel + 4 < wrench.rows(); ++i) {
+      std::array<double, 6> here{};
+      for (std::size_t k = 0; k < 6; ++k) here[k] = limits[k].empty() ? 1e300 : limits[k][static_cast<std::size_t>(i / part)];
+      const auto discharge = dischargeAt(wrench, i, c, here);
+      if (!discharge) continue;
+      found.push_back(*discharge);
+      rows += discharge->to - discharge->from;
+      i = discharge->to;
+    }
+    if (static_cast<double>(rows) > kMostShare * static_cast<double>(wrench.rows())) found.resize(before);
+  }
+  if (found.size() < kFewestDischarges) return;
+  for (const Discharge& d : found)
+    for (Eigen::Index i = d.from; i < d.to; ++i) {
+      const double share = static_cast<double>(i - d.from + 1) / static_cast<double>(d.to - d.from + 1);
+      wrench(i, d.channel) = d.before + share * (d.after - d.before);
+      touched[static_cast<std::size_t>(i)] = true;
+    }
+}
+
+}  // namespace
+
+WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced) {
+  WrenchSamples out = wrench;
+  constexpr Eigen::Index kPart = 500;  // Rows: half a second or so, in which noise may be louder than elsewhere
+  const Eigen::Index n = wrench.rows();
+  std::vector<bool> touched(static_cast<std::size_t>(n), false);
+  std::array<std::vector<double>, 6> allLimits;
+  for (int c = 0; c < 6; ++c) {
+    const auto& limits = allLimits[static_cast<std::size_t>(c)] = spikeLimits(wrench.col(c), kPart);
+    if (limits.empty()) continue;
+    std::vector<Eigen::Index> found;
+    for (Eigen::Index i = 3; i + 3 < n; ++i) {
+      const double limit = limits[static_cast<std::size_t>(i / kPart)];
+      const auto near = wrench.col(c).segment(i - 3, 7);
+      // Cheap test first: a spike stands out from both of its outer neighbours, to the same side.
+      const double before = wrench(i, c) - near(0), after = wrench(i, c) - near(6);
+      if (std::abs(before) < limit || std::abs(after) < limit || before * after < 0.0) continue;
+      const double centre = median(std::vector<double>(near.data(), near.data() + 7));
+      if (std::abs(wrench(i, c) - centre) < limit) continue;
+      // Three or more samples far out are an event, not a spike.
+      if (((near.array() - centre).abs() > 0.5 * limit).count() > 2) continue;
+      out(i, c) = centre;
+      found.push_back(i);
+    }
+    if (static_cast<double>(found.size()) > kMostShare * static_cast<double>(n)) {
+      out.col(c) = wrench.col(c);
+      continue;
+    }
+    for (const Eigen::Index i : found) touched[static_cast<std::size_t>(i)] = true;
+  }
+  bridgeDischarges(out, allLimits, kPart, touched);
+  replaced = std::count(touched.begin(), touched.end(), true);
+  return out;
+}
+
+}  // namespace heft
