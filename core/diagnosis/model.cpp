@@ -215,7 +215,7 @@ Linearised linearised(const Signals& signals, const Model& model) {
 
 Surroundings::Surroundings(const Signals& signals, const Model& model)
     : signals_(signals), model_(model), terms_(inOrder(model.terms)), kinematics_(bent(signals, terms_)),
-      sensed_(sensed(signals, terms_, loads(signals, model, terms_, kinematics_))) {}
+      load_(loads(signals, model, terms_, kinematics_)), sensed_(sensed(signals, terms_, load_)) {}
 
 MatrixXd Surroundings::signatures(const Form& form) const {
   const auto shared = std::make_shared<const Form>(form);
@@ -238,7 +238,7 @@ MatrixXd Surroundings::signatures(const Form& form) const {
       Model with = model_;
       with.terms.push_back({shared, v, {}});
       const Order terms = inOrder(with.terms);
-      w = sensed(signals_, terms, loads(signals_, with, terms, cause.bendsGeometry() ? bent(signals_, terms) : kinematics_)) - sensed_;
+      w = sensed(signals_, terms, cause.bendsGeometry() ? loads(signals_, with, terms, bent(signals_, terms)) : load_) - sensed_;
     }
     out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, w)) / step;
   }

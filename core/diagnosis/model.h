@@ -53,6 +53,7 @@ class Surroundings {
   const Model& model_;
   std::vector<const Term*> terms_;  ///< In their order
   Kinematics kinematics_;           ///< As the terms bend it
+  Wrenches load_;                   ///< What the sensor carries
   Wrenches sensed_;                 ///< Without what adds to the readings
 };
 

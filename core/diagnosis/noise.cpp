@@ -1,7 +1,9 @@
 #include "core/diagnosis/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace heft::diagnosis {
 
@@ -65,12 +67,36 @@ Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches) 
 
 Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches) { return fitted(residual, stretches, 0); }
 
+namespace {
+
+using Coefficients = Eigen::Matrix<double, 6, kMaxOrder>;
+
+/// Innovations of columns [from, to) of `x` into `e`, all six channels at once with memories of `Order`.
+template <int Order>
+void innovate(const Eigen::Map<const Wrenches>& x, Eigen::Index from, Eigen::Index to, const Vector6d& scale, const Coefficients& coefficients,
+              Eigen::Map<Wrenches>& e) {
+  for (Eigen::Index n = from; n < to; ++n) {
+    Vector6d sum = scale.cwiseProduct(x.col(n));
+    for (Eigen::Index i = 0; i < Order; ++i) sum -= coefficients.col(i).cwiseProduct(x.col(n - 1 - i));
+    e.col(n) = sum;
+  }
+}
+
+/// innovate<order>, by number.
+template <int... Orders>
+constexpr auto innovators(std::integer_sequence<int, Orders...>) {
+  return std::array{&innovate<Orders>...};
+}
+
+}  // namespace
+
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
+  static constexpr auto kInnovate = innovators(std::make_integer_sequence<int, kMaxOrder + 1>{});
   MatrixXd out = MatrixXd::Zero(columns.rows(), columns.cols());
   // All six channels at once; coefficients that a channel does not have are zero.
   Eigen::Index longest = 0;
   Vector6d scale;
-  Eigen::Matrix<double, 6, kMaxOrder> coefficients = Eigen::Matrix<double, 6, kMaxOrder>::Zero();
+  Coefficients coefficients = Coefficients::Zero();
   for (int c = 0; c < 6; ++c) {
     const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
     longest = std::max<Eigen::Index>(longest, model.order());
@@ -90,11 +116,7 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
           for (Eigen::Index i = 0; i < order; ++i) e(c, n) -= coefficients(c, i) * x(c, n - 1 - i);
         }
       }
-      for (Eigen::Index n = s.from + longest; n < s.to; ++n) {
-        Vector6d sum = scale.cwiseProduct(x.col(n));
-        for (Eigen::Index i = 0; i < longest; ++i) sum -= coefficients.col(i).cwiseProduct(x.col(n - 1 - i));
-        e.col(n) = sum;
-      }
+      kInnovate[static_cast<std::size_t>(longest)](x, s.from + longest, s.to, scale, coefficients, e);
     }
   }
   return out;

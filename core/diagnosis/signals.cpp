@@ -54,9 +54,9 @@ Wrenches averaged(const Signals& signals, const Wrenches& wrench) {
   const int m = signals.samplesPerBlock;
   Wrenches out(6, wrench.cols() / m);
   for (Eigen::Index n = 0; n < out.cols(); ++n) {
-    out.col(n) = wrench.col(n * m);
-    for (int i = 1; i < m; ++i) out.col(n) += wrench.col(n * m + i);
-    out.col(n) /= m;
+    Vector6d sum = wrench.col(n * m);
+    for (int i = 1; i < m; ++i) sum += wrench.col(n * m + i);
+    out.col(n) = sum / m;
   }
   return out;
 }
