@@ -137,7 +137,9 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
                        [&](const Term& term) { return term.form->cause->id() == cause.id; });
   if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
   if (cause.id == "contact") return !cause.when.empty();
-  return cause.id == "jitter" || cause.id == "motion_lag" || cause.id == "derivative_noise";
+  // Noisy angles were smoothed more, which every estimate does by itself.
+  const bool noisy = std::ranges::any_of(cause.parameters, [](const CauseParameter& p) { return p.name == "force_noise"; });
+  return cause.id == "jitter" || cause.id == "motion_lag" || (cause.id == "derivative_noise" && !noisy);
 }
 
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,

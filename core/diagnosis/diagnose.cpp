@@ -12,6 +12,7 @@
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/named.h"
+#include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
@@ -76,6 +77,7 @@ struct Searched {
   Work work;
   double threshold = kThreshold;
   Surrogates chance;  ///< Empty where none were asked for, or nothing was found
+  std::optional<NoisyMotion> noisy;
 };
 
 /// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
@@ -105,7 +107,13 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     return static_cast<std::size_t>(std::ranges::find_if(evidence, [&](double e) { return e > best - kSlightly; }) - evidence.begin());
   };
   const std::vector<double> plain = nullEvidence(ways);
-  if (*std::ranges::max_element(plain) > plain[at] + kClearly) at = leastSmoothed(plain);
+  Searched out;
+  if (*std::ranges::max_element(plain) > plain[at] + kClearly) {
+    at = leastSmoothed(plain);
+    if (!contains(options.hidden, "derivative_noise")) out.noisy = noisyMotion(ways.front(), ways[at], plain[at] - plain.front());
+    for (Way& way : ways) way.signals.noisyMotion = out.noisy.has_value();
+    if (out.noisy) options.hidden.emplace_back("derivative_noise");
+  }
   const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
@@ -120,7 +128,6 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     at = leastSmoothed(gains);
     return true;
   };
-  Searched out;
   auto found = searchedOn(at, kThreshold, betterElsewhere);
   if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
   if (!found) return found.error();
@@ -405,6 +412,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.causes.push_back(fromMistake(*work.mistake, was, out.baseline));
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
+  if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
   for (const auto& direct : readings->directs) out.causes.push_back(fromDirect(direct));
   if (!work.contacts.empty()) out.causes.push_back(fromContacts(work.contacts, out.noise.force));
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));

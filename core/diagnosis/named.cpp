@@ -64,6 +64,18 @@ DiagnosedCause fromDirect(const Direct& direct) {
   return out;
 }
 
+namespace {
+
+void setGain(DiagnosedCause& cause, const WrenchRms& before, const WrenchRms& after) {
+  cause.gain.forceBefore = before.force;
+  cause.gain.forceAfter = after.force;
+  cause.gain.torqueBefore = before.torque;
+  cause.gain.torqueAfter = after.torque;
+  cause.gain.explainedFraction = 1.0 - std::pow(after.force / std::max(1e-12, before.force), 2);
+}
+
+}  // namespace
+
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after) {
   DiagnosedCause out;
   const double degrees = mistake.angle * 180.0 / 3.14159265358979323846;
@@ -76,11 +88,17 @@ DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before,
     out.parameters = {{"rx", "deg", v.x(), 0.5}, {"ry", "deg", v.y(), 0.5}, {"rz", "deg", v.z(), 0.5}};
     out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
   }
-  out.gain.forceBefore = before.force;
-  out.gain.forceAfter = after.force;
-  out.gain.torqueBefore = before.torque;
-  out.gain.torqueAfter = after.torque;
-  out.gain.explainedFraction = 1.0 - std::pow(after.force / std::max(1e-12, before.force), 2);
+  setGain(out, before, after);
+  return out;
+}
+
+DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy) {
+  DiagnosedCause out;
+  out.id = "derivative_noise";
+  out.direct = true;
+  out.parameters = {{"force_noise", "N", noisy.usual.force, std::max(noisy.smoothed.force, 0.05 * noisy.usual.force)},
+                    {"corner", "Hz", noisy.cutoffHz, 0.0}};
+  setGain(out, noisy.usual, noisy.smoothed);
   return out;
 }
 

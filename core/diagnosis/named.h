@@ -2,6 +2,7 @@
 // What is said of a cause, by the way in which it was found.
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/events.h"
+#include "core/diagnosis/noisy_motion.h"
 
 namespace heft::diagnosis {
 
@@ -14,6 +15,7 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
 DiagnosedCause fromDirect(const Direct& direct);
 /// `before` and `after` undoing the mistake.
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
+DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy);
 /// `contacts` must not be empty; `noise` [N] is how well the peak is known.
 DiagnosedCause fromContacts(const std::vector<Contact>& contacts, double noise);
 

@@ -391,6 +391,19 @@ struct Tried {
   std::vector<Trial> all;
 };
 
+/// The model fitted without `cause`; where others make no sense without it, without those, too, the last accepted first.
+Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model, std::string_view cause,
+                std::span<const std::string> order) {
+  Model less = without(model, cause);
+  Fit out = settled(signals, stretches, fitModel(signals, stretches, less));
+  for (std::size_t i = order.size(); i-- > 0 && !believable(out);) {
+    if (!contains(less, order[i])) continue;
+    less = without(less, order[i]);
+    out = settled(signals, stretches, fitModel(signals, stretches, less));
+  }
+  return out;
+}
+
 bool sameForms(const Model& a, const Model& b) {
   return std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(), [](const Term& s, const Term& t) {
     return s.form->cause == t.form->cause && s.form->name == t.form->name;
@@ -473,10 +486,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       found.cause = cause;
       // What was tried before the last cause was accepted is what stands against it now.
       Tried now;
-      if (Model less = without(out.final.model, cause); !accepted.all.empty() && sameForms(less, accepted.base.model))
+      if (!accepted.all.empty() && sameForms(without(out.final.model, cause), accepted.base.model))
         now = accepted;
       else
-        now.base = settled(signals, stretches, fitModel(signals, stretches, std::move(less)));
+        now.base = restWithout(signals, stretches, out.final.model, cause, order);
       const Fit& rest = now.base;
       found.gain = out.final.evidence - rest.evidence;
       if (now.all.empty()) {

@@ -33,6 +33,7 @@ struct Signals {
   Eigen::Matrix3Xd position;          ///< p_BSo_B [m]
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   bool positionKnown = true;
+  bool noisyMotion = false;  ///< Accelerations are noise not only above `keptHz`, but clearly so below, too
   double keptHz = 0.0;  ///< Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
 
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.

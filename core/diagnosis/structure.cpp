@@ -268,6 +268,8 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
     if (found.excess > 1.0 && best.gain < kPlain)
       best = {fmt::format(words, found.lowHz, found.highHz), kPlain * found.excess, found.share, found.lowHz, found.highHz};
   };
+  // What shakes most below the corner is noise of the motion, if that is noisy.
+  if (signals.noisyMotion) return best;
   unlessPlain(shakingIn(signals, stretches, fit.residual), "a shaking of {:.0f} to {:.0f} Hz");
   unlessPlain(swell(signals, stretches, fit.residual), "slow swings, {:.1f} to {:.0f} times a second");
   return best;

@@ -386,7 +386,7 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "saturation")
     return heft::say("The sensor reached the end of its range in {} % of the readings.", v.size("share"));
   if (id == "spikes")
-    return heft::say("{} readings are isolated spikes; Heft replaced them by their neighbours.",
+    return heft::say("{} readings are spikes; Heft replaced them by what lies beside them.",
                      number(v.value("count"), 0));
   if (id == "lever_arm")
     return heft::say("The sensor's origin sits {} mm away from where the meta file puts it.",
@@ -394,6 +394,9 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "derivative_noise" && v.find("noise"))
     return heft::say("The reported velocities are noisy, by {} % of the motion's speed; Heft can use the positions instead.",
                      v.size("noise"));
+  if (id == "derivative_noise" && v.find("force_noise"))
+    return heft::say("The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.",
+                     number(v.value("force_noise"), 2), number(v.value("corner"), 0));
   if (id == "derivative_noise" && v.find("smoothing"))
     return heft::say("The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too small.",
                      v.size("smoothing"));

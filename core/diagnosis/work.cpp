@@ -166,7 +166,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
   smoothing.twicing = twicing;
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  Way out{std::move(*motion), {}, {}};
+  Way out{std::move(*motion), {}, cutoff, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
   if (cutoff < kDefaultCutoffHz) signals.keptHz = (twicing ? kKeptTwiced : kKept) * cutoff;
@@ -220,17 +220,22 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   return out;
 }
 
-Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
-                    const std::function<bool(const Work&)>& givesUp) {
+namespace {
+
+double blocksIn(const std::vector<Stretch>& stretches) {
+  double out = 0.0;
+  for (const auto& s : stretches) out += static_cast<double>(s.to - s.from);
+  return out;
+}
+
+/// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
+Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes, const DiagnoseOptions& options,
+                double threshold, const Progress& progress, const std::function<bool(const Work&)>& givesUp) {
   Work work;
-  work.signals = start.signals;
+  work.mistake = mistake;
+  work.signals = mistake ? corrected(recorded, *mistake) : recorded;
   Signals& signals = work.signals;
   work.stretches = stretchesOf(signals.usable);
-  Eigen::Index judged = 0;
-  for (const auto& s : work.stretches) judged += s.to - s.from;
-  if (judged < 100)
-    return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
-                           static_cast<double>(judged) / signals.blockRate())};
   SearchOptions searching;
   searching.threshold = threshold;
   if (givesUp)
@@ -238,19 +243,8 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
       work.search.final = first;
       return givesUp(work);
     };
-  std::vector<Stretch> holes = start.holes.value();
-  Eigen::Index hidden = 0;
-  for (const auto& hole : holes) hidden += hole.to - hole.from;
-  // Whether frames and signs are right is judged where nothing touches; a push turns any sign round.
-  Signals untouched = signals;
-  if (hidden <= 7 * judged / 10) leaveOut(untouched, holes);
-  const auto quiet = stretchesOf(untouched.usable);
-  if (!quiet.empty()) {
-    work.mistake = frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
-    if (work.mistake) signals = corrected(signals, *work.mistake);
-  }
   work.bank = SignatureBank(signals, options.hidden);
-  if (holes.empty() || hidden > 7 * judged / 10) {
+  if (holes.empty()) {
     work.search = search(signals, work.stretches, work.bank, searching, progress);
     if (!work.search.givenUp) setTouchesAside(work);
     return work;
@@ -275,6 +269,32 @@ Result<Work> worked(const Way& start, const DiagnoseOptions& options, double thr
   setOddAside(work, whole);
   setTouchesAside(work);
   return work;
+}
+
+}  // namespace
+
+Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
+                    const std::function<bool(const Work&)>& givesUp) {
+  constexpr double kMostTouched = 0.7;  ///< Share of the time; what takes more is no contact
+  constexpr double kClearly = 30.0;     ///< Evidence without a mistake over that with it
+  const double judged = blocksIn(stretchesOf(start.signals.usable));
+  if (judged < 100.0)
+    return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
+                           judged / start.signals.blockRate())};
+  std::vector<Stretch> holes = start.holes.value();
+  if (blocksIn(holes) > kMostTouched * judged) holes.clear();
+  // Whether frames and signs are right is judged where nothing touches; a push turns any sign round.
+  Signals untouched = start.signals;
+  leaveOut(untouched, holes);
+  std::optional<FrameMistake> mistake;
+  if (const auto quiet = stretchesOf(untouched.usable); !quiet.empty())
+    mistake = frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
+  Work work = workedWith(mistake, start.signals, holes, options, threshold, progress, givesUp);
+  if (!mistake || work.search.givenUp) return work;
+  // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more without.
+  Work plain = workedWith(std::nullopt, start.signals, std::move(holes), options, threshold, progress, {});
+  const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
+  return believable(plain.search.final) && (perBlock(plain) - perBlock(work)) * judged > kClearly ? plain : work;
 }
 
 double evidenceAt(const Way& other, const Work& work) {

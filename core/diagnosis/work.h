@@ -16,6 +16,7 @@ namespace heft::diagnosis {
 struct Way {
   Motion motion;
   Signals signals;
+  double cutoffHz = 0.0;
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
 };
 

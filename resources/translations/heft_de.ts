@@ -2595,10 +2595,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
     </message>
     <message>
-        <source>{} samples ({:.2g} %) held isolated spikes in the wrench and were replaced by their neighbours&apos; median.</source>
-        <translation>{} Messwerte ({:.2g} %) enthielten einzelne Ausreißer der Kraft und wurden durch den Median ihrer Nachbarn ersetzt.</translation>
-    </message>
-    <message>
         <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz.</source>
         <translation>Die aufgenommene Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet.</translation>
     </message>
@@ -5843,10 +5839,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor war in {} % der Messwerte am Ende seines Bereichs.</translation>
     </message>
     <message>
-        <source>{} readings are isolated spikes; Heft replaced them by their neighbours.</source>
-        <translation>{} Messwerte sind einzelne Ausreißer; Heft hat sie durch ihre Nachbarn ersetzt.</translation>
-    </message>
-    <message>
         <source>The sensor&apos;s origin sits {} mm away from where the meta file puts it.</source>
         <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
     </message>
@@ -6505,6 +6497,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>a shaking of {:.0f} to {:.0f} Hz</source>
         <translation>einem Rütteln von {:.0f} bis {:.0f} Hz</translation>
+    </message>
+    <message>
+        <source>{} readings are spikes; Heft replaced them by what lies beside them.</source>
+        <translation>{} Messwerte sind Ausreißer; Heft hat sie durch das ersetzt, was daneben liegt.</translation>
+    </message>
+    <message>
+        <source>The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.</source>
+        <translation>Die aufgezeichnete Bewegung rauscht: Beschleunigungen daraus liegen um {} N daneben, deshalb glättet Heft sie stärker, ab {} Hz.</translation>
+    </message>
+    <message>
+        <source>{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.</source>
+        <translation>{} Messwerte ({:.2g} %) enthielten Ausreißer bei Kraft oder Moment und wurden durch das ersetzt, was daneben liegt.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/diagnosis/corrected.h"
+#include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 #include "tests/support/hidden_effects.h"
 
@@ -382,6 +383,25 @@ TEST(Diagnose, AWalkOfTheZeroHidesNothingUnknown) {
   }
 }
 
+/// More smoothing takes what noisy angles do; that they are is said, once.
+TEST(Diagnose, AnglesAreNoisy) {
+  for (const auto& [noise, noisy] : {std::pair{1e-3, true}, {5e-6, false}}) {
+    Recording recording = aRecording(MotionKind::free, 306);
+    recording.dq.resize(0, recording.dq.cols());
+    RandomStream random(306, RandomPurpose::effect);
+    for (Eigen::Index i = 0; i < recording.rows(); ++i)
+      for (Eigen::Index j = 0; j < recording.q.cols(); ++j) recording.q(i, j) += noise * random.normal();
+    const auto report = diagnosed(recording);
+    const auto named = std::ranges::count_if(report.causes, [](const DiagnosedCause& c) { return c.id == "derivative_noise"; });
+    EXPECT_EQ(named, noisy ? 1 : 0) << said(report);
+    if (!noisy) continue;
+    EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+    EXPECT_GT(report.causes.front().gain.forceBefore, 2.0 * report.causes.front().gain.forceAfter);
+    EXPECT_FALSE(canApply(report, report.causes.front()));  // Every estimate smooths by itself
+    EXPECT_NE(report.causes.front().sentence.find("noisy"), std::string::npos) << report.causes.front().sentence;
+  }
+}
+
 TEST(Diagnose, CoarseReadingsComeAfterWhatMattersMore) {
   const auto report =
       diagnosed(aRecording(MotionKind::free, 304, {{"quantisation", "", 0.5}, {"time_offset", "", 15.0}}));
@@ -433,6 +453,23 @@ TEST(Diagnose, FrameMistakes) {
   EXPECT_EQ(report.causes.front().id, "frame_error");
   EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01);
   EXPECT_FALSE(report.metaChanges().empty());
+}
+
+/// What pulls harder than the tool weighs makes masses below zero and turns that fit better; none of these is the cause.
+TEST(Diagnose, AHardPullIsNoMixedUpFrame) {
+  Payload light = aTool();
+  light.mass = 0.25;
+  for (const std::uint64_t seed : {12u, 13u, 15u}) {
+    SimulateOptions options;
+    options.motion = MotionKind::excitation;
+    options.seed = seed;
+    options.duration = 10.0;
+    options.effects = {{"cable_pull", "", 20.0}};
+    const auto report = diagnosed(simulate(RobotModel::panda(), light, options).value().recording);
+    ASSERT_EQ(report.causes.size(), 1u) << seed << ": " << said(report);
+    EXPECT_EQ(report.causes.front().id, "cable_pull") << seed << ": " << said(report);
+    EXPECT_NEAR(report.after.payload.mass, light.mass, 0.05) << seed;
+  }
 }
 
 TEST(Diagnose, StandingPosesAreRefused) {
