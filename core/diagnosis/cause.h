@@ -66,7 +66,7 @@ class Cause {
   virtual bool changesSensor(const Form&) const { return false; }
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
   virtual double doubt(const Form&, const VectorXd&, const Signals&) const { return 0.0; }
-  /// How much of it there is over what Heft's own smoothing of these signals may leave; where all terms of a cause come to less
+  /// How much of it there is over what Heft's own smoothing of these signals may leave; where each term of a cause comes to less
   /// than 1, they are part of the model but nothing that somebody could mend.
   virtual double overOwnSmoothing(const Form&, const VectorXd&, const Signals&) const { return 1.0; }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty: none.

@@ -112,6 +112,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     at = leastSmoothed(plain);
     if (!contains(options.hidden, "derivative_noise")) out.noisy = noisyMotion(ways.front(), ways[at], plain[at] - plain.front());
     for (Way& way : ways) way.signals.noisyMotion = out.noisy.has_value();
+    if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
   const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
@@ -195,12 +196,18 @@ struct Judged {
   bool dropped = false;
 };
 
-/// Whether our own smoothing of the motion leaves all that the final model has of `cause`.
+/// Whether our own smoothing of the motion leaves all that the final model has of `cause`. A mount that swings enlarges what the
+/// smoothing took.
 bool ownSmoothing(const Work& work, std::string_view cause) {
+  constexpr double kEnlarged = 2.5;
   double over = 0.0;
-  for (const Term& term : work.search.final.model.terms)
-    if (term.form->cause->id() == cause) over += term.form->cause->overOwnSmoothing(*term.form, term.v, work.signals);
-  return over < 1.0;
+  bool swings = false;
+  for (const Term& term : work.search.final.model.terms) {
+    const Cause& other = *term.form->cause;
+    if (other.id() == cause) over = std::max(over, other.overOwnSmoothing(*term.form, term.v, work.signals));
+    swings = swings || other.id() == "flexible_mount";
+  }
+  return over < (swings && cause != "flexible_mount" ? kEnlarged : 1.0);
 }
 
 /// Whether any amplitude of `cause` is known to differ from none.

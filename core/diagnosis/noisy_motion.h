@@ -10,6 +10,7 @@ namespace heft::diagnosis {
 struct NoisyMotion {
   WrenchRms usual, smoothed;  ///< Left over by bias and payload with the usual smoothing, and with as much as is needed
   double cutoffHz = 0.0;      ///< Of that smoothing
+  bool plain = false;         ///< So noisy that somebody should mend it; otherwise the sensor is just a very quiet one
 };
 
 /// None where more smoothing hardly helps. `evidence`: of `smoothed` over `usual`, by bias and payload alone.

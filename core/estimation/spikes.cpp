@@ -17,7 +17,7 @@ constexpr Eigen::Index kLevel = 7;     ///< Rows whose median is the level besid
 constexpr Eigen::Index kLongest = 24;  ///< Rows of a discharge
 constexpr double kHolds = 0.35;        ///< Of its height in the second row; a single reading far off is none
 constexpr double kMostShare = 0.05;    ///< Of a channel's rows; what happens all the time is the signal
-constexpr double kBack = 0.15;         ///< Of its height: within that it has fallen back, the load having moved on
+constexpr double kBack = 0.15;         ///< Of a spike's or discharge's height: within that it has fallen back, the load having moved on
 constexpr std::size_t kFewestDischarges = 3;
 
 /// How far a reading of one channel must stand out, for each kPart rows: its scatter there or beside, and at least the usual one.
@@ -56,8 +56,9 @@ double medianOf(const WrenchSamples& wrench, int channel, Eigen::Index from) {
   return median(std::vector<double>(rows.data(), rows.data() + kLevel));
 }
 
-/// The discharge whose first row is `i`, if there is one. `limits`: of each channel, in the part that `i` is in.
-std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel, const std::array<double, 6>& limits) {
+/// The discharge whose first row is `i`, if there is one. `limits`: of each channel, in the part that `i` is in. `apart`: rows
+/// within which no other channel leaps.
+std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel, const std::array<double, 6>& limits, Eigen::Index apart) {
   const double limit = limits[static_cast<std::size_t>(channel)], last = wrench(i - 1, channel);
   if (std::abs(wrench(i, channel) - last) < limit) return {};
   // A reading that was held leaps, too, when it is fresh again.
@@ -67,7 +68,7 @@ std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i
   if (std::abs(height) < limit || (wrench(i + 1, channel) - out.before) / height < kHolds) return {};
   // A knock is felt on several channels.
   for (int c = 0; c < 6; ++c)
-    for (Eigen::Index k = i - 1; k < i + 3 && c != channel; ++k)
+    for (Eigen::Index k = i - apart; k < i + 1 + 2 * apart && c != channel; ++k)
       if (std::abs(wrench(k, c) - wrench(k - 1, c)) > 0.75 * limits[static_cast<std::size_t>(c)]) return {};
   // Where the channel would have gone, by its way before.
   const double slope = (out.before - medianOf(wrench, channel, i - 3 * kLevel)) / static_cast<double>(2 * kLevel);
@@ -84,8 +85,10 @@ std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i
   return out;
 }
 
-/// Replaces discharges by lines and marks their rows.
-void bridgeDischarges(WrenchSamples& wrench, const std::array<std::vector<double>, 6>& limits, Eigen::Index part, std::vector<bool>& touched) {
+using Limits = std::array<std::vector<double>, 6>;
+
+/// Replaces discharges by lines, marks their rows and says how many there were.
+std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen::Index part, Eigen::Index apart, std::vector<bool>& touched) {
   std::vector<Discharge> found;
   for (int c = 0; c < 6; ++c) {
     Eigen::Index rows = 0;
@@ -93,7 +96,7 @@ void bridgeDischarges(WrenchSamples& wrench, const std::array<std::vector<double
     for (Eigen::Index i = 3 * kLevel; i + kLevel + 4 < wrench.rows(); ++i) {
       std::array<double, 6> here{};
       for (std::size_t k = 0; k < 6; ++k) here[k] = limits[k].empty() ? 1e300 : limits[k][static_cast<std::size_t>(i / part)];
-      const auto discharge = dischargeAt(wrench, i, c, here);
+      const auto discharge = dischargeAt(wrench, i, c, here, apart);
       if (!discharge) continue;
       found.push_back(*discharge);
       rows += discharge->to - discharge->from;
@@ -101,47 +104,59 @@ void bridgeDischarges(WrenchSamples& wrench, const std::array<std::vector<double
     }
     if (static_cast<double>(rows) > kMostShare * static_cast<double>(wrench.rows())) found.resize(before);
   }
-  if (found.size() < kFewestDischarges) return;
+  if (found.size() < kFewestDischarges) return 0;
   for (const Discharge& d : found)
     for (Eigen::Index i = d.from; i < d.to; ++i) {
       const double share = static_cast<double>(i - d.from + 1) / static_cast<double>(d.to - d.from + 1);
       wrench(i, d.channel) = d.before + share * (d.after - d.before);
       touched[static_cast<std::size_t>(i)] = true;
     }
+  return found.size();
 }
 
-}  // namespace
-
-WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced) {
-  WrenchSamples out = wrench;
-  constexpr Eigen::Index kPart = 500;  // Rows: half a second or so, in which noise may be louder than elsewhere
+/// Replaces single readings far off by what lies around them, marks their rows and says how many there were.
+std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, Eigen::Index part, std::vector<bool>& touched) {
   const Eigen::Index n = wrench.rows();
-  std::vector<bool> touched(static_cast<std::size_t>(n), false);
-  std::array<std::vector<double>, 6> allLimits;
+  std::size_t all = 0;
   for (int c = 0; c < 6; ++c) {
-    const auto& limits = allLimits[static_cast<std::size_t>(c)] = spikeLimits(wrench.col(c), kPart);
+    const auto& limits = allLimits[static_cast<std::size_t>(c)];
     if (limits.empty()) continue;
-    std::vector<Eigen::Index> found;
+    std::vector<std::pair<Eigen::Index, double>> found;
     for (Eigen::Index i = 3; i + 3 < n; ++i) {
-      const double limit = limits[static_cast<std::size_t>(i / kPart)];
+      const double limit = limits[static_cast<std::size_t>(i / part)];
       const auto near = wrench.col(c).segment(i - 3, 7);
       // Cheap test first: a spike stands out from both of its outer neighbours, to the same side.
       const double before = wrench(i, c) - near(0), after = wrench(i, c) - near(6);
       if (std::abs(before) < limit || std::abs(after) < limit || before * after < 0.0) continue;
       const double centre = median(std::vector<double>(near.data(), near.data() + 7));
-      if (std::abs(wrench(i, c) - centre) < limit) continue;
+      const double height = std::abs(wrench(i, c) - centre);
+      if (height < limit) continue;
       // Three or more samples far out are an event, not a spike.
-      if (((near.array() - centre).abs() > 0.5 * limit).count() > 2) continue;
-      out(i, c) = centre;
-      found.push_back(i);
+      if (((near.array() - centre).abs() > std::max(0.5 * limit, kBack * height)).count() > 2) continue;
+      found.emplace_back(i, centre);
     }
-    if (static_cast<double>(found.size()) > kMostShare * static_cast<double>(n)) {
-      out.col(c) = wrench.col(c);
-      continue;
+    if (static_cast<double>(found.size()) > kMostShare * static_cast<double>(n)) continue;
+    for (const auto& [i, centre] : found) {
+      wrench(i, c) = centre;
+      touched[static_cast<std::size_t>(i)] = true;
     }
-    for (const Eigen::Index i : found) touched[static_cast<std::size_t>(i)] = true;
+    all += found.size();
   }
-  bridgeDischarges(out, allLimits, kPart, touched);
+  return all;
+}
+
+}  // namespace
+
+WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced) {
+  constexpr Eigen::Index kPart = 500;  // Rows: half a second or so, in which noise may be louder than elsewhere
+  constexpr std::size_t kMany = 50;
+  WrenchSamples out = wrench;
+  std::vector<bool> touched(static_cast<std::size_t>(wrench.rows()), false);
+  Limits limits;
+  for (int c = 0; c < 6; ++c) limits[static_cast<std::size_t>(c)] = spikeLimits(wrench.col(c), kPart);
+  // Where there are many, some hide one another.
+  if (replaceSingles(out, limits, kPart, touched) >= kMany) replaceSingles(out, limits, kPart, touched);
+  if (bridgeDischarges(out, limits, kPart, 1, touched) >= kMany) bridgeDischarges(out, limits, kPart, 0, touched);
   replaced = std::count(touched.begin(), touched.end(), true);
   return out;
 }
