@@ -6,6 +6,7 @@
 //
 // The measured wrench is modelled in its physical order (domain: what happens to the signal on its way):
 //   motion -> geometry() -> rigid payload + force() -> sensor() -> readings() + bias.
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -68,7 +69,7 @@ class Cause {
   virtual double doubt(const Form&, const VectorXd&, const Signals&) const { return 0.0; }
   /// How much of it there is over what Heft's own smoothing of these signals may leave; where each term of a cause comes to less
   /// than 1, they are part of the model but nothing that somebody could mend.
-  virtual double overOwnSmoothing(const Form&, const VectorXd&, const Signals&) const { return 1.0; }
+  virtual double overOwnSmoothing(const Form&, const VectorXd&, const Signals&) const { return std::numeric_limits<double>::infinity(); }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty: none.
   virtual VectorXd modelStd(const Form&, const VectorXd&) const { return {}; }
   /// Stretches of time [s] in which it acts; empty: always.

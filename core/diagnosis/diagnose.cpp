@@ -207,7 +207,7 @@ bool ownSmoothing(const Work& work, std::string_view cause) {
     if (other.id() == cause) over = std::max(over, other.overOwnSmoothing(*term.form, term.v, work.signals));
     swings = swings || other.id() == "flexible_mount";
   }
-  return over < (swings && cause != "flexible_mount" ? kEnlarged : 1.0);
+  return over < (swings ? kEnlarged : 1.0);
 }
 
 /// Whether any amplitude of `cause` is known to differ from none.

@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 30> kNames = {{
+constexpr std::array<Name, 31> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -45,6 +45,7 @@ constexpr std::array<Name, 30> kNames = {{
     {"missing", heft::toSay("Readings that are missing")},
     {"peak_force", heft::toSay("Greatest force F")},
     {"memory", heft::toSay("Share that is remembered")},
+    {"loop", heft::toSay("Off by, of the load's range")},
     {"turning_way", heft::toSay("Forgotten after, of the load's range")},
     {"step_force", heft::toSay("Step of the force readings")},
 }};

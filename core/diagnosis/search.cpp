@@ -346,14 +346,29 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
   return out;
 }
 
+bool lags(std::string_view id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; }
+
+/// Makes fast forces larger than the motion says.
+bool enlarges(std::string_view id) { return id == "flexible_mount" || id == "loose_mass" || id == "derivative_noise"; }
+
 /// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger than the
 /// motion says, what swings below its resonance like motion that was smoothed: how well either fits is not known better than to a
-/// share of what both explain.
+/// share of what both explain. A turned last joint is a turned sensor.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
-  constexpr double kShare = 0.05;
-  const auto lags = [](std::string_view id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; };
-  const auto enlarges = [](std::string_view id) { return id == "flexible_mount" || id == "loose_mass" || id == "derivative_noise"; };
+  constexpr double kShare = 0.05, kShareOfTurns = 0.02;
+  const auto turns = [](std::string_view id) { return id == "joint_offset" || id == "sensor_rotation"; };
+  if (turns(a) && turns(b)) return kShareOfTurns * gain;
   return (lags(a) && lags(b)) || (enlarges(a) && enlarges(b)) ? kShare * gain : 0.0;
+}
+
+/// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero that walks.
+double neededBeside(const Model& model, double explained, double wanders, std::string_view cause) {
+  constexpr double kShareOfFast = 0.02;  ///< What the form of one thing that changes fast forces leaves, another of them takes
+  double out = contains(model, kWandering) ? kBesideWandering + kShareOfWandering * wanders : 0.0;
+  const auto fast = [](std::string_view id) { return (lags(id) || enlarges(id)) && id != "loose_mass"; };
+  const bool another = std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && fast(causeOf(t)); });
+  if (fast(cause) && another) out += kShareOfFast * explained;
+  return out;
 }
 
 /// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm. Of a
@@ -441,12 +456,16 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     latest = {out.final, trials(signals, stretches, out.final, ranked)};
     addCompletions(signals, stretches, out.final, latest.all);
     const auto& all = latest.all;
-    const double needed = options.threshold + (contains(out.final.model, kWandering) ? kBesideWandering + kShareOfWandering * wanders : 0.0);
-    if (all.empty() || all.front().gain < needed) break;
+    const auto enough = [&](const Trial& trial) {
+      const double explained = out.final.evidence - out.null.evidence;
+      return trial.gain >= options.threshold + neededBeside(out.final.model, explained, wanders, trial.cause);
+    };
+    const auto best = std::ranges::find_if(all, enough);
+    if (best == all.end()) break;
     // A richer form of what is already named comes before a second name, unless that one explains clearly more.
-    const Trial* chosen = &all.front();
+    const Trial* chosen = &*best;
     for (const auto& trial : all)
-      if (contains(out.final.model, trial.cause) && trial.gain > needed && trial.gain > 0.7 * all.front().gain) {
+      if (contains(out.final.model, trial.cause) && enough(trial) && trial.gain > 0.7 * best->gain) {
         chosen = &trial;
         break;
       }

@@ -228,10 +228,17 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   auto stretches = stretchesOf(common.usable);
   if (stretches.empty()) stretches = everything;
   std::vector<double> out(ways.size(), -1e300);
-  onTwoThreads(ways.size(), [&](std::size_t i) {
-    if (ways[i].signals.blocks() == common.blocks() && !stretches.empty())
-      out[i] = fitModel(ways[i].signals, stretches, Model{}).evidence;
-  });
+  if (stretches.empty()) return out;
+  const auto fitAll = [&](const std::optional<FrameMistake>& mistake) {
+    onTwoThreads(ways.size(), [&](std::size_t i) {
+      const Signals& signals = ways[i].signals;
+      if (signals.blocks() == common.blocks()) out[i] = fitModel(mistake ? corrected(signals, *mistake) : signals, stretches, Model{}).evidence;
+    });
+  };
+  fitAll({});
+  // Where frames are mixed up, nothing of what moves can be told from noise.
+  if (*std::ranges::max_element(out) > out.front())
+    if (const auto mistake = frameMistake(common, stretches, fitModel(common, stretches, Model{}))) fitAll(mistake);
   return out;
 }
 

@@ -28,7 +28,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
 
 /// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the first
-/// way left out.
+/// way left out, frames and signs put right.
 std::vector<double> nullEvidence(const std::vector<Way>& ways);
 
 /// Everything that a search needs, and what it found.

@@ -28,6 +28,12 @@ class Hysteresis final : public Cause {
       out.back().choice = {percent, kind, kAlike};
     };
     for (const int percent : {5, 20, 60}) add("play of {} % of the range", percent, kPlay);
+    // A loop of one height that turns at once, such as friction inside the sensor makes.
+    Form loop = formOf(this, "loop", {{"loop", "%", 100.0, 0.003, -0.1, 0.1}, {"turning_way", "%", 100.0, 0.005, 0.0005, 0.3}});
+    loop.start(1) = 0.01;
+    loop.scan = {0};
+    loop.choice = {1, kPlay, kLoop};
+    out.push_back(std::move(loop));
     // What remembers through many small plays: bristles that bend over a way of the load.
     for (const int percent : {15, 40}) add("bristles over {} % of the range", percent, kBristles);
     return out;
@@ -36,16 +42,16 @@ class Hysteresis final : public Cause {
   bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
-    const bool alike = form.choice.size() > 2;
+    const bool each = form.choice.size() < 3, loop = !each && form.choice[2] == kLoop;
     Vector6d range = Vector6d::Zero();
     for (Eigen::Index c = 0; c < 6; ++c)
-      if (alike || v(c) != 0.0) range(c) = w.row(c).maxCoeff() - w.row(c).minCoeff();
-    if (alike)
+      if (!each || v(c) != 0.0) range(c) = w.row(c).maxCoeff() - w.row(c).minCoeff();
+    if (!each && !loop)
       for (const int first : {0, 3}) range.segment<3>(first).setConstant(range.segment<3>(first).maxCoeff());
     for (Eigen::Index c = 0; c < 6; ++c) {
-      const double share = v(alike ? 0 : c);
+      const double share = each ? v(c) : loop ? v(0) / v(1) : v(0);
       if (share == 0.0) continue;
-      const double r = 0.5 * (alike ? v(1) : 0.01 * form.choice[0]) * range(c);
+      const double r = 0.5 * (each ? 0.01 * form.choice[0] : v(1)) * range(c);
       if (form.choice.size() > 1 && form.choice[1] == kBristles)
         bristles(share, std::max(2.0 * r, 1e-9), w.row(c));
       else
@@ -54,7 +60,7 @@ class Hysteresis final : public Cause {
   }
 
  private:
-  enum Kind { kPlay, kBristles, kAlike };
+  enum Kind { kPlay, kBristles, kAlike, kLoop };
   using Channel = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
   /// Each bends with the load and slips as soon as it is bent all the way, which takes `reach`.
