@@ -61,8 +61,11 @@ class Cause {
   /// Changes the wrench on its way through the sensor: a linear map unless linear() is false for the form.
   virtual void sensor(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
   virtual bool linear(const Form&) const { return true; }
+  /// Whether sensor() is one 6 x 6 matrix for all instants.
+  virtual bool isMatrix(const Form&) const { return false; }
   /// Adds to the sensor's readings.
   virtual void readings(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
+  virtual bool addsToReadings() const { return false; }
   virtual bool bendsGeometry() const { return false; }
   virtual bool changesSensor(const Form&) const { return false; }
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.

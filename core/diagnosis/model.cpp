@@ -245,4 +245,10 @@ MatrixXd Surroundings::signatures(const Form& form) const {
   return out;
 }
 
+Matrix6d Surroundings::sensorMatrix() const {
+  Wrenches units = Matrix6d::Identity();
+  throughSensor(signals_, terms_, units, true);
+  return units;
+}
+
 }  // namespace heft::diagnosis

@@ -92,7 +92,7 @@ constexpr auto innovators(std::integer_sequence<int, Orders...>) {
 
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
   static constexpr auto kInnovate = innovators(std::make_integer_sequence<int, kMaxOrder + 1>{});
-  MatrixXd out = MatrixXd::Zero(columns.rows(), columns.cols());
+  MatrixXd out(columns.rows(), columns.cols());
   // All six channels at once; coefficients that a channel does not have are zero.
   Eigen::Index longest = 0;
   Vector6d scale;
@@ -104,20 +104,28 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
     for (Eigen::Index i = 0; i < model.order(); ++i) coefficients(c, i) = model.coefficients(i) * scale(c);
   }
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    if (columns.col(j).isZero(0.0)) continue;
+    if (columns.col(j).isZero(0.0)) {
+      out.col(j).setZero();
+      continue;
+    }
     const Eigen::Map<const Wrenches> x(columns.col(j).data(), 6, columns.rows() / 6);
     Eigen::Map<Wrenches> e(out.col(j).data(), 6, columns.rows() / 6);
+    Eigen::Index done = 0;
     for (const auto& s : stretches) {
+      const Eigen::Index starts = std::min(s.to, s.from + longest);
+      e.middleCols(done, starts - done).setZero();
+      done = s.to;
       // A channel starts as soon as its own memory is filled.
       for (Eigen::Index c = 0; c < 6; ++c) {
         const Eigen::Index order = noise.channels[static_cast<std::size_t>(c)].order();
-        for (Eigen::Index n = s.from + order; n < std::min(s.to, s.from + longest); ++n) {
+        for (Eigen::Index n = s.from + order; n < starts; ++n) {
           e(c, n) = scale(c) * x(c, n);
           for (Eigen::Index i = 0; i < order; ++i) e(c, n) -= coefficients(c, i) * x(c, n - 1 - i);
         }
       }
       kInnovate[static_cast<std::size_t>(longest)](x, s.from + longest, s.to, scale, coefficients, e);
     }
+    e.rightCols(e.cols() - done).setZero();
   }
   return out;
 }

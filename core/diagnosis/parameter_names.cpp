@@ -51,11 +51,12 @@ constexpr std::array<Name, 31> kNames = {{
 }};
 
 /// With an axis or a channel in place of {}.
-constexpr std::array<Name, 11> kAlong = {{
+constexpr std::array<Name, 12> kAlong = {{
     {"stiffness_", heft::toSay("Stiffness along {0}, k{0}")},
     {"force_", heft::toSay("Force along {0}, F{0}")},
     {"torque_", heft::toSay("Torque about {0}, M{0}")},
     {"drag_", heft::toSay("Drag along {0}, d{0}")},
+    {"friction_", heft::toSay("Friction along {0}")},
     {"moment_", heft::toSay("Mass times offset along {0}, m{0}")},
     {"at_", heft::toSay("Place from the sensor, {0}")},
     {"slope_", heft::toSay("Share along {0}")},

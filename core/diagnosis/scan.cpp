@@ -1,6 +1,7 @@
 #include "core/diagnosis/scan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -57,6 +58,8 @@ class Weighting {
     double gain = 0.0;     ///< Twice the log-likelihood
     double squares = 0.0;  ///< The same, had the noise been known
     double score = -1e300;
+    VectorXd others;         ///< How far all other parameters give way
+    double walkPrice = 0.0;
   };
 
   /// Standard deviation of each scanned parameter if it were the only one.
@@ -71,7 +74,8 @@ class Weighting {
     return out;
   }
 
-  Answer judge(const Signature& signature, double lnN) const {
+  /// Gain and score as the squares tell them, which is close where they are few.
+  Answer firstGuess(const Signature& signature, double lnN) const {
     const MatrixXd C = whitened(*signature.columns, noise_, stretches_);
     const MatrixXd JC = J_.transposeTimes(C);
     const MatrixXd own = C.transpose() * C;
@@ -79,7 +83,6 @@ class Weighting {
     const VectorXd g = C.transpose() * r_ - JC.transpose() * (inverse_ * Jr_);
     const Eigen::Index d = C.cols();
     Answer out;
-    double walkPrice = 0.0;
     out.kept.assign(static_cast<std::size_t>(d), true);
     // What bias and payload can do as well is no direction of the cause.
     for (Eigen::Index i = 0; i < d; ++i)
@@ -120,23 +123,35 @@ class Weighting {
       for (Eigen::Index i = 0; i < size; ++i) out.gamma(free[static_cast<std::size_t>(i)]) = gamma(i);
       out.squares = gamma.dot(gf);
       if (signature.form.walk && size == d)
-        walkPrice = asWalk(out.gamma, s.cwiseAbs2().cwiseProduct(inverse.diagonal()));
+        out.walkPrice = asWalk(out.gamma, s.cwiseAbs2().cwiseProduct(inverse.diagonal()));
       break;
     }
-    const auto dimensions = std::count(out.kept.begin(), out.kept.end(), true);
-    // The other parameters give way; then the noise is learned anew.
-    const VectorXd delta = inverse_ * (Jr_ - JC * out.gamma);
+    out.others = inverse_ * (Jr_ - JC * out.gamma);
+    score(out, signature.form, out.squares, lnN);
+    return out;
+  }
+
+  /// The same with the noise learned anew, once the other parameters have given way.
+  void learnNoise(Answer& answer, const Signature& signature, double lnN) const {
+    if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
-    Eigen::Map<VectorXd>(residual.data(), residual.size()) -= *signature.columns * out.gamma + fit_.jacobian * delta;
-    out.gain = fitNoise(residual, stretches_).evidence - fit_.noise.evidence;
-    const auto count = static_cast<double>(dimensions);
-    out.score = out.gain - (signature.form.walk     ? walkPrice
-                            : signature.form.subset ? count * lnN
-                                                    : priceOf(out.gain, count, lnN));
+    Eigen::Map<VectorXd>(residual.data(), residual.size()) -= *signature.columns * answer.gamma + fit_.jacobian * answer.others;
+    score(answer, signature.form, fitNoise(residual, stretches_).evidence - fit_.noise.evidence, lnN);
+  }
+
+  Answer judge(const Signature& signature, double lnN) const {
+    Answer out = firstGuess(signature, lnN);
+    learnNoise(out, signature, lnN);
     return out;
   }
 
  private:
+  static void score(Answer& answer, const Form& form, double gain, double lnN) {
+    const auto count = static_cast<double>(std::count(answer.kept.begin(), answer.kept.end(), true));
+    answer.gain = gain;
+    answer.score = gain - (form.walk ? answer.walkPrice : form.subset ? count * lnN : priceOf(gain, count, lnN));
+  }
+
   const Noise& noise_;
   const std::vector<Stretch>& stretches_;
   const Fit& fit_;
@@ -157,22 +172,34 @@ SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::stri
 std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
                                              const std::function<bool(const Form&)>& wanted) {
   // What a saturated sensor or one with a memory makes of a sum is linearised without these two.
-  const bool plain = std::none_of(model.terms.begin(), model.terms.end(), [](const Term& term) {
-    const Cause& cause = *term.form->cause;
-    return cause.bendsGeometry() || (cause.changesSensor(*term.form) && cause.linear(*term.form));
+  const auto changes = [](const Term& t) { return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form); };
+  const bool matrixOnly = std::ranges::all_of(model.terms, [&](const Term& t) {
+    return !t.form->cause->bendsGeometry() && (!changes(t) || t.form->cause->isMatrix(*t.form));
   });
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < plain_.size(); ++i)
     if (!wanted || wanted(plain_[i].form)) which.push_back(i);
   std::vector<Signature> out(which.size());
-  const Surroundings surroundings(signals, model);
+  const Model nothing;
+  const Surroundings surroundings(signals, model), bare(signals, nothing);
+  const Matrix6d map = matrixOnly ? surroundings.sensorMatrix() : Matrix6d::Identity();
   onTwoThreads(out.size(), [&](std::size_t i) {
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
-    const bool keeps = plain && !cause.bendsGeometry() && !cause.changesSensor(known.form);
     out[i] = known;
-    if (!keeps || !known.columns) out[i].columns = std::make_shared<const MatrixXd>(surroundings.signatures(known.form));
-    if (keeps) known.columns = out[i].columns;
+    if (!matrixOnly || cause.bendsGeometry() || cause.changesSensor(known.form)) {
+      out[i].columns = std::make_shared<const MatrixXd>(surroundings.signatures(known.form));
+      return;
+    }
+    if (!known.columns) known.columns = std::make_shared<const MatrixXd>(bare.signatures(known.form));
+    out[i].columns = known.columns;
+    if (cause.addsToReadings() || map.isIdentity(0.0)) return;
+    const MatrixXd& columns = *known.columns;
+    MatrixXd mapped(columns.rows(), columns.cols());
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
+      Eigen::Map<Wrenches>(mapped.col(j).data(), 6, columns.rows() / 6).noalias() =
+          map * Eigen::Map<const Wrenches>(columns.col(j).data(), 6, columns.rows() / 6);
+    out[i].columns = std::make_shared<const MatrixXd>(std::move(mapped));
   });
   return out;
 }
@@ -216,11 +243,23 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
   for (const auto& signature : bank) ++forms[signature.form.cause][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
+  // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does so the less,
+  // the fewer there are.
+  constexpr double kFew = 0.1, kHardlyAny = 4.0;
+  std::vector<std::array<Weighting::Answer, 2>> answers(bank.size());
+  onTwoThreads(bank.size(), [&](std::size_t i) { answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)}; });
+  std::array<double, 2> many{kHardlyAny, kHardlyAny};
+  for (std::size_t i = 0; i < bank.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (!bank[i].form.walk) many[k] = std::max(many[k], kFew * answers[i][k].squares);
   std::vector<Candidate> out(bank.size());
   onTwoThreads(bank.size(), [&](std::size_t i) {
-    Weighting::Answer best = coloured.judge(bank[i], lnN);
-    Weighting::Answer other = plain.judge(bank[i], lnN);
-    if (other.score > best.score) best = std::move(other);
+    auto& [best, other] = answers[i];
+    if (bank[i].form.walk || best.squares > many[0] || other.squares > many[1]) {
+      coloured.learnNoise(best, bank[i], lnN);
+      plain.learnNoise(other, bank[i], lnN);
+      if (other.score > best.score) best = std::move(other);
+    }
     const Form& form = bank[i].form;
     Candidate& candidate = out[i];
     candidate.form = form;

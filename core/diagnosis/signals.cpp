@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <type_traits>
 
 namespace heft::diagnosis {
 
@@ -76,49 +77,95 @@ Between between(double samples) {
            (u + 1.0) * u * (u - 1.0) / 6.0}};
 }
 
-/// Column `k` of `value`, moved; before and after, the first and the last one go on.
-void move(const Eigen::MatrixXd& value, Eigen::Index k, const Between& by, Eigen::Ref<Eigen::VectorXd> out) {
-  out.setZero();
-  for (Eigen::Index i = 0; i < 4; ++i)
-    out += by.weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + by.base + i - 1, 0, value.cols() - 1));
+/// Rows that are known at compile time, 3 of a vector or 6 of a wrench, take a fraction of the time.
+template <int Rows>
+using Columns = Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+template <int Rows>
+using ConstColumns = Eigen::Map<const Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+template <int Rows>
+using Column = Eigen::Matrix<double, Rows, 1>;
+
+/// work(ConstColumns<Rows>, Columns<Rows>) with `value` and what is returned.
+template <class Work>
+Eigen::MatrixXd columnwise(const Eigen::Ref<const Eigen::MatrixXd>& value, Work work) {
+  Eigen::MatrixXd out(value.rows(), value.cols());
+  const auto run = [&]<int Rows>(std::integral_constant<int, Rows>) {
+    work(ConstColumns<Rows>(value.data(), value.rows(), value.cols(), Eigen::OuterStride<>(value.outerStride())),
+         Columns<Rows>(out.data(), out.rows(), out.cols(), Eigen::OuterStride<>(out.rows())));
+  };
+  if (value.rows() == 3)
+    run(std::integral_constant<int, 3>());
+  else if (value.rows() == 6)
+    run(std::integral_constant<int, 6>());
+  else
+    run(std::integral_constant<int, Eigen::Dynamic>());
+  return out;
+}
+
+using Weights = std::array<double, 4>;
+
+/// Four columns of `u`, the first of them at `first`; before and after, the first and the last one go on.
+template <int Rows>
+Column<Rows> weighedAtEnds(const ConstColumns<Rows>& u, Eigen::Index first, const Weights& w) {
+  const auto at = [&](Eigen::Index i) { return u.col(std::clamp<Eigen::Index>(first + i, 0, u.cols() - 1)); };
+  return w[0] * at(0) + w[1] * at(1) + w[2] * at(2) + w[3] * at(3);
+}
+
+template <int Rows>
+inline Column<Rows> weighed(const ConstColumns<Rows>& u, Eigen::Index first, const Weights& w) {
+  if (first < 0 || first + 4 > u.cols()) return weighedAtEnds<Rows>(u, first, w);
+  return w[0] * u.col(first) + w[1] * u.col(first + 1) + w[2] * u.col(first + 2) + w[3] * u.col(first + 3);
 }
 
 }  // namespace
 
-Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, const VectorXd& delays, double rateHz) {
-  const Eigen::Index n = value.cols();
-  Eigen::MatrixXd out(value.rows(), n);
-  for (Eigen::Index k = 0; k < n; ++k) move(value, k, between(-delays(k) * rateHz), out.col(k));
-  return out;
+Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const VectorXd& delays, double rateHz) {
+  return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& in, Columns<Rows> out) {
+    for (Eigen::Index k = 0; k < out.cols(); ++k) {
+      const Between by = between(-delays(k) * rateHz);
+      out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
+    }
+  });
 }
 
-Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz) {
-  const Eigen::Index n = value.cols();
-  Eigen::MatrixXd out(value.rows(), n);
+Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, double delay, double rateHz) {
   const Between by = between(-delay * rateHz);
-  const auto& [base, weight] = by;
-  // All at once where the four samples are there; before and after, the first and the last sample go on.
-  const Eigen::Index first = std::clamp<Eigen::Index>(1 - base, 0, n),
-                     last = std::clamp<Eigen::Index>(n - 2 - base, first, n);
-  const auto shifted = [&, base = base](Eigen::Index i) { return value.middleCols(first + base + i - 1, last - first); };
-  if (last > first)
-    out.middleCols(first, last - first) =
-        weight[0] * shifted(0) + weight[1] * shifted(1) + weight[2] * shifted(2) + weight[3] * shifted(3);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (k == first) k = last;
-    if (k == n) break;
-    move(value, k, by, out.col(k));
-  }
-  return out;
+  return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& in, Columns<Rows> out) {
+    for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
+  });
+}
+
+Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double duration, double rateHz) {
+  // Integrals of the cubic through u = -1, 0, 1, 2 from 0 to x.
+  const auto integral = [](double x) -> Weights {
+    const double a = x * x / 2.0, b = x * x * x / 3.0, c = x * x * x * x / 4.0;
+    return {-a / 3.0 + b / 2.0 - c / 6.0, x - a / 2.0 - b + c / 2.0, a + b / 2.0 - c / 2.0, (c - a) / 6.0};
+  };
+  const double samples = duration * rateHz, whole = std::floor(-samples), part = -samples - whole;
+  const Weights step = integral(1.0), beginning = integral(part);
+  const auto back = static_cast<Eigen::Index>(whole);  // To the sample before the mean begins, a negative number
+  return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
+    // Since `back` before the first sample, where what it is then has always been.
+    Column<Rows> sum = static_cast<double>(-back) * u.col(0);
+    for (Eigen::Index k = 0; k < out.cols(); ++k) {
+      out.col(k) = (sum - weighed<Rows>(u, k + back - 1, beginning)) / samples;
+      sum += weighed<Rows>(u, k - 1, step) - weighed<Rows>(u, k + back - 1, step);
+    }
+  });
 }
 
 namespace {
 
-/// Exact response of y' = kappa rate (u - y), whose pole may be complex, between samples of u interpolated by cubics, started in
-/// balance.
+/// How y' = kappa rate (u - y), whose pole may be complex, goes on from sample to sample, exactly where u is a cubic between them:
+/// y(k + 1) = keep y(k) + sum_i weight_i u(k - 1 + i).
 template <class Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> followed(const Eigen::MatrixXd& value, Scalar kappa) {
-  const Eigen::Index n = value.cols();
+struct Following {
+  Scalar keep;
+  std::array<Scalar, 4> weight;
+};
+
+template <class Scalar>
+Following<Scalar> following(Scalar kappa) {
   // Moments I_i = int_0^1 u^i kappa e^(-kappa (1-u)) du of the response's weight over a step.
   std::array<Scalar, 4> moment{};
   const Scalar keep = std::exp(-kappa);
@@ -139,28 +186,46 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> followed(const Eigen::Matr
     }
   }
   // Cubic through u = -1, 0, 1, 2 in powers of u, integrated term by term.
-  const std::array<Scalar, 4> weight{(-2.0 * moment[1] + 3.0 * moment[2] - moment[3]) / 6.0,
-                                     moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3],
-                                     moment[1] + 0.5 * moment[2] - 0.5 * moment[3], (moment[3] - moment[1]) / 6.0};
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> out(value.rows(), n);
-  out.col(0) = value.col(0).template cast<Scalar>();
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    out.col(k + 1) = keep * out.col(k);
-    for (Eigen::Index i = 0; i < 4; ++i)
-      out.col(k + 1) += weight[static_cast<std::size_t>(i)] * value.col(std::clamp<Eigen::Index>(k + i - 1, 0, n - 1));
-  }
-  return out;
+  return {keep,
+          {(-2.0 * moment[1] + 3.0 * moment[2] - moment[3]) / 6.0, moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3],
+           moment[1] + 0.5 * moment[2] - 0.5 * moment[3], (moment[3] - moment[1]) / 6.0}};
 }
 
 }  // namespace
 
-Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz) { return followed(value, 1.0 / (T * rateHz)); }
+Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T, double rateHz) {
+  const auto [keep, weight] = following(1.0 / (T * rateHz));
+  return columnwise(value, [keep, weight]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
+    Column<Rows> y = u.col(0);
+    out.col(0) = y;
+    for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
+      y = keep * y + weighed<Rows>(u, k - 1, weight);
+      out.col(k + 1) = y;
+    }
+  });
+}
 
-Eigen::MatrixXd throughSpring(const Eigen::MatrixXd& value, double frequencyHz, double damping, double rateHz) {
+Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping, double rateHz) {
   const double omega = 2.0 * std::numbers::pi * frequencyHz;
   const std::complex<double> pole(-damping * omega, omega * std::sqrt(1.0 - damping * damping));
   // Its two poles apart: G = 2 Re(p / (p - p*) P), P with the pole p and 1 at rest.
-  return 2.0 * (pole / std::complex<double>(0.0, 2.0 * pole.imag()) * followed(value, -pole / rateHz)).real();
+  const std::complex<double> share = 2.0 * pole / std::complex<double>(0.0, 2.0 * pole.imag());
+  const auto [keep, weight] = following(-pole / rateHz);
+  std::array<double, 4> real{}, imaginary{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    real[i] = weight[i].real();
+    imaginary[i] = weight[i].imag();
+  }
+  return columnwise(value, [&, keep = keep]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
+    Column<Rows> x = u.col(0), y = 0.0 * x;
+    out.col(0) = share.real() * x;
+    for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
+      const Column<Rows> next = keep.real() * x - keep.imag() * y + weighed<Rows>(u, k - 1, real);
+      y = keep.imag() * x + keep.real() * y + weighed<Rows>(u, k - 1, imaginary);
+      x = next;
+      out.col(k + 1) = share.real() * x - share.imag() * y;
+    }
+  });
 }
 
 Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz) {

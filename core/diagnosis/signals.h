@@ -65,16 +65,19 @@ Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixX
 Wrenches averaged(const Signals& signals, const Wrenches& wrench);
 
 /// The rows of `value` read `delay` seconds earlier (positive: late), cubic between samples, held at the ends.
-Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, double delay, double rateHz);
+Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, double delay, double rateHz);
 /// The same with a delay [s] of its own for each instant.
-Eigen::MatrixXd delayed(const Eigen::MatrixXd& value, const VectorXd& delays, double rateHz);
+Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const VectorXd& delays, double rateHz);
+
+/// Mean over the last `duration` [s] of what cubics make of the samples, and of the first one before it.
+Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double duration, double rateHz);
 
 /// Exact response of T y' + y = u between samples of u interpolated by cubics, started in balance; T [s] > 0.
-Eigen::MatrixXd onePole(const Eigen::MatrixXd& value, double T, double rateHz);
+Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T, double rateHz);
 
 /// What a spring with a damper beside it passes on of a force on the mass that it carries: the response of
 /// y'' + 2 z w y' + w^2 y = 2 z w u' + w^2 u, as exact and started so; w = 2 pi f, damping z < 1.
-Eigen::MatrixXd throughSpring(const Eigen::MatrixXd& value, double frequencyHz, double damping, double rateHz);
+Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping, double rateHz);
 
 /// Central differences in time of each row [1/s].
 Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz);

@@ -350,9 +350,10 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                : heft::say("Something holds the tool back: {} N per metre per second.",
                            v.find("drag") ? v.size("drag") : v.norm({"drag_x", "drag_y", "drag_z"}));
   if (id == "coulomb_friction")
-    return v.find("friction")
-               ? heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"))
-               : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
+    return v.find("turning_friction") && !v.find("friction")
+               ? heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"))
+               : heft::say("Something rubs and holds the tool back with {} N.",
+                           v.find("friction") ? v.size("friction") : v.norm({"friction_x", "friction_y", "friction_z"}));
   if (const CauseParameter* mass = v.find("mass"); id == "loose_mass" && mass && v.value("damping") > 0.5)
     return mass->std > 0.5 * mass->value ? heft::say("Something in the tool is loose and rolls to another place as it turns.")
                                          : heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));

@@ -65,6 +65,7 @@ class BiasDrift final : public Cause {
     return out;
   }
   int order() const override { return 80; }
+  bool addsToReadings() const override { return true; }
   void readings(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     const double T = signals.duration();
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
@@ -105,6 +106,7 @@ class SensorBias final : public Cause {
     return out;
   }
   int order() const override { return 82; }
+  bool addsToReadings() const override { return true; }
   void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     for (Eigen::Index k = 0; k < w.cols(); ++k) w.col(k) += stepAt(signals.time(k), v(0), 0.02) * v.tail<6>();
   }
@@ -127,6 +129,7 @@ class Wandering final : public Cause {
     return {form};
   }
   int order() const override { return 84; }
+  bool addsToReadings() const override { return true; }
   void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     const Eigen::Map<const Eigen::Matrix<double, 6, kHalfWaves>> amplitudes(v.data());
     if (amplitudes.isZero(0.0)) return;

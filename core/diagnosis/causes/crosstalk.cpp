@@ -25,6 +25,7 @@ class Crosstalk final : public Cause {
   }
   int order() const override { return 40; }
   bool changesSensor(const Form&) const override { return true; }
+  bool isMatrix(const Form&) const override { return true; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     w.row(form.choice[0]) += v(0) * w.row(form.choice[1]);
   }

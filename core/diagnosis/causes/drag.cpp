@@ -15,7 +15,7 @@ Vector3d velocityAt(const Signals& signals, Eigen::Index k, const Vector3d& r) {
 }
 
 /// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a place
-/// away from the sensor, 4 the cause's own richer form.
+/// away from the sensor, 4 and 5 the cause's own richer forms.
 class Resistance : public Cause {
  protected:
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
@@ -74,6 +74,8 @@ class CoulombFriction final : public Resistance {
     const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0};
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
+    add(out, 5, "different along each axis",
+        {{"friction_x", "N", 1.0, 0.1, -5.0, 60.0}, {"friction_y", "N", 1.0, 0.1, -5.0, 60.0}, {"friction_z", "N", 1.0, 0.1, -5.0, 60.0}});
     // How slow it must be for friction to fade is nobody's constant.
     auto away = withPlace({linear});
     away.push_back({"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05});
@@ -97,7 +99,7 @@ class CoulombFriction final : public Resistance {
         w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
       if (kind == 1) continue;
-      const Vector3d r = kind < 3 ? Vector3d(Vector3d::Zero()) : Vector3d(v.segment<3>(kind - 2));
+      const Vector3d r = kind == 3 || kind == 4 ? Vector3d(v.segment<3>(kind - 2)) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, k, r);
       const double stick = kind == 3 ? v(4) : kStick;
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
@@ -108,7 +110,7 @@ class CoulombFriction final : public Resistance {
         z = keep * z + (speed > 1e-12 ? Vector3d(velocity * (way / speed) * (1.0 - keep)) : Vector3d(Vector3d::Zero()));
         direction = z / way;
       }
-      const Vector3d f = R.transpose() * (v(0) * direction);
+      const Vector3d f = R.transpose() * (kind == 5 ? Vector3d(direction.cwiseProduct(Vector3d(v.head<3>()))) : Vector3d(v(0) * direction));
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
     }

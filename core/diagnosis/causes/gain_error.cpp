@@ -29,6 +29,7 @@ class GainError final : public Cause {
   }
   int order() const override { return 30; }
   bool changesSensor(const Form&) const override { return true; }
+  bool isMatrix(const Form& form) const override { return !bySign(form); }
   /// Whoever bolts a sensor on is more often wrong about its place than its maker is about newtons.
   double doubt(const Form& form, const VectorXd&, const Signals&) const override { return form.choice[0] == kForces ? 20.0 : 0.0; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {

@@ -1,26 +1,10 @@
 // A low-pass filter inside the sensor or its driver: T y' + y = w, the same with T / 2 twice, or the mean over the
 // last 2 T. Each makes slow readings late by T.
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
 namespace heft::diagnosis {
 namespace {
-
-/// Mean over the last 2 `lag` seconds of what was constant before it started: Gauss' three points in each part of them.
-Wrenches meanSince(const Wrenches& w, double lag, double rateHz) {
-  constexpr double kPart = 0.04;  // [s] Faster than 25 Hz nothing moves here
-  constexpr std::array<double, 3> kNode{0.1127016653792583, 0.5, 0.8872983346207417}, kWeight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-  const int parts = std::max(1, static_cast<int>(std::ceil(2.0 * lag / kPart)));
-  const double part = 2.0 * lag / parts;
-  Wrenches out = Wrenches::Zero(6, w.cols());
-  for (int i = 0; i < parts; ++i)
-    for (std::size_t j = 0; j < kNode.size(); ++j) out += (kWeight[j] / parts) * delayed(w, (i + kNode[j]) * part, rateHz);
-  return out;
-}
 
 class LowPassLag final : public Cause {
  public:
@@ -41,7 +25,7 @@ class LowPassLag final : public Cause {
     if (v(0) <= 1e-6) return;
     const int stages = form.choice[0] == kTwo ? 2 : 1;
     if (form.choice[0] == kMean)
-      w = meanSince(w, v(0), signals.rateHz);
+      w = meanSince(w, 2.0 * v(0), signals.rateHz);
     else
       for (int stage = 0; stage < stages; ++stage) w = onePole(w, v(0) / stages, signals.rateHz);
   }

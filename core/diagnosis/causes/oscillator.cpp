@@ -8,16 +8,17 @@
 namespace heft::diagnosis {
 namespace {
 
-/// How a mass on a damped spring moves about its seat, 3 x K, S axes.
+/// How a mass on a damped spring moves about its seat, S axes.
 struct Swing {
-  Eigen::Matrix3Xd pull;   ///< Acceleration less gravity of the seat: what the mass needs there per kilogram [N/kg]
-  Eigen::Matrix3Xd place;  ///< From its seat [m]
-  Eigen::Matrix3Xd extra;  ///< What the spring gives it beyond `pull`, along `way` where it moves one way only [N/kg]
+  Vector3d pull;   ///< Acceleration less gravity of the seat: what the mass needs there per kilogram [N/kg]
+  Vector3d place;  ///< From its seat [m]
+  Vector3d extra;  ///< What the spring gives it beyond `pull`, along `way` where it moves one way only [N/kg]
 };
 
-/// Started in balance. Each step is exact for a pull that is linear in time; what turning adds (Coriolis) is taken from
-/// half a step ahead. `way`: unit vector, or zero where the mass moves all ways.
-Swing swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping, double rateHz) {
+/// Calls each(k, Swing) for each instant. Started in balance. Each step is exact for a pull that is linear in time; what turning
+/// adds (Coriolis) is taken from half a step ahead. `way`: unit vector, or zero where the mass moves all ways.
+template <class Each>
+void swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping, double rateHz, Each each) {
   // Close to critical damping both ways of writing the answer divide by next to nothing.
   const double w = 2.0 * std::numbers::pi * frequency, dt = 1.0 / rateHz;
   const double z = std::abs(damping - 1.0) < 0.02 ? (damping < 1.0 ? 0.98 : 1.02) : damping;
@@ -26,34 +27,36 @@ Swing swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, do
   // Homogeneous solution over a step: [x; x'] = Phi [x; x'].
   const double p11 = decay * (c + z * w / wd * s), p12 = decay * s / wd, p21 = -decay * w * w / wd * s,
                p22 = decay * (c - z * w / wd * s);
-  const Matrix3d along = way.isZero(0.0) ? Matrix3d(Matrix3d::Identity()) : Matrix3d(way * way.transpose());
+  const double give = 1.0 / (w * w), shifts = 2.0 * z / (w * w * w);
+  const bool oneWay = !way.isZero(0.0), centred = seat.isZero(0.0);
+  const auto along = [&](const Vector3d& all) -> Vector3d { return oneWay ? Vector3d(way * way.dot(all)) : all; };
   const auto carried = [&](Eigen::Index k, const Vector3d& r) -> Vector3d {
     const Vector3d o = kin.omega.col(k);
     return Vector3d(kin.alpha.col(k)).cross(r) + o.cross(o.cross(r));
   };
+  const auto pullAt = [&](Eigen::Index k) -> Vector3d {
+    const Vector3d s_k = kin.specificForce.col(k);
+    return centred ? s_k : Vector3d(s_k + carried(k, seat));
+  };
   const Eigen::Index n = kin.omega.cols();
-  Swing out{kin.specificForce, Eigen::Matrix3Xd(3, n), Eigen::Matrix3Xd(3, n)};
-  if (!seat.isZero(0.0))
-    for (Eigen::Index k = 0; k < n; ++k) out.pull.col(k) += carried(k, seat);
-  Vector3d u = along * out.pull.col(0), x = -u / (w * w), v = Vector3d::Zero(), a = Vector3d::Zero();
-  out.place.col(0) = x;
-  out.extra.col(0).setZero();
+  Vector3d pull = pullAt(0), u = along(pull), x = -u * give, v = Vector3d::Zero(), a = Vector3d::Zero();
+  each(0, Swing{pull, x, Vector3d::Zero()});
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
     const Vector3d turning =
-        along * (2.0 * Vector3d(kin.omega.col(k)).cross(Vector3d(v + 0.5 * dt * a)) + carried(k, x + 0.5 * dt * v));
-    const Vector3d next = along * out.pull.col(k + 1);
+        along(2.0 * Vector3d(kin.omega.col(k)).cross(Vector3d(v + 0.5 * dt * a)) + carried(k, x + 0.5 * dt * v));
+    pull = pullAt(k + 1);
+    const Vector3d next = along(pull);
     // Particular solution for u = a + b t: x = -(a + b t) / w^2 + 2 z b / w^3.
     const Vector3d b = (next - u) * rateHz, from = u + turning, to = next + turning;
-    const Vector3d shift = 2.0 * z / (w * w * w) * b;
-    const Vector3d dx = x + from / (w * w) - shift, dv = v + b / (w * w);
-    x = p11 * dx + p12 * dv - to / (w * w) + shift;
-    v = p21 * dx + p22 * dv - b / (w * w);
-    out.place.col(k + 1) = x;
-    out.extra.col(k + 1) = -next - 2.0 * z * w * v - w * w * x;
-    a = out.extra.col(k + 1) - turning;
+    const Vector3d shift = shifts * b;
+    const Vector3d dx = x + from * give - shift, dv = v + b * give;
+    x = p11 * dx + p12 * dv - to * give + shift;
+    v = p21 * dx + p22 * dv - b * give;
+    const Vector3d extra = -next - 2.0 * z * w * v - w * w * x;
+    each(k + 1, Swing{pull, x, extra});
+    a = extra - turning;
     u = next;
   }
-  return out;
 }
 
 class Oscillator : public Cause {
@@ -65,13 +68,11 @@ class Oscillator : public Cause {
     constexpr double kLeast = 1e-3, kFarthest = 0.4;
     Vector3d seat = Vector3d::Zero();
     if (mass > kLeast && moment.norm() < kFarthest * mass) seat = moment / mass;
-    const Swing found = swing(kin, seat, form.choice[0] < 3 ? directionOf(form, v) : Vector3d(Vector3d::Zero()), v(4), v(5),
-                              signals.rateHz);
-    for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const Vector3d extra = found.extra.col(k);
-      w.col(k).head<3>() += mass * extra;
-      w.col(k).tail<3>() += moment.cross(extra) + mass * Vector3d(found.place.col(k)).cross(Vector3d(found.pull.col(k) + extra));
-    }
+    const Vector3d way = form.choice[0] < 3 ? directionOf(form, v) : Vector3d(Vector3d::Zero());
+    swing(kin, seat, way, v(4), v(5), signals.rateHz, [&](Eigen::Index k, const Swing& at) {
+      w.col(k).head<3>() += mass * at.extra;
+      w.col(k).tail<3>() += moment.cross(at.extra) + mass * at.place.cross(Vector3d(at.pull + at.extra));
+    });
   }
 
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:

@@ -19,6 +19,7 @@ class SensorRotation final : public Cause {
   }
   int order() const override { return 20; }
   bool changesSensor(const Form&) const override { return true; }
+  bool isMatrix(const Form&) const override { return true; }
   void sensor(const Form&, const VectorXd& v, const Signals&, Wrenches& w) const override {
     const Matrix3d R = rotationFromVector(v).transpose();
     w.topRows<3>() = (R * w.topRows<3>()).eval();
