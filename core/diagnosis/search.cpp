@@ -525,6 +525,13 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       settleRivals(signals, stretches, rest, found, now.all);
       const auto& all = now.all;
       found.spread = spreadOf(out.final.model, cause, all);
+      // A richer form of it that promised little around what else was wrong by then.
+      const auto own = std::ranges::find_if(all, [&](const Trial& t) { return t.cause == cause; });
+      if (own != all.end() && own->gain > found.gain + kTie && look + 1 < kLooks) {
+        out.final = settled(signals, stretches, prunedOf(signals, stretches, own->fit, options.threshold));
+        changed = true;
+        break;
+      }
       // What another of the named causes explains about as well needs no name of its own.
       const auto other = std::ranges::find_if(all, [&](const Trial& t) {
         const Form& form = *t.fit.model.terms.back().form;
