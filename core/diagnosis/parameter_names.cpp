@@ -45,7 +45,7 @@ constexpr std::array<Name, 31> kNames = {{
     {"missing", heft::toSay("Readings that are missing")},
     {"peak_force", heft::toSay("Greatest force F")},
     {"memory", heft::toSay("Share that is remembered")},
-    {"loop", heft::toSay("Off by, of the load's range")},
+    {"loop", heft::toSay("Height of the loop, of the load's range")},
     {"turning_way", heft::toSay("Forgotten after, of the load's range")},
     {"step_force", heft::toSay("Step of the force readings")},
 }};

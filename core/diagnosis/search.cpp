@@ -355,11 +355,9 @@ bool enlarges(std::string_view id) { return id == "flexible_mount" || id == "loo
 
 /// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger than the
 /// motion says, what swings below its resonance like motion that was smoothed: how well either fits is not known better than to a
-/// share of what both explain. A turned last joint is a turned sensor.
+/// share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
-  constexpr double kShare = 0.05, kShareOfTurns = 0.02;
-  const auto turns = [](std::string_view id) { return id == "joint_offset" || id == "sensor_rotation"; };
-  if (turns(a) && turns(b)) return kShareOfTurns * gain;
+  constexpr double kShare = 0.05;
   return (lags(a) && lags(b)) || (enlarges(a) && enlarges(b)) ? kShare * gain : 0.0;
 }
 

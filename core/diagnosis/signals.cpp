@@ -13,7 +13,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
   Signals out;
   out.startTime = motion.startTime;
   out.rateHz = motion.rateHz;
-  out.kinematics = {motion.specificForce, motion.omega, motion.alpha};
+  out.kinematics = {motion.specificForce, motion.omega, motion.alpha, {}};
   out.R_BS = motion.R_BS;
   out.velocity = motion.velocity;
   out.position = motion.position;
@@ -41,13 +41,16 @@ Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixX
   out.specificForce.resize(3, n);
   out.omega.resize(3, n);
   out.alpha.resize(3, n);
+  auto axes = std::make_shared<std::vector<Matrix3d>>(static_cast<std::size_t>(n));
   for (Eigen::Index k = 0; k < n; ++k) {
     const FrameMotion frame = signals.robot->frameMotion(signals.link, signals.X_LS, q.col(k), dq.col(k), ddq.col(k));
     const Matrix3d R = frame.X_BS.linear();
+    (*axes)[static_cast<std::size_t>(k)] = R;
     out.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - signals.gravity);
     out.omega.col(k) = R.transpose() * frame.w_BS_B;
     out.alpha.col(k) = R.transpose() * frame.alpha_BS_B;
   }
+  out.turned = std::move(axes);
   return out;
 }
 

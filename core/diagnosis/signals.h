@@ -1,5 +1,6 @@
 #pragma once
 // What the causes work on: the recorded motion and wrench on one uniform clock, and which instants may be judged.
+#include <memory>
 #include <vector>
 
 #include "core/motion/motion.h"
@@ -18,6 +19,7 @@ struct Kinematics {
   Eigen::Matrix3Xd specificForce;  ///< s = R_BS^T (a - g) [m/s2]
   Eigen::Matrix3Xd omega;          ///< [rad/s]
   Eigen::Matrix3Xd alpha;          ///< [rad/s2]
+  std::shared_ptr<const std::vector<Matrix3d>> turned;  ///< R_BS where a cause turns S; null: as recorded
 };
 
 /// Share of the corner below which a smoothing by twicing, of order 6 and run both ways, takes less than 1.5 %.
@@ -57,6 +59,11 @@ struct Signals {
 
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);
+
+/// Axes of S in B at each instant, as `kinematics` has them.
+inline const std::vector<Matrix3d>& axesOf(const Signals& signals, const Kinematics& kinematics) {
+  return kinematics.turned ? *kinematics.turned : signals.R_BS;
+}
 
 /// Kinematics of another motion of the joints, each dof x K; only with a robot.
 Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixXd& dq, const MatrixXd& ddq);

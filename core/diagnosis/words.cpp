@@ -306,7 +306,7 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
     return heft::say("Joint {} is really {} degrees away from what was recorded.", p.name.substr(1, 1),
                      plusMinus(std::abs(p.value), p.std));
   if (p.name.starts_with("loop"))
-    return heft::say("The sensor remembers its load: it is off by {} % of the load's range, one way going up and the other way coming down.",
+    return heft::say("The sensor remembers its load: it reads {} % of the load's range differently going up and coming down.",
                      plusMinus(std::abs(p.value), p.std));
   return heft::say("The sensor remembers {} of its load: it reads differently going up and coming down.",
                    p.name.starts_with("memory") ? fmt::format("{} %", plusMinus(std::abs(p.value), p.std)) : parameterWords(p));

@@ -125,9 +125,12 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, Eigen
     for (Eigen::Index i = 3; i + 3 < n; ++i) {
       const double limit = limits[static_cast<std::size_t>(i / part)];
       const auto near = wrench.col(c).segment(i - 3, 7);
-      // Cheap test first: a spike stands out from both of its outer neighbours, to the same side.
-      const double before = wrench(i, c) - near(0), after = wrench(i, c) - near(6);
-      if (std::abs(before) < limit || std::abs(after) < limit || before * after < 0.0) continue;
+      // Cheap test first: a spike stands out from neighbours on either side of it, to the same side of them.
+      const auto standsOut = [&](Eigen::Index away) {
+        const double before = wrench(i, c) - near(3 - away), after = wrench(i, c) - near(3 + away);
+        return std::abs(before) >= limit && std::abs(after) >= limit && before * after > 0.0;
+      };
+      if (!standsOut(3) && !standsOut(2)) continue;
       const double centre = median(std::vector<double>(near.data(), near.data() + 7));
       const double height = std::abs(wrench(i, c) - centre);
       if (height < limit) continue;

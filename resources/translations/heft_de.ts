@@ -6510,6 +6510,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.</source>
         <translation>{} Messwerte ({:.2g} %) enthielten Ausreißer bei Kraft oder Moment und wurden durch das ersetzt, was daneben liegt.</translation>
     </message>
+    <message>
+        <source>Height of the loop, of the load&apos;s range</source>
+        <translation>Höhe der Schleife, vom Bereich der Last</translation>
+    </message>
+    <message>
+        <source>Friction along {0}</source>
+        <translation>Reibung längs {0}</translation>
+    </message>
+    <message>
+        <source>The sensor remembers its load: it reads {} % of the load&apos;s range differently going up and coming down.</source>
+        <translation>Der Sensor merkt sich seine Last: Auf dem Weg hinauf zeigt er um {} % des Lastbereichs anders an als auf dem Weg hinab.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -90,22 +90,23 @@ class CablePull final : public Cause {
         {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_y", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_z", "N m", 1.0, 0.02, -5.0, 5.0}});
     return out;
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+    const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     if (form.choice[0] == kTaut) {
       const Vector3d anchor = v.segment<3>(1), r = v.segment<3>(5);
       Eigen::Matrix3Xd held = Eigen::Matrix3Xd::Zero(3, w.cols());
       for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const Vector3d way = signals.position.col(k) + signals.R_BS[static_cast<std::size_t>(k)] * r - anchor;
+        const Vector3d way = signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - anchor;
         const double far = way.norm();
         if (far > std::max(v(4), 1e-6)) held.col(k) = v(0) * (1.0 - v(4) / far) * way;
       }
-      addWorldForce(signals, held, r, w);
+      addWorldForce(R_BS, held, r, w);
       return;
     }
     if (form.choice[0] == kTwist) {
-      const Matrix3d& R0 = signals.R_BS[signals.R_BS.size() / 2];
+      const Matrix3d& R0 = R_BS[R_BS.size() / 2];
       for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+        const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
         w.col(k).tail<3>() += R.transpose() * (v(0) * vectorFromRotation(R * R0.transpose()) + v.segment<3>(1));
       }
       return;
@@ -118,8 +119,8 @@ class CablePull final : public Cause {
     const Vector3d centre = middle(signals);
     Eigen::Matrix3Xd held(3, w.cols());
     for (Eigen::Index k = 0; k < w.cols(); ++k)
-      held.col(k) = stiffness.cwiseProduct(Vector3d(signals.position.col(k) + signals.R_BS[static_cast<std::size_t>(k)] * r - centre)) - pull;
-    addWorldForce(signals, held, r, w);
+      held.col(k) = stiffness.cwiseProduct(Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre)) - pull;
+    addWorldForce(R_BS, held, r, w);
   }
 };
 

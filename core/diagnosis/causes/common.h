@@ -35,10 +35,10 @@ inline std::vector<Parameter> withPlace(std::vector<Parameter> parameters) {
   return parameters;
 }
 
-/// Adds world-fixed forces (B axes, a column an instant) that act at r from S's origin (S axes).
-inline void addWorldForce(const Signals& signals, const Eigen::Matrix3Xd& force_B, const Vector3d& r, Wrenches& w) {
+/// Adds world-fixed forces (B axes, a column an instant) that act at r from S's origin (S axes). `R_BS`: axesOf().
+inline void addWorldForce(const std::vector<Matrix3d>& R_BS, const Eigen::Matrix3Xd& force_B, const Vector3d& r, Wrenches& w) {
   for (Eigen::Index k = 0; k < w.cols(); ++k) {
-    const Vector3d f = signals.R_BS[static_cast<std::size_t>(k)].transpose() * force_B.col(k);
+    const Vector3d f = R_BS[static_cast<std::size_t>(k)].transpose() * force_B.col(k);
     w.col(k).head<3>() += f;
     w.col(k).tail<3>() += r.cross(f);
   }
@@ -50,6 +50,13 @@ inline void changeJoints(const Signals& signals, Kinematics& kinematics, const M
   kinematics.specificForce += moved.specificForce - signals.kinematics.specificForce;
   kinematics.omega += moved.omega - signals.kinematics.omega;
   kinematics.alpha += moved.alpha - signals.kinematics.alpha;
+  if (!kinematics.turned) {
+    kinematics.turned = moved.turned;
+    return;
+  }
+  auto axes = std::make_shared<std::vector<Matrix3d>>(*kinematics.turned);
+  for (std::size_t k = 0; k < axes->size(); ++k) (*axes)[k] *= signals.R_BS[k].transpose() * (*moved.turned)[k];
+  kinematics.turned = std::move(axes);
 }
 
 /// Changes velocity and acceleration by `change`, which takes and returns one of them in B axes, and leaves gravity as it is.

@@ -18,9 +18,9 @@ class ConstantPull final : public Cause {
     out.back().scan = {0, 1, 2};
     return out;
   }
-  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     // The tool is pulled by F, so the sensor holds it with -F.
-    addWorldForce(signals, -v.head<3>().replicate(1, signals.size()),
+    addWorldForce(axesOf(signals, kin), -v.head<3>().replicate(1, signals.size()),
                   v.size() > 3 ? Vector3d(v.segment<3>(3)) : Vector3d(Vector3d::Zero()), w);
   }
 };

@@ -9,9 +9,8 @@ constexpr double kStick = 0.003;        ///< [m/s] below which friction fades
 constexpr double kStickAngular = 0.02;  ///< [rad/s]
 
 /// Velocity of the point r (S axes), B axes.
-Vector3d velocityAt(const Signals& signals, Eigen::Index k, const Vector3d& r) {
-  return signals.velocity.col(k) +
-         signals.R_BS[static_cast<std::size_t>(k)] * Vector3d(signals.kinematics.omega.col(k)).cross(r);
+Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index k, const Matrix3d& R_BS, const Vector3d& r) {
+  return signals.velocity.col(k) + R_BS * Vector3d(kin.omega.col(k)).cross(r);
 }
 
 /// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a place
@@ -50,14 +49,15 @@ class ViscousDrag final : public Resistance {
         {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
     return out;
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const int kind = form.choice[0];
+    const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
-      if (kind == 1 || kind == 2) w.col(k).tail<3>() += v(kind - 1) * signals.kinematics.omega.col(k);
+      const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
+      if (kind == 1 || kind == 2) w.col(k).tail<3>() += v(kind - 1) * kin.omega.col(k);
       if (kind == 1) continue;
       const Vector3d r = kind == 3 ? Vector3d(v.segment<3>(1)) : Vector3d(Vector3d::Zero());
-      Vector3d velocity = velocityAt(signals, k, r);
+      Vector3d velocity = velocityAt(signals, kin, k, R, r);
       if (kind == 4) velocity = velocity.cwiseProduct(Vector3d(v.head<3>()));
       const Vector3d f = R.transpose() * (kind == 4 ? velocity : Vector3d(v(0) * velocity));
       w.col(k).head<3>() += f;
@@ -88,19 +88,20 @@ class CoulombFriction final : public Resistance {
     }
     return out;
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const int kind = form.choice[0];
+    const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     const double dt = 1.0 / signals.rateHz;
     Vector3d z = Vector3d::Zero();
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+      const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
       if (kind == 1 || kind == 2) {
-        const Vector3d omega = signals.kinematics.omega.col(k);
+        const Vector3d omega = kin.omega.col(k);
         w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
       if (kind == 1) continue;
       const Vector3d r = kind == 3 || kind == 4 ? Vector3d(v.segment<3>(kind - 2)) : Vector3d(Vector3d::Zero());
-      const Vector3d velocity = velocityAt(signals, k, r);
+      const Vector3d velocity = velocityAt(signals, kin, k, R, r);
       const double stick = kind == 3 ? v(4) : kStick;
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
       if (kind == 4) {

@@ -19,8 +19,9 @@ class GravityTilt final : public Cause {
   void geometry(const Form&, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     const auto [x, y] = acrossGravity(signals.gravity);
     const Vector3d change = rotationFromVector(v(0) * x + v(1) * y) * signals.gravity - signals.gravity;
+    const std::vector<Matrix3d>& R_BS = axesOf(signals, kinematics);
     for (Eigen::Index k = 0; k < signals.size(); ++k)
-      kinematics.specificForce.col(k) -= signals.R_BS[static_cast<std::size_t>(k)].transpose() * change;
+      kinematics.specificForce.col(k) -= R_BS[static_cast<std::size_t>(k)].transpose() * change;
   }
 };
 

@@ -28,13 +28,14 @@ class Touch final : public Cause {
       }
     return out;
   }
-  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics&, Wrenches& w) const override {
+  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+    const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     const auto [from, to] = stretch(v);
     const auto first = std::max<Eigen::Index>(0, static_cast<Eigen::Index>((from - signals.startTime) * signals.rateHz));
     for (Eigen::Index k = first; k < w.cols() && signals.time(k) < to; ++k) {
       if (signals.time(k) < from) continue;
       const double level = std::pow(std::sin(std::numbers::pi * (signals.time(k) - from) / (to - from)), 2);
-      const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+      const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
       // The tool is pushed by F (base axes), so the sensor holds it with -F; its torque turns with the tool.
       w.col(k).head<3>() -= level * (R.transpose() * v.segment<3>(1));
       w.col(k).tail<3>() += level * v.segment<3>(4);

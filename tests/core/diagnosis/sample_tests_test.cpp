@@ -58,6 +58,28 @@ TEST(SampleTests, CoarseStepsAreNoEndOfTheRange) {
     }
 }
 
+/// Where there are many, one has another three rows away, or stands beside a step of the load.
+TEST(SampleTests, SpikesThatHideOneAnotherAreFound) {
+  const Recording clean = aRecording(MotionKind::pickAndPlace, 24);
+  WrenchSamples wrench = clean.wrench;
+  std::uint64_t state = 7;
+  const auto drawn = [&] { return static_cast<double>((state = state * 6364136223846793005u + 1442695040888963407u) >> 33) / 2147483648.0; };
+  Eigen::Index spikes = 0;
+  for (Eigen::Index i = 10; i + 10 < wrench.rows(); ++i)
+    for (int c = 0; c < 6; ++c) {
+      if (drawn() > 0.01) continue;
+      wrench(i, c) += (drawn() < 0.5 ? -1.0 : 1.0) * (c < 3 ? 10.0 : 0.5);
+      ++spikes;
+    }
+  Eigen::Index replaced = 0;
+  const WrenchSamples out = withoutSpikes(wrench, replaced);
+  ASSERT_GT(spikes, 500);
+  Eigen::Index left = 0;
+  for (Eigen::Index i = 10; i + 10 < wrench.rows(); ++i)
+    for (int c = 0; c < 6; ++c) left += std::abs(out(i, c) - clean.wrench(i, c)) > (c < 3 ? 5.0 : 0.25) ? 1 : 0;
+  EXPECT_LT(static_cast<double>(left), 0.002 * static_cast<double>(spikes));
+}
+
 TEST(SampleTests, AFewReadingsAtTheEndOfTheRangeAreSeen) {
   for (const double share : {1.5, 4.0, 12.0})
     for (const auto motion : {MotionKind::free, MotionKind::excitation}) {
