@@ -110,7 +110,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   Searched out;
   if (*std::ranges::max_element(plain) > plain[at] + kClearly) {
     at = leastSmoothed(plain);
-    if (!contains(options.hidden, "derivative_noise")) out.noisy = noisyMotion(ways.front(), ways[at], plain[at] - plain.front());
+    if (!contains(options.hidden, "derivative_noise")) out.noisy = noisyMotion(readings.cleaned, ways.front(), ways[at], plain[at] - plain.front());
     for (Way& way : ways) way.signals.noisyMotion = out.noisy.has_value();
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
@@ -210,18 +210,25 @@ bool ownSmoothing(const Work& work, std::string_view cause) {
   return over < (swings ? kEnlarged : 1.0);
 }
 
-/// Whether any amplitude of `cause` is known to differ from none.
+/// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
 bool standsOut(const Fit& fit, std::string_view cause) {
   constexpr double kDeviations = 3.0;
   const VectorXd std = fit.std();
+  std::vector<Eigen::Index> all;
+  std::vector<double> sizes;
   Eigen::Index at = kLinear;
   for (const Term& term : fit.model.terms) {
-    if (term.form->cause->id() == cause)
-      for (const int p : term.form->scan)
-        if (term.moves(p) && std::abs(term.v(p) - term.form->start(p)) > kDeviations * std(at + p)) return true;
+    for (const int p : term.form->scan) {
+      if (term.form->cause->id() != cause || !term.moves(p)) continue;
+      all.push_back(at + p);
+      sizes.push_back(term.v(p) - term.form->start(p));
+      if (std::abs(sizes.back()) > kDeviations * std(all.back())) return true;
+    }
     at += term.v.size();
   }
-  return false;
+  if (all.size() < 2) return false;
+  const Eigen::Map<const VectorXd> size(sizes.data(), std::ssize(sizes));
+  return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) > kDeviations * kDeviations * static_cast<double>(all.size());
 }
 
 /// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing speaks for it.

@@ -232,6 +232,19 @@ namespace {
 
 enum class Weights { coloured, whiteFirst };
 
+/// Deviations `sd` a priori with next to none for the parameters that a form does not scan, in which it is not linear.
+VectorXd heldWhereBent(const Model& model, VectorXd sd) {
+  constexpr double kHeld = 1e-9;  ///< Of a parameter's size
+  Eigen::Index at = kLinear;
+  for (const Term& term : model.terms) {
+    for (Eigen::Index p = 0; p < term.v.size(); ++p)
+      if (std::ranges::find(term.form->scan, static_cast<int>(p)) == term.form->scan.end())
+        sd(at + p) = kHeld * term.form->parameters[static_cast<std::size_t>(p)].size;
+    at += term.v.size();
+  }
+  return sd;
+}
+
 Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights) {
   Fit fit;
   fit.model = std::move(start);
@@ -258,12 +271,17 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     const Normal normal(J, sd);
     const VectorXd step = normal.solve(J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
+    const auto betters = [&](const Model& model) { return misfit(signals, stretches, fit.noise, model, sd) <= before; };
     Model next = fit.model;
     double factor = 1.0;
     for (int half = 0; half < 4; ++half, factor *= 0.4) {
       next = moved(fit.model, step, factor);
-      if (fit.model.terms.empty() || misfit(signals, stretches, fit.noise, next, sd) <= before) break;
-      if (half == 3) next = fit.model;
+      if (fit.model.terms.empty() || betters(next)) break;
+      if (half < 3) continue;
+      // A time, a frequency or so leads astray, such as that of a step between two samples: then what is linear moves alone.
+      const VectorXd held = heldWhereBent(fit.model, sd);
+      next = moved(fit.model, Normal(J, held).solve(J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2())), 1.0);
+      if (!betters(next)) next = fit.model;
     }
     if (learnsWalk) learnWalk(next, normal.inverse());
     State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), std::move(at.jacobian)};
@@ -333,8 +351,13 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
     const Wrenches residual = signals.measured - around.value;
     const ChannelColumns J(whitened(around.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
-    const VectorXd g = J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2());
-    model = moved(model, Normal(J, sd).solve(g), 1.0);
+    const VectorXd step = Normal(J, sd).solve(J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2()));
+    Model next = moved(model, step, 1.0);
+    // A step too far, such as between two forms that do nearly the same, is a shorter one.
+    const double before = r.squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
+    for (double factor = 0.3; factor > 0.01 && !fit.model.terms.empty() && misfit(signals, stretches, fit.noise, next, sd) > before; factor *= 0.3)
+      next = moved(model, step, factor);
+    model = std::move(next);
     if (fit.model.terms.empty()) break;
   }
   return model;

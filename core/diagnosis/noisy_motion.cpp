@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/diagnosis/named.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
@@ -14,18 +16,38 @@ WrenchRms leftOver(const Way& way) {
   return rmsOf(stretches, fitModel(way.signals, stretches, Model{}).residual);
 }
 
+/// Standard deviation of what changes from row to row of the noisiest column and is no motion: third differences.
+template <class Columns>
+double noiseFromRowToRow(const Columns& columns) {
+  constexpr double kThird = 4.472135955;  // Root of 1 + 9 + 9 + 1
+  double out = 0.0;
+  const Eigen::Index n = columns.rows() - 3;
+  for (Eigen::Index c = 0; c < columns.cols() && n > 0; ++c) {
+    std::vector<double> differences(static_cast<std::size_t>(n));
+    for (Eigen::Index i = 0; i < n; ++i)
+      differences[static_cast<std::size_t>(i)] = std::abs(columns(i + 3, c) - 3.0 * columns(i + 2, c) + 3.0 * columns(i + 1, c) - columns(i, c));
+    out = std::max(out, 1.4826 * median(std::move(differences)) / kThird);
+  }
+  return out;
+}
+
+/// Of the angles [rad], or of the pose: position [m] and orientation [rad], whichever is greater.
+double noiseOfMotion(const Recording& recording) {
+  if (recording.q.rows() > 0) return noiseFromRowToRow(recording.q);
+  return std::max(noiseFromRowToRow(recording.position), 2.0 * noiseFromRowToRow(recording.quaternion));
+}
+
 }  // namespace
 
-std::optional<NoisyMotion> noisyMotion(const Way& usual, const Way& smoothed, double evidence) {
+std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed, double evidence) {
   // Of 260 recordings, whatever was wrong with them, noise became 2.4 times smaller at most, and 1.75 times where a robot reports
-  // its angles late and unevenly; noisy angles began at 2.7. Forces changed threefold at most where nobody had made the motion
-  // noisy but the sensor was a very quiet one, and 25 times or more where somebody had.
-  constexpr double kTimes = 2.2, kPlain = 8.0;
+  // its angles late and unevenly; noisy angles began at 2.7. So did, now and then, motion with the noise that a robot's has, 2.5e-5
+  // at most, under a quiet sensor; where somebody had made it noisy, it had 3e-4 or more.
+  constexpr double kTimes = 2.2, kPlain = 1e-4;
   const auto judged = static_cast<double>(std::ranges::count(usual.signals.usable, true));
   if (evidence < 12.0 * judged * std::log(kTimes)) return {};
-  NoisyMotion out{leftOver(usual), leftOver(smoothed), smoothed.cutoffHz, false};
+  NoisyMotion out{leftOver(usual), leftOver(smoothed), smoothed.cutoffHz, noiseOfMotion(recording) > kPlain};
   if (out.usual.force < kTimes * out.smoothed.force) return {};
-  out.plain = out.usual.force > kPlain * out.smoothed.force;
   return out;
 }
 

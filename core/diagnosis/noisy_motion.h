@@ -10,10 +10,10 @@ namespace heft::diagnosis {
 struct NoisyMotion {
   WrenchRms usual, smoothed;  ///< Left over by bias and payload with the usual smoothing, and with as much as is needed
   double cutoffHz = 0.0;      ///< Of that smoothing
-  bool plain = false;         ///< So noisy that somebody should mend it; otherwise the sensor is just a very quiet one
+  bool plain = false;         ///< Noisier than a robot's encoders are; otherwise the sensor is just a quiet one
 };
 
 /// None where more smoothing hardly helps. `evidence`: of `smoothed` over `usual`, by bias and payload alone.
-std::optional<NoisyMotion> noisyMotion(const Way& usual, const Way& smoothed, double evidence);
+std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed, double evidence);
 
 }  // namespace heft::diagnosis

@@ -73,7 +73,10 @@ std::optional<int> channelOf(std::string_view name) {
   return std::nullopt;
 }
 
-bool isAxis(std::string_view text) { return text == "x" || text == "y" || text == "z"; }
+/// One, or a pair of them.
+bool isAxis(std::string_view text) {
+  return text == "x" || text == "y" || text == "z" || text == "xy" || text == "xz" || text == "yz";
+}
 
 std::string wordsOf(std::string_view name) {
   for (const Name& each : kNames)

@@ -1,12 +1,12 @@
 #pragma once
-// Naming causes one after the other, each by the evidence it adds, with a look back after every step.
+// Naming causes one after the other, each by the evidence it adds. What could stand in their place is asked in the end: look_back.h.
 #include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "core/base/progress.h"
-#include "core/diagnosis/scan.h"
+#include "core/diagnosis/trials.h"
 
 namespace heft::diagnosis {
 
@@ -51,22 +51,21 @@ bool tied(const Found& found, const Rival& rival);
 struct Search {
   Fit null;   ///< Bias and payload alone
   Fit final;  ///< With everything accepted
-  std::vector<Found> found;  ///< By cause, in the order of acceptance
+  std::vector<std::string> order;  ///< Causes in `final`, in the order of acceptance
+  Tried accepted;                  ///< The trials that the last of them was chosen from
+  std::vector<Found> found;  ///< By cause, in that order, once lookBack() has compared them
   bool givenUp = false;      ///< `final` has the first cause and nothing was compared
 };
 
 /// Terms of `cause` are one cause: `without` takes them all out.
 Model without(const Model& model, std::string_view cause);
 
-/// `bank`: of these signals.
+/// `bank`: of these signals. Nothing is compared yet.
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
               const Progress& progress);
 
 /// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it.
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
                              std::span<const std::string_view> causes);
-
-/// False for a payload or parameters that cannot be: then a fit explains nothing.
-bool believable(const Fit& fit);
 
 }  // namespace heft::diagnosis

@@ -148,8 +148,8 @@ Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double
   const Weights step = integral(1.0), beginning = integral(part);
   const auto back = static_cast<Eigen::Index>(whole);  // To the sample before the mean begins, a negative number
   return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
-    // Since `back` before the first sample, where what it is then has always been.
-    Column<Rows> sum = static_cast<double>(-back) * u.col(0);
+    Column<Rows> sum = Column<Rows>::Zero(u.rows());  // From `back` to k
+    for (Eigen::Index k = back; k < 0; ++k) sum += weighed<Rows>(u, k - 1, step);
     for (Eigen::Index k = 0; k < out.cols(); ++k) {
       out.col(k) = (sum - weighed<Rows>(u, k + back - 1, beginning)) / samples;
       sum += weighed<Rows>(u, k - 1, step) - weighed<Rows>(u, k + back - 1, step);

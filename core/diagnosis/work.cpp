@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/base/say.h"
+#include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/estimation/prepare.h"
@@ -268,23 +269,29 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   work.bank = SignatureBank(signals, options.hidden);
   if (holes.empty()) {
     work.search = search(signals, work.stretches, work.bank, searching, progress);
-    if (!work.search.givenUp) setTouchesAside(work);
+    if (work.search.givenUp) return work;
+    lookBack(signals, work.stretches, work.bank, searching, work.search, progress);
+    setTouchesAside(work);
     return work;
   }
-  // Contact first; what the causes found elsewhere account for is no contact.
+  // Contact first; what the causes found elsewhere account for is no contact. Only what is left in the end is compared.
+  constexpr int kRounds = 3;
   const Signals whole = signals;
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     signals = whole;
     leaveOut(signals, holes);
     work.stretches = stretchesOf(signals.usable);
     work.search = search(signals, work.stretches, work.bank, searching, progress);
     if (work.search.givenUp) return work;
     searching.givesUp = {};
-    searching.start = work.search.final.model;
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty())
       work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes);
-    if (work.contacts.size() == holes.size() || progress.cancelled()) break;
+    const auto last = [&] { return work.contacts.size() == holes.size() || round + 1 == kRounds || progress.cancelled(); };
+    if (last() && lookBack(signals, work.stretches, work.bank, searching, work.search, progress))
+      work.contacts = contactsIn(whole, work.search.final, holes);
+    if (last()) break;
+    searching.start = work.search.final.model;
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
   }

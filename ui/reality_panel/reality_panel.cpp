@@ -187,14 +187,16 @@ void RealityPanel::markPull() {
   PullMark mark;
   double within = 0.0, sum = 0.0, length = 0.0;
   bool placed = false;  // Where it is fixed is found itself; otherwise that is where its force would be none
-  Vector3d stiffness = Vector3d::Zero();
+  Matrix3d stiffness = Matrix3d::Zero();
+  Vector3d pull = Vector3d::Zero(), pullStd = Vector3d::Zero(), std = Vector3d::Zero();
   std::array<const VectorXd*, 3> place{};
   for (int i = 0; i < 3; ++i) {
     const std::string axis(1, static_cast<char>('x' + i));
-    double pull = 0.0, pullStd = 0.0, std = 0.0;
     for (const auto& p : cause->parameters) {
-      if (p.name == "stiffness" || p.name == "stiffness_" + axis) stiffness(i) = p.value, std = p.std;
-      if (p.name == "force_" + axis) pull = p.value, pullStd = p.std;
+      if (p.name == "stiffness" || p.name == "stiffness_" + axis) stiffness(i, i) = p.value, std(i) = p.std;
+      for (int j = 0; j < i; ++j)
+        if (p.name == std::string("stiffness_") + "xyz"[j] + axis) stiffness(i, j) = stiffness(j, i) = p.value;
+      if (p.name == "force_" + axis) pull(i) = p.value, pullStd(i) = p.std;
       if (p.name == "length") length = 1e-3 * p.value;
       if (p.name != "anchor_" + axis) continue;
       placed = true;
@@ -204,17 +206,20 @@ void RealityPanel::markPull() {
     for (const auto& w : now.witnesses)
       if (w.id == "position_" + axis) place[static_cast<std::size_t>(i)] = &w.value;
     // A soft axis does not tell a place.
-    if (!place[static_cast<std::size_t>(i)] || stiffness(i) < 3.0 * std || !(stiffness(i) > 0.0)) return;
-    if (placed) continue;
-    const double away = pull / stiffness(i);
-    mark.anchor(i) = place[static_cast<std::size_t>(i)]->mean() + away;
-    within = std::max(within, std::hypot(pullStd, away * std) / stiffness(i));
+    if (!place[static_cast<std::size_t>(i)] || stiffness(i, i) < 3.0 * std(i) || !(stiffness(i, i) > 0.0)) return;
+  }
+  const Eigen::LLT<Matrix3d> solver(stiffness);
+  if (solver.info() != Eigen::Success) return;
+  const Vector3d away = solver.solve(pull);
+  for (int i = 0; i < 3 && !placed; ++i) {
+    mark.anchor(i) = place[static_cast<std::size_t>(i)]->mean() + away(i);
+    within = std::max(within, std::hypot(pullStd(i), away(i) * std(i)) / stiffness(i, i));
   }
   const Eigen::Index blocks = place[0]->size();
   for (Eigen::Index n = 0; n < blocks; ++n) {
     const Vector3d way = Vector3d((*place[0])(n), (*place[1])(n), (*place[2])(n)) - mark.anchor;
     const double far = way.norm();
-    if (far > length) sum += stiffness.cwiseProduct((1.0 - length / far) * way).norm();
+    if (far > length) sum += ((1.0 - length / far) * (stiffness * way)).norm();
   }
   mark.title = tr("Something pulls from here");
   mark.note = tr("within %1 cm, %2 N on average")

@@ -10,7 +10,7 @@ namespace {
 
 Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean(); }
 
-enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4 };  ///< Form::choice
+enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5 };  ///< Form::choice
 
 /// Where the tool was at the middle of each of up to 200 parts of the recording.
 std::vector<Vector3d> places(const Signals& signals) {
@@ -84,6 +84,12 @@ class CablePull final : public Cause {
       three.insert(three.end(), pull.begin(), pull.end());
       add(kPerAxis, "different along each axis", three, place);
       out.back().scan = {0, 1, 2, 3, 4, 5};
+      // Stiffest along a line that is none of the base's axes.
+      std::vector<Parameter> six(three.begin(), three.begin() + 3);
+      for (const char* pair : {"xy", "xz", "yz"}) six.push_back({fmt::format("stiffness_{}", pair), "N/m", 1.0, 1.0, -200.0, 200.0});
+      six.insert(six.end(), pull.begin(), pull.end());
+      add(kAllWays, "stiffest along any line", six, place);
+      out.back().scan = {0, 1, 2, 3, 4, 5, 6, 7, 8};
       std::ranges::move(tautForms(this, signals), std::back_inserter(out));
     }
     add(kTwist, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, 0.0, 20.0}},
@@ -111,15 +117,20 @@ class CablePull final : public Cause {
       }
       return;
     }
-    const bool perAxis = form.choice[0] == kPerAxis;
-    const Eigen::Index at = perAxis ? 3 : 1;
-    const Vector3d stiffness = perAxis ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
+    const bool allWays = form.choice[0] == kAllWays, alike = !allWays && form.choice[0] != kPerAxis;
+    const Eigen::Index at = allWays ? 6 : alike ? 1 : 3;
+    Matrix3d stiffness = (alike ? Vector3d(Vector3d::Constant(v(0))) : Vector3d(v.head<3>())).asDiagonal();
+    if (allWays) {
+      stiffness(0, 1) = stiffness(1, 0) = v(3);
+      stiffness(0, 2) = stiffness(2, 0) = v(4);
+      stiffness(1, 2) = stiffness(2, 1) = v(5);
+    }
     const Vector3d pull = v.segment<3>(at);
     const Vector3d r = v.size() > at + 3 ? Vector3d(v.segment<3>(at + 3)) : Vector3d(Vector3d::Zero());
     const Vector3d centre = middle(signals);
     Eigen::Matrix3Xd held(3, w.cols());
     for (Eigen::Index k = 0; k < w.cols(); ++k)
-      held.col(k) = stiffness.cwiseProduct(Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre)) - pull;
+      held.col(k) = stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
   }
 };

@@ -2,6 +2,7 @@
 // Small things that the causes share.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -86,7 +87,8 @@ inline std::pair<Vector3d, Vector3d> acrossGravity(const Vector3d& gravity) {
 
 /// How far [0, 1] an event at t0 that takes `duration` has gone at time t.
 inline double stepAt(double t, double t0, double duration) {
-  return std::min(1.0, std::max(0.0, 0.5 + (t - t0) / std::max(duration, 1e-3)));
+  constexpr double kShortest = 5e-3;  // [s] A sample: readings are means over one
+  return std::clamp(0.5 + (t - t0) / std::max(duration, kShortest), 0.0, 1.0);
 }
 
 /// Times [s] between which an event may change the rest of the recording: close to an end there is nothing to compare.

@@ -35,7 +35,7 @@ class PayloadChange final : public Cause {
       for (const double middle : {0.3, 0.5, 0.7}) out.push_back(change("by and by", signals.startTime + middle * T, part * T, 2.0 * T));
     return out;
   }
-  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const double m = v(1);
     const Vector3d h = v.segment<3>(2);
     // What was picked up is small: its inertia is that of a point where its weight acts, h / m, as long as that is near.
@@ -43,7 +43,7 @@ class PayloadChange final : public Cause {
     const double size = m * m + h.squaredNorm() / (kFar * kFar);
     const Vector3d place = size > 0.0 ? Vector3d(m / size * h) : Vector3d(Vector3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const double share = stepAt(signals.time(k), v(0), v(5));
+      const double gone = stepAt(signals.time(k), v(0), v(5)), share = form.atOnce ? gone * gone * (3.0 - 2.0 * gone) : gone;
       if (share <= 0.0) continue;
       const Vector3d s = kin.specificForce.col(k), o = kin.omega.col(k), a = kin.alpha.col(k);
       w.col(k).head<3>() += share * (m * s + a.cross(h) + o.cross(o.cross(h)));

@@ -1,6 +1,5 @@
 // Effects hidden in simulated recordings must be named; clean recordings must not raise an alarm. The effects come from the
 // simulator, which knows nothing of the catalogue. A larger run is tests/benchmarks/diagnosis_study.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -500,68 +499,6 @@ TEST(Diagnose, ThresholdFromSurrogatesIsReproducible) {
 }
 
 }  // namespace
-/// A part inside the sensor bends with the load and slips early: a loop of 3 % of each channel's range. It looked like a delay.
-TEST(Diagnose, ALoopThatTurnsAtOnceIsHysteresis) {
-  const Recording still = aRecording(MotionKind::excitation, 261);
-  Recording recording = still;
-  constexpr double kHeight = 0.03;
-  for (int c = 0; c < 6; ++c) {
-    const double reach = 0.5 * kHeight * (recording.wrench.col(c).maxCoeff() - recording.wrench.col(c).minCoeff());
-    double bend = 0.0, last = recording.wrench(0, c);
-    for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-      // What the gauges' noise does is no load.
-      const Eigen::Index from = std::max<Eigen::Index>(0, i - 20), to = std::min(recording.rows(), i + 21);
-      const double load = still.wrench.col(c).segment(from, to - from).mean();
-      bend = std::clamp(bend + load - last, -reach, reach);
-      last = load;
-      recording.wrench(i, c) += bend;
-    }
-  }
-  const auto report = diagnosed(recording);
-  ASSERT_FALSE(report.causes.empty()) << said(report);
-  EXPECT_EQ(report.causes.front().id, "hysteresis") << said(report);
-  EXPECT_EQ(report.causes.size(), 1u) << said(report);
-  const auto& parameters = report.causes.front().parameters;
-  const auto loop = std::ranges::find(parameters, "loop", &CauseParameter::name);
-  ASSERT_NE(loop, parameters.end()) << said(report);
-  EXPECT_NEAR(std::abs(loop->value), 100.0 * kHeight, 0.2) << said(report);
-}
-
-/// A rail: along it the tool hardly rubs, across it it does. It was drag beside friction.
-TEST(Diagnose, FrictionMayDifferAlongEachAxis) {
-  Recording recording = aRecording(MotionKind::excitation, 262);
-  MotionOptions smoothing;
-  smoothing.cutoffHz = 25.0;
-  const auto motion = motionOf(recording, &RobotModel::panda(), smoothing).value();
-  const Vector3d friction(0.2, 1.0, 0.4);  // [N]
-  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const auto k = std::clamp<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
-    const Vector3d v = motion.velocity.col(k);
-    const Vector3d f = friction.cwiseProduct(v / std::max(v.norm(), 0.002));
-    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * f).transpose();
-  }
-  const auto report = diagnosed(recording);
-  ASSERT_EQ(report.causes.size(), 1u) << said(report);
-  EXPECT_EQ(report.causes.front().id, "coulomb_friction") << said(report);
-  const auto& parameters = report.causes.front().parameters;
-  for (int i = 0; i < 3; ++i) {
-    const auto size = std::ranges::find(parameters, fmt::format("friction_{}", "xyz"[i]), &CauseParameter::name);
-    ASSERT_NE(size, parameters.end()) << said(report);
-    EXPECT_NEAR(size->value, friction(i), 0.05) << i;
-  }
-}
-
-/// Exactly the same where the joint's axis goes through the sensor, whatever else there is.
-TEST(Diagnose, ATurnedLastJointIsTiedWithATurnedSensor) {
-  Recording recording = aRecording(MotionKind::excitation, 263, {{"viscous_drag", "", 3.0}});
-  recording.q.col(6).array() -= 0.03;
-  const auto report = diagnosed(recording);
-  const auto turned = std::ranges::find_if(report.causes, [](const auto& c) { return c.id == "sensor_rotation" || c.id == "joint_offset"; });
-  ASSERT_NE(turned, report.causes.end()) << said(report);
-  const std::string other = turned->id == "joint_offset" ? "sensor_rotation" : "joint_offset";
-  EXPECT_NE(std::ranges::find(turned->alternatives, other), turned->alternatives.end()) << said(report);
-}
-
 /// With frames mixed up, nothing of what moves can be told from noise: how much the motion must be smoothed is asked once they are
 /// put right. It was told of noisy accelerations twice.
 TEST(Diagnose, FramesArePutRightBeforeSmoothingIsChosen) {

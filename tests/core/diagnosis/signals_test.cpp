@@ -41,6 +41,16 @@ TEST(OnePole, HasTheGainAndLagOfTheEquation) {
   }
 }
 
+TEST(MeanSince, HasTheGainAndLagOfAMean) {
+  for (const double duration : {1e-4, 7e-3, 0.0333, 0.2}) {
+    const double half = std::numbers::pi * 3.0 * duration, gain = std::sin(half) / half;
+    const MatrixXd error = meanSince(wave(3.0), duration, kRate).row(0) - gain * wave(3.0, 0.5 * duration).row(0);
+    EXPECT_LT(error.middleCols(60, 700).cwiseAbs().maxCoeff(), 2e-5) << duration;
+    const MatrixXd ones = MatrixXd::Constant(6, 100, 7.0);
+    EXPECT_LT((meanSince(ones, duration, kRate) - ones).cwiseAbs().maxCoeff(), 1e-9) << duration;
+  }
+}
+
 TEST(ThroughSpring, HasTheResponseOfTheEquation) {
   for (const double rings : {12.0, 35.0, 60.0, 250.0})
     for (const double f : {0.5, 3.0, 8.0}) {

@@ -1,0 +1,214 @@
+#include "core/diagnosis/trials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "core/diagnosis/search.h"
+#include "core/diagnosis/two_threads.h"
+#include "core/diagnosis/wandering.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
+constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
+constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
+
+Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Candidate& candidate) {
+  Trial out;
+  out.cause = candidate.form.cause->id();
+  const Candidate& placed = candidate.form.atOnce && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
+  Model model = base.model;
+  model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
+  out.choicePenalty = candidate.choicePenalty;
+  out.promised = candidate.score;
+  out.fit = fitModel(signals, stretches, std::move(model), 3);
+  // A walk makes steps of its own, too: where the zero is known to walk, a jump of it or of the load is more.
+  const bool maybeWalk = (out.cause == "sensor_bias" || out.cause == "payload_change") && contains(base.model, kWandering);
+  if (maybeWalk && !jumpStandsOut(signals, stretches, base, out.fit)) return out;
+  weigh(out, base, signals);
+  return out;
+}
+
+/// Whether another term of the form can add to the model: one with a place of its own may come again, any other that is
+/// already in can not. Beside a drift a walk is none: what a straight line leaves has richer forms of drift.
+bool mayAdd(const Form& form, const Model& model) {
+  if (form.walk && contains(model, "bias_drift")) return false;
+  return form.local || std::none_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
+           return t.form->cause == form.cause && (t.form->name == form.name || t.form->alone || form.alone);
+         });
+}
+
+/// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything else.
+double standsOut(const Fit& fit, std::size_t at) {
+  Eigen::Index from = kLinear;
+  for (std::size_t i = 0; i < at; ++i) from += fit.model.terms[i].v.size();
+  const Term& term = fit.model.terms[at];
+  std::vector<Eigen::Index> own;
+  for (const int p : term.form->scan)
+    if (term.moves(p)) own.push_back(from + p);
+  if (own.empty() || term.form->walk) return 0.0;
+  VectorXd size(std::ssize(own));
+  for (Eigen::Index i = 0; i < size.size(); ++i) {
+    const Eigen::Index p = own[static_cast<std::size_t>(i)] - from;
+    size(i) = term.v(p) - term.form->start(p);
+  }
+  const MatrixXd covariance = fit.covariance(own, own);
+  return size.dot(covariance.ldlt().solve(size));
+}
+
+}  // namespace
+
+bool contains(const Model& model, std::string_view cause) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) { return causeOf(t) == cause; });
+}
+
+void weigh(Trial& trial, const Fit& base, const Signals& signals) {
+  const Term& term = trial.fit.model.terms.back();
+  trial.penalty = trial.choicePenalty + term.form->cause->doubt(*term.form, term.v, signals);
+  trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
+}
+
+void sortByGain(std::vector<Trial>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) { return a.gain > b.gain; });
+}
+
+std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
+  std::vector<const Candidate*> chosen;
+  // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less: the two
+  // do not compete for places.
+  std::array<std::map<std::string_view, std::vector<const Candidate*>>, 2> forms;
+  for (const auto& candidate : ranked) {
+    const bool whole = candidate.form.scan.size() == candidate.form.parameters.size();
+    // A first look at a walk promises too little: how far it goes is learned only in a fit.
+    if (candidate.form.walk) {
+      chosen.push_back(&candidate);
+      continue;
+    }
+    // In 134 recordings, one in 200 that promised less than kLeast gained enough, and next to nothing.
+    constexpr double kLeast = -12.0;
+    if (candidate.score < std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie))) continue;
+    auto& known = forms[whole ? 0 : 1];
+    const auto id = candidate.form.cause->id();
+    if (known.size() >= causes && !known.contains(id)) continue;
+    const std::size_t most = known.size() > 3 ? 2 : whole ? 4 : 8;
+    std::vector<const Candidate*>& same = known[id];
+    // Neighbours in frequency or time are the same thing.
+    const auto alike = std::count_if(same.begin(), same.end(),
+                                     [&](const Candidate* other) { return other->form.choice == candidate.form.choice; });
+    if (same.size() >= most || (alike >= 2 && !whole)) continue;
+    same.push_back(&candidate);
+    chosen.push_back(&candidate);
+  }
+  return chosen;
+}
+
+std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                            const std::vector<const Candidate*>& chosen) {
+  std::vector<Trial> all(chosen.size());
+  onTwoThreads(chosen.size(), [&](std::size_t i) { all[i] = tried(signals, stretches, base, *chosen[i]); });
+  sortByGain(all);
+  // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those that
+  // promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned alongside.
+  std::vector<Trial*> resting;
+  for (std::size_t i = 0; i < all.size() && resting.size() < 2 * kFinished; ++i) {
+    const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie;
+    if (all[i].gain > -1e299 && (i < kFinished || hopeful)) resting.push_back(&all[i]);
+  }
+  onTwoThreads(resting.size(), [&](std::size_t i) {
+    Trial& trial = *resting[i];
+    trial.fit = fitModel(signals, stretches, trial.fit.model);
+    weigh(trial, base, signals);
+    if (trial.gain > trial.promised - kTie) return;
+    trial.fit = settled(signals, stretches, std::move(trial.fit));
+    weigh(trial, base, signals);
+  });
+  sortByGain(all);
+  return all;
+}
+
+std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                          const std::vector<Candidate>& ranked) {
+  const double promised = ranked.front().score;
+  auto chosen = chosenOf(ranked, kTried, promised);
+  auto all = trialsOf(signals, stretches, base, chosen);
+  if (!all.empty() && all.front().gain >= kHopeful * promised) return all;
+  auto others = chosenOf(ranked, kTried, 0.0);
+  std::erase_if(others, [&](const Candidate* c) { return std::find(chosen.begin(), chosen.end(), c) != chosen.end(); });
+  auto more = trialsOf(signals, stretches, base, others);
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  sortByGain(all);
+  return all;
+}
+
+void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all) {
+  const std::size_t before = all.size();
+  for (std::size_t i = 0; i < base.model.terms.size(); ++i) {
+    const Term& term = base.model.terms[i];
+    if (!term.form->subset || std::ranges::all_of(term.form->scan, [&](int p) { return term.moves(p); })) continue;
+    Trial whole;
+    whole.cause = causeOf(term);
+    Model model = base.model;
+    model.terms[i].active.clear();
+    whole.fit = fitModel(signals, stretches, std::move(model));
+    if (!believable(whole.fit)) continue;
+    whole.gain = whole.fit.evidence - base.evidence;
+    all.push_back(std::move(whole));
+  }
+  if (all.size() > before) sortByGain(all);
+}
+
+std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
+                                std::span<const std::string_view> causes) {
+  return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {
+    return mayAdd(form, base.model) && (causes.empty() || std::ranges::find(causes, form.cause->id()) != causes.end());
+  }));
+}
+
+Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold) {
+  constexpr double kNeeded = 10.0;  // Times the threshold: what stands out like that is not fitted without, to be sure.
+  for (std::size_t i = 0; fit.model.terms.size() > 1 && i < fit.model.terms.size();) {
+    if (standsOut(fit, i) > kNeeded * threshold) {
+      ++i;
+      continue;
+    }
+    Model less = fit.model;
+    less.terms.erase(less.terms.begin() + static_cast<std::ptrdiff_t>(i));
+    Fit refit = fitModel(signals, stretches, std::move(less));
+    if (believable(refit) && fit.evidence - refit.evidence < threshold) {
+      fit = std::move(refit);
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  return fit;
+}
+
+bool believable(const Fit& fit) {
+  if (fit.atBound) return false;
+  const double mass = fit.model.x(6), sd = std::sqrt(std::max(0.0, fit.covariance(6, 6)));
+  if (mass < -3.0 * sd || mass > 60.0) return false;
+  if (!fit.model.packed().allFinite()) return false;
+  // Two events of one cause next to one another are one.
+  constexpr double kApart = 0.1;  // [s]
+  for (const Term& a : fit.model.terms)
+    for (const Term& b : fit.model.terms)
+      if (&a < &b && a.form->atOnce && b.form->atOnce && a.form->cause == b.form->cause && std::abs(a.v(0) - b.v(0)) < kApart) return false;
+  // What swings is a part of the payload, or all of it.
+  Eigen::Index at = kLinear;
+  for (const auto& term : fit.model.terms) {
+    const bool mount = causeOf(term) == "flexible_mount" && term.v.size() > 2, swings = mount || causeOf(term) == "loose_mass";
+    if (mount && term.v(0) < kLeastOnMount * mass) return false;
+    if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;
+    at += term.v.size();
+  }
+  const Vector3d com = Vector3d(fit.model.x.segment<3>(7)) / std::max(mass, 0.02);
+  return com.norm() < 1.5;
+}
+
+}  // namespace heft::diagnosis

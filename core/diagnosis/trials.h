@@ -1,0 +1,68 @@
+#pragma once
+// Causes tried around a model: which promise anything, what fits of them gain, which are needed.
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnosis/scan.h"
+
+namespace heft::diagnosis {
+
+constexpr std::size_t kRivals = 5;    ///< Causes that get a fit in the place of another
+constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the end
+
+inline std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
+
+/// Whether any term is of that cause.
+bool contains(const Model& model, std::string_view cause);
+
+/// A fit with one more term.
+struct Trial {
+  std::string cause;
+  Fit fit;
+  double choicePenalty = 0.0, penalty = 0.0;  ///< See Candidate; with the cause's own doubt
+  double promised = 0.0;  ///< By the first look
+  double gain = -1e300;
+};
+
+/// The trials around one model, kept since the look back may need them again.
+struct Tried {
+  Fit base;
+  std::vector<Trial> all;
+};
+
+/// What the trial's fit adds to `base`, for its price.
+void weigh(Trial& trial, const Fit& base, const Signals& signals);
+
+/// Better first; forms of one cause keep their order among themselves.
+void sortByGain(std::vector<Trial>& all);
+
+/// What each form that may still come promises around `base`, best first. `causes`: of these only, or of all if empty.
+std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
+                                std::span<const std::string_view> causes = {});
+
+/// The most promising causes' candidates, several forms of the first few, since what sets them apart may show only when
+/// everything moves. `toBeat`: evidence of the strongest, or of the cause whose place is in question.
+std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std::size_t causes, double toBeat);
+
+/// Full fits of the chosen ones, best first.
+std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                            const std::vector<const Candidate*>& chosen);
+
+/// Trials of what promises most. What did may come to nothing, such as a step at an impossible place: then everything gets
+/// its chance.
+std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                          const std::vector<Candidate>& ranked);
+
+/// The model with all parameters of one term, of which the first look had freed only some: what the others of the same cause
+/// explain needs no second name. Added to `all`, best first.
+void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all);
+
+/// Takes out again what the others have made needless.
+Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold);
+
+/// False for a payload or parameters that cannot be: then a fit explains nothing.
+bool believable(const Fit& fit);
+
+}  // namespace heft::diagnosis
