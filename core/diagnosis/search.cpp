@@ -12,12 +12,17 @@ namespace {
 constexpr double kShareOfWandering = 0.2;  ///< And of what they explain: the further it wanders, the more they leave
 
 /// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero that walks.
-double neededBeside(const Model& model, double explained, double wanders, std::string_view cause) {
+double neededBeside(const Model& model, double explained, double wanders, const Trial& trial) {
   constexpr double kShareOfFast = 0.02;  ///< What the form of one thing that changes fast forces leaves, another of them takes
+  constexpr double kEvent = 20.0, kShareOfEvents = 0.02;  ///< And an event at the right moment takes a little of anything
+  const std::string_view cause = trial.cause;
   double out = contains(model, kWandering) ? kBesideWandering + kShareOfWandering * wanders : 0.0;
   const auto fast = [](std::string_view id) { return (lags(id) || enlarges(id)) && id != "loose_mass"; };
   const bool another = std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && fast(causeOf(t)); });
   if (fast(cause) && another) out += kShareOfFast * explained;
+  const Term& added = trial.fit.model.terms.back();
+  const bool beside = std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && !t.form->walk; });
+  if (added.form->atOnce && causeOf(added) == cause && beside) out += kEvent + kShareOfEvents * explained;
   return out;
 }
 
@@ -61,7 +66,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto& all = latest.all;
     const auto enough = [&](const Trial& trial) {
       const double explained = out.final.evidence - out.null.evidence;
-      return trial.gain >= options.threshold + neededBeside(out.final.model, explained, wanders, trial.cause);
+      return trial.gain >= options.threshold + neededBeside(out.final.model, explained, wanders, trial);
     };
     const auto best = std::ranges::find_if(all, enough);
     if (best == all.end()) break;

@@ -201,7 +201,9 @@ bool believable(const Fit& fit) {
       if (&a < &b && a.form->atOnce && b.form->atOnce && a.form->cause == b.form->cause && std::abs(a.v(0) - b.v(0)) < kApart) return false;
   // What swings is a part of the payload, or all of it.
   Eigen::Index at = kLinear;
+  const VectorXd std = fit.std();
   for (const auto& term : fit.model.terms) {
+    if (!term.form->cause->possible(*term.form, term.v, std.segment(at, term.v.size()))) return false;
     const bool mount = causeOf(term) == "flexible_mount" && term.v.size() > 2, swings = mount || causeOf(term) == "loose_mass";
     if (mount && term.v(0) < kLeastOnMount * mass) return false;
     if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;

@@ -119,12 +119,7 @@ class CablePull final : public Cause {
     }
     const bool allWays = form.choice[0] == kAllWays, alike = !allWays && form.choice[0] != kPerAxis;
     const Eigen::Index at = allWays ? 6 : alike ? 1 : 3;
-    Matrix3d stiffness = (alike ? Vector3d(Vector3d::Constant(v(0))) : Vector3d(v.head<3>())).asDiagonal();
-    if (allWays) {
-      stiffness(0, 1) = stiffness(1, 0) = v(3);
-      stiffness(0, 2) = stiffness(2, 0) = v(4);
-      stiffness(1, 2) = stiffness(2, 1) = v(5);
-    }
+    const Matrix3d stiffness = allWays ? acrossAxes(v) : Matrix3d((alike ? Vector3d(Vector3d::Constant(v(0))) : Vector3d(v.head<3>())).asDiagonal());
     const Vector3d pull = v.segment<3>(at);
     const Vector3d r = v.size() > at + 3 ? Vector3d(v.segment<3>(at + 3)) : Vector3d(Vector3d::Zero());
     const Vector3d centre = middle(signals);
@@ -132,6 +127,22 @@ class CablePull final : public Cause {
     for (Eigen::Index k = 0; k < w.cols(); ++k)
       held.col(k) = stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
+  }
+  /// Springs pull back, whichever way the tool goes.
+  bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    constexpr double kDeviations = 3.0;
+    if (form.choice[0] != kAllWays) return true;
+    return acrossAxes(v).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > -kDeviations * std.head<6>().maxCoeff();
+  }
+
+ private:
+  /// Of the form kAllWays, B axes.
+  static Matrix3d acrossAxes(const VectorXd& v) {
+    Matrix3d out = Vector3d(v.head<3>()).asDiagonal();
+    out(0, 1) = out(1, 0) = v(3);
+    out(0, 2) = out(2, 0) = v(4);
+    out(1, 2) = out(2, 1) = v(5);
+    return out;
   }
 };
 
