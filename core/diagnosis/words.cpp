@@ -270,8 +270,13 @@ std::string cableSentence(const Values& v) {
                      v.size("stiffness"));
   if (v.find("stiffness"))
     return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
-  double most = 0.0;
-  for (const char* name : {"stiffness_x", "stiffness_y", "stiffness_z"}) most = std::max(most, std::abs(v.value(name)));
+  Matrix3d stiffness;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const std::string pair = i == j ? std::string(1, "xyz"[i]) : std::string{"xyz"[j], "xyz"[i]};
+      stiffness(i, j) = stiffness(j, i) = v.find("stiffness_" + pair) ? v.value("stiffness_" + pair) : 0.0;
+    }
+  const double most = stiffness.selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs().maxCoeff();
   return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.", number(most, 1));
 }
 
