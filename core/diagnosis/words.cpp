@@ -11,6 +11,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/diagnosis/stiffness.h"
 
 namespace heft {
 namespace {
@@ -270,12 +271,7 @@ std::string cableSentence(const Values& v) {
                      v.size("stiffness"));
   if (v.find("stiffness"))
     return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
-  Matrix3d stiffness;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j) {
-      const std::string pair = i == j ? std::string(1, "xyz"[i]) : std::string{"xyz"[j], "xyz"[i]};
-      stiffness(i, j) = stiffness(j, i) = v.find("stiffness_" + pair) ? v.value("stiffness_" + pair) : 0.0;
-    }
+  const Matrix3d stiffness = stiffnessFrom([&](const std::string& name) { return v.find(name); });
   const double most = stiffness.selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs().maxCoeff();
   return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.", number(most, 1));
 }

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
+#include "core/diagnosis/stiffness.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/meta_file.h"
 #include "core/simulation/practice.h"
@@ -187,15 +188,16 @@ void RealityPanel::markPull() {
   PullMark mark;
   double within = 0.0, sum = 0.0, length = 0.0;
   bool placed = false;  // Where it is fixed is found itself; otherwise that is where its force would be none
-  Matrix3d stiffness = Matrix3d::Zero();
+  const Matrix3d stiffness = stiffnessFrom([&](const std::string& name) -> const CauseParameter* {
+    const auto at = std::ranges::find(cause->parameters, name, &CauseParameter::name);
+    return at == cause->parameters.end() ? nullptr : &*at;
+  });
   Vector3d pull = Vector3d::Zero(), pullStd = Vector3d::Zero(), std = Vector3d::Zero();
   std::array<const VectorXd*, 3> place{};
   for (int i = 0; i < 3; ++i) {
     const std::string axis(1, static_cast<char>('x' + i));
     for (const auto& p : cause->parameters) {
-      if (p.name == "stiffness" || p.name == "stiffness_" + axis) stiffness(i, i) = p.value, std(i) = p.std;
-      for (int j = 0; j < i; ++j)
-        if (p.name == std::string("stiffness_") + "xyz"[j] + axis) stiffness(i, j) = stiffness(j, i) = p.value;
+      if (p.name == "stiffness" || p.name == "stiffness_" + axis) std(i) = p.std;
       if (p.name == "force_" + axis) pull(i) = p.value, pullStd(i) = p.std;
       if (p.name == "length") length = 1e-3 * p.value;
       if (p.name != "anchor_" + axis) continue;
