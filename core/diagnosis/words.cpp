@@ -11,7 +11,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
-#include "core/diagnosis/stiffness.h"
+#include "core/diagnosis/pull.h"
 
 namespace heft {
 namespace {
@@ -271,7 +271,7 @@ std::string cableSentence(const Values& v) {
                      v.size("stiffness"));
   if (v.find("stiffness"))
     return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
-  const Matrix3d stiffness = stiffnessFrom([&](const std::string& name) { return v.find(name); });
+  const Matrix3d stiffness = diagnosis::stiffnessOf(v.cause.parameters, v.ending);
   const double most = stiffness.selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs().maxCoeff();
   return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.", number(most, 1));
 }

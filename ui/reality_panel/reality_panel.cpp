@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
-#include "core/diagnosis/stiffness.h"
+#include "core/diagnosis/pull.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/meta_file.h"
 #include "core/simulation/practice.h"
@@ -185,47 +185,14 @@ void RealityPanel::markPull() {
   const auto cause = std::find_if(now.report->causes.begin(), now.report->causes.end(),
                                   [](const DiagnosedCause& c) { return c.id == "cable_pull"; });
   if (cause == now.report->causes.end()) return;
+  const auto pull = diagnosis::pullOf(*cause, now.witnesses);
+  if (!pull) return;
   PullMark mark;
-  double within = 0.0, sum = 0.0, length = 0.0;
-  bool placed = false;  // Where it is fixed is found itself; otherwise that is where its force would be none
-  const Matrix3d stiffness = stiffnessFrom([&](const std::string& name) -> const CauseParameter* {
-    const auto at = std::ranges::find(cause->parameters, name, &CauseParameter::name);
-    return at == cause->parameters.end() ? nullptr : &*at;
-  });
-  Vector3d pull = Vector3d::Zero(), pullStd = Vector3d::Zero(), std = Vector3d::Zero();
-  std::array<const VectorXd*, 3> place{};
-  for (int i = 0; i < 3; ++i) {
-    const std::string axis(1, static_cast<char>('x' + i));
-    for (const auto& p : cause->parameters) {
-      if (p.name == "stiffness" || p.name == "stiffness_" + axis) std(i) = p.std;
-      if (p.name == "force_" + axis) pull(i) = p.value, pullStd(i) = p.std;
-      if (p.name == "length") length = 1e-3 * p.value;
-      if (p.name != "anchor_" + axis) continue;
-      placed = true;
-      mark.anchor(i) = 1e-3 * p.value;
-      within = std::max(within, 1e-3 * p.std);
-    }
-    for (const auto& w : now.witnesses)
-      if (w.id == "position_" + axis) place[static_cast<std::size_t>(i)] = &w.value;
-    // A soft axis does not tell a place.
-    if (!place[static_cast<std::size_t>(i)] || stiffness(i, i) < 3.0 * std(i) || !(stiffness(i, i) > 0.0)) return;
-  }
-  const Eigen::LLT<Matrix3d> solver(stiffness);
-  if (solver.info() != Eigen::Success) return;
-  const Vector3d away = solver.solve(pull);
-  for (int i = 0; i < 3 && !placed; ++i) {
-    mark.anchor(i) = place[static_cast<std::size_t>(i)]->mean() + away(i);
-    within = std::max(within, std::hypot(pullStd(i), away(i) * std(i)) / stiffness(i, i));
-  }
-  const Eigen::Index blocks = place[0]->size();
-  for (Eigen::Index n = 0; n < blocks; ++n) {
-    const Vector3d way = Vector3d((*place[0])(n), (*place[1])(n), (*place[2])(n)) - mark.anchor;
-    const double far = way.norm();
-    if (far > length) sum += ((1.0 - length / far) * (stiffness * way)).norm();
-  }
+  mark.anchor = pull->anchor;
   mark.title = tr("Something pulls from here");
+  // Two deviations, in cm
   mark.note = tr("within %1 cm, %2 N on average")
-                  .arg(numberText(std::max(1.0, 200.0 * within), 0), numberText(sum / static_cast<double>(std::max<Eigen::Index>(1, blocks)), 1));
+                  .arg(numberText(std::max(1.0, 200.0 * pull->anchorStd), 0), numberText(pull->force, 1));
   parts().view->showPull(mark);
 }
 

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/pull.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
+using namespace diagnosis;
+
 namespace {
 
 /// Adds the force of the room (B axes) with which the sensor must hold the tool at a place, moving at a velocity.
@@ -84,6 +87,30 @@ TEST(Diagnose, ACableMayBeStiffestAlongAnyLine) {
       ASSERT_NE(size, parameters.end()) << pair;
       EXPECT_NEAR(size->value, stiffness(i, j), 0.3) << pair;
     }
+  const auto seen = witnesses(recording, &RobotModel::panda());
+  ASSERT_TRUE(seen.ok());
+  const auto pull = pullOf(report.causes.front(), *seen);
+  ASSERT_TRUE(pull);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(pull->anchor(i), anchor(i), 4.0 * pull->anchorStd + 0.005) << i;
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  EXPECT_NEAR(pull->force, (stiffness * (motion.position.colwise() - anchor)).colwise().norm().mean(), 0.2);
+}
+
+/// Told as one stiffness to all sides with the force in the middle of the motion, as a taut cable is.
+TEST(Pull, IsWhereTheForceWouldBeNone) {
+  DiagnosedCause cable;
+  cable.parameters = {{"stiffness", "N/m", 5.0, 0.1}, {"force_x", "N", 1.0, 0.05}, {"force_y", "N", -2.0, 0.05}, {"force_z", "N", 0.5, 0.05}};
+  std::vector<Witness> tool;
+  for (int i = 0; i < 3; ++i) tool.push_back({std::string("position_") + "xyz"[i], "m", VectorXd::LinSpaced(11, 0.1 * i - 0.2, 0.1 * i + 0.2)});
+  const auto pull = pullOf(cable, tool);
+  ASSERT_TRUE(pull);
+  EXPECT_TRUE(pull->anchor.isApprox(Vector3d(0.2, -0.3, 0.3), 1e-12)) << pull->anchor.transpose();
+  EXPECT_NEAR(pull->anchorStd, std::hypot(0.05, 0.4 * 0.1) / 5.0, 1e-12);
+  cable.parameters.front().std = 2.0;  // Too soft to tell
+  EXPECT_FALSE(pullOf(cable, tool));
+  cable.parameters.front().std = 0.1;
+  tool.pop_back();
+  EXPECT_FALSE(pullOf(cable, tool));
 }
 
 /// Exactly the same where the joint's axis goes through the sensor, whatever else there is.
