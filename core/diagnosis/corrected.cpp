@@ -22,9 +22,10 @@ using nlohmann::json;
 namespace {
 
 using Kind = FrameMistake::Kind;
-constexpr std::array<std::pair<Kind, std::string_view>, 5> kKinds{{{Kind::gravitySign, "gravity_sign"},
+constexpr std::array<std::pair<Kind, std::string_view>, 6> kKinds{{{Kind::gravitySign, "gravity_sign"},
                                                                    {Kind::wrenchSign, "wrench_sign"},
                                                                    {Kind::transposed, "transposed"},
+                                                                   {Kind::quaternionOrder, "quaternion_order"},
                                                                    {Kind::turned, "turned"},
                                                                    {Kind::mirrored, "mirrored"}}};
 
@@ -111,6 +112,12 @@ Recording undone(Recording out, const FrameMistake& mistake) {
     case Kind::transposed:
       out.quaternion.leftCols<3>() *= -1.0;
       break;
+    case Kind::quaternionOrder: {
+      const Eigen::VectorXd w = out.quaternion.col(0);
+      out.quaternion.leftCols<3>() = out.quaternion.rightCols<3>().eval();
+      out.quaternion.col(3) = w;
+      break;
+    }
     case Kind::turned:
     case Kind::mirrored:
       out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * mistake.turn.transpose()).eval();

@@ -10,6 +10,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
+#include "core/diagnosis/corrected.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
@@ -37,6 +38,8 @@ bool contains(const std::vector<std::string>& list, std::string_view id) { retur
 
 /// What single readings say, and the recording without what they spoil.
 struct Readings {
+  std::optional<FrameMistake> mistake;  ///< Of the orientations: put right before anything else is made of them
+  Recording stated;                     ///< The recording without it
   Recording cleaned;
   Motion motion;
   std::vector<Direct> directs;
@@ -58,8 +61,21 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   smoothing.cutoffHz = kDefaultCutoffHz;
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
+  out.stated = recording;
+  if (recording.hasOrientation()) {
+    auto way = wayOf(recording, out.cleaned, robot, kDefaultCutoffHz, true, options, {});
+    if (!way) return way.error();
+    lookForContact(*way, out.cleaned, options);
+    if (const auto mistake = frameMistake(*way); mistake && mistake->ofOrientation()) {
+      out.mistake = mistake;
+      out.stated = undone(recording, *mistake);
+      out.cleaned = undone(std::move(out.cleaned), *mistake);
+      motion = motionOf(out.cleaned, robot, smoothing);
+      if (!motion) return motion.error();
+    }
+  }
   out.motion = std::move(*motion);
-  out.directs = sampleTests(recording, out.motion, facts);
+  out.directs = sampleTests(out.stated, out.motion, facts);
   std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles or poses are not used, here or for the payload.
@@ -96,6 +112,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   for (const auto& [cutoff, twicing] : kSmoothings) {
     auto way = wayOf(recording, readings.cleaned, robot, cutoff, twicing, options, readings.bad);
     if (!way) return way.error();
+    way->putRight = readings.mistake.has_value();
     ways.push_back(std::move(*way));
   }
   lookForContact(ways.front(), readings.cleaned, options);
@@ -391,7 +408,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   progress(0.02, heft::say("Looking at single readings"));
   const auto readings = readingsOf(recording, robot, options);
   if (!readings) return readings.error();
-  auto found = searched(recording, *readings, robot, options, progress);
+  auto found = searched(readings->stated, *readings, robot, options, progress);
   if (!found) return found.error();
   Work& work = found->work;
   out.threshold = found->threshold;
@@ -420,10 +437,11 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.noise.torque *= quiet;
   sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
 
-  if (work.mistake) {
+  out.mistake = readings->mistake ? readings->mistake : work.mistake;
+  if (out.mistake) {
     WrenchRms was = out.baseline;
-    was.force = work.mistake->rmsBefore;
-    out.causes.push_back(fromMistake(*work.mistake, was, out.baseline));
+    was.force = out.mistake->rmsBefore;
+    out.causes.push_back(fromMistake(*out.mistake, was, out.baseline));
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
   if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
@@ -449,7 +467,6 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (auto error = estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))
     return *error;
   out.model = final.model;
-  out.mistake = work.mistake;
   out.smallest = smallestVisible(work, out.causes, out.threshold);
   out.series.time.resize(work.signals.blocks());
   for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) out.series.time(n) = work.signals.blockTime(n);

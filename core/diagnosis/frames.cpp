@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,6 +54,25 @@ std::optional<Matrix3d> bestTurn(const Signals& signals, bool proper) {
   return Matrix3d(turn.transpose());
 }
 
+/// The signals with each orientation (B from S) replaced; turning follows from the orientations.
+template <class Orientation>
+Signals reoriented(const Signals& signals, const Orientation& of) {
+  Signals out = signals;
+  const Eigen::Index n = signals.size();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
+    Matrix3d& turned = out.R_BS[static_cast<std::size_t>(k)];
+    turned = of(R);
+    out.kinematics.specificForce.col(k) = turned.transpose() * (R * signals.kinematics.specificForce.col(k));
+  }
+  const auto at = [&](Eigen::Index k) { return static_cast<std::size_t>(std::clamp<Eigen::Index>(k, 0, n - 1)); };
+  for (Eigen::Index k = 0; k < n; ++k)
+    out.kinematics.omega.col(k) = 0.5 * signals.rateHz * vectorFromRotation(out.R_BS[at(k - 1)].transpose() * out.R_BS[at(k + 1)]);
+  out.kinematics.alpha = rateOf(out.kinematics.omega, signals.rateHz);
+  out.robot = nullptr;
+  return out;
+}
+
 }  // namespace
 
 Signals corrected(const Signals& signals, const FrameMistake& mistake) {
@@ -69,17 +89,12 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
         out.kinematics.specificForce.col(k) += 2.0 * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity);
       break;
     case FrameMistake::Kind::transposed:
-      for (Eigen::Index k = 0; k < signals.size(); ++k) {
-        const Matrix3d& R = signals.R_BS[static_cast<std::size_t>(k)];
-        const Vector3d a = R * signals.kinematics.specificForce.col(k) + signals.gravity;
-        out.R_BS[static_cast<std::size_t>(k)] = R.transpose();
-        out.kinematics.specificForce.col(k) = R * (a - signals.gravity);
-        // Of the transpose: its rate of turning, in its own axes, is minus the original's in base axes.
-        out.kinematics.omega.col(k) = -(R * signals.kinematics.omega.col(k));
-        out.kinematics.alpha.col(k) = -(R * signals.kinematics.alpha.col(k));
-      }
-      out.robot = nullptr;
-      break;
+      return reoriented(signals, [](const Matrix3d& R) { return Matrix3d(R.transpose()); });
+    case FrameMistake::Kind::quaternionOrder:
+      return reoriented(signals, [](const Matrix3d& R) {
+        const Quaterniond read(R);
+        return Quaterniond(read.x(), read.y(), read.z(), read.w()).toRotationMatrix();
+      });
     case FrameMistake::Kind::turned:
     case FrameMistake::Kind::mirrored:
       out.measured.topRows<3>() = mistake.turn * signals.measured.topRows<3>();
@@ -112,7 +127,9 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
   std::vector<FrameMistake> all;
   all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::wrenchSign});
   all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::gravitySign});
-  all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::transposed});
+  if (!signals.robot)
+    for (const auto kind : {FrameMistake::Kind::transposed, FrameMistake::Kind::quaternionOrder})
+      all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, kind});
   for (const bool proper : {true, false})
     if (const auto turn = bestTurn(signals, proper)) {
       FrameMistake m;

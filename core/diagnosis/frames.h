@@ -10,7 +10,10 @@ struct FrameMistake {
   Matrix3d turn = Matrix3d::Identity();  ///< Readings in true sensor axes = turn * readings as stated
   double rmsBefore = 0, rmsAfter = 0;    ///< Force [N]
   double angle = 0;                      ///< Of a turned mount [rad]; 0 for other mistakes
-  enum class Kind { none, gravitySign, wrenchSign, transposed, turned, mirrored } kind = Kind::none;
+  enum class Kind { none, gravitySign, wrenchSign, transposed, quaternionOrder, turned, mirrored } kind = Kind::none;
+
+  /// What was told about the sensor's orientation: velocities and accelerations are made of it.
+  bool ofOrientation() const { return kind == Kind::transposed || kind == Kind::quaternionOrder; }
 };
 
 /// The mistake that, undone, leaves at most two fifths of the misfit; nothing if the recording is understood as stated.

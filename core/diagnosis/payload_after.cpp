@@ -143,7 +143,7 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
     leaveAsItWas(report, work, "payload_left_as_it_was",
                  heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
-  } else if (unknown && !work.mistake && movesFar(report.after, report.before)) {
+  } else if (unknown && !report.mistake && movesFar(report.after, report.before)) {
     leaveAsItWas(report, work, "payload_left_as_it_was",
                  heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));

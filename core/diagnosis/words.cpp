@@ -244,6 +244,8 @@ std::string mistakeSentence(const FrameMistake& mistake) {
       return heft::say("Gravity points up in the meta file; it should point down.");
     case FrameMistake::Kind::transposed:
       return heft::say("Orientations are stored the other way round: base in sensor instead of sensor in base.");
+    case FrameMistake::Kind::quaternionOrder:
+      return heft::say("Quaternions are stored with w first: the columns qx, qy, qz, qw hold w, x, y, z.");
     case FrameMistake::Kind::turned:
       return heft::say("The sensor is mounted turned by {} degrees against the meta file.",
                        number(mistake.angle * 180.0 / std::numbers::pi, 0));
@@ -441,6 +443,8 @@ std::string causeCheck(const DiagnosedCause& cause, const std::optional<FrameMis
       return remedy(Remedy::turnGravity);
     case FrameMistake::Kind::transposed:
       return heft::say("Invert the quaternions (qx, qy, qz with the opposite sign).");
+    case FrameMistake::Kind::quaternionOrder:
+      return heft::say("Rename the columns qx, qy, qz, qw to qw, qx, qy, qz.");
     case FrameMistake::Kind::turned:
       return remedy(Remedy::correctMount);
     case FrameMistake::Kind::mirrored:

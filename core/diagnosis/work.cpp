@@ -251,6 +251,13 @@ double blocksIn(const std::vector<Stretch>& stretches) {
   return out;
 }
 
+/// Contact that was looked for; what takes most of the time is none.
+std::vector<Stretch> holesOf(const Way& way) {
+  constexpr double kMost = 0.7;  ///< Share of the time
+  const std::vector<Stretch>& holes = way.holes.value();
+  return blocksIn(holes) > kMost * blocksIn(stretchesOf(way.signals.usable)) ? std::vector<Stretch>{} : holes;
+}
+
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
 Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes, const DiagnoseOptions& options,
                 double threshold, const Progress& progress, const std::function<bool(const Work&)>& givesUp) {
@@ -302,22 +309,24 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
 
 }  // namespace
 
+std::optional<FrameMistake> frameMistake(const Way& way) {
+  // A push turns any sign round.
+  Signals untouched = way.signals;
+  leaveOut(untouched, holesOf(way));
+  const auto quiet = stretchesOf(untouched.usable);
+  if (quiet.empty()) return std::nullopt;
+  return frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
+}
+
 Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const std::function<bool(const Work&)>& givesUp) {
-  constexpr double kMostTouched = 0.7;  ///< Share of the time; what takes more is no contact
   constexpr double kClearly = 30.0;     ///< Evidence without a mistake over that with it
   const double judged = blocksIn(stretchesOf(start.signals.usable));
   if (judged < 100.0)
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
                            judged / start.signals.blockRate())};
-  std::vector<Stretch> holes = start.holes.value();
-  if (blocksIn(holes) > kMostTouched * judged) holes.clear();
-  // Whether frames and signs are right is judged where nothing touches; a push turns any sign round.
-  Signals untouched = start.signals;
-  leaveOut(untouched, holes);
-  std::optional<FrameMistake> mistake;
-  if (const auto quiet = stretchesOf(untouched.usable); !quiet.empty())
-    mistake = frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
+  std::vector<Stretch> holes = holesOf(start);
+  const std::optional<FrameMistake> mistake = start.putRight ? std::nullopt : frameMistake(start);
   Work work = workedWith(mistake, start.signals, holes, options, threshold, progress, givesUp);
   if (!mistake || work.search.givenUp) return work;
   // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more without.

@@ -18,6 +18,7 @@ struct Way {
   Signals signals;
   double cutoffHz = 0.0;
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
+  bool putRight = false;  ///< A mistake with frames was found in the recording and undone: no other is looked for
 };
 
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not judged.
@@ -26,6 +27,9 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
 
 /// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
+
+/// What is mixed up in it as far as nothing touches, where contact was looked for.
+std::optional<FrameMistake> frameMistake(const Way& way);
 
 /// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the first
 /// way left out, frames and signs put right.

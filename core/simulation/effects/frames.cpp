@@ -55,6 +55,13 @@ class FrameError final : public Effect {
       if (robot_ != nullptr) logPoses(recording, *robot_);
       if (recording.hasOrientation()) recording.quaternion.leftCols<3>() *= -1.0;
     }
+    if (form_ == "w-first") {
+      if (robot_ != nullptr) logPoses(recording, *robot_);
+      for (Eigen::Index i = 0; recording.hasOrientation() && i < recording.rows(); ++i) {
+        const Eigen::RowVector4d q = recording.quaternion.row(i);
+        recording.quaternion.row(i) << q(3), q(0), q(1), q(2);
+      }
+    }
   }
 
  private:
@@ -73,7 +80,7 @@ void addFrameKinds(std::vector<EffectKind>& kinds) {
        1.0,
        1.0,
        false,
-       {"mount-180", "upside-down", "mount-90", "mount-45", "transposed", "gravity-sign", "wrench-sign", "swapped-xy"},
+       {"mount-180", "upside-down", "mount-90", "mount-45", "transposed", "w-first", "gravity-sign", "wrench-sign", "swapped-xy"},
        making<FrameError>()});
 }
 

@@ -455,6 +455,35 @@ TEST(Diagnose, FrameMistakes) {
   EXPECT_FALSE(report.metaChanges().empty());
 }
 
+/// With their twist recorded as it was: what was told about velocities is not at odds with orientations that were put right.
+TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
+  const Recording joints = aRecording(MotionKind::free, 502);
+  const auto motion = motionOf(joints, &RobotModel::panda(), {}).value();
+  for (const bool wFirst : {true, false}) {
+    Recording recording = joints;
+    recording.q.resize(0, 0);
+    recording.dq.resize(0, 0);
+    recording.position.resize(joints.rows(), 3);
+    recording.quaternion.resize(joints.rows(), 4);
+    recording.twist.resize(joints.rows(), 6);
+    for (Eigen::Index i = 0; i < joints.rows(); ++i) {
+      const auto k = std::clamp<Eigen::Index>(std::lround((joints.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
+      const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+      const Quaterniond q(R);
+      recording.position.row(i) = motion.position.col(k).transpose();
+      recording.quaternion.row(i) = wFirst ? Eigen::RowVector4d(q.w(), q.x(), q.y(), q.z()) : Eigen::RowVector4d(-q.x(), -q.y(), -q.z(), q.w());
+      recording.twist.row(i) << motion.velocity.col(k).transpose(), (R * motion.omega.col(k)).transpose();
+    }
+    const auto report = diagnosed(recording);
+    ASSERT_EQ(report.causes.size(), 1u) << said(report);
+    EXPECT_EQ(report.causes.front().id, "frame_error") << said(report);
+    EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+    ASSERT_TRUE(report.mistake.has_value());
+    EXPECT_EQ(report.mistake->kind, wFirst ? diagnosis::FrameMistake::Kind::quaternionOrder : diagnosis::FrameMistake::Kind::transposed);
+    EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01);
+  }
+}
+
 /// What pulls harder than the tool weighs makes masses below zero and turns that fit better; none of these is the cause.
 TEST(Diagnose, AHardPullIsNoMixedUpFrame) {
   Payload light = aTool();

@@ -271,6 +271,10 @@ TEST(EffectSignal, FrameMistakesOfPeople) {
   const auto c = transposed.quaternion.row(1234);
   EXPECT_LT((Quaterniond(c(3), c(0), c(1), c(2)).toRotationMatrix() - X.linear().transpose()).norm(), 1e-9);
   EXPECT_LT((transposed.position.row(1234).transpose() - X.translation()).norm(), 1e-9);
+  const Recording first = withEffect("frame_error/w-first=1").recording;
+  ASSERT_TRUE(first.hasOrientation());
+  const auto d = first.quaternion.row(1234);
+  EXPECT_LT((Quaterniond(d(0), d(1), d(2), d(3)).toRotationMatrix() - X.linear()).norm(), 1e-9);
 }
 
 }  // namespace
