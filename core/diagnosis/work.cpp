@@ -44,9 +44,10 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
 
 /// What is left of `contacts` if one cause is behind most of it, such as the end of the sensor's range, a jump of its zero or a
 /// cable that is slack elsewhere: that one looks like contact as long as it is set aside.
+/// `elsewise`: the share of the evidence for contact that this cause takes away.
 std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, const Search& found, const std::vector<Contact>& contacts,
-                                    const std::vector<Stretch>& holes) {
-  constexpr double kMost = 0.9;  ///< Share of the evidence for contact
+                                    const std::vector<Stretch>& holes, double& elsewise) {
+  constexpr double kMost = 0.9;
   std::vector<std::string_view> causes;
   for (const auto& cause : catalogue())
     if (cause->id() != "contact" && cause->id() != kWandering) causes.push_back(cause->id());
@@ -55,13 +56,18 @@ std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, c
     for (const auto& contact : all) sum += contact.evidence;
     return sum;
   };
-  const auto stretches = stretchesOf(whole.usable);
-  auto other = withOneOf(whole, stretches, bank, fitModel(whole, stretches, found.final.model, 4), causes);
-  if (!other) return contacts;
   // Contact makes noise of its own: what is left is judged by the noise elsewhere.
-  other->noise = found.final.noise;
-  auto left = contactsIn(whole, *other, holes);
-  return evidence(left) < (1.0 - kMost) * evidence(contacts) ? left : contacts;
+  const auto leftBy = [&](Fit fit) {
+    fit.noise = found.final.noise;
+    return contactsIn(whole, fit, holes);
+  };
+  const auto stretches = stretchesOf(whole.usable);
+  const Fit same = fitModel(whole, stretches, found.final.model, 4);
+  auto left = leftBy(same);
+  if (const auto other = withOneOf(whole, stretches, bank, same, causes))
+    if (auto by = leftBy(*other); evidence(by) < evidence(left)) left = std::move(by);
+  elsewise = 1.0 - evidence(left) / evidence(contacts);
+  return elsewise > kMost ? left : contacts;
 }
 
 /// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else.
@@ -284,6 +290,8 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   // Contact first; what the causes found elsewhere account for is no contact. Only what is left in the end is compared.
   constexpr int kRounds = 3;
   const Signals whole = signals;
+  const std::vector<Stretch> candidates = holes;
+  double elsewise = 0.0;
   for (int round = 0; round < kRounds; ++round) {
     signals = whole;
     leaveOut(signals, holes);
@@ -293,7 +301,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     searching.givesUp = {};
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty())
-      work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes);
+      work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes, elsewise);
     const auto last = [&] { return work.contacts.size() == holes.size() || round + 1 == kRounds || progress.cancelled(); };
     if (last() && lookBack(signals, work.stretches, work.bank, searching, work.search, progress))
       work.contacts = contactsIn(whole, work.search.final, holes);
@@ -301,6 +309,22 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     searching.start = work.search.final.model;
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
+  }
+  constexpr double kLong = 2.0, kMuch = 0.5;  ///< [s]; share
+  const bool lasts = std::ranges::any_of(work.contacts, [](const Contact& c) { return c.to - c.from > kLong; });
+  if (lasts && elsewise > kMuch && !progress.cancelled()) {
+    // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
+    searching.start = Model{};
+    Work untouched;
+    untouched.mistake = mistake;
+    untouched.signals = whole;
+    untouched.stretches = stretchesOf(whole.usable);
+    untouched.bank = work.bank;
+    untouched.search = search(whole, untouched.stretches, untouched.bank, searching, progress);
+    lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
+    Fit judged = untouched.search.final;
+    judged.noise = work.search.final.noise;
+    if (contactsIn(whole, judged, candidates).empty()) work = std::move(untouched);
   }
   setOddAside(work, whole);
   setTouchesAside(work);
