@@ -202,6 +202,13 @@ struct Values {
       }
     return plusMinus(std::sqrt(sum), std);
   }
+  /// The largest of several parameters.
+  std::string most(std::initializer_list<std::string_view> names) const {
+    std::string_view best = *names.begin();
+    for (const auto name : names)
+      if (std::abs(value(name)) > std::abs(value(best))) best = name;
+    return size(best);
+  }
   /// The one of this term that stands out most from its deviation.
   const CauseParameter* strongest() const {
     const CauseParameter* best = nullptr;
@@ -347,16 +354,16 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "constant_pull")
     return heft::say("Something pulls at the tool with {} N, always in the same direction.",
                      v.norm({"force_x", "force_y", "force_z"}));
-  if (id == "viscous_drag")
-    return v.find("turning_drag") && !v.find("drag")
-               ? heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"))
-               : heft::say("Something holds the tool back: {} N per metre per second.",
-                           v.find("drag") ? v.size("drag") : v.norm({"drag_x", "drag_y", "drag_z"}));
-  if (id == "coulomb_friction")
-    return v.find("turning_friction") && !v.find("friction")
-               ? heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"))
-               : heft::say("Something rubs and holds the tool back with {} N.",
-                           v.find("friction") ? v.size("friction") : v.norm({"friction_x", "friction_y", "friction_z"}));
+  if (id == "viscous_drag") {
+    if (v.find("drag")) return heft::say("Something holds the tool back: {} N per metre per second.", v.size("drag"));
+    return v.find("drag_x") ? heft::say("Something holds the tool back, by up to {} N per metre per second.", v.most({"drag_x", "drag_y", "drag_z"}))
+                            : heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"));
+  }
+  if (id == "coulomb_friction") {
+    if (v.find("friction")) return heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"));
+    return v.find("friction_x") ? heft::say("Something rubs and holds the tool back, with up to {} N.", v.most({"friction_x", "friction_y", "friction_z"}))
+                                : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
+  }
   if (const CauseParameter* mass = v.find("mass"); id == "loose_mass" && mass && v.value("damping") > 0.5)
     return mass->std > 0.5 * mass->value ? heft::say("Something in the tool is loose and rolls to another place as it turns.")
                                          : heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));

@@ -14,7 +14,8 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
 }
 
 /// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a place
-/// away from the sensor, 4 and 5 the cause's own richer forms.
+/// away from the sensor, 4 and 5 the cause's own richer forms, 6 different along each axis at a place away from the sensor,
+/// 7 a place away from the sensor and turning.
 class Resistance : public Cause {
  protected:
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
@@ -30,6 +31,11 @@ class Resistance : public Cause {
     add(out, 3, "away from the sensor", std::move(parameters));
     out.back().scan = {0};
   }
+  /// Two of them would share what resists, and neither would say how much.
+  static std::vector<Form> onlyOne(std::vector<Form> forms) {
+    for (Form& form : forms) form.alone = true;
+    return forms;
+  }
   void add(std::vector<Form>& out, int kind, const char* name, std::vector<Parameter> parameters) const {
     out.push_back(formOf(this, name, std::move(parameters)));
     out.back().choice = {kind};
@@ -42,12 +48,19 @@ class ViscousDrag final : public Resistance {
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     const Parameter linear{"drag", "N s/m", 1.0, 0.3, 0.0, 200.0};
-    auto out = common(signals, linear, {"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0});
+    const Parameter angular{"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0, true};
+    auto out = common(signals, linear, angular);
     if (!signals.positionKnown) return out;
     addAway(out, withPlace({linear}));
+    add(out, 7, "away from the sensor and turning", withPlace({linear, angular}));
+    out.back().scan = {0, 1};
     add(out, 4, "different along each axis",
         {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
-    return out;
+    std::vector<Parameter> all = out.back().parameters;
+    all.push_back(angular);
+    add(out, 6, "different along each axis, away from the sensor", withPlace(std::move(all)));
+    out.back().scan = {0, 1, 2, 3};
+    return onlyOne(std::move(out));
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const int kind = form.choice[0];
@@ -56,10 +69,12 @@ class ViscousDrag final : public Resistance {
       const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
       if (kind == 1 || kind == 2) w.col(k).tail<3>() += v(kind - 1) * kin.omega.col(k);
       if (kind == 1) continue;
-      const Vector3d r = kind == 3 ? Vector3d(v.segment<3>(1)) : Vector3d(Vector3d::Zero());
-      Vector3d velocity = velocityAt(signals, kin, k, R, r);
-      if (kind == 4) velocity = velocity.cwiseProduct(Vector3d(v.head<3>()));
-      const Vector3d f = R.transpose() * (kind == 4 ? velocity : Vector3d(v(0) * velocity));
+      if (kind > 5) w.col(k).tail<3>() += v(kind == 6 ? 3 : 1) * kin.omega.col(k);
+      const bool away = kind == 3 || kind > 5;
+      const Vector3d r = away ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
+      const Vector3d velocity = velocityAt(signals, kin, k, R, r);
+      const Vector3d drag = kind == 4 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
+      const Vector3d f = R.transpose() * velocity.cwiseProduct(drag);
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
     }
@@ -77,8 +92,13 @@ class CoulombFriction final : public Resistance {
     add(out, 5, "different along each axis",
         {{"friction_x", "N", 1.0, 0.1, -5.0, 60.0}, {"friction_y", "N", 1.0, 0.1, -5.0, 60.0}, {"friction_z", "N", 1.0, 0.1, -5.0, 60.0}});
     // How slow it must be for friction to fade is nobody's constant.
-    auto away = withPlace({linear});
-    away.push_back({"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05});
+    const Parameter stick{"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05};
+    auto all = withPlace(out.back().parameters), away = withPlace({linear});
+    all.push_back(stick);
+    away.push_back(stick);
+    add(out, 6, "different along each axis, away from the sensor", std::move(all));
+    out.back().scan = {0, 1, 2};
+    out.back().start(6) = kStick;
     addAway(out, std::move(away));
     out.back().start(4) = kStick;
     for (const double way : {0.003, 0.015, 0.06}) {
@@ -86,7 +106,7 @@ class CoulombFriction final : public Resistance {
       out.back().start(1) = way;
       out.back().scan = {0};
     }
-    return out;
+    return onlyOne(std::move(out));
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const int kind = form.choice[0];
@@ -100,9 +120,10 @@ class CoulombFriction final : public Resistance {
         w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
       if (kind == 1) continue;
-      const Vector3d r = kind == 3 || kind == 4 ? Vector3d(v.segment<3>(kind - 2)) : Vector3d(Vector3d::Zero());
+      const bool away = kind == 3 || kind == 4 || kind == 6;
+      const Vector3d r = away ? Vector3d(v.segment<3>(kind == 6 ? 3 : kind - 2)) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
-      const double stick = kind == 3 ? v(4) : kStick;
+      const double stick = kind == 3 ? v(4) : kind == 6 ? v(6) : kStick;
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
       if (kind == 4) {
         // Dahl: z' = v - |v| z / way, the exact step for a velocity that is constant over it.
@@ -111,7 +132,8 @@ class CoulombFriction final : public Resistance {
         z = keep * z + (speed > 1e-12 ? Vector3d(velocity * (way / speed) * (1.0 - keep)) : Vector3d(Vector3d::Zero()));
         direction = z / way;
       }
-      const Vector3d f = R.transpose() * (kind == 5 ? Vector3d(direction.cwiseProduct(Vector3d(v.head<3>()))) : Vector3d(v(0) * direction));
+      const Vector3d friction = kind == 5 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
+      const Vector3d f = R.transpose() * direction.cwiseProduct(friction);
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
     }

@@ -69,6 +69,33 @@ TEST(Diagnose, FrictionMayDifferAlongEachAxis) {
   }
 }
 
+/// A hose full of liquid that is dragged along by the tip: it was told as a drag at the flange and a crosstalk.
+TEST(Diagnose, ADragMayDifferAlongEachAxisAndActAtTheTip) {
+  Recording recording = aRecording(MotionKind::free, 265);
+  const Vector3d drag(2.6, 1.1, 0.6), tip(0.02, -0.03, 0.15);  // [N s/m], [m]
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = std::clamp<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
+    const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+    const Vector3d velocity = motion.velocity.col(k) + R * Vector3d(motion.omega.col(k)).cross(tip);
+    const Vector3d f = R.transpose() * velocity.cwiseProduct(drag);
+    recording.wrench.row(i).head<3>() += f.transpose();
+    recording.wrench.row(i).tail<3>() += tip.cross(f).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "viscous_drag") << said(report);
+  EXPECT_EQ(cause.sentence.find("Something holds the tool back, by up to 2.6"), 0u) << cause.sentence;
+  for (int i = 0; i < 3; ++i) {
+    const auto size = std::ranges::find(cause.parameters, fmt::format("drag_{}", "xyz"[i]), &CauseParameter::name);
+    const auto at = std::ranges::find(cause.parameters, fmt::format("at_{}", "xyz"[i]), &CauseParameter::name);
+    ASSERT_TRUE(size != cause.parameters.end() && at != cause.parameters.end()) << said(report);
+    EXPECT_NEAR(size->value, drag(i), 0.1) << i;
+    EXPECT_NEAR(at->value, 1e3 * tip(i), 5.0) << i;
+  }
+}
+
 /// A hose that hangs across the base's axes: stiff along a line that is none of them. Nothing was named, since a drift took the rest.
 TEST(Diagnose, ACableMayBeStiffestAlongAnyLine) {
   Recording recording = aRecording(MotionKind::free, 264);
