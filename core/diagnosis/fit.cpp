@@ -232,17 +232,20 @@ namespace {
 
 enum class Weights { coloured, whiteFirst };
 
-/// Deviations `sd` a priori with next to none for the parameters that a form does not scan, in which it is not linear.
-VectorXd heldWhereBent(const Model& model, VectorXd sd) {
+/// Deviations `sd` a priori with next to none for the causes' parameters that `holds` (term, its parameter, in Model::packed()).
+template <class Holds>
+VectorXd heldWhere(const Model& model, VectorXd sd, const Holds& holds) {
   constexpr double kHeld = 1e-9;  ///< Of a parameter's size
   Eigen::Index at = kLinear;
-  for (const Term& term : model.terms) {
-    for (Eigen::Index p = 0; p < term.v.size(); ++p)
-      if (std::ranges::find(term.form->scan, static_cast<int>(p)) == term.form->scan.end())
-        sd(at + p) = kHeld * term.form->parameters[static_cast<std::size_t>(p)].size;
-    at += term.v.size();
-  }
+  for (const Term& term : model.terms)
+    for (Eigen::Index p = 0; p < term.v.size(); ++p, ++at)
+      if (holds(term, p, at)) sd(at) = kHeld * term.form->parameters[static_cast<std::size_t>(p)].size;
   return sd;
+}
+
+/// The form is not linear in it.
+bool bends(const Term& term, Eigen::Index p, Eigen::Index) {
+  return std::ranges::find(term.form->scan, static_cast<int>(p)) == term.form->scan.end();
 }
 
 Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights) {
@@ -269,7 +272,17 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     const ChannelColumns J(whitened(at.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
-    const VectorXd step = normal.solve(J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2()));
+    const VectorXd pull = J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
+    VectorXd step = normal.solve(pull);
+    // What stands at its bound and would leave it stays: the others step as they would without it.
+    bool leaves = false;
+    const auto stays = [&](const Term& term, Eigen::Index p, Eigen::Index i) {
+      const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+      const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) || (step(i) > 0.0 && term.v(p) >= parameter.upper));
+      leaves = leaves || out;
+      return out;
+    };
+    if (const VectorXd held = heldWhere(fit.model, sd, stays); leaves) step = Normal(J, held).solve(pull);
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
     const auto betters = [&](const Model& model) { return misfit(signals, stretches, fit.noise, model, sd) <= before; };
     Model next = fit.model;
@@ -279,8 +292,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
       if (fit.model.terms.empty() || betters(next)) break;
       if (half < 3) continue;
       // A time, a frequency or so leads astray, such as that of a step between two samples: then what is linear moves alone.
-      const VectorXd held = heldWhereBent(fit.model, sd);
-      next = moved(fit.model, Normal(J, held).solve(J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2())), 1.0);
+      next = moved(fit.model, Normal(J, heldWhere(fit.model, sd, bends)).solve(pull), 1.0);
       if (!betters(next)) next = fit.model;
     }
     if (learnsWalk) learnWalk(next, normal.inverse());
