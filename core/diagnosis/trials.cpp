@@ -95,7 +95,7 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
     if (known.size() >= causes && !known.contains(id)) continue;
-    const std::size_t most = known.size() > 3 ? 2 : whole ? 4 : 8;
+    const std::size_t most = known.size() > 3 ? (whole ? 2 : 3) : whole ? 4 : 8;
     std::vector<const Candidate*>& same = known[id];
     // Neighbours in frequency or time are the same thing.
     const auto alike = std::count_if(same.begin(), same.end(),
