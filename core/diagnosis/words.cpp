@@ -351,9 +351,11 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "gain_error" || id == "crosstalk" || id == "joint_offset" || id == "hysteresis")
     return v.strongest() ? readingSentence(id, *v.strongest()) : std::string();
   if (id == "cable_pull") return cableSentence(v);
-  if (id == "constant_pull")
-    return heft::say("Something pulls at the tool with {} N, always in the same direction.",
-                     v.norm({"force_x", "force_y", "force_z"}));
+  if (id == "constant_pull") {
+    const std::string size = v.norm({"force_x", "force_y", "force_z"});
+    return v.find("time") ? heft::say("From {} s on something pulls at the tool with {} N, always in the same direction.", number(v.value("time"), 1), size)
+                          : heft::say("Something pulls at the tool with {} N, always in the same direction.", size);
+  }
   if (id == "viscous_drag") {
     if (v.find("drag")) return heft::say("Something holds the tool back: {} N per metre per second.", v.size("drag"));
     return v.find("drag_x") ? heft::say("Something holds the tool back, by up to {} N per metre per second.", v.most({"drag_x", "drag_y", "drag_z"}))
