@@ -128,11 +128,16 @@ class CablePull final : public Cause {
       held.col(k) = stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
   }
-  /// Springs pull back, whichever way the tool goes.
+  /// Springs pull back, whichever way the tool goes; what hardly does along any line is a constant pull.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
     constexpr double kDeviations = 3.0;
-    if (form.choice[0] != kAllWays) return true;
-    return acrossAxes(v).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > -kDeviations * std.head<6>().maxCoeff();
+    const int kind = form.choice[0];
+    if (kind == kTaut || kind == kTwist) return true;
+    if (kind == kPerAxis) return (v.head<3>() - kDeviations * std.head<3>()).maxCoeff() > 0.0;
+    if (kind != kAllWays) return v(0) > kDeviations * std(0);
+    const Vector3d along = acrossAxes(v).selfadjointView<Eigen::Lower>().eigenvalues();
+    const double off = kDeviations * std.head<6>().maxCoeff();
+    return along.minCoeff() > -off && along.maxCoeff() > off;
   }
 
  private:

@@ -140,6 +140,33 @@ TEST(Pull, IsWhereTheForceWouldBeNone) {
   EXPECT_FALSE(pullOf(cable, tool));
 }
 
+/// Somebody hooks a line with a weight over a pulley to the tool. It was a cable fixed 4 m away, or contact to the end.
+TEST(Diagnose, APullMayBeginAtSomeMoment) {
+  Recording recording = aRecording(MotionKind::free, 266);
+  const Vector3d pull(0.4, -0.7, 0.9), tip(0.0, 0.02, 0.1);  // [N], B axes; [m]
+  const double begins = recording.time(0) + 0.45 * recording.duration();
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    if (recording.time(i) < begins) continue;
+    const auto k = std::clamp<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
+    const Vector3d f = motion.R_BS[static_cast<std::size_t>(k)].transpose() * -pull;
+    recording.wrench.row(i).head<3>() += f.transpose();
+    recording.wrench.row(i).tail<3>() += tip.cross(f).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "constant_pull") << said(report);
+  ASSERT_EQ(cause.when.size(), 1u);
+  EXPECT_NEAR(cause.when.front().first, begins, 0.1);
+  EXPECT_EQ(cause.sentence.find("From "), 0u) << cause.sentence;
+  for (int i = 0; i < 3; ++i) {
+    const auto size = std::ranges::find(cause.parameters, fmt::format("force_{}", "xyz"[i]), &CauseParameter::name);
+    ASSERT_NE(size, cause.parameters.end()) << said(report);
+    EXPECT_NEAR(size->value, pull(i), 0.05) << i;
+  }
+}
+
 /// Exactly the same where the joint's axis goes through the sensor, whatever else there is.
 TEST(Diagnose, ATurnedLastJointIsTiedWithATurnedSensor) {
   Recording recording = aRecording(MotionKind::excitation, 263, {{"viscous_drag", "", 3.0}});
