@@ -132,9 +132,9 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
-  const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
+  const auto searchedOn = [&](std::size_t i, double threshold, const Model& start = {}, const std::function<bool(const Work&)>& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
-    return worked(ways[i], options, threshold, progress, givesUp);
+    return worked(ways[i], options, threshold, progress, start, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next.
   const auto betterElsewhere = [&](const Work& work) {
@@ -146,11 +146,12 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     at = leastSmoothed(gains);
     return true;
   };
-  auto found = searchedOn(at, kThreshold, betterElsewhere);
-  if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
+  // What was found there is what another way begins with.
+  auto found = searchedOn(at, kThreshold, {}, betterElsewhere);
+  if (found && found->search.givenUp) found = searchedOn(at, kThreshold, Model(found->search.final.model));
   if (!found) return found.error();
   if (const std::size_t was = at; !progress.cancelled() && betterElsewhere(*found)) {
-    auto again = searchedOn(at, kThreshold);
+    auto again = searchedOn(at, kThreshold, found->search.final.model);
     at = again ? at : was;
     if (again) found = std::move(again);
   }

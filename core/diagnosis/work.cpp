@@ -266,7 +266,7 @@ std::vector<Stretch> holesOf(const Way& way) {
 
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
 Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes, const DiagnoseOptions& options,
-                double threshold, const Progress& progress, const std::function<bool(const Work&)>& givesUp) {
+                double threshold, const Progress& progress, const Model& start, const std::function<bool(const Work&)>& givesUp) {
   Work work;
   work.mistake = mistake;
   work.signals = mistake ? corrected(recorded, *mistake) : recorded;
@@ -274,6 +274,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   work.stretches = stretchesOf(signals.usable);
   SearchOptions searching;
   searching.threshold = threshold;
+  searching.start = start;
   if (givesUp)
     searching.givesUp = [&](const Fit& first) {
       work.search.final = first;
@@ -342,19 +343,19 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
   return frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
 }
 
-Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
+Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress, const Model& start,
                     const std::function<bool(const Work&)>& givesUp) {
   constexpr double kClearly = 30.0;     ///< Evidence without a mistake over that with it
-  const double judged = blocksIn(stretchesOf(start.signals.usable));
+  const double judged = blocksIn(stretchesOf(way.signals.usable));
   if (judged < 100.0)
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
-                           judged / start.signals.blockRate())};
-  std::vector<Stretch> holes = holesOf(start);
-  const std::optional<FrameMistake> mistake = start.putRight ? std::nullopt : frameMistake(start);
-  Work work = workedWith(mistake, start.signals, holes, options, threshold, progress, givesUp);
+                           judged / way.signals.blockRate())};
+  std::vector<Stretch> holes = holesOf(way);
+  const std::optional<FrameMistake> mistake = way.putRight ? std::nullopt : frameMistake(way);
+  Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, start, givesUp);
   if (!mistake || work.search.givenUp) return work;
   // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more without.
-  Work plain = workedWith(std::nullopt, start.signals, std::move(holes), options, threshold, progress, {});
+  Work plain = workedWith(std::nullopt, way.signals, std::move(holes), options, threshold, progress, {}, {});
   const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
   return believable(plain.search.final) && (perBlock(plain) - perBlock(work)) * judged > kClearly ? plain : work;
 }
@@ -363,7 +364,8 @@ double evidenceAt(const Way& other, const Work& work) {
   if (other.signals.blocks() != work.signals.blocks()) return -1e300;
   Signals signals = other.signals;
   if (work.mistake) signals = corrected(signals, *work.mistake);
-  return fitModel(signals, work.stretches, work.search.final.model, 4).evidence - work.search.final.evidence;
+  const Fit fit = fitModel(signals, work.stretches, work.search.final.model, 4);
+  return believable(fit) ? fit.evidence - work.search.final.evidence : -1e300;
 }
 
 }  // namespace heft::diagnosis

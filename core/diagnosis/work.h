@@ -47,12 +47,13 @@ struct Work {
   Search search;
 };
 
-/// Contact in `start` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it
-/// says so, the search ends there (Search::givenUp).
-Result<Work> worked(const Way& start, const DiagnoseOptions& options, double threshold, const Progress& progress,
+/// Contact on `way` must have been looked for. `start`: causes to begin with. `givesUp`, if any, is asked once with the first
+/// cause accepted; where it says so, the search ends there (Search::givenUp).
+Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress, const Model& start = {},
                     const std::function<bool(const Work&)>& givesUp = {});
 
-/// Evidence of the work's final model when the motion is smoothed another way, less that with its own.
+/// Evidence of the work's final model when the motion is smoothed another way, less that with its own; next to nothing where it is
+/// not believable there.
 double evidenceAt(const Way& other, const Work& work);
 
 }  // namespace heft::diagnosis
