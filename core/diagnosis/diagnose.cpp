@@ -132,26 +132,29 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
-  const auto searchedOn = [&](std::size_t i, double threshold, const Model& start = {}, const std::function<bool(const Work&)>& givesUp = {}) {
+  const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
-    return worked(ways[i], options, threshold, progress, start, givesUp);
+    return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next.
-  const auto betterElsewhere = [&](const Work& work) {
+  const auto betterBy = [&](const auto& evidenceOf) {
     std::vector<double> gains(ways.size(), 0.0);
     onTwoThreads(ways.size(), [&](std::size_t i) {
-      if (i != at) gains[i] = evidenceAt(ways[i], work);
+      if (i != at) gains[i] = evidenceOf(ways[i]);
     });
     if (*std::ranges::max_element(gains) <= kClearly) return false;
     at = leastSmoothed(gains);
     return true;
   };
-  // What was found there is what another way begins with.
-  auto found = searchedOn(at, kThreshold, {}, betterElsewhere);
-  if (found && found->search.givenUp) found = searchedOn(at, kThreshold, Model(found->search.final.model));
+  const auto betterElsewhere = [&](const Work& work) { return betterBy([&](const Way& way) { return evidenceAt(way, work); }); };
+  const bool smooth = at > 0;
+  auto found = searchedOn(at, kThreshold, [&](const Work& work) {
+    return smooth ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); }) : betterElsewhere(work);
+  });
+  if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
   if (!found) return found.error();
   if (const std::size_t was = at; !progress.cancelled() && betterElsewhere(*found)) {
-    auto again = searchedOn(at, kThreshold, found->search.final.model);
+    auto again = searchedOn(at, kThreshold);
     at = again ? at : was;
     if (again) found = std::move(again);
   }

@@ -1,6 +1,7 @@
 #include "core/diagnosis/work.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "core/base/say.h"
@@ -266,7 +267,7 @@ std::vector<Stretch> holesOf(const Way& way) {
 
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
 Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes, const DiagnoseOptions& options,
-                double threshold, const Progress& progress, const Model& start, const std::function<bool(const Work&)>& givesUp) {
+                double threshold, const Progress& progress, const std::function<bool(const Work&)>& givesUp) {
   Work work;
   work.mistake = mistake;
   work.signals = mistake ? corrected(recorded, *mistake) : recorded;
@@ -274,7 +275,6 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   work.stretches = stretchesOf(signals.usable);
   SearchOptions searching;
   searching.threshold = threshold;
-  searching.start = start;
   if (givesUp)
     searching.givesUp = [&](const Fit& first) {
       work.search.final = first;
@@ -343,7 +343,7 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
   return frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
 }
 
-Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress, const Model& start,
+Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const std::function<bool(const Work&)>& givesUp) {
   constexpr double kClearly = 30.0;     ///< Evidence without a mistake over that with it
   const double judged = blocksIn(stretchesOf(way.signals.usable));
@@ -352,20 +352,38 @@ Result<Work> worked(const Way& way, const DiagnoseOptions& options, double thres
                            judged / way.signals.blockRate())};
   std::vector<Stretch> holes = holesOf(way);
   const std::optional<FrameMistake> mistake = way.putRight ? std::nullopt : frameMistake(way);
-  Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, start, givesUp);
+  Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, givesUp);
   if (!mistake || work.search.givenUp) return work;
   // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more without.
-  Work plain = workedWith(std::nullopt, way.signals, std::move(holes), options, threshold, progress, {}, {});
+  Work plain = workedWith(std::nullopt, way.signals, std::move(holes), options, threshold, progress, {});
   const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
   return believable(plain.search.final) && (perBlock(plain) - perBlock(work)) * judged > kClearly ? plain : work;
 }
 
+namespace {
+
+/// The way's signals as the work has them; nothing where its blocks are others.
+std::optional<Signals> asIn(const Work& work, const Way& way) {
+  if (way.signals.blocks() != work.signals.blocks()) return std::nullopt;
+  return work.mistake ? corrected(way.signals, *work.mistake) : way.signals;
+}
+
+}  // namespace
+
 double evidenceAt(const Way& other, const Work& work) {
-  if (other.signals.blocks() != work.signals.blocks()) return -1e300;
-  Signals signals = other.signals;
-  if (work.mistake) signals = corrected(signals, *work.mistake);
-  const Fit fit = fitModel(signals, work.stretches, work.search.final.model, 4);
+  const auto signals = asIn(work, other);
+  if (!signals) return -1e300;
+  const Fit fit = fitModel(*signals, work.stretches, work.search.final.model, 4);
   return believable(fit) ? fit.evidence - work.search.final.evidence : -1e300;
+}
+
+double evidenceAfresh(const Way& other, const Work& work, const DiagnoseOptions& options) {
+  const auto signals = asIn(work, other);
+  if (!signals) return -1e300;
+  const std::array<std::string_view, 1> cause{causeOf(work.search.final.model.terms.front())};
+  SignatureBank bank(*signals, options.hidden);
+  const auto fit = withOneOf(*signals, work.stretches, bank, fitModel(*signals, work.stretches, Model{}), cause);
+  return fit ? fit->evidence - work.search.final.evidence : -1e300;
 }
 
 }  // namespace heft::diagnosis

@@ -47,13 +47,16 @@ struct Work {
   Search search;
 };
 
-/// Contact on `way` must have been looked for. `start`: causes to begin with. `givesUp`, if any, is asked once with the first
-/// cause accepted; where it says so, the search ends there (Search::givenUp).
-Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress, const Model& start = {},
+/// Contact on `way` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it says so,
+/// the search ends there (Search::givenUp).
+Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const std::function<bool(const Work&)>& givesUp = {});
 
 /// Evidence of the work's final model when the motion is smoothed another way, less that with its own; next to nothing where it is
 /// not believable there.
 double evidenceAt(const Way& other, const Work& work);
+
+/// The same for a work of one cause, which is looked for afresh: parameters that fit a motion smoothed far too much lead astray.
+double evidenceAfresh(const Way& other, const Work& work, const DiagnoseOptions& options);
 
 }  // namespace heft::diagnosis
