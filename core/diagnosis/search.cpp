@@ -9,6 +9,7 @@ namespace heft::diagnosis {
 
 namespace {
 
+constexpr double kSlightlyRicher = 4.0;  ///< Evidence for a richer form that is none
 constexpr double kShareOfWandering = 0.2;  ///< And of what they explain: the further it wanders, the more they leave
 
 /// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero that walks.
@@ -91,6 +92,10 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
           break;
         }
     if (chosen->cause == kWandering) wanders = chosen->gain;
+    // Of forms that explain as much, the simplest; a richer one may still take its place when the others are in theirs.
+    const double good = chosen->gain - kSlightlyRicher;
+    for (const auto& trial : all)
+      if (trial.cause == chosen->cause && trial.gain > good && trial.fit.dimensions < chosen->fit.dimensions) chosen = &trial;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
     out.accepted = std::move(latest);

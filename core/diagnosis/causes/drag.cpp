@@ -55,7 +55,7 @@ class ViscousDrag final : public Resistance {
     add(out, 7, "away from the sensor and turning", withPlace({linear, angular}));
     out.back().scan = {0, 1};
     add(out, 4, "different along each axis",
-        {{"drag_x", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_y", "N s/m", 1.0, 0.3, -5.0, 200.0}, {"drag_z", "N s/m", 1.0, 0.3, -5.0, 200.0}});
+        {{"drag_x", "N s/m", 1.0, 0.3, 0.0, 200.0, true}, {"drag_y", "N s/m", 1.0, 0.3, 0.0, 200.0, true}, {"drag_z", "N s/m", 1.0, 0.3, 0.0, 200.0, true}});
     std::vector<Parameter> all = out.back().parameters;
     all.push_back(angular);
     add(out, 6, "different along each axis, away from the sensor", withPlace(std::move(all)));
@@ -90,9 +90,9 @@ class CoulombFriction final : public Resistance {
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
     add(out, 5, "different along each axis",
-        {{"friction_x", "N", 1.0, 0.1, -5.0, 60.0}, {"friction_y", "N", 1.0, 0.1, -5.0, 60.0}, {"friction_z", "N", 1.0, 0.1, -5.0, 60.0}});
+        {{"friction_x", "N", 1.0, 0.1, 0.0, 60.0, true}, {"friction_y", "N", 1.0, 0.1, 0.0, 60.0, true}, {"friction_z", "N", 1.0, 0.1, 0.0, 60.0, true}});
     // How slow it must be for friction to fade is nobody's constant.
-    const Parameter stick{"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05};
+    const Parameter stick{"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05, true};
     auto all = withPlace(out.back().parameters), away = withPlace({linear});
     all.push_back(stick);
     away.push_back(stick);
