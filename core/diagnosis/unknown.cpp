@@ -63,7 +63,7 @@ void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
                           heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
                                     std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
                           heft::say("Look at what switches, shakes or turns on the tool at these moments."), {}});
-  if (out.remaining.gain > kUnexplained || known) return;
+  if (known || out.remaining.gain > evidence) return;
   out.remaining.goesWith = work.oddGoesWith;
   out.remaining.gain = evidence;
 }

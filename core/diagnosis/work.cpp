@@ -180,6 +180,16 @@ void setTouchesAside(Work& work) {
   search.final = fitModel(signals, work.stretches, std::move(model));
 }
 
+/// Nobody touches a tool again and again for no longer than it takes to knock at it.
+void setKnocksAside(Work& work) {
+  constexpr double kKnock = 0.25;  ///< [s]
+  constexpr std::ptrdiff_t kKnocks = 3;  ///< Of five recordings with two or more, and nothing longer, none had been touched
+  if (std::ssize(work.contacts) < kKnocks || std::ranges::any_of(work.contacts, [](const Contact& c) { return c.to - c.from > kKnock; })) return;
+  work.odd = std::move(work.contacts);
+  work.contacts.clear();
+  work.oddGoesWith = heft::toSay("short knocks");
+}
+
 }  // namespace
 
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff, bool twicing,
@@ -286,6 +296,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     if (work.search.givenUp) return work;
     lookBack(signals, work.stretches, work.bank, searching, work.search, progress);
     setTouchesAside(work);
+    setKnocksAside(work);
     return work;
   }
   // Contact first; what the causes found elsewhere account for is no contact. Only what is left in the end is compared.
@@ -329,6 +340,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   }
   setOddAside(work, whole);
   setTouchesAside(work);
+  setKnocksAside(work);
   return work;
 }
 
