@@ -6522,6 +6522,30 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The sensor remembers its load: it reads {} % of the load&apos;s range differently going up and coming down.</source>
         <translation>Der Sensor merkt sich seine Last: Auf dem Weg hinauf zeigt er um {} % des Lastbereichs anders an als auf dem Weg hinab.</translation>
     </message>
+    <message>
+        <source>Quaternions are stored with w first: the columns qx, qy, qz, qw hold w, x, y, z.</source>
+        <translation>Quaternionen stehen mit w zuerst in der Datei: Die Spalten qx, qy, qz, qw enthalten w, x, y, z.</translation>
+    </message>
+    <message>
+        <source>From {} s on something pulls at the tool with {} N, always in the same direction.</source>
+        <translation>Ab {} s zieht etwas mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>Something holds the tool back, by up to {} N per metre per second.</source>
+        <translation>Etwas bremst das Werkzeug, mit bis zu {} N je Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something rubs and holds the tool back, with up to {} N.</source>
+        <translation>Etwas reibt und hält das Werkzeug mit bis zu {} N zurück.</translation>
+    </message>
+    <message>
+        <source>Rename the columns qx, qy, qz, qw to qw, qx, qy, qz.</source>
+        <translation>Benenne die Spalten qx, qy, qz, qw in qw, qx, qy, qz um.</translation>
+    </message>
+    <message>
+        <source>short knocks</source>
+        <translation>kurzen Stößen</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
