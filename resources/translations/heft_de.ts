@@ -6532,7 +6532,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Something holds the tool back, by up to {} N per metre per second.</source>
-        <translation>Etwas bremst das Werkzeug, mit bis zu {} N je Meter pro Sekunde.</translation>
+        <translation>Etwas bremst das Werkzeug, mit bis zu {} N pro Meter pro Sekunde.</translation>
     </message>
     <message>
         <source>Something rubs and holds the tool back, with up to {} N.</source>
@@ -6544,7 +6544,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>short knocks</source>
-        <translation>kurzen Stößen</translation>
+        <translation>kurze Stöße</translation>
     </message>
 </context>
 <context>
