@@ -6544,7 +6544,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>short knocks</source>
-        <translation>kurze Stöße</translation>
+        <translation>kurzen Stößen</translation>
     </message>
 </context>
 <context>
