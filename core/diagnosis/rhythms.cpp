@@ -188,4 +188,30 @@ BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, d
   return out;
 }
 
+MatrixXd ripplesOfGears(const Signals& signals, const Vector10d& payload) {
+  constexpr std::array<double, 2> kTimes{50.0, 100.0};  ///< A turn, of the usual strain wave gears
+  const Eigen::Index dof = signals.q.rows(), n = signals.size();
+  MatrixXd out(6 * signals.blocks(), 4 * dof);
+  const MatrixXd still = MatrixXd::Zero(dof, n);
+  const Kinematics rest = kinematicsOf(signals, signals.q, still, still);
+  for (Eigen::Index j = 0; j < dof; ++j) {
+    MatrixXd unit = still;
+    unit.row(j).setOnes();
+    Kinematics moved = kinematicsOf(signals, signals.q, still, unit);
+    moved.specificForce -= rest.specificForce;
+    moved.alpha -= rest.alpha;
+    const Wrenches perAcceleration = payloadWrench(moved, payload);
+    const auto q = signals.q.row(j).array(), dq = signals.dq.row(j).array(), ddq = signals.ddq.row(j).array();
+    for (std::size_t i = 0; i < kTimes.size(); ++i) {
+      const double times = kTimes[i];
+      const Eigen::ArrayXXd ofSine = times * (ddq * (times * q).cos() - times * dq.square() * (times * q).sin());
+      const Eigen::ArrayXXd ofCosine = -times * (ddq * (times * q).sin() + times * dq.square() * (times * q).cos());
+      const Eigen::Index at = 4 * j + 2 * static_cast<Eigen::Index>(i);
+      out.col(at) = flat(averaged(signals, perAcceleration.array().rowwise() * ofSine.row(0)));
+      out.col(at + 1) = flat(averaged(signals, perAcceleration.array().rowwise() * ofCosine.row(0)));
+    }
+  }
+  return out;
+}
+
 }  // namespace heft::diagnosis

@@ -15,4 +15,8 @@ enum class WaveKind { onChannels, inTheWorld, overJoints };
 /// which knows what a walk does.
 BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, double lnN, double highestHz);
 
+/// What gears do that turn a joint unevenly, by A sin(n q) and A cos(n q) with n once and twice a turn of a motor: 6N x 4 dof. The
+/// accelerations (n dq)^2 A move the payload (ten parameters); only with a robot.
+MatrixXd ripplesOfGears(const Signals& signals, const Vector10d& payload);
+
 }  // namespace heft::diagnosis

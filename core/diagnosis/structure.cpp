@@ -21,6 +21,7 @@ namespace {
 struct Group {
   std::string goesWith;
   MatrixXd features;  ///< F x K
+  MatrixXd columns = {};   ///< 6N x F: what they are on the channels, where that is known; otherwise anything on each
 };
 
 MatrixXd normalised(MatrixXd features) {
@@ -59,7 +60,7 @@ MatrixXd aheadOfPlay(const MatrixXd& rows, double half) {
   return out;
 }
 
-std::vector<Group> groups(const Signals& signals) {
+std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
   std::vector<Group> out;
   const auto& kin = signals.kinematics;
   const Eigen::Index n = signals.size();
@@ -101,6 +102,7 @@ std::vector<Group> groups(const Signals& signals) {
     out.push_back({heft::toSay("the direction in which joints turn"),
                    stacked((signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix(),
                            stacked(aheadOfPlay(signals.q, 0.04), aheadOfPlay(signals.q, 0.12)))});
+    if (signals.robot != nullptr) out.push_back({heft::toSay("the joint angles, several times a turn"), {}, ripplesOfGears(signals, payload)});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
@@ -113,8 +115,10 @@ std::vector<Group> groups(const Signals& signals) {
   return out;
 }
 
-/// A group's features, averaged, on each of the six channels.
-MatrixXd columnsOf(const MatrixXd& features, const Signals& signals) {
+/// A group's features, averaged, on each of the six channels unless it is known how they come to be there.
+MatrixXd columnsOf(const Group& group, const Signals& signals) {
+  if (group.columns.size() > 0) return group.columns;
+  const MatrixXd& features = group.features;
   const Eigen::Index blocks = signals.blocks();
   MatrixXd averagedFeatures(features.rows(), blocks);
   const int m = signals.samplesPerBlock;
@@ -225,10 +229,10 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
                                       Ground(stretches, fit, white(fit.residual, stretches), true)};
-  const auto all = groups(signals);
+  const auto all = groups(signals, fit.model.x.tail<10>());
   std::vector<std::array<Judged, 2>> judged(all.size());
   onTwoThreads(all.size(), [&](std::size_t i) {
-    const MatrixXd columns = columnsOf(all[i].features, signals);
+    const MatrixXd columns = columnsOf(all[i], signals);
     for (std::size_t g = 0; g < 2; ++g) judged[i][g] = judge(Dictionary(grounds[g].freed(columns)), grounds[g], lnN);
   });
   Structure best;
@@ -246,7 +250,7 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
     Judged& strongest = judged[at][on];
     const bool asks = strongest.gain >= least + ofWalk && strongest.gain <= (wanders ? kPlainBesideWalk : kPlain);
     if (asks && !chance[on]) chance[on].emplace(grounds[on], lnN);
-    if (!asks || strongest.gain > chance[on]->gainOf(Dictionary(grounds[on].freed(columnsOf(all[at].features, signals)), true))) {
+    if (!asks || strongest.gain > chance[on]->gainOf(Dictionary(grounds[on].freed(columnsOf(all[at], signals)), true))) {
       best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
       break;
     }
