@@ -81,6 +81,20 @@ TEST(NoContact, BurstsOfInterferenceAreUnknown) {
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 
+/// Strain wave gears let two joints lead and lag by 0.007 degrees, 50 times a turn: too fast to look like anything but noise.
+TEST(NoContact, GearsThatTurnUnevenlyAreUnknown) {
+  Recording recording = aRecording(MotionKind::excitation, 307);
+  for (const Eigen::Index joint : {3, 5}) {
+    const Eigen::ArrayXd angle = 50.0 * recording.q.col(joint).array();
+    recording.q.col(joint).array() += 1.2e-4 * angle.sin();
+    if (recording.dq.rows() > 0) recording.dq.col(joint).array() *= 1.0 + 50.0 * 1.2e-4 * angle.cos();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "the joint angles, several times a turn") << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+}
+
 /// A motor that spins inside the tool resists being turned: torque omega x h, which no cause of the catalogue makes.
 TEST(NoContact, ASpinningRotorIsUnknown) {
   Recording recording = aRecording(MotionKind::pickAndPlace, 303);
