@@ -456,8 +456,10 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   // What next to nothing speaks for may be a crutch for something that the catalogue lacks.
   const double faint = faintEvidence(out.causes);
   Structure plain;
-  if (faint > 0.0 && out.remaining.gain <= kUnexplained) plain = structureIn(work.signals, work.stretches, work.search.null);
-  if (allFaint(out.causes) && out.remaining.gain <= kUnexplained) {
+  // Nor is explained what takes a cause at the edge of what there can be.
+  const bool strained = !believable(final);
+  if ((faint > 0.0 || strained) && out.remaining.gain <= kUnexplained) plain = structureIn(work.signals, work.stretches, work.search.null);
+  if ((strained || allFaint(out.causes)) && out.remaining.gain <= kUnexplained) {
     out.remaining = plain;
     out.verdict = Verdict::unexplained;
   } else if (faint > 0.0 && plain.gain > faint + kTie) {

@@ -6,7 +6,7 @@
 namespace heft::diagnosis {
 
 /// Gain of a structure above which it is one.
-constexpr double kUnexplained = 12.0;
+constexpr double kUnexplained = 14.0;
 
 /// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings and makes it
 /// what remains, unless something else does. `known`: single readings tell of something wrong with them.
