@@ -184,6 +184,8 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   // The last look changes nothing any more: what was found must be told whole.
   constexpr int kLooks = 3;
   bool changed = true, ever = false;
+  std::vector<Tried> tried;
+  if (!search.accepted.all.empty()) tried.push_back(std::move(search.accepted));
   const auto take = [&](const Fit& fit) {
     search.final = settled(signals, stretches, prunedOf(signals, stretches, fit, options.threshold));
     changed = ever = true;
@@ -196,25 +198,24 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       progress(0.8, heft::say("Comparing what could stand in its place"));
       Found found;
       found.cause = cause;
-      // What was tried before the last cause was accepted is what stands against it now.
-      Tried now;
-      if (!search.accepted.all.empty() && sameForms(without(search.final.model, cause), search.accepted.base.model))
-        now = search.accepted;
-      else
-        now.base = restWithout(signals, stretches, search.final.model, cause, search.order);
-      const Fit& rest = now.base;
-      found.gain = search.final.evidence - rest.evidence;
-      if (now.all.empty()) {
-        const auto ranked = promises(signals, stretches, bank, rest);
-        now.all = trialsOf(signals, stretches, rest, chosenOf(ranked, kRivals, found.gain));
-        addCompletions(signals, stretches, rest, now.all);
+      // What was tried around the same model before, such as before the last cause was accepted, is what stands against it now.
+      const Model bare = without(search.final.model, cause);
+      auto known = std::ranges::find_if(tried, [&](const Tried& t) { return sameForms(bare, t.base.model); });
+      if (known == tried.end()) {
+        Tried fresh{restWithout(signals, stretches, search.final.model, cause, search.order), {}};
+        const auto ranked = promises(signals, stretches, bank, fresh.base);
+        fresh.all = trialsOf(signals, stretches, fresh.base, chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
+        addCompletions(signals, stretches, fresh.base, fresh.all);
+        known = tried.insert(tried.end(), std::move(fresh));
       }
+      const Fit& rest = known->base;
+      std::vector<Trial> all = known->all;
+      found.gain = search.final.evidence - rest.evidence;
       if (cause == kWandering)
-        outgrowWalk(signals, stretches, bank, found.gain, now.all);
+        outgrowWalk(signals, stretches, bank, found.gain, all);
       else
-        growRivals(signals, stretches, bank, search.final.model, cause, now.all);
-      settleRivals(signals, stretches, rest, found, now.all);
-      const auto& all = now.all;
+        growRivals(signals, stretches, bank, search.final.model, cause, all);
+      settleRivals(signals, stretches, rest, found, all);
       found.spread = spreadOf(search.final.model, cause, all);
       // A richer form of it that promised little around what else was wrong by then.
       const auto own = std::ranges::find_if(all, [&](const Trial& t) { return t.cause == cause; });
