@@ -7,6 +7,7 @@
 #include <new>
 
 #include "app/cli/cli.h"
+#include "core/base/keep_memory.h"
 #include "core/base/text.h"
 
 namespace {
@@ -129,6 +130,7 @@ int runCommandLine(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  heft::keepFreedMemory();
   try {
     return runCommandLine(argc, argv);
   } catch (const heft::cli::Failed& error) {
