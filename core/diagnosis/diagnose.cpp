@@ -199,7 +199,7 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   // To whoever mends the rig a wandering zero is one that drifts.
   for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
   // A jump is a drift that took no time.
-  if (found.cause == "sensor_bias") add("bias_drift");
+  if (found.cause == "sensor_bias" || contains(out, "sensor_bias")) add("bias_drift");
   // No reading comes before what it is about: then the motion is late.
   if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
   // What weighs as much as the tool is the tool on its mount.

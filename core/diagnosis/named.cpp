@@ -39,6 +39,8 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
           continue;
         }
         const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+        // A step shorter than the blocks show: how long it takes is less than usual, and no more is known.
+        if (parameter.lowerIsFine && term.v(p) <= parameter.lower) deviation(p) = std::min(deviation(p), parameter.size);
         std::string name = parameter.name;
         for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
           name = fmt::format("{}_{}", parameter.name, i);
