@@ -130,14 +130,14 @@ class CablePull final : public Cause {
   }
   /// Springs pull back, whichever way the tool goes; what hardly does along any line is a constant pull.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kDeviations = 3.0;
+    constexpr double kDeviations = 3.0, kFirm = 5.0;
     const int kind = form.choice[0];
     if (kind == kTaut || kind == kTwist) return true;
     if (kind == kPerAxis) return (v.head<3>() - kDeviations * std.head<3>()).maxCoeff() > 0.0;
     if (kind != kAllWays) return v(0) > kDeviations * std(0);
     const Vector3d along = acrossAxes(v).selfadjointView<Eigen::Lower>().eigenvalues();
-    const double off = kDeviations * std.head<6>().maxCoeff();
-    return along.minCoeff() > -off && along.maxCoeff() > off;
+    const double off = std.head<6>().maxCoeff();
+    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kFirm * off;
   }
 
  private:
