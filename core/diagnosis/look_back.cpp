@@ -207,6 +207,7 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         Tried fresh{restWithout(signals, stretches, search.final.model, cause, search.order), {}};
         const auto ranked = promises(signals, stretches, bank, fresh.base);
         fresh.all = trialsOf(signals, stretches, fresh.base, chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
+        addAtThatMoment(signals, stretches, fresh.base, ranked, fresh.all);
         addCompletions(signals, stretches, fresh.base, fresh.all);
         known = tried.insert(tried.end(), std::move(fresh));
       }

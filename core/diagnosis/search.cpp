@@ -63,6 +63,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     Tried latest{out.final, trials(signals, stretches, out.final, ranked)};
+    addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
     const auto& all = latest.all;
     const auto enough = [&](const Trial& trial) {

@@ -162,6 +162,31 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   if (all.size() > before) sortByGain(all);
 }
 
+void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const std::vector<Candidate>& ranked,
+                     std::vector<Trial>& all) {
+  if (all.empty() || !all.front().fit.model.terms.back().form->atOnce) return;
+  const double moment = all.front().fit.model.terms.back().v(0);
+  const auto off = [&](const Candidate& c) { return std::abs(c.v(0) - moment); };
+  std::map<std::string_view, const Candidate*> nearest;
+  for (const Candidate& candidate : ranked) {
+    if (!candidate.form.atOnce || candidate.form.cause->id() == all.front().cause) continue;
+    const Candidate*& known = nearest[candidate.form.cause->id()];
+    if (known == nullptr || off(candidate) < off(*known)) known = &candidate;
+  }
+  std::vector<Candidate> there;
+  for (const auto& [cause, candidate] : nearest) {
+    there.push_back(*candidate);
+    Candidate& moved = there.back();
+    moved.form.start(0) = moved.v(0) = std::clamp(moment, moved.form.parameters[0].lower, moved.form.parameters[0].upper);
+    moved.score = 0.0;  // Placed already
+  }
+  std::vector<const Candidate*> chosen;
+  for (const Candidate& candidate : there) chosen.push_back(&candidate);
+  auto more = trialsOf(signals, stretches, base, chosen);
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  sortByGain(all);
+}
+
 std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
                                 std::span<const std::string_view> causes) {
   return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {

@@ -59,6 +59,11 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
 /// explain needs no second name. Added to `all`, best first.
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all);
 
+/// Where the best of `all` is an event, the other causes' events at that moment: a first look at steps half a second apart says
+/// little of them, and less where the zero wanders. Added to `all`, best first.
+void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const std::vector<Candidate>& ranked,
+                     std::vector<Trial>& all);
+
 /// Takes out again what the others have made needless.
 Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold);
 
