@@ -53,6 +53,9 @@ class Cause {
   /// Every form worth looking at with these signals; none if the recording cannot show the cause.
   virtual std::vector<Form> forms(const Signals& signals) const = 0;
 
+  /// Richer forms that begin where the fit of one ended, with their first guess: such as lie too far from any of forms() to be found.
+  virtual std::vector<std::pair<Form, VectorXd>> grown(const Form&, const VectorXd&, const Signals&) const { return {}; }
+
   /// Place in the signal's way; lower comes first within a stage.
   virtual int order() const { return 0; }
   virtual void geometry(const Form&, const VectorXd&, const Signals&, Kinematics&) const {}

@@ -55,8 +55,8 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
 std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                           const std::vector<Candidate>& ranked);
 
-/// The model with all parameters of one term, of which the first look had freed only some: what the others of the same cause
-/// explain needs no second name. Added to `all`, best first.
+/// The model with all parameters of one term, of which the first look had freed only some, or with the richer form that this one
+/// grows into: what these explain needs no second name. Added to `all`, best first.
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all);
 
 /// Where the best of `all` is an event, the other causes' events at that moment: a first look at steps half a second apart says

@@ -96,6 +96,30 @@ class CablePull final : public Cause {
         {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_y", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_z", "N m", 1.0, 0.02, -5.0, 5.0}});
     return out;
   }
+  /// What holds a cable does not stretch for a thumb's width, which takes its share off the stiffness and is not told by itself.
+  VectorXd modelStd(const Form& form, const VectorXd& v) const override {
+    constexpr double kHolder = 0.02;  // [m]
+    const int kind = form.choice[0];
+    if (kind == kTaut || kind == kTwist) return {};
+    const Eigen::Index at = kind == kAllWays ? 6 : kind == kPerAxis ? 3 : 1, axes = kind == kSpring || kind == kAway ? 1 : 3;
+    const double stiffest = v.head(axes).maxCoeff(), far = v.segment<3>(at).norm() / std::max(1e-9, stiffest);
+    VectorXd out = VectorXd::Zero(v.size());
+    out.head(axes) = v.head(axes) * std::min(1.0, kHolder / std::max(1e-9, far));
+    return out;
+  }
+  /// A spring towards one spot is a cable of some length.
+  std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v, const Signals& signals) const override {
+    constexpr double kShort = 0.02;  // [m]
+    if ((form.choice[0] != kSpring && form.choice[0] != kAway) || !(v(0) > 0.0)) return {};
+    const Vector3d away = v.segment<3>(1) / v(0);
+    std::vector<Form> taut = tautForms(this, signals);
+    std::erase_if(taut, [](const Form& f) { return !f.name.starts_with("taut"); });
+    const Vector3d centre = middle(signals);
+    const auto along = [&](const Form& f) { return Vector3d(f.start.segment<3>(1) - centre).dot(away); };
+    VectorXd start(8);
+    start << v(0), centre + away, kShort, form.choice[0] == kAway ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
+    return {{*std::ranges::max_element(taut, {}, along), start}};
+  }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     if (form.choice[0] == kTaut) {

@@ -68,6 +68,30 @@ TEST(NoContact, ASlackHoseIsOne) {
   EXPECT_NEAR(parameter(*cable, "stiffness")->value, 12.0, 4.0 * parameter(*cable, "stiffness")->std);
 }
 
+/// A taut rope of rubber on 120 mm of hook: a spring towards one spot would be too soft, and different to each side.
+TEST(NoContact, ATautCableHasALength) {
+  Recording recording = aRecording(MotionKind::free, 308);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d anchor = Vector3d(motion.position.rowwise().mean()) + Vector3d(0.3, 0.5, 0.4);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const Eigen::Index k = sampleAt(motion, recording.time(i));
+    const Vector3d way = motion.position.col(k) - anchor;
+    const Vector3d held = 8.0 * (way.norm() - 0.12) * way.normalized();
+    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * held).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause* cable = named(report, "cable_pull");
+  ASSERT_NE(cable, nullptr) << said(report);
+  ASSERT_NE(parameter(*cable, "length"), nullptr) << said(report);
+  EXPECT_NEAR(parameter(*cable, "length")->value, 120.0, 4.0 * parameter(*cable, "length")->std + 2.0);
+  EXPECT_NEAR(parameter(*cable, "stiffness")->value, 8.0, 4.0 * parameter(*cable, "stiffness")->std + 0.05);
+  for (int axis = 0; axis < 3; ++axis) {
+    const CauseParameter* at = parameter(*cable, std::string("anchor_") + "xyz"[axis]);
+    EXPECT_NEAR(at->value, 1e3 * anchor(axis), 4.0 * at->std + 5.0) << at->name;
+  }
+}
+
 TEST(NoContact, BurstsOfInterferenceAreUnknown) {
   Recording recording = aRecording(MotionKind::free, 302);
   push(recording, [](double t) {
