@@ -319,10 +319,14 @@ void sortByStrength(std::vector<DiagnosedCause>& causes) {
   std::ranges::stable_sort(causes, [&](const DiagnosedCause& a, const DiagnosedCause& b) { return rank(a) > rank(b); });
 }
 
-/// Several causes, each of which next to nothing speaks for: a crutch for something that the catalogue lacks.
-bool allFaint(const std::vector<DiagnosedCause>& causes) {
+/// Several causes, each of which next to nothing speaks for, or three and more that each explain little of what is unseen: crutches
+/// for something that the catalogue lacks.
+bool areCrutches(const std::vector<DiagnosedCause>& causes) {
+  constexpr double kLittle = 0.3;
   const auto fitted = std::ranges::count_if(causes, [](const DiagnosedCause& c) { return !c.direct; });
-  return fitted > 1 && std::ranges::all_of(causes, [](const DiagnosedCause& c) { return c.direct || c.deltaBic < kFaint; });
+  const auto all = [&](const auto& are) { return std::ranges::all_of(causes, [&](const DiagnosedCause& c) { return c.direct || are(c); }); };
+  return (fitted > 1 && all([](const DiagnosedCause& c) { return c.deltaBic < kFaint; })) ||
+         (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kLittle; }));
 }
 
 /// Evidence of all fitted causes together where it is little; zero where it is not, or where there are none.
@@ -459,7 +463,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   // Nor is explained what takes a cause at the edge of what there can be.
   const bool strained = !believable(final);
   if ((faint > 0.0 || strained) && out.remaining.gain <= kUnexplained) plain = structureIn(work.signals, work.stretches, work.search.null);
-  if ((strained || allFaint(out.causes)) && out.remaining.gain <= kUnexplained) {
+  if ((strained || areCrutches(out.causes)) && out.remaining.gain <= kUnexplained) {
     out.remaining = plain;
     out.verdict = Verdict::unexplained;
   } else if (faint > 0.0 && plain.gain > faint + kTie) {
