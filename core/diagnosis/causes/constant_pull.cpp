@@ -42,7 +42,13 @@ class ConstantPull final : public Cause {
     addWorldForce(axesOf(signals, kin), held, r, w);
   }
   /// A step in six channels takes a little of anything that is left. Of four that had begun, the faintest was 1,300.
-  double doubt(const Form& form, const VectorXd&, const Signals&) const override { return form.local ? 80.0 : 0.0; }
+  /// What begins to pull straight up or down is a load that changed.
+  double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
+    constexpr double kStep = 80.0, kNever = 1e9, kAside = 0.2;
+    if (!form.local) return 0.0;
+    const Vector3d force = v.segment<3>(1);
+    return force.cross(signals.gravity).norm() < kAside * force.norm() * signals.gravity.norm() ? kNever : kStep;
+  }
   std::vector<std::pair<double, double>> when(const Form& form, const VectorXd& v, const Signals& signals) const override {
     if (!form.local) return {};
     return {wholeAfter(v(0) - 0.5 * v(7), signals)};
