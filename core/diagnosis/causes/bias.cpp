@@ -92,7 +92,7 @@ class SensorBias final : public Cause {
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const auto [from, to] = timesForChange(signals);
-    for (double t = from + 0.05; t < to; t += std::max(0.4, signals.duration() / 60.0)) {
+    for (const double t : momentsForChange(signals)) {
       std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, from, to}};
       for (int c = 0; c < 6; ++c)
         parameters.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -400.0 * sizeOf(c), 400.0 * sizeOf(c)});

@@ -97,6 +97,14 @@ inline std::pair<double, double> timesForChange(const Signals& signals) {
   return {signals.startTime + margin, signals.startTime + signals.duration() - margin};
 }
 
+/// Moments [s] between them at which a first look places an event.
+inline std::vector<double> momentsForChange(const Signals& signals) {
+  const auto [from, to] = timesForChange(signals);
+  std::vector<double> out;
+  for (double t = from + 0.05; t < to; t += std::max(0.4, signals.duration() / 60.0)) out.push_back(t);
+  return out;
+}
+
 inline std::pair<double, double> wholeAfter(double t0, const Signals& signals) {
   return {t0, signals.startTime + signals.duration()};
 }

@@ -18,7 +18,7 @@ class ConstantPull final : public Cause {
     out.back().scan = {0, 1, 2};
     // From some moment on, such as when a hose is switched on or caught.
     const auto [from, to] = timesForChange(signals);
-    for (double t = from + 0.05; t < to; t += std::max(0.4, signals.duration() / 60.0)) {
+    for (const double t : momentsForChange(signals)) {
       std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, from, to}};
       parameters.insert(parameters.end(), pull.begin(), pull.end());
       parameters = withPlace(std::move(parameters));

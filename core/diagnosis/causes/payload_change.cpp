@@ -26,7 +26,7 @@ class PayloadChange final : public Cause {
       form.scan = {1, 2, 3, 4};
       return form;
     };
-    for (double t = from + 0.05; t < to; t += std::max(0.4, T / 60.0)) {
+    for (const double t : momentsForChange(signals)) {
       out.push_back(change("", t, 0.05, 2.0));
       out.back().local = out.back().atOnce = true;
     }

@@ -1,6 +1,10 @@
 #pragma once
 // Recordings for tests of the diagnosis.
+#include <algorithm>
+#include <cmath>
+
 #include "core/diagnosis/diagnose.h"
+#include "core/motion/motion.h"
 #include "core/simulation/simulate.h"
 
 namespace heft::test {
@@ -28,6 +32,11 @@ inline DiagnosisReport diagnosed(const Recording& recording, std::vector<std::st
   options.surrogates = 0;
   options.hidden = std::move(hidden);
   return diagnose(recording, &RobotModel::panda(), options).value();
+}
+
+/// The motion's sample at a time [s].
+inline Eigen::Index sampleAt(const Motion& motion, double t) {
+  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((t - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
 }
 
 /// Only the rows `kept` of a recording of joints.

@@ -20,10 +20,16 @@ void holdBack(Recording& recording, const Force& force) {
   smoothing.cutoffHz = 25.0;
   const auto motion = motionOf(recording, &RobotModel::panda(), smoothing).value();
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const auto k = std::clamp<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
+    const auto k = sampleAt(motion, recording.time(i));
     const Vector3d f = force(Vector3d(motion.position.col(k)), Vector3d(motion.velocity.col(k)));
     recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * f).transpose();
   }
+}
+
+/// Adds what the sensor must hold (S axes) against something that acts at the tip (S axes).
+void addAtTip(Recording& recording, Eigen::Index row, const Vector3d& force, const Vector3d& tip) {
+  recording.wrench.row(row).head<3>() += force.transpose();
+  recording.wrench.row(row).tail<3>() += tip.cross(force).transpose();
 }
 
 /// A part inside the sensor bends with the load and slips early: a loop of 3 % of each channel's range. It looked like a delay.
@@ -75,12 +81,10 @@ TEST(Diagnose, ADragMayDifferAlongEachAxisAndActAtTheTip) {
   const Vector3d drag(2.6, 1.1, 0.6), tip(0.02, -0.03, 0.15);  // [N s/m], [m]
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const auto k = std::clamp<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
+    const auto k = sampleAt(motion, recording.time(i));
     const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
     const Vector3d velocity = motion.velocity.col(k) + R * Vector3d(motion.omega.col(k)).cross(tip);
-    const Vector3d f = R.transpose() * velocity.cwiseProduct(drag);
-    recording.wrench.row(i).head<3>() += f.transpose();
-    recording.wrench.row(i).tail<3>() += tip.cross(f).transpose();
+    addAtTip(recording, i, R.transpose() * velocity.cwiseProduct(drag), tip);
   }
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
@@ -148,10 +152,8 @@ TEST(Diagnose, APullMayBeginAtSomeMoment) {
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
     if (recording.time(i) < begins) continue;
-    const auto k = std::clamp<Eigen::Index>(std::lround((recording.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
-    const Vector3d f = motion.R_BS[static_cast<std::size_t>(k)].transpose() * -pull;
-    recording.wrench.row(i).head<3>() += f.transpose();
-    recording.wrench.row(i).tail<3>() += tip.cross(f).transpose();
+    const auto k = sampleAt(motion, recording.time(i));
+    addAtTip(recording, i, motion.R_BS[static_cast<std::size_t>(k)].transpose() * -pull, tip);
   }
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);

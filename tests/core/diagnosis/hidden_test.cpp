@@ -467,7 +467,7 @@ TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
     recording.quaternion.resize(joints.rows(), 4);
     recording.twist.resize(joints.rows(), 6);
     for (Eigen::Index i = 0; i < joints.rows(); ++i) {
-      const auto k = std::clamp<Eigen::Index>(std::lround((joints.time(i) - motion.startTime) * motion.rateHz), 0, motion.size() - 1);
+      const auto k = sampleAt(motion, joints.time(i));
       const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
       const Quaterniond q(R);
       recording.position.row(i) = motion.position.col(k).transpose();

@@ -26,10 +26,6 @@ bool finds(const DiagnosisReport& report, std::string_view code) {
   return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
 }
 
-Eigen::Index sampleAt(const Motion& motion, double t) {
-  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((t - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
-}
-
 /// Adds `amplitude(t)` to force x and a tenth of a metre times it to torque y.
 template <class Amplitude>
 void push(Recording& recording, const Amplitude& amplitude) {
