@@ -30,11 +30,14 @@ Model moved(const Model& from, const VectorXd& step, double factor) {
   return out;
 }
 
+/// `value`: what the model predicts.
 double misfit(const Signals& signals, const std::vector<Stretch>& stretches, const Noise& noise, const Model& model,
-              const VectorXd& sd) {
-  const Wrenches r = signals.measured - averaged(signals, predicted(signals, model));
+              const Wrenches& value, const VectorXd& sd) {
+  const Wrenches r = signals.measured - value;
   return whitened(flat(r), noise, stretches).squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
 }
+
+Wrenches valueOf(const Signals& signals, const Model& model) { return averaged(signals, predicted(signals, model)); }
 
 /// Information that is left of the parameters in `own` when all in `others` are unknown; both are indices.
 MatrixXd informationBeside(const MatrixXd& information, const std::vector<Eigen::Index>& own,
@@ -284,30 +287,36 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     };
     if (const VectorXd held = heldWhere(fit.model, sd, stays); leaves) step = Normal(J, held).solve(pull);
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
-    const auto betters = [&](const Model& model) { return misfit(signals, stretches, fit.noise, model, sd) <= before; };
-    Model next = fit.model;
+    Model next;
+    Wrenches value;
+    const auto betters = [&](Model model) {
+      next = std::move(model);
+      value = valueOf(signals, next);
+      return next.terms.empty() || misfit(signals, stretches, fit.noise, next, value, sd) <= before;
+    };
     double factor = 1.0;
     for (int half = 0; half < 4; ++half, factor *= 0.4) {
-      next = moved(fit.model, step, factor);
-      if (fit.model.terms.empty() || betters(next)) break;
+      if (betters(moved(fit.model, step, factor))) break;
       if (half < 3) continue;
       // A time, a frequency or so leads astray, such as that of a step between two samples: then what is linear moves alone.
-      next = moved(fit.model, Normal(J, heldWhere(fit.model, sd, bends)).solve(pull), 1.0);
-      if (!betters(next)) next = fit.model;
+      if (betters(moved(fit.model, Normal(J, heldWhere(fit.model, sd, bends)).solve(pull), 1.0))) break;
+      next = fit.model;
+      value = at.value;
     }
     if (learnsWalk) learnWalk(next, normal.inverse());
-    State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), std::move(at.jacobian)};
+    State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), {}};
     sd = whisper(fit.model);
-    at = linearised(signals, fit.model);
-    fit.residual = signals.measured - at.value;
+    fit.residual = signals.measured - value;
     fit.noise = fitNoise(fit.residual, stretches);
     const bool rests = std::abs(fit.noise.evidence - was.noise.evidence) < 0.05;
     if (fit.noise.evidence >= most) {
       most = fit.noise.evidence;
       falls = 0;
     } else if (++falls == 1) {
+      was.jacobian = at.jacobian;
       best = std::move(was);
     }
+    at = linearisedAgain(signals, fit.model, std::move(value), std::move(at.jacobian));
     if (rests) break;
   }
   if (falls > 0) {
@@ -367,8 +376,10 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
     Model next = moved(model, step, 1.0);
     // A step too far, such as between two forms that do nearly the same, is a shorter one.
     const double before = r.squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
-    for (double factor = 0.3; factor > 0.01 && !fit.model.terms.empty() && misfit(signals, stretches, fit.noise, next, sd) > before; factor *= 0.3)
+    for (double factor = 0.3; factor > 0.01 && !fit.model.terms.empty(); factor *= 0.3) {
+      if (misfit(signals, stretches, fit.noise, next, valueOf(signals, next), sd) <= before) break;
       next = moved(model, step, factor);
+    }
     model = std::move(next);
     if (fit.model.terms.empty()) break;
   }

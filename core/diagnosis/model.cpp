@@ -101,12 +101,51 @@ Wrenches predicted(const Signals& signals, const Model& model) {
 
 namespace {
 
+bool bendsOrChanges(const Term& term) { return term.form->cause->bendsGeometry() || term.form->cause->changesSensor(*term.form); }
+
 /// What changes with each parameter of one term, where everything else stays as it is.
 class Moving {
  public:
-  Moving(const Signals& signals, const Model& model, const Kinematics& kinematics, const Wrenches& load, const Wrenches& told)
-      : signals_(signals), model_(model), kinematics_(kinematics), load_(load), told_(told) {
+  Moving(const Signals& signals, const Model& model)
+      : signals_(signals), model_(model), terms_(inOrder(model_.terms)), kinematics_(bent(signals, terms_)) {
     linear_ = std::ranges::all_of(model.terms, [](const Term& t) { return t.form->cause->linear(*t.form); });
+    // What only adds to what the others make leaves them as they are.
+    if (std::ranges::none_of(model.terms, bendsOrChanges)) return;
+    load_ = loads(signals, model, terms_, kinematics_);
+    told_ = sensed(signals, terms_, load_);
+  }
+  Moving(const Moving&) = delete;
+  Moving& operator=(const Moving&) = delete;
+
+  const Kinematics& kinematics() const { return kinematics_; }
+
+  /// The readings, averaged.
+  Wrenches value() const {
+    const Wrenches told = told_.size() > 0 ? told_ : sensed(signals_, terms_, loads(signals_, model_, terms_, kinematics_));
+    return averaged(signals_, readings(signals_, model_, terms_, told));
+  }
+
+  /// Columns of the payload's parameters.
+  void fillPayload(MatrixXd& jacobian) const {
+    const bool throughChanges = std::ranges::any_of(terms_, [](const Term* t) {
+      const Cause& cause = *t->form->cause;
+      return cause.changesSensor(*t->form) && cause.linear(*t->form);
+    });
+    if (throughChanges) {
+      for (int j = 0; j < 10; ++j) {
+        Wrenches w = payloadWrench(kinematics_, Vector10d::Unit(j));
+        throughSensor(signals_, terms_, w, true);
+        jacobian.col(6 + j) = flat(averaged(signals_, w));
+      }
+      return;
+    }
+    const Eigen::Index m = signals_.samplesPerBlock;
+    for (Eigen::Index n = 0; n < signals_.blocks(); ++n) {
+      Regressor sum = Regressor::Zero();
+      for (Eigen::Index k = n * m; k < (n + 1) * m; ++k)
+        sum += regressor({kinematics_.specificForce.col(k), kinematics_.omega.col(k), kinematics_.alpha.col(k)});
+      jacobian.block<6, 10>(6 * n, 6) = sum / static_cast<double>(m);
+    }
   }
 
   /// Columns of the term's parameters in `jacobian` from column `at` on; those that do not move stay as they are.
@@ -143,15 +182,14 @@ class Moving {
   /// `force`, `reading`: the term's before it moved.
   Wrenches change(const Term& moved, const Wrenches& force, const Wrenches& reading) const {
     const Cause& cause = *moved.form->cause;
-    const Order terms = inOrder(model_.terms);
-    if (cause.bendsGeometry()) return sensed(signals_, terms, loads(signals_, model_, terms, bent(signals_, terms))) - told_;
-    if (cause.changesSensor(*moved.form)) return sensed(signals_, terms, load_) - told_;
+    if (cause.bendsGeometry()) return sensed(signals_, terms_, loads(signals_, model_, terms_, bent(signals_, terms_))) - told_;
+    if (cause.changesSensor(*moved.form)) return sensed(signals_, terms_, load_) - told_;
     Wrenches out = forceOf(moved) - force;
     // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
     if (linear_)
-      throughSensor(signals_, terms, out, true);
+      throughSensor(signals_, terms_, out, true);
     else if (!out.isZero(0.0))
-      out = sensed(signals_, terms, load_ + out) - told_;
+      out = sensed(signals_, terms_, load_ + out) - told_;
     return out + readingOf(moved) - reading;
   }
 
@@ -169,48 +207,42 @@ class Moving {
 
   const Signals& signals_;
   Model model_;
-  const Kinematics& kinematics_;
-  const Wrenches& load_;
-  const Wrenches& told_;
+  Order terms_;  ///< Of model_
+  Kinematics kinematics_;
+  Wrenches load_, told_;  ///< Empty where no parameter changes them
   bool linear_ = true;
 };
+
+/// Whether the columns of the term's parameters are the same wherever these are, as long as nothing bends or changes what it adds.
+bool addsLinearly(const Term& term) { return term.form->scan.size() == term.form->parameters.size() && !bendsOrChanges(term); }
 
 }  // namespace
 
 Linearised linearised(const Signals& signals, const Model& model) {
-  const Order terms = inOrder(model.terms);
-  const Kinematics kinematics = bent(signals, terms);
-  Linearised out;
-  const Wrenches load = loads(signals, model, terms, kinematics), told = sensed(signals, terms, load);
-  out.value = averaged(signals, readings(signals, model, terms, told));
+  Moving moving(signals, model);
+  Linearised out{moving.value(), {}};
   out.jacobian = MatrixXd::Zero(out.value.size(), model.size());
   for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
-  const bool throughChanges = std::ranges::any_of(terms, [](const Term* t) {
-    const Cause& cause = *t->form->cause;
-    return cause.changesSensor(*t->form) && cause.linear(*t->form);
-  });
-  if (throughChanges) {
-    for (int j = 0; j < 10; ++j) {
-      Wrenches w = payloadWrench(kinematics, Vector10d::Unit(j));
-      throughSensor(signals, terms, w, true);
-      out.jacobian.col(6 + j) = flat(averaged(signals, w));
-    }
-  } else {
-    const Eigen::Index m = signals.samplesPerBlock;
-    for (Eigen::Index n = 0; n < out.value.cols(); ++n) {
-      Regressor sum = Regressor::Zero();
-      for (Eigen::Index k = n * m; k < (n + 1) * m; ++k)
-        sum += regressor({kinematics.specificForce.col(k), kinematics.omega.col(k), kinematics.alpha.col(k)});
-      out.jacobian.block<6, 10>(6 * n, 6) = sum / static_cast<double>(m);
-    }
-  }
-  Moving moving(signals, model, kinematics, load, told);
+  moving.fillPayload(out.jacobian);
   Eigen::Index at = kLinear;
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     moving.fill(i, out.jacobian, at);
     at += model.terms[i].v.size();
   }
   return out;
+}
+
+Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian) {
+  const bool same = std::ranges::none_of(model.terms, bendsOrChanges);
+  if (same && std::ranges::all_of(model.terms, addsLinearly)) return {std::move(value), std::move(jacobian)};
+  Moving moving(signals, model);
+  if (!same) moving.fillPayload(jacobian);
+  Eigen::Index at = kLinear;
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    if (!same || !addsLinearly(model.terms[i])) moving.fill(i, jacobian, at);
+    at += model.terms[i].v.size();
+  }
+  return {std::move(value), std::move(jacobian)};
 }
 
 Surroundings::Surroundings(const Signals& signals, const Model& model)

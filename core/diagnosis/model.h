@@ -41,6 +41,10 @@ struct Linearised {
 };
 Linearised linearised(const Signals& signals, const Model& model);
 
+/// The same where `value` is known and `jacobian` is of a model with the same terms that differs in parameters only: columns that
+/// do not depend on these are kept.
+Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian);
+
 /// A model that a form may be added to; neither it nor the signals may go before this.
 class Surroundings {
  public:
