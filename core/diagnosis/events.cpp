@@ -1,8 +1,11 @@
 #include "core/diagnosis/events.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/say.h"
 
 namespace heft::diagnosis {
 
@@ -28,22 +31,21 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
   return where.to - where.from < length ? 1.0 : steady / all;
 }
 
-/// Share of what is left of force, or of torque, in all contacts that goes with `motion` (3 x N), by the law that holds in all other
+/// Share of what is left of force, or of torque, in all contacts that goes with `motion` (F x N), by the law that holds in all other
 /// places that are `known`.
-double toldFromElsewhere(const Eigen::Matrix3Xd& motion, const Wrenches& residual, const std::vector<Contact>& contacts, const std::vector<bool>& known) {
+double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const std::vector<Contact>& contacts, const std::vector<bool>& known) {
   constexpr Eigen::Index kApart = 5;
   const Eigen::Index blocks = motion.cols();
   const double little = 1e-3 * (motion.squaredNorm() / static_cast<double>(blocks) + 1e-12);
   Eigen::Vector2d all = Eigen::Vector2d::Zero(), left = Eigen::Vector2d::Zero();
   for (const Contact& contact : contacts) {
-    Matrix3d A = little * Matrix3d::Identity();
-    Eigen::Matrix<double, 3, 6> b = Eigen::Matrix<double, 3, 6>::Zero();
+    MatrixXd A = little * MatrixXd::Identity(motion.rows(), motion.rows()), b = MatrixXd::Zero(motion.rows(), 6);
     for (Eigen::Index n = 0; n < blocks; ++n) {
       if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart)) continue;
       A += motion.col(n) * motion.col(n).transpose();
       b += motion.col(n) * residual.col(n).transpose();
     }
-    const Eigen::Matrix<double, 3, 6> X = A.ldlt().solve(b);
+    const MatrixXd X = A.ldlt().solve(b);
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
       const Vector6d r = residual.col(n), rest = r - X.transpose() * motion.col(n);
       all += Eigen::Vector2d(r.head<3>().squaredNorm(), r.tail<3>().squaredNorm());
@@ -51,6 +53,31 @@ double toldFromElsewhere(const Eigen::Matrix3Xd& motion, const Wrenches& residua
     }
   }
   return 1.0 - (left.array() / all.array().max(1e-300)).minCoeff();
+}
+
+/// A way in which something that is no touch may go with the motion.
+struct Law {
+  std::string name;
+  MatrixXd motion;        ///< F x N
+  double follows;         ///< Share of what is left in the contacts that it must tell where it holds at all times
+  double followsInZone;   ///< The same of one that acts in a zone only; of pushes 0.2 at most went with either
+};
+
+/// Whether each joint turns and how hard it speeds up or slows down, as its motor and what that disturbs do.
+std::vector<Law> lawsOfMotors(const Signals& signals) {
+  constexpr double kStill = 0.03, kTold = 0.6;  // Of its top speed; share
+  std::vector<Law> out;
+  const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
+  for (Eigen::Index j = 0; signals.dq.cols() == signals.size() && j < signals.dq.rows(); ++j) {
+    const double still = kStill * signals.dq.row(j).cwiseAbs().maxCoeff(), most = std::max(1e-9, signals.ddq.row(j).cwiseAbs().maxCoeff());
+    MatrixXd motor(2, blocks);
+    for (Eigen::Index n = 0; n < blocks; ++n) {
+      motor(0, n) = signals.dq.row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
+      motor(1, n) = signals.ddq.row(j).segment(n * m, m).cwiseAbs().mean() / most;
+    }
+    out.push_back({fmt::format("what the motor of joint {} does", j + 1), std::move(motor), kTold, 2.0});
+  }
+  return out;
 }
 
 }  // namespace
@@ -98,29 +125,23 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   for (const Contact& contact : contacts)
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
       inContact[static_cast<std::size_t>(n)] = everywhere[static_cast<std::size_t>(n)] = true;
-  struct Law {
-    Eigen::Index first;
-    std::string_view name;
-  };
-  constexpr std::array<Law, 2> kLaws{{{0, "how fast the tool moves"}, {3, "how fast the tool turns"}}};
-  // A law that holds at all times, or one that acts in a zone only. Of pushes 0.2 at most went with either.
-  struct Where {
-    const std::vector<bool>& known;
-    double follows;  ///< Share of what is left that a law must tell
-    std::size_t fewest;
-  };
-  const std::array<Where, 2> wheres{{{everywhere, 0.35, 2}, {inContact, 0.5, 4}}};
-  std::string_view best;
+  constexpr std::size_t kFewestInZone = 4;
+  std::vector<Law> laws = lawsOfMotors(signals);
+  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), 0.35, 0.5});
+  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), 0.35, 0.5});
+  std::string best;
   double most = 0.0;
-  for (const Law& law : kLaws)
-    for (const Where& where : wheres) {
-      if (contacts.size() < where.fewest) continue;
-      const double share = toldFromElsewhere(motion.middleRows<3>(law.first), fit.residual, contacts, where.known);
-      if (share < where.follows || share <= most) continue;
-      most = share;
-      best = law.name;
-    }
-  return std::string(best);
+  const auto ask = [&](const Law& law, const std::vector<bool>& known, double follows) {
+    const double share = toldFromElsewhere(law.motion, fit.residual, contacts, known);
+    if (share < follows || share <= most) return;
+    most = share;
+    best = law.name;
+  };
+  for (const Law& law : laws) {
+    ask(law, everywhere, law.follows);
+    if (contacts.size() >= kFewestInZone) ask(law, inContact, law.followsInZone);
+  }
+  return best;
 }
 
 }  // namespace heft::diagnosis

@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 31> kNames = {{
+constexpr std::array<Name, 32> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -47,6 +47,7 @@ constexpr std::array<Name, 31> kNames = {{
     {"memory", heft::toSay("Share that is remembered")},
     {"loop", heft::toSay("Height of the loop, of the load's range")},
     {"turning_way", heft::toSay("Forgotten after, of the load's range")},
+    {"warm_up", heft::toSay("Time constant of warming up T")},
     {"step_force", heft::toSay("Step of the force readings")},
 }};
 
@@ -91,6 +92,8 @@ std::string wordsOf(std::string_view name) {
   if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1))) return heft::say("Shifted along {}", name.substr(1));
   if (name.starts_with("gain_"))
     if (const auto channel = channelOf(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
+  if (name.starts_with("growth_"))
+    if (const auto channel = channelOf(name.substr(7))) return heft::say("Gain of {} changes by", channelWords(*channel));
   if (name.starts_with("asymmetry_"))
     if (const auto channel = channelOf(name.substr(10))) return heft::say("Gain of {}, more to one side", channelWords(*channel));
   if (name.starts_with("loss_"))
@@ -103,6 +106,9 @@ std::string wordsOf(std::string_view name) {
     const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
     if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
   }
+  if (const auto once = name.find("_once_"); once != std::string_view::npos && name[0] == 'q')
+    return name.ends_with("_sine") ? heft::say("Angle of joint {} off by, times its sine", name.substr(1, once - 1))
+                                   : heft::say("Angle of joint {} off by, times its cosine", name.substr(1, once - 1));
   if (name.ends_with("_offset") && name.size() > 8 && name[0] == 'q')
     return heft::say("Angle of joint {} off by", name.substr(1, name.size() - 8));
   if (const auto wave = name.find("_wave_"); wave != std::string_view::npos)

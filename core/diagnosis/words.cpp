@@ -215,7 +215,7 @@ struct Values {
     double most = -1.0;
     for (const auto& p : cause.parameters) {
       if (occurrenceOf(p.name) != ending) continue;
-      if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration")) continue;
+      if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration") || p.name == "warm_up") continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {
         most = z;
@@ -302,6 +302,9 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
   if (p.name.starts_with("gain_force"))
     return p.value > 0.0 ? heft::say("All forces read {} % too much against the torques.", plusMinus(p.value, p.std))
                          : heft::say("All forces read {} % too little against the torques.", plusMinus(-p.value, p.std));
+  if (p.name.starts_with("growth_"))
+    return heft::say("The gain of {} changes by {:+.1f} % during the recording, as when a sensor warms up.",
+                     channelWords(channelOf(std::string_view(p.name).substr(7))), p.value);
   if (id == "gain_error") {
     const std::string channel = channelWords(channelOf(std::string_view(p.name).substr(5)));
     return p.value > 0.0 ? heft::say("The channel {} reads {} % too much.", channel, plusMinus(p.value, p.std))
@@ -312,6 +315,8 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
     return heft::say("{} of {} shows up in {}.", parameterWords(p), channelWords(channelOf(p.name)),
                      channelWords(to == std::string::npos ? 0 : channelOf(std::string_view(p.name).substr(to + 4))));
   }
+  if (const auto once = p.name.find("_once_"); once != std::string::npos)
+    return heft::say("Joint {} is read up to {} degrees wrong, to and fro once a turn.", p.name.substr(1, once - 1), plusMinus(std::abs(p.value), p.std));
   if (id == "joint_offset")
     return heft::say("Joint {} is really {} degrees away from what was recorded.", p.name.substr(1, 1),
                      plusMinus(std::abs(p.value), p.std));
@@ -494,6 +499,8 @@ std::string goesWithWords(const std::string& goesWith) {
   if (std::sscanf(goesWith.c_str(), "a shaking of %lf to %lf Hz", &from, &to) == 2) return heft::say("a shaking of {:.0f} to {:.0f} Hz", from, to);
   if (std::sscanf(goesWith.c_str(), "slow swings, %lf to %lf times", &from, &to) == 2)
     return heft::say("slow swings, {:.1f} to {:.0f} times a second", from, to);
+  if (int joint = 0; std::sscanf(goesWith.c_str(), "what the motor of joint %d does", &joint) == 1)
+    return heft::say("what the motor of joint {} does", joint);
   return heft::say(fmt::runtime(goesWith));
 }
 

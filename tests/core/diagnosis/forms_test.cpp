@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/diagnosis/pull.h"
+#include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -167,6 +168,49 @@ TEST(Diagnose, APullMayBeginAtSomeMoment) {
     ASSERT_NE(size, cause.parameters.end()) << said(report);
     EXPECT_NEAR(size->value, pull(i), 0.05) << i;
   }
+}
+
+/// The sensor was switched on a minute ago. Its force was told as a load that grows lighter, its torque as a memory.
+TEST(Diagnose, GainsMayChangeWhileTheSensorWarmsUp) {
+  Recording recording = aRecording(MotionKind::free, 268);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  Vector6d growth;
+  growth << 0.05, 0.04, 0.03, 0.02, 0.03, 0.0;
+  constexpr double kWarm = 6.0;  // [s]
+  const double all = 1.0 - std::exp(-recording.duration() / kWarm);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Vector6d load = predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
+    const double gone = (1.0 - std::exp((recording.time(0) - recording.time(i)) / kWarm)) / all;
+    recording.wrench.row(i) += gone * growth.cwiseProduct(load).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "gain_error") << said(report);
+  EXPECT_NE(cause.sentence.find("warms up"), std::string::npos) << cause.sentence;
+  for (int c = 0; c < 3; ++c) {
+    const auto size = std::ranges::find(cause.parameters, fmt::format("growth_f{}", "xyz"[c]), &CauseParameter::name);
+    ASSERT_NE(size, cause.parameters.end()) << said(report);
+    EXPECT_NEAR(size->value, 100.0 * growth(c), 4.0 * size->std + 0.3) << c;
+  }
+}
+
+/// The ring of an encoder sits off its axis: the angle is wrong to and fro, once a turn. It was a cable.
+TEST(Diagnose, AJointMayBeReadWrongOnceATurn) {
+  Recording recording = aRecording(MotionKind::excitation, 269);
+  constexpr double kOff = 0.8;  // [deg]
+  const Eigen::ArrayXd angle = recording.q.col(3).array();
+  recording.q.col(3).array() -= kOff / 180.0 * EIGEN_PI * angle.sin();
+  if (recording.dq.rows() > 0) recording.dq.col(3).array() *= 1.0 - kOff / 180.0 * EIGEN_PI * angle.cos();
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "joint_offset") << said(report);
+  EXPECT_NE(cause.sentence.find("once a turn"), std::string::npos) << cause.sentence;
+  const auto sine = std::ranges::find(cause.parameters, "q4_once_sine", &CauseParameter::name);
+  ASSERT_NE(sine, cause.parameters.end()) << said(report);
+  EXPECT_NEAR(sine->value, kOff, 4.0 * sine->std + 0.02);
 }
 
 /// Exactly the same where the joint's axis goes through the sensor, whatever else there is.
