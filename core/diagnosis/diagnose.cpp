@@ -20,6 +20,7 @@
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/unknown.h"
 #include "core/diagnosis/velocities.h"
+#include "core/diagnosis/verdict.h"
 #include "core/diagnosis/words.h"
 #include "core/estimation/spikes.h"
 
@@ -319,52 +320,6 @@ void sortByStrength(std::vector<DiagnosedCause>& causes) {
   std::ranges::stable_sort(causes, [&](const DiagnosedCause& a, const DiagnosedCause& b) { return rank(a) > rank(b); });
 }
 
-/// Several causes, each of which next to nothing speaks for, or three and more that each explain little of what is unseen: crutches
-/// for something that the catalogue lacks.
-bool areCrutches(const std::vector<DiagnosedCause>& causes) {
-  constexpr double kLittle = 0.3;
-  const auto fitted = std::ranges::count_if(causes, [](const DiagnosedCause& c) { return !c.direct; });
-  const auto all = [&](const auto& are) { return std::ranges::all_of(causes, [&](const DiagnosedCause& c) { return c.direct || are(c); }); };
-  return (fitted > 1 && all([](const DiagnosedCause& c) { return c.deltaBic < kFaint; })) ||
-         (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kLittle; }));
-}
-
-/// Evidence of all fitted causes together where it is little; zero where it is not, or where there are none.
-double faintEvidence(const std::vector<DiagnosedCause>& causes) {
-  double total = 0.0;
-  for (const auto& cause : causes) total += cause.direct ? 0.0 : cause.deltaBic;
-  return total < 2.0 * kFaint ? total : 0.0;
-}
-
-Verdict verdictOf(const DiagnosisReport& report) {
-  double total = 0.0;
-  for (const auto& cause : report.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
-  if (report.remaining.gain > std::max(kUnexplained, 0.03 * total)) return Verdict::unexplained;
-  if (report.causes.empty()) return Verdict::clean;
-  const bool tied = std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
-  return tied ? Verdict::ambiguous : Verdict::explained;
-}
-
-std::string verdictSentence(const DiagnosisReport& report) {
-  switch (report.verdict) {
-    case Verdict::clean:
-      return "The model fits: nothing is left but the sensor's noise.";
-    case Verdict::ambiguous: {
-      const auto tied = std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
-      std::string others;
-      for (const auto& other : tied->alternatives) others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
-      return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title, others);
-    }
-    case Verdict::unexplained:
-      return fmt::format("Something unknown is left that goes with {}.", report.remaining.goesWith);
-    case Verdict::explained:
-      break;
-  }
-  return report.causes.size() == 1 ? "Cause found: " + report.causes.front().sentence
-                                   : fmt::format("{} causes found; the strongest: {}", report.causes.size(),
-                                                 report.causes.front().sentence);
-}
-
 /// How large each cause that was not named would have to be, with this motion and noise.
 std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCause>& named, double threshold) {
   std::vector<Smallest> out;
@@ -457,21 +412,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (!work.contacts.empty()) out.causes.push_back(fromContacts(work.contacts, out.noise.force));
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
   sortByStrength(out.causes);
-  // What next to nothing speaks for may be a crutch for something that the catalogue lacks.
-  const double faint = faintEvidence(out.causes);
-  Structure plain;
-  // Nor is explained what takes a cause at the edge of what there can be.
-  const bool strained = !believable(final);
-  if ((faint > 0.0 || strained) && out.remaining.gain <= kUnexplained) plain = structureIn(work.signals, work.stretches, work.search.null);
-  if ((strained || areCrutches(out.causes)) && out.remaining.gain <= kUnexplained) {
-    out.remaining = plain;
-    out.verdict = Verdict::unexplained;
-  } else if (faint > 0.0 && plain.gain > faint + kTie) {
-    out.remaining = plain;
-    out.verdict = Verdict::unexplained;
-  } else {
-    out.verdict = verdictOf(out);
-  }
+  giveVerdict(work, out);
 
   progress(0.93, heft::say("Estimating the payload again"));
   if (auto error = estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))

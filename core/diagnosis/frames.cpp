@@ -81,7 +81,7 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
     case FrameMistake::Kind::none:
       break;
     case FrameMistake::Kind::wrenchSign:
-      out.measured = -signals.measured;
+      out.readings = -signals.readings;
       break;
     case FrameMistake::Kind::gravitySign:
       out.gravity = -signals.gravity;
@@ -97,11 +97,12 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
       });
     case FrameMistake::Kind::turned:
     case FrameMistake::Kind::mirrored:
-      out.measured.topRows<3>() = mistake.turn * signals.measured.topRows<3>();
+      out.readings.topRows<3>() = mistake.turn * signals.readings.topRows<3>();
       // Swapped or inverted columns treat force and torque alike.
-      out.measured.bottomRows<3>() = mistake.turn * signals.measured.bottomRows<3>();
+      out.readings.bottomRows<3>() = mistake.turn * signals.readings.bottomRows<3>();
       break;
   }
+  out.measured = averaged(out, out.readings);
   return out;
 }
 

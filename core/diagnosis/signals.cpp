@@ -30,7 +30,8 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
     }
   }
   out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / 50.0)));
-  out.measured = averaged(out, motion.wrench);
+  out.readings = motion.wrench;
+  out.measured = averaged(out, out.readings);
   out.usable.assign(static_cast<std::size_t>(out.blocks()), true);
   return out;
 }

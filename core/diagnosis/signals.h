@@ -44,7 +44,8 @@ struct Signals {
   MatrixXd q, dq, ddq;  ///< dof x K
 
   int samplesPerBlock = 4;
-  Wrenches measured;         ///< 6 x N
+  Wrenches readings;         ///< 6 x K
+  Wrenches measured;         ///< 6 x N: their averages
   std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
 
   Eigen::Index size() const { return kinematics.omega.cols(); }

@@ -7,6 +7,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/hum.h"
+#include "core/diagnosis/knocks.h"
 #include "core/diagnosis/wandering.h"
 #include "core/diagnosis/words.h"
 
@@ -89,6 +90,19 @@ void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
   out.remaining.gain = 1e3;
 }
 
+/// What knocks again and again is no noise; a mass that swings may knock at its stops.
+void sayKnocks(const Work& work, DiagnosisReport& out) {
+  constexpr std::size_t kFewest = 3;
+  const auto knocks = knocksIn(work.signals, work.stretches, work.search.final.model);
+  if (knocks.size() < kFewest || contains(work.search.final.model, "loose_mass")) return;
+  out.findings.push_back({Severity::warning, "knocks",
+                          heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(knocks), knocks.front()),
+                          heft::say("Shake the tool by hand and listen: is a part of it loose?"), {}});
+  if (out.remaining.gain > kUnexplained) return;
+  out.remaining.goesWith = heft::toSay("short knocks");
+  out.remaining.gain = 1e3;
+}
+
 }  // namespace
 
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
@@ -98,6 +112,7 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
   // Readings that were held, lost or late have lines of their own.
   if (known) return;
   if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);
+  sayKnocks(work, out);
 }
 
 }  // namespace heft::diagnosis

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
+#include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -101,6 +103,28 @@ TEST(NoContact, BurstsOfInterferenceAreUnknown) {
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 
+/// The current of a motor disturbs the sensor's cable while it speeds up and slows down; the arm goes from place to place and touches
+/// nothing.
+TEST(NoContact, AMotorThatDisturbsIsUnknown) {
+  Recording recording = aRecording(MotionKind::pickAndPlace, 309);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  Vector6d size, noise;
+  size << 0.8, 0.5, -1.2, -0.01, -0.02, 0.003;
+  noise << 0.04, 0.04, 0.06, 0.002, 0.002, 0.002;
+  const Eigen::ArrayXd hard = motion.ddq.row(4).array().abs() / motion.ddq.row(4).array().abs().maxCoeff();
+  std::mt19937 random(309);
+  std::normal_distribution<double> normal;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Vector6d load = predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
+    recording.wrench.row(i) = (load + hard(k) * size + noise.cwiseProduct(Vector6d::NullaryExpr([&] { return normal(random); }))).transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "what the motor of joint 5 does") << said(report);
+}
+
 /// Strain wave gears let two joints lead and lag by 0.007 degrees, 50 times a turn: too fast to look like anything but noise.
 TEST(NoContact, GearsThatTurnUnevenlyAreUnknown) {
   Recording recording = aRecording(MotionKind::excitation, 307);
@@ -112,6 +136,21 @@ TEST(NoContact, GearsThatTurnUnevenlyAreUnknown) {
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_EQ(report.remaining.goesWith, "the joint angles, several times a turn") << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+}
+
+/// A part with play knocks at its place whenever the tool has turned far enough. It was clean, or a load that changes by nothing.
+TEST(NoContact, APartThatKnocksIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 310);
+  push(recording, [](double t) {
+    for (const double at : {2.1, 4.3, 6.0, 8.2, 10.4})
+      if (t > at && t < at + 0.05) return 1.2 * std::exp((at - t) / 0.01) * std::sin(2.0 * std::numbers::pi * 55.0 * (t - at));
+    return 0.0;
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "short knocks") << said(report);
+  EXPECT_TRUE(finds(report, "knocks"));
   EXPECT_TRUE(report.causes.empty()) << said(report);
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+// What the causes come to, taken together.
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/work.h"
+
+namespace heft::diagnosis {
+
+/// Sets the verdict from the causes, the strongest first, and what remains beside them; where the causes are crutches for something
+/// unknown, that is what remains.
+void giveVerdict(const Work& work, DiagnosisReport& report);
+
+/// The verdict in a sentence; the causes have theirs.
+std::string verdictSentence(const DiagnosisReport& report);
+
+}  // namespace heft::diagnosis
