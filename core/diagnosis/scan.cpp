@@ -238,9 +238,9 @@ void take(Candidate& candidate, const Weighting::Answer& answer) {
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
                             const std::vector<Signature>& bank) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies.
-  std::map<const Cause*, std::map<std::vector<int>, int>> forms;
-  for (const auto& signature : bank) ++forms[signature.form.cause][signature.form.choice];
+  // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies; rare ones have doubts of their own.
+  std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
+  for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
   // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does so the less,
@@ -263,7 +263,7 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
     const Form& form = bank[i].form;
     Candidate& candidate = out[i];
     candidate.form = form;
-    const auto& kinds = forms.at(form.cause);
+    const auto& kinds = forms.at({form.cause, form.rare});
     candidate.choicePenalty = 2.0 * std::log(static_cast<double>(std::ssize(kinds) * kinds.at(form.choice)));
     // What moves between the forms, such as a frequency, has been chosen from more than their number.
     if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;

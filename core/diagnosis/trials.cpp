@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "core/diagnosis/search.h"
 #include "core/diagnosis/two_threads.h"
@@ -82,6 +83,7 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
   // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less: the two
   // do not compete for places.
   std::array<std::map<std::string_view, std::vector<const Candidate*>>, 2> forms;
+  std::set<std::string_view> rare;
   for (const auto& candidate : ranked) {
     const bool whole = candidate.form.scan.size() == candidate.form.parameters.size();
     // A first look at a walk promises too little: how far it goes is learned only in a fit.
@@ -94,6 +96,10 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
     if (candidate.score < std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie))) continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
+    if (candidate.form.rare) {
+      if (rare.insert(id).second) chosen.push_back(&candidate);
+      continue;
+    }
     if (known.size() >= causes && !known.contains(id)) continue;
     const std::size_t most = known.size() > 3 ? (whole ? 2 : 3) : whole ? 4 : 8;
     std::vector<const Candidate*>& same = known[id];

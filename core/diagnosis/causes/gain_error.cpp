@@ -35,7 +35,7 @@ class GainError final : public Cause {
       Form& form = out.back();
       form.start(kGrowthTime) = time;
       form.scan.pop_back();
-      form.subset = form.alone = true;
+      form.subset = form.alone = form.rare = true;
       form.choice = {kGrowing};
     }
     return out;

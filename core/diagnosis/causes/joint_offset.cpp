@@ -21,6 +21,7 @@ class JointOffset final : public Cause {
       out.push_back(formOf(this, fmt::format("joint {} once a turn", joint + 1),
                            {{name + "_sine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}, {name + "_cosine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}}));
       out.back().choice = {joint, kOnceATurn};
+      out.back().rare = true;
     }
     return out;
   }
