@@ -6546,6 +6546,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>short knocks</source>
         <translation>kurzen Stößen</translation>
     </message>
+    <message>
+        <source>Time constant of warming up T</source>
+        <translation>Zeitkonstante des Aufwärmens T</translation>
+    </message>
+    <message>
+        <source>Gain of {} changes by</source>
+        <translation>Verstärkung ändert sich, {}</translation>
+    </message>
+    <message>
+        <source>Angle of joint {} off by, times its sine</source>
+        <translation>Winkel daneben, Gelenk {}, mal seinem Sinus</translation>
+    </message>
+    <message>
+        <source>Angle of joint {} off by, times its cosine</source>
+        <translation>Winkel daneben, Gelenk {}, mal seinem Kosinus</translation>
+    </message>
+    <message>
+        <source>Something knocks {} times, first at {:.1f} s.</source>
+        <translation>Etwas klopft {}-mal, zuerst bei {:.1f} s.</translation>
+    </message>
+    <message>
+        <source>Shake the tool by hand and listen: is a part of it loose?</source>
+        <translation>Schütteln Sie das Werkzeug von Hand und hören Sie hin: Ist ein Teil lose?</translation>
+    </message>
+    <message>
+        <source>The gain of {} changes by {:+.1f} % during the recording, as when a sensor warms up.</source>
+        <translation>Die Verstärkung von {} ändert sich während der Aufnahme um {:+.1f} %, wie wenn ein Sensor warm wird.</translation>
+    </message>
+    <message>
+        <source>Joint {} is read up to {} degrees wrong, to and fro once a turn.</source>
+        <translation>Gelenk {} wird bis zu {} Grad falsch gelesen, einmal je Umdrehung hin und her.</translation>
+    </message>
+    <message>
+        <source>what the motor of joint {} does</source>
+        <translation>dem, was der Motor von Gelenk {} tut</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
