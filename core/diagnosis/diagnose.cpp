@@ -109,12 +109,15 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   };
   constexpr std::array<Smoothing, 6> kSmoothings{{{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
   constexpr double kClearly = 30.0;  // Evidence for another way than this one
+  std::array<std::optional<Result<Way>>, kSmoothings.size()> smoothed;
+  onTwoThreads(smoothed.size(), [&](std::size_t i) {
+    smoothed[i] = wayOf(recording, readings.cleaned, robot, kSmoothings[i].cutoff, kSmoothings[i].twicing, options, readings.bad);
+  });
   std::vector<Way> ways;
-  for (const auto& [cutoff, twicing] : kSmoothings) {
-    auto way = wayOf(recording, readings.cleaned, robot, cutoff, twicing, options, readings.bad);
-    if (!way) return way.error();
-    way->putRight = readings.mistake.has_value();
-    ways.push_back(std::move(*way));
+  for (auto& way : smoothed) {
+    if (!*way) return way->error();
+    ways.push_back(std::move(**way));
+    ways.back().putRight = readings.mistake.has_value();
   }
   lookForContact(ways.front(), readings.cleaned, options);
   std::size_t at = 0;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/say.h"
 #include "core/diagnosis/corrected.h"
+#include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
 
@@ -117,20 +119,25 @@ void leaveAsItWas(DiagnosisReport& report, const Work& work, const char* code, s
 std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
                                    const RobotModel* robot, const Work& work, const EstimateOptions& options,
                                    const Progress& progress) {
-  auto was = estimate(recording, robot, options, progress);
-  if (!was) return was.error();
-  report.before = std::move(*was);
+  std::optional<Result<EstimateReport>> was, is;
+  onTwoThreads(2, [&](std::size_t i) {
+    if (i == 0) {
+      was = estimate(recording, robot, options, progress);
+    } else if (!report.causes.empty()) {
+      const auto clean = freed(cleaned, robot, work);
+      is = clean ? estimate(*clean, robot, options, progress) : clean.error();
+    }
+  });
+  if (!*was) return was->error();
+  report.before = std::move(**was);
   report.after = report.before;
   const bool unknown = report.verdict == Verdict::unexplained;
   if (report.causes.empty()) {
     if (unknown) widen(report.after, {}, ofUnknown(work, work.search.null));
     return std::nullopt;
   }
-  const auto clean = freed(cleaned, robot, work);
-  if (!clean) return clean.error();
-  auto is = estimate(*clean, robot, options, progress);
-  if (!is) return std::nullopt;
-  report.after = std::move(*is);
+  if (!*is) return std::nullopt;
+  report.after = std::move(**is);
   widen(report.after, ofFit(work.search.final), ofTies(report, work));
   if (unknown) widen(report.after, {}, ofUnknown(work, work.search.final));
   if (possible(report.before) && !possible(report.after)) {

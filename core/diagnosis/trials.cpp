@@ -152,28 +152,33 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
 }
 
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all) {
-  const std::size_t before = all.size();
-  const auto add = [&](Model model, std::string_view cause) {
-    Trial whole;
-    whole.cause = cause;
-    whole.fit = fitModel(signals, stretches, std::move(model));
-    if (!believable(whole.fit)) return;
-    whole.gain = whole.fit.evidence - base.evidence;
-    all.push_back(std::move(whole));
+  struct Whole {
+    Model model;
+    std::string_view cause;
   };
+  std::vector<Whole> wholes;
   for (std::size_t i = 0; i < base.model.terms.size(); ++i) {
     const Term& term = base.model.terms[i];
     for (auto& [form, v] : term.form->cause->grown(*term.form, term.v, signals)) {
       Model model = base.model;
       model.terms[i] = {std::make_shared<const Form>(std::move(form)), std::move(v), {}};
-      add(std::move(model), causeOf(term));
+      wholes.push_back({std::move(model), causeOf(term)});
     }
     if (!term.form->subset || std::ranges::all_of(term.form->scan, [&](int p) { return term.moves(p); })) continue;
     Model model = base.model;
     model.terms[i].active.clear();
-    add(std::move(model), causeOf(term));
+    wholes.push_back({std::move(model), causeOf(term)});
   }
-  if (all.size() > before) sortByGain(all);
+  std::vector<Trial> more(wholes.size());
+  onTwoThreads(wholes.size(), [&](std::size_t i) {
+    more[i].cause = wholes[i].cause;
+    more[i].fit = fitModel(signals, stretches, std::move(wholes[i].model));
+    more[i].gain = more[i].fit.evidence - base.evidence;
+  });
+  std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
+  if (more.empty()) return;
+  std::ranges::move(more, std::back_inserter(all));
+  sortByGain(all);
 }
 
 void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const std::vector<Candidate>& ranked,
