@@ -162,6 +162,20 @@ Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, c
   return out;
 }
 
+/// A fit with one term of either `cause` or a named one that it is easily taken for, instead of all terms of both, where that
+/// explains about as well: such as a pull at the tip that was told as a tilt and a pull at the sensor.
+std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& final,
+                             std::string_view cause) {
+  for (const auto& other : findCause(cause)->lookAlikes()) {
+    if (!contains(final.model, other)) continue;
+    const std::array<std::string_view, 2> both{cause, other};
+    const Fit rest = fitModel(signals, stretches, without(without(final.model, cause), other));
+    const auto one = withOneOf(signals, stretches, bank, rest, both);
+    if (one && believable(*one) && one->evidence > final.evidence - 2.0 * kTie) return one;
+  }
+  return std::nullopt;
+}
+
 bool sameForms(const Model& a, const Model& b) {
   return std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(), [](const Term& s, const Term& t) {
     return s.form->cause == t.form->cause && s.form->name == t.form->name;
@@ -234,6 +248,11 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       if (other != all.end() && look + 1 < kLooks) {
         take(other->fit);
         std::erase(search.order, cause);
+        break;
+      }
+      if (const auto one = look + 1 < kLooks ? oneForTwo(signals, stretches, bank, search.final, cause) : std::nullopt) {
+        take(*one);
+        std::erase_if(search.order, [&](const std::string& named) { return !contains(search.final.model, named); });
         break;
       }
       std::map<std::string, const Trial*> best;
