@@ -140,13 +140,18 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
-  // Whether what was found speaks clearly for another way: then that one is next.
+  // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better, none is.
   const auto betterBy = [&](const auto& evidenceOf) {
     std::vector<double> gains(ways.size(), 0.0);
-    onTwoThreads(ways.size(), [&](std::size_t i) {
-      if (i != at) gains[i] = evidenceOf(ways[i]);
-    });
-    if (*std::ranges::max_element(gains) <= kClearly) return false;
+    const auto ask = [&](bool neighbours) {
+      onTwoThreads(ways.size(), [&](std::size_t i) {
+        const bool beside = i + 1 == at || i == at + 1;
+        if (i != at && beside == neighbours) gains[i] = evidenceOf(ways[i]);
+      });
+      return *std::ranges::max_element(gains) > kClearly;
+    };
+    if (!ask(true)) return false;
+    ask(false);
     at = leastSmoothed(gains);
     return true;
   };
