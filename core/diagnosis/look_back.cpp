@@ -48,7 +48,7 @@ Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, Signa
 /// A walk has waves for anything that is slow: two or three causes together may explain clearly more. `walk`: its gain; a faint
 /// one is left to be one.
 void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk, std::vector<Trial>& all) {
-  constexpr std::size_t kTop = 2, kTerms = 3;
+  constexpr std::size_t kTop = 3, kTerms = 3;
   constexpr double kNear = 0.25;  ///< Share of what the walk explains
   if (walk < 2.0 * kFaint) return;
   std::vector<std::string_view> others, done;
