@@ -126,9 +126,10 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
       inContact[static_cast<std::size_t>(n)] = everywhere[static_cast<std::size_t>(n)] = true;
   constexpr std::size_t kFewestInZone = 4;
+  constexpr double kFollows = 0.27, kFollowsInZone = 0.5;
   std::vector<Law> laws = lawsOfMotors(signals);
-  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), 0.35, 0.5});
-  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), 0.35, 0.5});
+  laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), kFollows, kFollowsInZone});
+  laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), kFollows, kFollowsInZone});
   std::string best;
   double most = 0.0;
   const auto ask = [&](const Law& law, const std::vector<bool>& known, double follows) {
