@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -58,9 +59,9 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
 /// A way in which something that is no touch may go with the motion.
 struct Law {
   std::string name;
-  MatrixXd motion;        ///< F x N
-  double follows;         ///< Share of what is left in the contacts that it must tell where it holds at all times
-  double followsInZone;   ///< The same of one that acts in a zone only; of pushes 0.2 at most went with either
+  MatrixXd motion;  ///< F x N
+  double follows;  ///< Share of what is left in the contacts that it must tell where it holds at all times
+  std::optional<double> followsInZone = {};  ///< The same of one that may act in a zone only; of pushes 0.2 at most went with either
 };
 
 /// Whether each joint turns and how hard it speeds up or slows down, as its motor and what that disturbs do.
@@ -75,7 +76,7 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
       motor(0, n) = signals.dq.row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
       motor(1, n) = signals.ddq.row(j).segment(n * m, m).cwiseAbs().mean() / most;
     }
-    out.push_back({fmt::format("what the motor of joint {} does", j + 1), std::move(motor), kTold, 2.0});
+    out.push_back({fmt::format("what the motor of joint {} does", j + 1), std::move(motor), kTold});
   }
   return out;
 }
@@ -140,7 +141,7 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   };
   for (const Law& law : laws) {
     ask(law, everywhere, law.follows);
-    if (contacts.size() >= kFewestInZone) ask(law, inContact, law.followsInZone);
+    if (law.followsInZone && contacts.size() >= kFewestInZone) ask(law, inContact, *law.followsInZone);
   }
   return best;
 }
