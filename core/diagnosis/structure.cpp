@@ -102,6 +102,7 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
     out.push_back({heft::toSay("the direction in which joints turn"),
                    stacked((signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix(),
                            stacked(aheadOfPlay(signals.q, 0.04), aheadOfPlay(signals.q, 0.12)))});
+    out.push_back({heft::toSay("how hard the joints speed up and slow down"), signals.ddq.cwiseAbs()});
     if (signals.robot != nullptr) out.push_back({heft::toSay("the joint angles, several times a turn"), {}, ripplesOfGears(signals, payload)});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});

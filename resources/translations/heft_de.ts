@@ -6582,6 +6582,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>what the motor of joint {} does</source>
         <translation>dem, was der Motor von Gelenk {} tut</translation>
     </message>
+    <message>
+        <source>how hard the joints speed up and slow down</source>
+        <translation>dem Beschleunigen und Bremsen der Gelenke</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
