@@ -14,8 +14,8 @@ class ConstantPull final : public Cause {
                                 {"force_y", "N", 1.0, 0.3, -60.0, 60.0},
                                 {"force_z", "N", 1.0, 0.3, -60.0, 60.0}};
     std::vector<Form> out{formOf(this, "", pull)};
-    // Where it acts shows only with a force there: a first look from the middle of a tool, to either side of the sensor.
-    for (const double z : {0.08, -0.08}) {
+    // Where it acts shows only with a force there: a first look from the sensor and from the middle of a tool, to either side.
+    for (const double z : {0.0, 0.08, -0.08}) {
       out.push_back(formOf(this, "away from the sensor", withPlace(pull)));
       out.back().scan = {0, 1, 2};
       out.back().start(5) = z;
