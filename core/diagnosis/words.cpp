@@ -297,6 +297,15 @@ std::string sidesSentence(const Values& v) {
                    both + asymmetry->value, both - asymmetry->value);
 }
 
+/// A joint whose angle is off to and fro once a turn; empty if the strongest parameter is of another kind.
+std::string onceATurnSentence(const Values& v) {
+  const std::string& name = v.strongest()->name;
+  const auto once = name.find("_once_");
+  if (once == std::string::npos) return {};
+  const std::string both = name.substr(0, once + 6);
+  return heft::say("Joint {} is read up to {} degrees wrong, to and fro once a turn.", name.substr(1, once - 1), v.norm({both + "sine", both + "cosine"}));
+}
+
 /// Of those causes that change a reading: one parameter says which and how much.
 std::string readingSentence(const std::string& id, const CauseParameter& p) {
   if (p.name.starts_with("gain_force"))
@@ -315,8 +324,6 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
     return heft::say("{} of {} shows up in {}.", parameterWords(p), channelWords(channelOf(p.name)),
                      channelWords(to == std::string::npos ? 0 : channelOf(std::string_view(p.name).substr(to + 4))));
   }
-  if (const auto once = p.name.find("_once_"); once != std::string::npos)
-    return heft::say("Joint {} is read up to {} degrees wrong, to and fro once a turn.", p.name.substr(1, once - 1), plusMinus(std::abs(p.value), p.std));
   if (id == "joint_offset")
     return heft::say("Joint {} is really {} degrees away from what was recorded.", p.name.substr(1, 1),
                      plusMinus(std::abs(p.value), p.std));
@@ -353,6 +360,8 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                      v.norm({"tilt_x", "tilt_y"}));
   if (id == "gain_error" && v.strongest())
     if (const auto sides = sidesSentence(v); !sides.empty()) return sides;
+  if (id == "joint_offset" && v.strongest())
+    if (const auto sentence = onceATurnSentence(v); !sentence.empty()) return sentence;
   if (id == "gain_error" || id == "crosstalk" || id == "joint_offset" || id == "hysteresis")
     return v.strongest() ? readingSentence(id, *v.strongest()) : std::string();
   if (id == "cable_pull") return cableSentence(v);
