@@ -32,6 +32,25 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
   return where.to - where.from < length ? 1.0 : steady / all;
 }
 
+/// Whether next to nothing of what a stretch has beyond the usual is left where neighbouring blocks are averaged.
+bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch& where) {
+  constexpr double kLeft = 0.15;  // Share of the power; a push of one block alone leaves 0.25
+  const auto alone = [&](Eigen::Index n) { return residual.col(n).squaredNorm(); };
+  const auto averaged = [&](Eigen::Index n) { return (0.25 * residual.col(n - 1) + 0.5 * residual.col(n) + 0.25 * residual.col(n + 1)).squaredNorm(); };
+  double usual = 0.0, usualAveraged = 0.0, most = 0.0, mostAveraged = 0.0, count = 0.0;
+  for (Eigen::Index n = 1; n + 1 < residual.cols(); ++n) {
+    if (n >= where.from && n < where.to) {
+      most = std::max(most, alone(n));
+      mostAveraged = std::max(mostAveraged, averaged(n));
+    } else if (signals.usable[static_cast<std::size_t>(n)]) {
+      usual += alone(n);
+      usualAveraged += averaged(n);
+      count += 1.0;
+    }
+  }
+  return count > 0.0 && mostAveraged - usualAveraged / count < kLeft * (most - usual / count);
+}
+
 /// Share of what is left of force, or of torque, in all contacts that goes with `motion` (F x N), by the law that holds in all other
 /// places that are `known`.
 double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const std::vector<Contact>& contacts, const std::vector<bool>& known) {
@@ -100,6 +119,7 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
   constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
+  constexpr double kRings = 0.4;                    // [s]
   std::vector<Contact> out;
   const Wrenches scaled = usualSize(signals, fit).cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
@@ -109,6 +129,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
     for (Eigen::Index n = stretch.from; n < stretch.to; ++n)
       contact.peakForce = std::max(contact.peakForce, fit.residual.col(n).head<3>().norm());
     contact.steady = contact.to - contact.from < kBounce || steadiness(scaled, stretch, signals.blockRate()) > kSteady;
+    contact.rings = contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch);
     out.push_back(contact);
   }
   return out;

@@ -37,8 +37,6 @@ double misfit(const Signals& signals, const std::vector<Stretch>& stretches, con
   return whitened(flat(r), noise, stretches).squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
 }
 
-Wrenches valueOf(const Signals& signals, const Model& model) { return averaged(signals, predicted(signals, model)); }
-
 /// Information that is left of the parameters in `own` when all in `others` are unknown; both are indices.
 MatrixXd informationBeside(const MatrixXd& information, const std::vector<Eigen::Index>& own,
                            const std::vector<Eigen::Index>& others) {

@@ -58,7 +58,7 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
     const auto training = outside(stretches, all[i], kGap);
     if (training.empty()) return;
     const Model model = refitted(signals, training, fit);
-    const Wrenches residual = signals.measured - averaged(signals, predicted(signals, model));
+    const Wrenches residual = signals.measured - valueOf(signals, model);
     for (const auto& s : all[i]) out.middleCols(s.from, s.to - s.from) = residual.middleCols(s.from, s.to - s.from);
   });
   return out;

@@ -20,11 +20,13 @@ Order inOrder(const std::vector<Term>& terms) {
   return out;
 }
 
-Kinematics bent(const Signals& signals, const Order& terms) {
-  Kinematics out = signals.kinematics;
-  for (const Term* t : terms) t->form->cause->geometry(*t->form, t->v, signals, out);
-  return out;
+/// `from`: as the terms before `first` bend it.
+Kinematics bent(const Signals& signals, const Order& terms, std::size_t first, Kinematics from) {
+  for (std::size_t i = first; i < terms.size(); ++i) terms[i]->form->cause->geometry(*terms[i]->form, terms[i]->v, signals, from);
+  return from;
 }
+
+Kinematics bent(const Signals& signals, const Order& terms) { return bent(signals, terms, 0, signals.kinematics); }
 
 /// What the sensor makes of its load. `linearOnly`: what it makes of something added to the load.
 void throughSensor(const Signals& signals, const Order& terms, Wrenches& w, bool linearOnly) {
@@ -99,6 +101,8 @@ Wrenches predicted(const Signals& signals, const Model& model) {
   return readings(signals, model, terms, sensed(signals, terms, loads(signals, model, terms, bent(signals, terms))));
 }
 
+Wrenches valueOf(const Signals& signals, const Model& model) { return averaged(signals, predicted(signals, model)); }
+
 namespace {
 
 bool bendsOrChanges(const Term& term) { return term.form->cause->bendsGeometry() || term.form->cause->changesSensor(*term.form); }
@@ -107,7 +111,11 @@ bool bendsOrChanges(const Term& term) { return term.form->cause->bendsGeometry()
 class Moving {
  public:
   Moving(const Signals& signals, const Model& model)
-      : signals_(signals), model_(model), terms_(inOrder(model_.terms)), kinematics_(bent(signals, terms_)) {
+      : signals_(signals), model_(model), terms_(inOrder(model_.terms)), kinematics_(signals.kinematics) {
+    for (const Term* t : terms_) {
+      before_.push_back(t->form->cause->bendsGeometry() ? kinematics_ : Kinematics{});
+      t->form->cause->geometry(*t->form, t->v, signals, kinematics_);
+    }
     linear_ = std::ranges::all_of(model.terms, [](const Term& t) { return t.form->cause->linear(*t.form); });
     // What only adds to what the others make leaves them as they are.
     if (std::ranges::none_of(model.terms, bendsOrChanges)) return;
@@ -116,8 +124,6 @@ class Moving {
   }
   Moving(const Moving&) = delete;
   Moving& operator=(const Moving&) = delete;
-
-  const Kinematics& kinematics() const { return kinematics_; }
 
   /// The readings, averaged.
   Wrenches value() const {
@@ -182,7 +188,10 @@ class Moving {
   /// `force`, `reading`: the term's before it moved.
   Wrenches change(const Term& moved, const Wrenches& force, const Wrenches& reading) const {
     const Cause& cause = *moved.form->cause;
-    if (cause.bendsGeometry()) return sensed(signals_, terms_, loads(signals_, model_, terms_, bent(signals_, terms_))) - told_;
+    if (cause.bendsGeometry()) {
+      const auto at = static_cast<std::size_t>(std::ranges::find(terms_, &moved) - terms_.begin());
+      return sensed(signals_, terms_, loads(signals_, model_, terms_, bent(signals_, terms_, at, before_[at]))) - told_;
+    }
     if (cause.changesSensor(*moved.form)) return sensed(signals_, terms_, load_) - told_;
     Wrenches out = forceOf(moved) - force;
     // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
@@ -209,6 +218,7 @@ class Moving {
   Model model_;
   Order terms_;  ///< Of model_
   Kinematics kinematics_;
+  std::vector<Kinematics> before_;  ///< Each of terms_ that bends it
   Wrenches load_, told_;  ///< Empty where no parameter changes them
   bool linear_ = true;
 };

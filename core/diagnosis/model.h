@@ -34,7 +34,10 @@ Wrenches payloadWrench(const Kinematics& kinematics, const Vector10d& phi);
 /// What the sensor should have read at the full rate, 6 x K.
 Wrenches predicted(const Signals& signals, const Model& model);
 
-/// predicted(), averaged into blocks, and its derivatives: 6N x size(), row 6 n + channel.
+/// predicted(), averaged into blocks: 6 x N.
+Wrenches valueOf(const Signals& signals, const Model& model);
+
+/// valueOf() and its derivatives: 6N x size(), row 6 n + channel.
 struct Linearised {
   Wrenches value;
   MatrixXd jacobian;

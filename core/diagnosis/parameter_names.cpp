@@ -106,9 +106,11 @@ std::string wordsOf(std::string_view name) {
     const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
     if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
   }
-  if (const auto once = name.find("_once_"); once != std::string_view::npos && name[0] == 'q')
-    return name.ends_with("_sine") ? heft::say("Angle of joint {} off by, times its sine", name.substr(1, once - 1))
-                                   : heft::say("Angle of joint {} off by, times its cosine", name.substr(1, once - 1));
+  if (const auto once = name.find("_once_"); once != std::string_view::npos && name[0] == 'q') {
+    const auto joint = name.substr(1, once - 1);
+    if (name.ends_with("_sine")) return heft::say("Angle of joint {} off by, times its sine", joint);
+    if (name.ends_with("_cosine")) return heft::say("Angle of joint {} off by, times its cosine", joint);
+  }
   if (name.ends_with("_offset") && name.size() > 8 && name[0] == 'q')
     return heft::say("Angle of joint {} off by", name.substr(1, name.size() - 8));
   if (const auto wave = name.find("_wave_"); wave != std::string_view::npos)

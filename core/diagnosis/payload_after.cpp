@@ -120,15 +120,20 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
                                    const RobotModel* robot, const Work& work, const EstimateOptions& options,
                                    const Progress& progress) {
   std::optional<Result<EstimateReport>> was, is;
+  std::optional<Error> notFreed;
   onTwoThreads(2, [&](std::size_t i) {
     if (i == 0) {
       was = estimate(recording, robot, options, progress);
     } else if (!report.causes.empty()) {
       const auto clean = freed(cleaned, robot, work);
-      is = clean ? estimate(*clean, robot, options, progress) : clean.error();
+      if (clean)
+        is = estimate(*clean, robot, options, progress);
+      else
+        notFreed = clean.error();
     }
   });
   if (!*was) return was->error();
+  if (notFreed) return notFreed;
   report.before = std::move(**was);
   report.after = report.before;
   const bool unknown = report.verdict == Verdict::unexplained;

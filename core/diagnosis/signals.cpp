@@ -27,6 +27,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
       out.q = motion.q;
       out.dq = motion.dq;
       out.ddq = motion.ddq;
+      out.joints = std::make_shared<const JointTurns>(*robot, out.link, out.X_LS, out.q, out.dq, out.ddq);
     }
   }
   out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / 50.0)));

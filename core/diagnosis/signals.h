@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/diagnosis/joint_turns.h"
 #include "core/motion/motion.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
@@ -42,6 +43,7 @@ struct Signals {
   int link = 0;
   Isometry3d X_LS = Isometry3d::Identity();
   MatrixXd q, dq, ddq;  ///< dof x K
+  std::shared_ptr<const JointTurns> joints;
 
   int samplesPerBlock = 4;
   Wrenches readings;         ///< 6 x K

@@ -93,9 +93,10 @@ void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
 /// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and slip.
 void sayKnocks(const Work& work, DiagnosisReport& out) {
   constexpr std::size_t kFewest = 3;
-  const auto knocks = knocksIn(work.signals, work.stretches, work.search.final.model);
-  const auto has = [&](std::string_view cause) { return contains(work.search.final.model, cause); };
-  if (knocks.size() < kFewest || has("loose_mass") || has("coulomb_friction")) return;
+  const Model& final = work.search.final.model;
+  if (contains(final, "loose_mass") || contains(final, "coulomb_friction")) return;
+  const auto knocks = knocksIn(work.signals, work.stretches, final);
+  if (knocks.size() < kFewest) return;
   out.findings.push_back({Severity::warning, "knocks",
                           heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(knocks), knocks.front()),
                           heft::say("Shake the tool by hand and listen: is a part of it loose?"), {}});

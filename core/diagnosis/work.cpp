@@ -71,8 +71,10 @@ std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, c
   return elsewise > kMost ? left : contacts;
 }
 
-/// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else.
+/// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else. Those that ring are left
+/// out as well, but they are nothing: a motion that is smoothed can do no better there.
 void setOddAside(Work& work, const Signals& whole) {
+  std::erase_if(work.contacts, [](const Contact& c) { return c.rings; });
   std::vector<Contact> pushes;
   for (const Contact& contact : work.contacts) (contact.steady ? pushes : work.odd).push_back(contact);
   if (!work.odd.empty()) work.oddGoesWith = heft::toSay("noise that comes and goes");

@@ -20,28 +20,54 @@ constexpr double kMostShare = 0.05;    ///< Of a channel's rows; what happens al
 constexpr double kBack = 0.15;         ///< Of a spike's or discharge's height: within that it has fallen back, the load having moved on
 constexpr std::size_t kFewestDischarges = 3;
 
-/// How far a reading of one channel must stand out, for each kPart rows: its scatter there or beside, and at least the usual one.
-/// Empty where there is too little of it.
-std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part) {
+/// `times` the scatter of one channel, for each `part` rows: that there or beside, and at least the usual one. Empty where there is too
+/// little of it. `off`: how far row i is from where its neighbours have it; 0 where they say nothing.
+template <class Off>
+std::vector<double> limitsBy(const Off& off, Eigen::Index rows, Eigen::Index part, double times) {
   constexpr std::size_t kFewest = 20;
-  constexpr double kTimes = 8.0 * 1.4826 / std::numbers::sqrt2;
-  // Scatter from steps between rows that differ: repeated rows of a polled sensor say nothing about its noise.
-  std::vector<double> steps, here, scatter;
-  for (Eigen::Index i = 1; i < channel.size(); ++i) {
-    if (channel(i) != channel(i - 1)) here.push_back(std::abs(channel(i) - channel(i - 1)));
-    if ((i + 1) % part != 0 && i + 1 < channel.size()) continue;
-    steps.insert(steps.end(), here.begin(), here.end());
+  std::vector<double> all, here, scatter;
+  for (Eigen::Index i = 1; i < rows; ++i) {
+    if (const double size = std::abs(off(i)); size > 0.0) here.push_back(size);
+    if ((i + 1) % part != 0 && i + 1 < rows) continue;
+    all.insert(all.end(), here.begin(), here.end());
     scatter.push_back(here.size() < kFewest ? 0.0 : median(std::move(here)));
     here.clear();
   }
-  if (steps.size() < kFewest) return {};
-  const double usual = median(std::move(steps));
+  if (all.size() < kFewest) return {};
+  const double usual = median(std::move(all));
   std::vector<double> out(scatter.size());
   for (std::size_t k = 0; k < scatter.size(); ++k) {
     const double beside = std::max(scatter[k > 0 ? k - 1 : 0], scatter[std::min(k + 1, scatter.size() - 1)]);
-    out[k] = kTimes * std::max({usual, scatter[k], beside});
+    out[k] = times * std::max({usual, scatter[k], beside});
   }
   return out;
+}
+
+/// How far a reading of one channel must leap, by steps between rows that differ: repeated rows of a polled sensor say nothing about
+/// its noise.
+std::vector<double> leapLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part) {
+  constexpr double kTimes = 8.0 * 1.4826 / std::numbers::sqrt2;
+  return limitsBy([&](Eigen::Index i) { return channel(i) - channel(i - 1); }, channel.size(), part, kTimes);
+}
+
+/// How far a single reading must stand out: no further than by the bends of the channel's way where rows are few and the load moves fast,
+/// since steps are the load's own there. What bends of four rows make of the noise tells whether it is one from row to row; readings that
+/// were smoothed bend less and less.
+std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part, std::vector<double> leaps) {
+  constexpr double kTimes = 10.0 * 1.4826, kRough = 0.75;
+  const double two = 1.0 / std::sqrt(1.5), four = 1.0 / std::sqrt(35.0 / 18.0);  // Of noise, what either leaves
+  const auto differs = [&](Eigen::Index i) {
+    return i > 1 && i + 2 < channel.size() && channel(i) != channel(i - 1) && channel(i) != channel(i + 1);
+  };
+  const auto bend = [&](Eigen::Index i) { return differs(i) ? two * (channel(i) - 0.5 * (channel(i - 1) + channel(i + 1))) : 0.0; };
+  const auto wider = [&](Eigen::Index i) {
+    if (!differs(i)) return 0.0;
+    return four * (channel(i) - (4.0 * (channel(i - 1) + channel(i + 1)) - channel(i - 2) - channel(i + 2)) / 6.0);
+  };
+  const auto bends = limitsBy(bend, channel.size(), part, kTimes), rough = limitsBy(wider, channel.size(), part, kTimes);
+  for (std::size_t k = 0; k < std::min({leaps.size(), bends.size(), rough.size()}); ++k)
+    if (rough[k] > kRough * bends[k]) leaps[k] = std::min(leaps[k], bends[k]);
+  return leaps;
 }
 
 /// A channel leaps in one row, no other with it, and falls back.
@@ -124,10 +150,16 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, Eigen
     std::vector<std::pair<Eigen::Index, double>> found;
     for (Eigen::Index i = 3; i + 3 < n; ++i) {
       const double limit = limits[static_cast<std::size_t>(i / part)];
-      const auto near = wrench.col(c).segment(i - 3, 7);
-      // Cheap test first: a spike stands out from neighbours on either side of it, to the same side of them.
+      const auto rows = wrench.col(c).segment(i - 3, 7);
+      // Cheap test first: a spike stands out from where neighbours on either side of it have it.
+      const auto off = [&](Eigen::Index away) { return std::abs(rows(3) - 0.5 * (rows(3 - away) + rows(3 + away))); };
+      if (off(3) < limit && off(2) < limit) continue;
+      // Without the way that the load goes meanwhile.
+      const Eigen::Array<double, 7, 1> course = Eigen::Array<double, 7, 1>::LinSpaced(-3.0, 3.0);
+      const double slope = median({(rows(6) - rows(0)) / 6.0, (rows(5) - rows(1)) / 4.0, (rows(4) - rows(2)) / 2.0});
+      const Eigen::Array<double, 7, 1> near = rows.array() - slope * course;
       const auto standsOut = [&](Eigen::Index away) {
-        const double before = wrench(i, c) - near(3 - away), after = wrench(i, c) - near(3 + away);
+        const double before = near(3) - near(3 - away), after = near(3) - near(3 + away);
         return std::abs(before) >= limit && std::abs(after) >= limit && before * after > 0.0;
       };
       if (!standsOut(3) && !standsOut(2)) continue;
@@ -135,7 +167,7 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, Eigen
       const double height = std::abs(wrench(i, c) - centre);
       if (height < limit) continue;
       // Three or more samples far out are an event, not a spike.
-      if (((near.array() - centre).abs() > std::max(0.5 * limit, kBack * height)).count() > 2) continue;
+      if (((near - centre).abs() > std::max(0.5 * limit, kBack * height)).count() > 2) continue;
       found.emplace_back(i, centre);
     }
     if (static_cast<double>(found.size()) > kMostShare * static_cast<double>(n)) continue;
@@ -155,11 +187,15 @@ WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced)
   constexpr std::size_t kMany = 50;
   WrenchSamples out = wrench;
   std::vector<bool> touched(static_cast<std::size_t>(wrench.rows()), false);
-  Limits limits;
-  for (int c = 0; c < 6; ++c) limits[static_cast<std::size_t>(c)] = spikeLimits(wrench.col(c), kPart);
+  Limits leaps, spikes;
+  for (int c = 0; c < 6; ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    leaps[at] = leapLimits(wrench.col(c), kPart);
+    spikes[at] = spikeLimits(wrench.col(c), kPart, leaps[at]);
+  }
   // Where there are many, some hide one another.
-  if (replaceSingles(out, limits, kPart, touched) >= kMany) replaceSingles(out, limits, kPart, touched);
-  if (bridgeDischarges(out, limits, kPart, 1, touched) >= kMany) bridgeDischarges(out, limits, kPart, 0, touched);
+  if (replaceSingles(out, spikes, kPart, touched) >= kMany) replaceSingles(out, spikes, kPart, touched);
+  if (bridgeDischarges(out, leaps, kPart, 1, touched) >= kMany) bridgeDischarges(out, leaps, kPart, 0, touched);
   replaced = std::count(touched.begin(), touched.end(), true);
   return out;
 }

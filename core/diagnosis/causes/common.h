@@ -45,9 +45,8 @@ inline void addWorldForce(const std::vector<Matrix3d>& R_BS, const Eigen::Matrix
   }
 }
 
-/// Adds what other motions of the joints, each dof x K, change; only with a robot.
-inline void changeJoints(const Signals& signals, Kinematics& kinematics, const MatrixXd& q, const MatrixXd& dq, const MatrixXd& ddq) {
-  const Kinematics moved = kinematicsOf(signals, q, dq, ddq);
+/// Adds what sets the motion `moved`, by other joint angles, apart from the recorded one.
+inline void addMove(const Signals& signals, Kinematics& kinematics, const Kinematics& moved) {
   kinematics.specificForce += moved.specificForce - signals.kinematics.specificForce;
   kinematics.omega += moved.omega - signals.kinematics.omega;
   kinematics.alpha += moved.alpha - signals.kinematics.alpha;

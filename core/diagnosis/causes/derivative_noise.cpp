@@ -73,7 +73,7 @@ class DerivativeNoise final : public Cause {
     if (!form.choice.empty()) {
       const auto sharp = [&](const MatrixXd& value) { return sharpened(value, form.choice[0], v(0), signals.rateHz); };
       if (signals.robot != nullptr)
-        changeJoints(signals, kinematics, sharp(signals.q), sharp(signals.dq), sharp(signals.ddq));
+        addMove(signals, kinematics, kinematicsOf(signals, sharp(signals.q), sharp(signals.dq), sharp(signals.ddq)));
       else
         changeMotion(signals, kinematics, sharp);
       return;

@@ -11,12 +11,15 @@ class JointOffset final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "sensor_rotation"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
-    for (int joint = 0; signals.robot != nullptr && joint < signals.q.rows(); ++joint) {
+    std::vector<int> joints;
+    for (int joint = 0; signals.robot != nullptr && joint < signals.q.rows(); ++joint)
+      if (signals.joints->turnsAlone(joint)) joints.push_back(joint);
+    for (const int joint : joints) {
       out.push_back(formOf(this, fmt::format("joint {}", joint + 1),
                            {{fmt::format("q{}_offset", joint + 1), "deg", kDegrees, 1.0 / kDegrees, -0.6, 0.6}}));
       out.back().choice = {joint};
     }
-    for (int joint = 0; signals.robot != nullptr && joint < signals.q.rows(); ++joint) {
+    for (const int joint : joints) {
       const std::string name = fmt::format("q{}_once", joint + 1);
       out.push_back(formOf(this, fmt::format("joint {} once a turn", joint + 1),
                            {{name + "_sine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}, {name + "_cosine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}}));
@@ -30,20 +33,10 @@ class JointOffset final : public Cause {
   double doubt(const Form& form, const VectorXd&, const Signals&) const override { return onceATurn(form) ? 20.0 : 0.0; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kin) const override {
     if (v.isZero(0.0)) return;
-    const Eigen::Index joint = form.choice[0];
-    MatrixXd q = signals.q;
-    if (!onceATurn(form)) {
-      q.row(joint).array() += v(0);
-      changeJoints(signals, kin, q, signals.dq, signals.ddq);
-      return;
-    }
-    MatrixXd dq = signals.dq, ddq = signals.ddq;
-    const Eigen::ArrayXd sine = signals.q.row(joint).array().sin(), cosine = signals.q.row(joint).array().cos();
-    const Eigen::ArrayXd off = v(0) * sine + v(1) * cosine, slope = v(0) * cosine - v(1) * sine;
-    q.row(joint).array() += off.transpose();
-    dq.row(joint).array() *= 1.0 + slope.transpose();
-    ddq.row(joint).array() = ddq.row(joint).array() * (1.0 + slope.transpose()) - off.transpose() * signals.dq.row(joint).array().square();
-    changeJoints(signals, kin, q, dq, ddq);
+    JointTurn turn{form.choice[0]};
+    (onceATurn(form) ? turn.sine : turn.constant) = v(0);
+    if (onceATurn(form)) turn.cosine = v(1);
+    addMove(signals, kin, *signals.joints->with(turn, signals.gravity));
   }
 
  private:

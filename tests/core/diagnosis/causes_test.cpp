@@ -100,7 +100,7 @@ TEST(Catalogue, WhatTheModelPutsInTheFitFindsAgain) {
   for (Eigen::Index n = 0; n < signals.blocks(); ++n)
     signals.usable[static_cast<std::size_t>(n)] = n > 20 && n + 20 < signals.blocks();
   const auto stretches = stretchesOf(signals.usable);
-  const Wrenches noise = p.signals.measured - averaged(signals, predicted(signals, p.model));
+  const Wrenches noise = p.signals.measured - valueOf(signals, p.model);
   for (const char* id : {"time_offset", "low_pass_lag", "gravity_tilt", "sensor_rotation", "cable_pull", "viscous_drag",
                          "lever_arm", "joint_offset", "constant_pull", "gain_error"}) {
     const auto forms = findCause(id)->forms(signals);
@@ -109,7 +109,7 @@ TEST(Catalogue, WhatTheModelPutsInTheFitFindsAgain) {
     VectorXd v = form.start;
     for (const int i : form.scan) v(i) += 4.0 * form.parameters[static_cast<std::size_t>(i)].size;
     truth.terms.push_back({std::make_shared<const Form>(form), v, {}});
-    signals.measured = averaged(signals, predicted(signals, truth)) + noise;
+    signals.measured = valueOf(signals, truth) + noise;
     Model start = p.model;
     start.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
     for (const int i : form.scan) start.terms[0].v(i) += 0.5 * form.parameters[static_cast<std::size_t>(i)].size;
@@ -188,7 +188,7 @@ TEST(Scan, JacobianIsTheDerivative) {
     for (Eigen::Index i = c.payload ? 0 : kLinear; i < step.size(); ++i) step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
     Model moved = model;
     moved.unpack(model.packed() + step);
-    const Wrenches change = averaged(p.signals, predicted(p.signals, moved)) - at.value;
+    const Wrenches change = valueOf(p.signals, moved) - at.value;
     const VectorXd expected = at.jacobian * step;
     EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm()) << c.causes.front();
   }
