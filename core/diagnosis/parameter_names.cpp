@@ -106,6 +106,10 @@ std::string wordsOf(std::string_view name) {
     const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
     if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
   }
+  if (name.ends_with("_slope"))
+    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 8) return heft::say("Rate in {}", channelWords(*channel));
+  if (name.ends_with("_bend"))
+    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 7) return heft::say("Bend in {}", channelWords(*channel));
   if (const auto once = name.find("_once_"); once != std::string_view::npos && name[0] == 'q') {
     const auto joint = name.substr(1, once - 1);
     if (name.ends_with("_sine")) return heft::say("Angle of joint {} off by, times its sine", joint);

@@ -67,7 +67,8 @@ std::optional<Direct> quantisation(const Recording& recording) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < levels.size(); ++i) steps.push_back(levels[i] - levels[i - 1]);
     std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-    const double step = steps[steps.size() / 2];
+    const double usual = steps[steps.size() / 2], range = levels.back() - levels.front();
+    const double step = range / std::round(range / usual);  // The digits of the file are little of all steps together
     // Every level is a whole number of steps away from the lowest, but for the digits of the file.
     const bool regular = std::all_of(levels.begin(), levels.end(), [&](double level) {
       const double count = (level - levels.front()) / step;

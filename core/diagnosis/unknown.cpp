@@ -8,6 +8,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/hum.h"
 #include "core/diagnosis/knocks.h"
+#include "core/diagnosis/moments.h"
 #include "core/diagnosis/wandering.h"
 #include "core/diagnosis/words.h"
 
@@ -18,10 +19,19 @@ namespace {
 /// A walk has waves for anything that is slow. What swings, or goes with the motion, beyond what the walk explains is none.
 void sayHiddenByWalk(const Work& work, DiagnosisReport& out) {
   constexpr double kBeyond = 30.0;  ///< Of 70 walks none came nearer than 5 below; what was hidden went at least 90 beyond
+  constexpr std::size_t kFewestLeaps = 6;  ///< Of 30 clean recordings one had four, the others two at most
   const Fit& final = work.search.final;
   const bool wanders = walks(final.model);
   const Fit steady = wanders ? fitModel(work.signals, work.stretches, without(final.model, kWandering)) : final;
   bool hides = false;
+  if (const auto leaps = leapsIn(work.signals, work.stretches, steady.residual); leaps.size() >= kFewestLeaps && out.remaining.gain <= kUnexplained) {
+    out.findings.push_back({Severity::warning, "switches",
+                            heft::say("Something on the tool changes at once {} times, first at {:.1f} s.", std::ssize(leaps), leaps.front()),
+                            heft::say("Look at what switches there: a gripper, a valve, a part that slides."), {}});
+    out.remaining.goesWith = heft::toSay("sudden changes");
+    out.remaining.gain = 1e3;
+    hides = true;
+  }
   if (const double excess = slowWave(work.signals, work.stretches, steady.residual); excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;

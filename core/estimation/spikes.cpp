@@ -50,23 +50,17 @@ std::vector<double> leapLimits(const Eigen::Ref<const Eigen::VectorXd>& channel,
   return limitsBy([&](Eigen::Index i) { return channel(i) - channel(i - 1); }, channel.size(), part, kTimes);
 }
 
-/// How far a single reading must stand out: no further than by the bends of the channel's way where rows are few and the load moves fast,
-/// since steps are the load's own there. What bends of four rows make of the noise tells whether it is one from row to row; readings that
-/// were smoothed bend less and less.
+/// How far a single reading must stand out: where rows are few and the load moves fast, steps are the load's own, and how far a reading
+/// usually is from half-way between those two rows before and after tells the noise.
 std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part, std::vector<double> leaps) {
-  constexpr double kTimes = 10.0 * 1.4826, kRough = 0.75;
-  const double two = 1.0 / std::sqrt(1.5), four = 1.0 / std::sqrt(35.0 / 18.0);  // Of noise, what either leaves
-  const auto differs = [&](Eigen::Index i) {
-    return i > 1 && i + 2 < channel.size() && channel(i) != channel(i - 1) && channel(i) != channel(i + 1);
+  constexpr double kTimes = 10.0 * 1.4826 / 1.2247, kClearly = 0.8;  // The root of 1 + 1/4 + 1/4
+  const auto off = [&](Eigen::Index i) {
+    const bool differs = i > 1 && i + 2 < channel.size() && channel(i) != channel(i - 1) && channel(i) != channel(i + 1);
+    return differs ? channel(i) - 0.5 * (channel(i - 2) + channel(i + 2)) : 0.0;
   };
-  const auto bend = [&](Eigen::Index i) { return differs(i) ? two * (channel(i) - 0.5 * (channel(i - 1) + channel(i + 1))) : 0.0; };
-  const auto wider = [&](Eigen::Index i) {
-    if (!differs(i)) return 0.0;
-    return four * (channel(i) - (4.0 * (channel(i - 1) + channel(i + 1)) - channel(i - 2) - channel(i + 2)) / 6.0);
-  };
-  const auto bends = limitsBy(bend, channel.size(), part, kTimes), rough = limitsBy(wider, channel.size(), part, kTimes);
-  for (std::size_t k = 0; k < std::min({leaps.size(), bends.size(), rough.size()}); ++k)
-    if (rough[k] > kRough * bends[k]) leaps[k] = std::min(leaps[k], bends[k]);
+  const auto bends = limitsBy(off, channel.size(), part, kTimes);
+  for (std::size_t k = 0; k < std::min(leaps.size(), bends.size()); ++k)
+    if (bends[k] < kClearly * leaps[k]) leaps[k] = bends[k];
   return leaps;
 }
 
@@ -87,6 +81,11 @@ double medianOf(const WrenchSamples& wrench, int channel, Eigen::Index from) {
 std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel, const std::array<double, 6>& limits, Eigen::Index apart) {
   const double limit = limits[static_cast<std::size_t>(channel)], last = wrench(i - 1, channel);
   if (std::abs(wrench(i, channel) - last) < limit) return {};
+  // Where the load moves fast, one step is like those before it.
+  constexpr double kSteps = 4.0;
+  std::vector<double> steps;
+  for (Eigen::Index k = i - 2 * kLevel; k < i; ++k) steps.push_back(std::abs(wrench(k, channel) - wrench(k - 1, channel)));
+  if (std::abs(wrench(i, channel) - last) < kSteps * median(std::move(steps))) return {};
   // A reading that was held leaps, too, when it is fresh again.
   if (last == wrench(i - 2, channel) && last == wrench(i - 3, channel)) return {};
   Discharge out{channel, i, i, medianOf(wrench, channel, i - kLevel), 0.0};
@@ -140,8 +139,9 @@ std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen:
   return found.size();
 }
 
-/// Replaces single readings far off by what lies around them, marks their rows and says how many there were.
-std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, Eigen::Index part, std::vector<bool>& touched) {
+/// Replaces single readings far off by what lies around them, marks their rows and says how many there were. Where their limits are below
+/// those of leaps, the load moves fast.
+std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const Limits& leaps, Eigen::Index part, std::vector<bool>& touched) {
   const Eigen::Index n = wrench.rows();
   std::size_t all = 0;
   for (int c = 0; c < 6; ++c) {
@@ -156,18 +156,21 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, Eigen
       if (off(3) < limit && off(2) < limit) continue;
       // Without the way that the load goes meanwhile.
       const Eigen::Array<double, 7, 1> course = Eigen::Array<double, 7, 1>::LinSpaced(-3.0, 3.0);
-      const double slope = median({(rows(6) - rows(0)) / 6.0, (rows(5) - rows(1)) / 4.0, (rows(4) - rows(2)) / 2.0});
+      const bool moves = limit < leaps[static_cast<std::size_t>(c)][static_cast<std::size_t>(i / part)];
+      const double slope = !moves ? 0.0 : median({(rows(6) - rows(0)) / 6.0, (rows(5) - rows(1)) / 4.0, (rows(4) - rows(2)) / 2.0});
       const Eigen::Array<double, 7, 1> near = rows.array() - slope * course;
       const auto standsOut = [&](Eigen::Index away) {
         const double before = near(3) - near(3 - away), after = near(3) - near(3 + away);
         return std::abs(before) >= limit && std::abs(after) >= limit && before * after > 0.0;
       };
-      if (!standsOut(3) && !standsOut(2)) continue;
+      if (!standsOut(2) && (moves || !standsOut(3))) continue;
       const double centre = median(std::vector<double>(near.data(), near.data() + 7));
       const double height = std::abs(wrench(i, c) - centre);
       if (height < limit) continue;
       // Three or more samples far out are an event, not a spike.
-      if (((near - centre).abs() > std::max(0.5 * limit, kBack * height)).count() > 2) continue;
+      // So is where the load takes another way.
+      const double aside = moves ? 0.35 : 0.5;
+      if (((near - centre).abs() > std::max(aside * limit, kBack * height)).count() > 2) continue;
       found.emplace_back(i, centre);
     }
     if (static_cast<double>(found.size()) > kMostShare * static_cast<double>(n)) continue;
@@ -194,7 +197,7 @@ WrenchSamples withoutSpikes(const WrenchSamples& wrench, Eigen::Index& replaced)
     spikes[at] = spikeLimits(wrench.col(c), kPart, leaps[at]);
   }
   // Where there are many, some hide one another.
-  if (replaceSingles(out, spikes, kPart, touched) >= kMany) replaceSingles(out, spikes, kPart, touched);
+  if (replaceSingles(out, spikes, leaps, kPart, touched) >= kMany) replaceSingles(out, spikes, leaps, kPart, touched);
   if (bridgeDischarges(out, leaps, kPart, 1, touched) >= kMany) bridgeDischarges(out, leaps, kPart, 0, touched);
   replaced = std::count(touched.begin(), touched.end(), true);
   return out;

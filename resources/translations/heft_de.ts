@@ -6586,6 +6586,26 @@ Bitte prüfen Sie den Namen.</translation>
         <source>how hard the joints speed up and slow down</source>
         <translation>dem Beschleunigen und Bremsen der Gelenke</translation>
     </message>
+    <message>
+        <source>Rate in {}</source>
+        <translation>Änderung je Sekunde: {}</translation>
+    </message>
+    <message>
+        <source>Bend in {}</source>
+        <translation>Krümmung: {}</translation>
+    </message>
+    <message>
+        <source>Something on the tool changes at once {} times, first at {:.1f} s.</source>
+        <translation>Etwas am Werkzeug ändert sich {} Mal schlagartig, zuerst bei {:.1f} s.</translation>
+    </message>
+    <message>
+        <source>Look at what switches there: a gripper, a valve, a part that slides.</source>
+        <translation>Schauen Sie nach, was dort schaltet: ein Greifer, ein Ventil, ein Teil, das rutscht.</translation>
+    </message>
+    <message>
+        <source>sudden changes</source>
+        <translation>plötzlichen Änderungen</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -14,7 +14,7 @@ double sizeOf(int channel) { return channel < 3 ? 0.1 : 0.005; }
 const char* unitOf(int channel) { return channel < 3 ? "N" : "N m"; }
 
 class BiasDrift final : public Cause {
-  enum Course { kSteady, kSettling, kCurved, kRamp };  // form.choice
+  enum Course { kSteady, kSettling, kCurved, kRamp, kBoth };  // form.choice
 
  public:
   std::string_view id() const override { return "bias_drift"; }
@@ -44,6 +44,18 @@ class BiasDrift final : public Cause {
       form.choice = {kSettling};
       out.push_back(form);
     }
+    // Fast at first and slowly for the rest of the time, as where both a gauge and the tool around it warm up.
+    for (const double part : {0.05, 0.15}) {
+      std::vector<Parameter> parameters = levels;
+      parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 0.5 * T});
+      for (auto& slope : drift("_slope", 1.0)) parameters.push_back(std::move(slope));
+      Form form = formOf(this, "settling and steady", parameters);
+      form.start(6) = part * T;
+      form.scan = {0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12};
+      form.subset = true;
+      form.choice = {kBoth};
+      out.push_back(form);
+    }
     // From one level to another, such as that of a sensor that warms up for a while.
     for (const auto& [from, lasts] : {std::pair{0.0, 0.3}, {0.0, 0.6}, {0.3, 0.3}, {0.3, 0.6}, {0.6, 0.3}}) {
       std::vector<Parameter> parameters = levels;
@@ -70,8 +82,9 @@ class BiasDrift final : public Cause {
     const double T = signals.duration();
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const double t = static_cast<double>(k) / signals.rateHz;
-      if (form.choice[0] == kSettling) {
+      if (form.choice[0] == kSettling || form.choice[0] == kBoth) {
         w.col(k) -= std::expm1(-t / v(6)) * v.head<6>();
+        if (form.choice[0] == kBoth) w.col(k) += t * v.tail<6>();
         continue;
       }
       if (form.choice[0] == kRamp) {

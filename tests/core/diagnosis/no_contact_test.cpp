@@ -231,5 +231,39 @@ TEST(NoContact, AllThreeAnglesOfATurnedSensor) {
   }
 }
 
+/// What turns round from block to block: the end of what a smoothed motion shows.
+TEST(NoContact, WhatRingsIsNone) {
+  Recording recording = aRecording(MotionKind::free, 311);
+  push(recording, [](double t) { return t > 6.0 && t < 6.12 ? 0.8 * std::sin(2.0 * std::numbers::pi * 24.0 * (t - 6.0)) : 0.0; });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::clean) << said(report);
+}
+
+/// A valve that opens and closes nine times presses each time in the same way. Any one of these explains less than a walk of the zero.
+TEST(NoContact, WhatSwitchesAgainAndAgainIsUnknown) {
+  Recording recording = aRecording(MotionKind::pickAndPlace, 312);
+  push(recording, [](double t) {
+    double out = 0.0;
+    for (const double opens : {1.6, 3.4, 5.9, 8.2, 10.1}) out += t > opens && t < opens + 0.9 ? 0.15 : 0.0;
+    return out;
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_TRUE(finds(report, "switches")) << said(report);
+}
+
+/// A gauge warms up in seconds and what it sits in takes minutes: it was a walk, and so clean.
+TEST(NoContact, ADriftThatIsFastAtFirstIsOne) {
+  Recording recording = aRecording(MotionKind::free, 313);
+  push(recording, [](double t) { return 0.8 * (1.0 - std::exp(-t / 1.2)) + 0.05 * t; });
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "bias_drift") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  const auto* constant = parameter(report.causes.front(), "time_constant");
+  ASSERT_NE(constant, nullptr) << said(report);
+  EXPECT_NEAR(constant->value, 1.2, 4.0 * constant->std);
+}
+
 }  // namespace
 }  // namespace heft::test

@@ -179,6 +179,30 @@ TEST(SampleTests, NoiseThatIsLouderForAWhileIsNoSpike) {
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
 }
 
+/// From row to row the load goes further than the noise does.
+TEST(SampleTests, SpikesAreFoundWhereTheLoadMovesFast) {
+  const Recording whole = aRecording(MotionKind::excitation, 254);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < whole.rows(); i += static_cast<Eigen::Index>(std::lround(whole.rateHz() / 125.0))) kept.push_back(i);
+  Recording recording = withRows(whole, kept);
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{});
+  Eigen::Index replaced = 0;
+  for (int k = 1; k <= 12; ++k) recording.wrench(k * recording.rows() / 13, k % 6) += k % 6 < 3 ? 1.5 : 0.12;
+  withoutSpikes(recording.wrench, replaced);
+  EXPECT_GE(replaced, 8);
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
+}
+
+/// A file with five digits holds 0.01563 and 0.03125 for one and two steps: many of them are off by more than one digit.
+TEST(SampleTests, CoarseStepsAreSeenThroughTheDigitsOfTheFile) {
+  Recording recording = aRecording(MotionKind::free, 255);
+  constexpr double kStep = 1.0 / 96.0, kDigit = 1e-5;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (Eigen::Index c = 3; c < 6; ++c)
+      recording.wrench(i, c) = kDigit * std::round(kStep * std::round(recording.wrench(i, c) / kStep) / kDigit);
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{"quantisation"});
+}
+
 /// In a hundredth of each channel's readings, and so in six of a hundred rows.
 TEST(SampleTests, SpikesOnEachChannelForItself) {
   Recording recording = aRecording(MotionKind::free, 253);

@@ -1,0 +1,43 @@
+#include "core/diagnosis/moments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/statistics.h"
+
+namespace heft::diagnosis {
+
+std::vector<double> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  constexpr double kLeap = 30.0;      // Squared deviations in six channels
+  constexpr double kMeanOver = 0.2;   // [s] before and after
+  const auto length = std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(kMeanOver * signals.blockRate())));
+  std::vector<Eigen::Index> at;
+  std::vector<Vector6d> steps;
+  for (const auto& s : stretches)
+    for (Eigen::Index n = s.from + length; n + length <= s.to; ++n) {
+      at.push_back(n);
+      steps.push_back(residual.middleCols(n, length).rowwise().mean() - residual.middleCols(n - length, length).rowwise().mean());
+    }
+  if (at.size() < 100) return {};
+  Vector6d usual;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    std::vector<double> sizes;
+    for (const Vector6d& step : steps) sizes.push_back(std::abs(step(c)));
+    usual(c) = std::max(1e-12, 1.4826 * median(std::move(sizes)));
+  }
+  std::vector<double> size;
+  for (const Vector6d& step : steps) size.push_back(step.cwiseQuotient(usual).squaredNorm());
+  std::vector<std::size_t> peaks;
+  for (std::size_t i = 0; i < size.size(); ++i) {
+    const auto near = [&](std::size_t j) { return std::abs(at[i] - at[j]) <= length; };
+    bool highest = size[i] > kLeap;
+    for (std::size_t j = i; highest && j-- > 0 && near(j);) highest = size[j] < size[i];
+    for (std::size_t j = i + 1; highest && j < size.size() && near(j); ++j) highest = size[j] <= size[i];
+    if (highest) peaks.push_back(i);
+  }
+  std::vector<double> out;
+  for (const std::size_t i : peaks) out.push_back(signals.blockTime(at[i]) - 0.5 / signals.blockRate());
+  return out;
+}
+
+}  // namespace heft::diagnosis
