@@ -10,7 +10,7 @@ namespace heft::diagnosis {
 
 void leaveOutCorners(Way& way, const Way& smoother) {
   constexpr double kNoise = 3.0, kUsual = 6.0;  // Deviations of the noise; times what is usual
-  constexpr double kMostShare = 0.12;
+  constexpr double kMostShare = 0.3;
   Signals& signals = way.signals;
   const Eigen::Index blocks = signals.blocks();
   std::vector<bool> untouched = signals.usable;

@@ -235,9 +235,10 @@ struct Judged {
 };
 
 /// Whether our own smoothing of the motion leaves all that the final model has of `cause`. A mount that swings enlarges what the
-/// smoothing took.
-bool ownSmoothing(const Work& work, std::string_view cause) {
-  constexpr double kEnlarged = 2.5;
+/// smoothing took; where little speaks for it, corners of the motion may be all that does.
+bool ownSmoothing(const Work& work, const Found& found) {
+  constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
+  const std::string_view cause = found.cause;
   double over = 0.0;
   bool swings = false;
   for (const Term& term : work.search.final.model.terms) {
@@ -245,7 +246,7 @@ bool ownSmoothing(const Work& work, std::string_view cause) {
     if (other.id() == cause) over = std::max(over, other.overOwnSmoothing(*term.form, term.v, work.signals));
     swings = swings || other.id() == "flexible_mount";
   }
-  return over < (swings ? kEnlarged : 1.0);
+  return over < (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
 }
 
 /// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
@@ -284,7 +285,7 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
   for (const Found* found : order) {
     // Part of the model, but no cause that somebody could mend.
     const bool turned = work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
-    if (found->cause == kWandering || turned || ownSmoothing(work, found->cause)) continue;
+    if (found->cause == kWandering || turned || ownSmoothing(work, *found)) continue;
     Fit rest = fitModel(work.signals, work.stretches, without(search.final.model, found->cause));
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
     const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);

@@ -51,8 +51,8 @@ void giveVerdict(const Work& work, DiagnosisReport& out) {
   constexpr double kAsMuch = 0.9;  ///< Share of what several causes explain together; of right answers 0.72 was the most
   out.verdict = verdictOf(out);
   if (out.remaining.gain > kUnexplained) return;
-  // Nor is explained what takes a cause at the edge of what there can be.
-  const bool strained = !believable(work.search.final), several = fittedOf(out.causes) >= kSeveral;
+  // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.
+  const bool strained = !out.causes.empty() && !believable(work.search.final), several = fittedOf(out.causes) >= kSeveral;
   const double faint = faintEvidence(out.causes);
   if (!strained && !several && faint <= 0.0) return;
   // What one unknown explains as well may be crutches for something that the catalogue lacks.
