@@ -207,8 +207,20 @@ double swingingShare(const Fit& fit, const Found& found) {
   return (firstOf(fit, found.cause) + more) / std::max(0.02, fit.model.x(6));
 }
 
+/// Whether a pull acts straight up or down where the tool's weight does: then gravity may be another than stated, or be taken out of the
+/// readings already, which no motion can tell from it.
+bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
+  constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
+  const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
+  return std::ranges::any_of(fit.model.terms, [&](const Term& term) {
+    if (term.form->cause->id() != "constant_pull" || term.form->local || term.v.size() < 6) return false;
+    const Vector3d force = term.v.head<3>();
+    return force.cross(gravity).norm() < kAside * force.norm() * gravity.norm() && (term.v.segment<3>(3) - com).norm() < kNear;
+  });
+}
+
 /// What could be meant instead, for whoever mends the rig. `held`: readings were repeated.
-std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held) {
+std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held, const Vector3d& gravity) {
   std::vector<std::string> out;
   const auto add = [&](const std::string& id) {
     if (id != found.cause && !contains(out, id)) out.push_back(id);
@@ -221,6 +233,7 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
   // What weighs as much as the tool is the tool on its mount.
   if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
+  if (found.cause == "constant_pull" && pullsAsWeightDoes(fit, gravity)) add("derivative_noise");
   // What is held until the next reading comes late and cut down at once.
   if (held && found.cause == "time_offset") add("low_pass_lag");
   if (held && found.cause == "low_pass_lag") add("time_offset");
@@ -315,7 +328,7 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
     cause.deltaBic = found->gain;
     cause.pValue = chance.best.empty() ? std::exp(-0.5 * found->gain) : chance.pValue(found->gain);
     cause.gain = gain;
-    cause.alternatives = alternativesOf(*found, search.final, held);
+    cause.alternatives = alternativesOf(*found, search.final, held, work.signals.gravity);
     cause.before = std::move(before);
     cause.after = out.last;
   }

@@ -170,6 +170,22 @@ TEST(Diagnose, APullMayBeginAtSomeMoment) {
   }
 }
 
+/// A controller that takes a part of the weight out of the readings, but nothing of what moves, does what a balancer does that holds the
+/// tool where its weight acts: the size of gravity is another.
+TEST(Diagnose, APullWhereTheWeightActsIsTiedWithGravity) {
+  Recording recording = aRecording(MotionKind::excitation, 273);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    addAtTip(recording, i, motion.R_BS[static_cast<std::size_t>(k)].transpose() * Vector3d(0.0, 0.0, -4.0), aTool().com);
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "constant_pull") << said(report);
+  EXPECT_NE(std::ranges::find(cause.alternatives, "derivative_noise"), cause.alternatives.end()) << said(report);
+}
+
 /// The sensor was switched on a minute ago. Its force was told as a load that grows lighter, its torque as a memory.
 TEST(Diagnose, GainsMayChangeWhileTheSensorWarmsUp) {
   Recording recording = aRecording(MotionKind::free, 268);
