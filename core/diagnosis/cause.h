@@ -74,9 +74,9 @@ class Cause {
   virtual bool changesSensor(const Form&) const { return false; }
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
   virtual double doubt(const Form&, const VectorXd&, const Signals&) const { return 0.0; }
-  /// How much of it there is over what Heft's own smoothing of these signals may leave; where each term of a cause comes to less
-  /// than 1, they are part of the model but nothing that somebody could mend.
-  virtual double overOwnSmoothing(const Form&, const VectorXd&, const Signals&) const { return std::numeric_limits<double>::infinity(); }
+  /// How much of it there is over what Heft's own smoothing and resampling of these signals may leave; where each term of a cause
+  /// comes to less than 1, they are part of the model but nothing that somebody could mend.
+  virtual double overOwnErrors(const Form&, const VectorXd&, const Signals&) const { return std::numeric_limits<double>::infinity(); }
   /// False for parameters that no thing of its kind has, with their standard deviations.
   virtual bool possible(const Form&, const VectorXd&, const VectorXd&) const { return true; }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty: none.

@@ -13,11 +13,7 @@ void leaveOutCorners(Way& way, const Way& smoother) {
   constexpr double kMostShare = 0.3;
   Signals& signals = way.signals;
   const Eigen::Index blocks = signals.blocks();
-  std::vector<bool> untouched = signals.usable;
-  for (const Stretch& hole : way.holes.value_or(std::vector<Stretch>{}))
-    std::fill(untouched.begin() + hole.from, untouched.begin() + hole.to, false);
-  auto stretches = stretchesOf(untouched);
-  if (stretches.empty()) stretches = stretchesOf(signals.usable);
+  const auto stretches = untouched(signals, way);
   if (stretches.empty() || smoother.signals.size() != signals.size()) return;
   const Fit fit = fitModel(signals, stretches, Model{});
   const Vector10d payload = fit.model.x.tail<10>();

@@ -70,9 +70,12 @@ std::unique_ptr<JointTurns::Cut> JointTurns::made(int joint) const {
   out->R_JS.resize(static_cast<std::size_t>(n));
   for (Eigen::Matrix3Xd* each : {&out->omega, &out->alpha, &out->a, &out->place, &out->speed, &out->gain, &out->turning, &out->turnsFaster})
     each->resize(3, n);
+  const auto moves = [&](int link, const Isometry3d& X, Eigen::Index k) { return robot_.frameMotion(link, X, q_.col(k), dq_.col(k), ddq_.col(k)); };
+  if (sensor_.empty())
+    for (Eigen::Index k = 0; k < n; ++k) sensor_.push_back(moves(link_, X_LS_, k));
   for (Eigen::Index k = 0; k < n; ++k) {
-    const FrameMotion J = robot_.frameMotion(turned.childLink, Isometry3d::Identity(), q_.col(k), dq_.col(k), ddq_.col(k));
-    const FrameMotion S = robot_.frameMotion(link_, X_LS_, q_.col(k), dq_.col(k), ddq_.col(k));
+    const FrameMotion J = moves(turned.childLink, Isometry3d::Identity(), k);
+    const FrameMotion& S = sensor_[static_cast<std::size_t>(k)];
     const Matrix3d R = J.X_BS.linear(), back = R.transpose();
     const Vector3d arm = S.X_BS.translation() - J.X_BS.translation(), turning = S.w_BS_B - J.w_BS_B;
     const Vector3d speed = S.v_BSo_B - J.v_BSo_B - J.w_BS_B.cross(arm);

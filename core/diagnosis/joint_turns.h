@@ -45,7 +45,7 @@ class JointTurns {
   };
   const Joint& jointAt(int joint) const;
   const Cut& cutAt(int joint) const;
-  std::unique_ptr<Cut> made(int joint) const;
+  std::unique_ptr<Cut> made(int joint) const;  ///< Under the lock
   Kinematics worked(const JointTurn& turn, const Vector3d& gravity) const;
 
   const RobotModel& robot_;
@@ -53,7 +53,8 @@ class JointTurns {
   Isometry3d X_LS_;
   MatrixXd q_, dq_, ddq_;
   mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<Cut>> cuts_;  ///< Made when first asked for
+  mutable std::vector<FrameMotion> sensor_;         ///< Of S in B, for all cuts; like them made when first asked for
+  mutable std::vector<std::unique_ptr<Cut>> cuts_;
   mutable std::deque<Answer> answers_;              ///< The latest first
 };
 

@@ -69,10 +69,10 @@ std::optional<Direct> quantisation(const Recording& recording) {
     std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
     const double usual = steps[steps.size() / 2], range = levels.back() - levels.front();
     const double step = range / std::round(range / usual);  // The digits of the file are little of all steps together
-    // Every level is a whole number of steps away from the lowest, but for the digits of the file.
+    // Every level is a whole number of steps away from the lowest, but for the digits of the file or a finer converter behind it.
     const bool regular = std::all_of(levels.begin(), levels.end(), [&](double level) {
       const double count = (level - levels.front()) / step;
-      return std::abs(count - std::nearbyint(count)) < 0.02;
+      return std::abs(count - std::nearbyint(count)) < 0.1;
     });
     if (!regular) continue;
     coarsest[c / 3] = std::max(coarsest[c / 3], step);

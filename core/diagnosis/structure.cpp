@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -36,6 +37,7 @@ MatrixXd normalised(MatrixXd features) {
 constexpr double kPlain = 60.0;     ///< Gain of a structure that nobody would call noise
 constexpr double kPlainBesideWalk = 120.0;  ///< The same where the zero walks: its fast waves are many times the noise
 constexpr double kBesideColour = 20.0;  ///< Gain of a wave in a noise that is not quite as it was learned
+constexpr double kStill = 0.03, kStillTurning = 0.1;  // [m/s]; [rad/s]
 constexpr double kShareOfWalk = 0.03;  ///< Of what a walk explains: what its waves leave over may go with anything by chance
 
 /// All rows and the products of each pair of them.
@@ -56,6 +58,19 @@ MatrixXd aheadOfPlay(const MatrixXd& rows, double half) {
   for (Eigen::Index k = 0; k < rows.cols(); ++k) {
     play = play.cwiseMax((rows.col(k).array() - half).matrix()).cwiseMin((rows.col(k).array() + half).matrix());
     out.col(k) = rows.col(k) - play;
+  }
+  return out;
+}
+
+/// What is left of rows after a filter that follows them within `T` [s], but only where `follows`; their integral for a T far longer
+/// than the recording.
+MatrixXd followed(const MatrixXd& rows, const std::vector<bool>& follows, double T, double rateHz) {
+  MatrixXd out(rows.rows(), rows.cols());
+  VectorXd at = rows.col(0);
+  const double share = 1.0 - std::exp(-1.0 / (T * rateHz));
+  for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+    if (follows[static_cast<std::size_t>(k)]) at += share * (rows.col(k) - at);
+    out.col(k) = at;
   }
   return out;
 }
@@ -113,6 +128,21 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
   out.push_back({heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
   out.push_back({heft::toSay("the direction in which the tool turns"), turning});
   out.push_back({heft::toSay("how fast the turning changes"), kin.alpha});
+  return out;
+}
+
+/// What the load was a while ago: a charge that leaks, or a zero that is taken again and again, goes with it.
+std::vector<Group> past(const Signals& signals) {
+  std::vector<Group> out;
+  const std::vector<bool> always(static_cast<std::size_t>(signals.size()), true);
+  std::vector<bool> still = always;
+  for (Eigen::Index k = 0; k < signals.size(); ++k) still[static_cast<std::size_t>(k)] = signals.velocity.col(k).norm() < kStill && signals.kinematics.omega.col(k).norm() < kStillTurning;
+  const auto since = [&](const std::vector<bool>& follows) {
+    const auto within = [&](double T) { return followed(signals.kinematics.specificForce, follows, T, signals.rateHz); };
+    return stacked(within(1.0), stacked(within(5.0), within(1e3)));
+  };
+  out.push_back({heft::toSay("what the load was before"), since(always)});
+  out.push_back({heft::toSay("what the load was while the tool stood still"), since(still)});
   return out;
 }
 
@@ -222,7 +252,9 @@ double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
-Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least) {
+namespace {
+
+Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least, const std::vector<Group>& all) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const bool wanders = walks(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
@@ -230,7 +262,6 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
                                       Ground(stretches, fit, white(fit.residual, stretches), true)};
-  const auto all = groups(signals, fit.model.x.tail<10>());
   std::vector<std::array<Judged, 2>> judged(all.size());
   onTwoThreads(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i], signals);
@@ -248,14 +279,14 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
           at = i;
           on = g;
         }
-    Judged& strongest = judged[at][on];
-    const bool asks = strongest.gain >= least + ofWalk && strongest.gain <= (wanders ? kPlainBesideWalk : kPlain);
+    Judged& found = judged[at][on];
+    const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? kPlainBesideWalk : kPlain);
     if (asks && !chance[on]) chance[on].emplace(grounds[on], lnN);
-    if (!asks || strongest.gain > chance[on]->gainOf(Dictionary(grounds[on].freed(columnsOf(all[at], signals)), true))) {
-      best = {all[at].goesWith, strongest.gain, strongest.explained, 0.0, 0.0};
+    if (!asks || found.gain > chance[on]->gainOf(Dictionary(grounds[on].freed(columnsOf(all[at], signals)), true))) {
+      best = {all[at].goesWith, found.gain, found.explained, 0.0, 0.0};
       break;
     }
-    strongest.gain = 0.0;
+    found.gain = 0.0;
   }
   // Close to the corner of the smoothing the model loses what the sensor still has.
   double fastest = 0.45 * signals.blockRate();
@@ -278,6 +309,18 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   unlessPlain(shakingIn(signals, stretches, fit.residual), "a shaking of {:.0f} to {:.0f} Hz");
   unlessPlain(swell(signals, stretches, fit.residual), "slow swings, {:.1f} to {:.0f} times a second");
   return best;
+}
+
+}  // namespace
+
+Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least) {
+  return strongest(signals, stretches, fit, least, groups(signals, fit.model.x.tail<10>()));
+}
+
+Structure structureBehindWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double enough) {
+  auto all = groups(signals, fit.model.x.tail<10>());
+  std::ranges::move(past(signals), std::back_inserter(all));
+  return strongest(signals, stretches, fit, enough, all);
 }
 
 }  // namespace heft::diagnosis

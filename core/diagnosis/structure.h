@@ -17,4 +17,7 @@ struct Structure {
 /// `least` is there by chance is not asked.
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least = 10.0);
 
+/// The same for a fit from which a zero that walks was taken, which explains nearly `enough`: the load of a while ago may do so, too.
+Structure structureBehindWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double enough);
+
 }  // namespace heft::diagnosis

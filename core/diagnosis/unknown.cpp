@@ -17,7 +17,7 @@ namespace heft::diagnosis {
 namespace {
 
 /// A walk has waves for anything that is slow. What swings, or goes with the motion, beyond what the walk explains is none.
-void sayHiddenByWalk(const Work& work, DiagnosisReport& out) {
+void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
   constexpr double kBeyond = 30.0;  ///< Of 70 walks none came nearer than 5 below; what was hidden went at least 90 beyond
   constexpr std::size_t kFewestLeaps = 6;  ///< Of 30 clean recordings one had four, the others two at most
   const Fit& final = work.search.final;
@@ -40,7 +40,7 @@ void sayHiddenByWalk(const Work& work, DiagnosisReport& out) {
   if (!wanders) return;
   if (out.remaining.gain <= kUnexplained) {
     const double enough = final.evidence - steady.evidence + kBeyond;
-    const Structure hidden = structureIn(work.signals, work.stretches, steady, enough);
+    const Structure hidden = structureBehindWalk(work.signals, work.stretches, steady, enough);
     hides = hidden.gain > enough;
     if (hides) out.remaining = hidden;
   }
@@ -118,7 +118,7 @@ void sayKnocks(const Work& work, DiagnosisReport& out) {
 }  // namespace
 
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
-  sayHiddenByWalk(work, out);
+  sayHiddenInTime(work, out);
   sayHiddenByDrift(work, out);
   if (!work.odd.empty()) saySomethingOdd(work, known, out);
   // Readings that were held, lost or late have lines of their own.

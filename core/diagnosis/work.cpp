@@ -238,15 +238,36 @@ void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& o
   way.holes = mayTouch ? contactCandidates(cleaned, way.motion, way.signals) : std::vector<Stretch>{};
 }
 
+namespace {
+
+double blocksIn(const std::vector<Stretch>& stretches) {
+  double out = 0.0;
+  for (const auto& s : stretches) out += static_cast<double>(s.to - s.from);
+  return out;
+}
+
+/// Contact that was looked for; what takes most of the time is none.
+std::vector<Stretch> holesOf(const Way& way) {
+  constexpr double kMost = 0.7;  ///< Share of the time
+  const std::vector<Stretch>& holes = way.holes.value();
+  return blocksIn(holes) > kMost * blocksIn(stretchesOf(way.signals.usable)) ? std::vector<Stretch>{} : holes;
+}
+
+}  // namespace
+
+std::vector<Stretch> untouched(Signals judged, const Way& way) {
+  auto everything = stretchesOf(judged.usable);
+  leaveOut(judged, holesOf(way));
+  auto out = stretchesOf(judged.usable);
+  return out.empty() ? everything : out;
+}
+
 std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   Signals common = ways.front().signals;
   for (const auto& way : ways)
     for (std::size_t n = 0; n < common.usable.size(); ++n)
       common.usable[n] = common.usable[n] && n < way.signals.usable.size() && way.signals.usable[n];
-  const auto everything = stretchesOf(common.usable);
-  leaveOut(common, ways.front().holes.value());
-  auto stretches = stretchesOf(common.usable);
-  if (stretches.empty()) stretches = everything;
+  const auto stretches = untouched(common, ways.front());
   std::vector<double> out(ways.size(), -1e300);
   if (stretches.empty()) return out;
   const auto fitAll = [&](const std::optional<FrameMistake>& mistake) {
@@ -263,19 +284,6 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
 }
 
 namespace {
-
-double blocksIn(const std::vector<Stretch>& stretches) {
-  double out = 0.0;
-  for (const auto& s : stretches) out += static_cast<double>(s.to - s.from);
-  return out;
-}
-
-/// Contact that was looked for; what takes most of the time is none.
-std::vector<Stretch> holesOf(const Way& way) {
-  constexpr double kMost = 0.7;  ///< Share of the time
-  const std::vector<Stretch>& holes = way.holes.value();
-  return blocksIn(holes) > kMost * blocksIn(stretchesOf(way.signals.usable)) ? std::vector<Stretch>{} : holes;
-}
 
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
 Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes, const DiagnoseOptions& options,
@@ -350,11 +358,9 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
 
 std::optional<FrameMistake> frameMistake(const Way& way) {
   // A push turns any sign round.
-  Signals untouched = way.signals;
-  leaveOut(untouched, holesOf(way));
-  const auto quiet = stretchesOf(untouched.usable);
+  const auto quiet = untouched(way.signals, way);
   if (quiet.empty()) return std::nullopt;
-  return frameMistake(untouched, quiet, fitModel(untouched, quiet, Model{}));
+  return frameMistake(way.signals, quiet, fitModel(way.signals, quiet, Model{}));
 }
 
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,

@@ -28,6 +28,10 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
 /// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
 
+/// The stretches of `judged` that the contact on `way`, which must have been looked for, leaves; all of them where it takes most of the
+/// time, or leaves none.
+std::vector<Stretch> untouched(Signals judged, const Way& way);
+
 /// What is mixed up in it as far as nothing touches, where contact was looked for.
 std::optional<FrameMistake> frameMistake(const Way& way);
 

@@ -61,7 +61,7 @@ class DerivativeNoise final : public Cause {
   }
   /// Where smoothing takes 1.5 % of what moves, it takes several times that of what is a little faster. A motion that needs no
   /// more smoothing than usual has most there: 0.03 to 0.11 in eight recordings that a fine tremor of 1e-5 rad shook.
-  double overOwnSmoothing(const Form& form, const VectorXd& v, const Signals& signals) const override {
+  double overOwnErrors(const Form& form, const VectorXd& v, const Signals& signals) const override {
     constexpr double kOwn = 0.06, kOwnAsUsual = 0.2, kOwnLoss = 0.005, kUsual = kKeptTwiced * kDefaultCutoffHz;
     if (form.choice.empty()) return std::abs(v(0)) / kOwnLoss;
     const bool usual = signals.keptHz <= 0.0;

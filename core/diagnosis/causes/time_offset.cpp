@@ -28,6 +28,10 @@ class TimeOffset final : public Cause {
     const double apart = 0.5 * static_cast<double>(n) / signals.rateHz * v(1);
     w = delayed(w, VectorXd::LinSpaced(n, v(0) - apart, v(0) + apart), signals.rateHz);
   }
+  double overOwnErrors(const Form& form, const VectorXd& v, const Signals& signals) const override {
+    const double apart = form.choice.empty() ? 0.0 : 0.5 * signals.duration() * v(1);
+    return overOwnTimes(std::abs(v(0)) + std::abs(apart), signals);
+  }
 
  private:
   static constexpr int kApart = 1;  ///< form.choice
