@@ -10,12 +10,12 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
-#include "core/diagnosis/corners.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"
+#include "core/diagnosis/sharp_motion.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
@@ -121,14 +121,8 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.push_back(std::move(**way));
     ways.back().putRight = readings.mistake.has_value();
   }
-  std::vector<bool> ready(ways.size(), false);
-  const auto makeReady = [&](std::size_t i) {
-    if (ready[i]) return;
-    lookForContact(ways[i], readings.cleaned, options);
-    if (i + 1 < ways.size()) leaveOutCorners(ways[i], ways[i + 1]);
-    ready[i] = true;
-  };
-  makeReady(0);
+  lookForContact(ways.front(), readings.cleaned, options);
+  weighSharpMotion(ways);
   std::size_t at = 0;
   // The way that leaves most of the motion among those that are next to best.
   const auto leastSmoothed = [&](const std::vector<double>& evidence) {
@@ -146,7 +140,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
   const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
-    makeReady(i);
+    lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better, none is.

@@ -257,7 +257,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   VectorXd sd = whisper(fit.model);
   Linearised at = linearised(signals, fit.model);
   fit.residual = signals.measured - at.value;
-  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches) : white(fit.residual, stretches);
+  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.louder) : white(fit.residual, stretches, signals.louder);
   // What whitens best is not what the noise is learned as: evidence may fall again, and then what was best counts.
   constexpr int kMostFalls = 2;
   struct State {
@@ -305,7 +305,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), {}};
     sd = whisper(fit.model);
     fit.residual = signals.measured - value;
-    fit.noise = fitNoise(fit.residual, stretches);
+    fit.noise = fitNoise(fit.residual, stretches, signals.louder);
     const bool rests = std::abs(fit.noise.evidence - was.noise.evidence) < 0.05;
     if (fit.noise.evidence >= most) {
       most = fit.noise.evidence;

@@ -11,23 +11,22 @@ constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
 }  // namespace
 
 Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)
-    : stretches(where), fit(what), noise(with), learnsAgain(refits), before(what.noise.evidence) {
+    : stretches(where), fit(what), noise(with), learnsAgain(refits) {
   Fit weighted;
   weighted.noise = noise;
   weighted.jacobian = fit.jacobian;
   basis = explainedSpace(weighted, stretches);
-  take(whitened(flat(fit.residual), noise, stretches));
+  take(even(flat(fit.residual), noise));
 }
 
 Ground::Ground(const Ground& other, const Wrenches& residual) : Ground(other) {
-  before = fitNoise(residual, stretches).evidence;
-  take(whitened(flat(residual), noise, stretches));
+  take(flat(residual));
 }
 
 double Ground::evidence(const VectorXd& left) const {
   Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
   for (Eigen::Index c = 0; c < 6; ++c) residual.row(c) *= noise.channels[static_cast<std::size_t>(c)].sigma;
-  return fitNoise(residual, stretches).evidence - before;
+  return fitNoise(residual, stretches, nullptr).evidence - before;
 }
 
 MatrixXd Ground::freed(const MatrixXd& columns) const {
@@ -36,8 +35,11 @@ MatrixXd Ground::freed(const MatrixXd& columns) const {
   return C;
 }
 
-void Ground::take(const MatrixXd& innovations) {
-  r = innovations;
+void Ground::take(const VectorXd& residual) {
+  Noise same = noise;
+  same.louder = nullptr;
+  before = fitNoise(Eigen::Map<const Wrenches>(residual.data(), 6, residual.size() / 6), stretches, nullptr).evidence;
+  r = whitened(residual, same, stretches);
   energy = std::max(1.0, r.squaredNorm());
   r -= basis * (basis.transpose() * r);
 }

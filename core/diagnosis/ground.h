@@ -18,10 +18,10 @@ struct Ground {
   VectorXd r;        ///< Whitened residual, freed of what the fit can do
   double energy = 1.0;
 
-  double before;     ///< Evidence of the residual as it is
+  double before = 0.0;  ///< Evidence of the residual as it is, all blocks made equally loud
 
   Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits);
-  /// The same with another residual in its place, of the same noise.
+  /// The same with another residual in its place, of the same noise with all blocks made equally loud.
   Ground(const Ground& other, const Wrenches& residual);
 
   /// Evidence of `left` (whitened) with the noise learned from it, over what it was.
@@ -30,7 +30,7 @@ struct Ground {
   MatrixXd freed(const MatrixXd& columns) const;
 
  private:
-  void take(const MatrixXd& innovations);
+  void take(const VectorXd& residual);
 };
 
 /// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many times,

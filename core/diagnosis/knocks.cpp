@@ -29,7 +29,9 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
   std::vector<double> out;
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) {
-      const double loud = power.col(n).cwiseQuotient(usual).mean(), t = signals.blockTime(n);
+      Vector6d most = usual;  // Where the motion turns sharply, it makes knocks of its own
+      if (signals.louder) most.array() *= 1.0 + signals.louder->col(n).array();
+      const double loud = power.col(n).cwiseQuotient(most).mean(), t = signals.blockTime(n);
       if (loud > kLoud && (out.empty() || t > out.back() + kRings)) out.push_back(t);
     }
   return out;

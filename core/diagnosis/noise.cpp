@@ -15,7 +15,8 @@ constexpr Eigen::Index kShortest = 12;
 /// length it would cost nothing, and the fit would follow what is fast and small instead.
 constexpr double kFloor = 0.01;
 
-Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {
+/// All blocks equally loud.
+Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {
   Noise out;
   Vector6d counts;
   for (int c = 0; c < 6; ++c) {
@@ -47,6 +48,51 @@ Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, in
   return out;
 }
 
+/// 1 over how loud each block is.
+Wrenches evenness(const Wrenches& louder, double share) { return (1.0 + share * louder.array()).rsqrt().matrix(); }
+
+/// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
+double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches, const Wrenches& louder, double share) {
+  Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was, logs = Eigen::Array<double, 6, 1>::Zero();
+  double count = 0.0;
+  for (const auto& s : stretches) {
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      const Eigen::Array<double, 6, 1> square = e.col(n).array().square(), loud = 1.0 + share * louder.col(n).array();
+      was += square;
+      is += square / loud;
+      logs += loud.log();
+    }
+    count += static_cast<double>(s.to - s.from);
+  }
+  return (count * (was / is).log() - logs).sum();
+}
+
+Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder, const std::shared_ptr<const Wrenches>& louder) {
+  // The next smoother motion may be as far from the truth as this one is from it, hardly farther.
+  constexpr std::array<double, 4> kShares{1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0};
+  Noise out = fittedEven(residual, stretches, maxOrder);
+  if (!louder) return out;
+  const VectorXd innovations = whitened(flat(residual), out, stretches);
+  out.louder = louder;
+  double share = 0.0, most = std::log(std::max(2.0, out.samples));
+  const double price = most;
+  for (const double s : kShares) {
+    const double gain = gainOfLoudness({innovations.data(), 6, residual.cols()}, stretches, *louder, s);
+    if (gain <= most) continue;
+    most = gain;
+    share = s;
+  }
+  if (share <= 0.0) return out;
+  const Wrenches by = evenness(*louder, share);
+  Noise loud = fittedEven(residual.cwiseProduct(by), stretches, maxOrder);
+  for (const auto& s : stretches) loud.evidence += 2.0 * by.middleCols(s.from, s.to - s.from).array().log().sum();
+  loud.evidence -= price;
+  if (loud.evidence <= out.evidence) return out;
+  loud.louder = louder;
+  loud.share = share;
+  return loud;
+}
+
 }  // namespace
 
 std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
@@ -61,11 +107,23 @@ std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
   return out;
 }
 
-Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches) {
-  return fitted(residual, stretches, kMaxOrder);
+Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder) {
+  return fitted(residual, stretches, kMaxOrder, louder);
 }
 
-Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches) { return fitted(residual, stretches, 0); }
+Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder) {
+  return fitted(residual, stretches, 0, louder);
+}
+
+Wrenches evenWrench(const Wrenches& wrench, const Noise& noise) {
+  return !noise.louder || noise.share <= 0.0 ? wrench : wrench.cwiseProduct(evenness(*noise.louder, noise.share));
+}
+
+MatrixXd even(const MatrixXd& columns, const Noise& noise) {
+  if (!noise.louder || noise.share <= 0.0) return columns;
+  const Wrenches by = evenness(*noise.louder, noise.share);
+  return flat(by).asDiagonal() * columns;
+}
 
 namespace {
 
@@ -91,6 +149,11 @@ constexpr auto innovators(std::integer_sequence<int, Orders...>) {
 }  // namespace
 
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
+  if (noise.louder && noise.share > 0.0) {
+    Noise same = noise;
+    same.louder = nullptr;
+    return whitened(even(columns, noise), same, stretches);
+  }
   static constexpr auto kInnovate = innovators(std::make_integer_sequence<int, kMaxOrder + 1>{});
   MatrixXd out(columns.rows(), columns.cols());
   // All six channels at once; coefficients that a channel does not have are zero.

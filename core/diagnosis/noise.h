@@ -1,6 +1,7 @@
 #pragma once
 // What is left when a model is right: autoregressive noise in each channel, and how probable it makes a residual.
 #include <array>
+#include <memory>
 
 #include "core/diagnosis/signals.h"
 #include "core/math/statistics.h"
@@ -16,16 +17,24 @@ struct Stretch {
 std::vector<Stretch> stretchesOf(const std::vector<bool>& usable);
 
 struct Noise {
-  std::array<ArModel, 6> channels;
+  std::array<ArModel, 6> channels;  ///< Of what is left once all blocks are made equally loud
+  std::shared_ptr<const Wrenches> louder;  ///< As Signals::louder
+  double share = 0.0;                      ///< Of it that the residual shows
   /// Twice the log-likelihood of the residual it was fitted to, minus ln n for each coefficient of the noise.
   double evidence = 0.0;
   double samples = 0.0;  ///< n: numbers judged, all channels together
 };
 
-Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches);
+/// `louder`: as Signals::louder; how much of it there is, is learned, too.
+Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder);
 
 /// The same sizes without memory.
-Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches);
+Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder);
+
+/// Columns of 6N rows with all blocks made equally loud: what `noise.channels` are about.
+MatrixXd even(const MatrixXd& columns, const Noise& noise);
+/// The same of a wrench a block, 6 x N.
+Wrenches evenWrench(const Wrenches& wrench, const Noise& noise);
 
 /// Columns of 6N rows (row 6 n + channel) turned into unit innovations; rows that are not judged become zero.
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches);

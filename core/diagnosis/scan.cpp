@@ -136,7 +136,7 @@ class Weighting {
     if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
     Eigen::Map<VectorXd>(residual.data(), residual.size()) -= *signature.columns * answer.gamma + fit_.jacobian * answer.others;
-    score(answer, signature.form, fitNoise(residual, stretches_).evidence - fit_.noise.evidence, lnN);
+    score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence, lnN);
   }
 
   Answer judge(const Signature& signature, double lnN) const {
@@ -241,7 +241,7 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
   // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies; rare ones have doubts of their own.
   std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
   for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
-  const Noise flatNoise = white(fit.residual, stretches);
+  const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
   // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does so the less,
   // the fewer there are.
@@ -282,7 +282,7 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
 Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Candidate& candidate) {
   constexpr double kNear = 0.3, kStep = 0.1;  // [s]
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const Noise flatNoise = white(fit.residual, stretches);
+  const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
   const Surroundings surroundings(signals, fit.model);
   const auto at = [&](double time) {

@@ -48,6 +48,9 @@ struct Signals {
   int samplesPerBlock = 4;
   Wrenches readings;         ///< 6 x K
   Wrenches measured;         ///< 6 x N: their averages
+  /// 6 x N: by how many times its power the noise may be louder than usual where the motion is less well known, times a share that
+  /// noise tells; null: nowhere.
+  std::shared_ptr<const Wrenches> louder;
   std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
 
   Eigen::Index size() const { return kinematics.omega.cols(); }

@@ -212,7 +212,7 @@ class Waves {
 /// Noise of the residual's colour that goes with nothing, and what columns gain in it.
 class Chance {
  public:
-  Chance(const Ground& ground, double lnN) : ground_(ground), lnN_(lnN), waves_(ground.fit.residual, ground.stretches) {
+  Chance(const Ground& ground, double lnN) : ground_(ground), lnN_(lnN), residual_(evenWrench(ground.fit.residual, ground.noise)), waves_(residual_, ground.stretches) {
     std::mt19937_64 random(7);
     for (auto& drawn : signs_) drawn = waves_.draw(random);
   }
@@ -231,6 +231,7 @@ class Chance {
   static constexpr std::size_t kDraws = 20;
   const Ground& ground_;
   double lnN_;
+  Wrenches residual_;
   Waves waves_;
   std::array<MatrixXd, kDraws> signs_;
 };
@@ -247,7 +248,7 @@ double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
     if (term.form->walk) Eigen::Map<VectorXd>(without.data(), without.size()) += fit.jacobian.middleCols(at, term.v.size()) * term.v;
     at += term.v.size();
   }
-  return fit.noise.evidence - fitNoise(without, stretches).evidence;
+  return fit.noise.evidence - fitNoise(without, stretches, fit.noise.louder).evidence;
 }
 
 }  // namespace
@@ -261,7 +262,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
-                                      Ground(stretches, fit, white(fit.residual, stretches), true)};
+                                      Ground(stretches, fit, white(fit.residual, stretches, fit.noise.louder), true)};
   std::vector<std::array<Judged, 2>> judged(all.size());
   onTwoThreads(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i], signals);
@@ -306,8 +307,9 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   };
   // What shakes most below the corner is noise of the motion, if that is noisy.
   if (signals.noisyMotion) return best;
-  unlessPlain(shakingIn(signals, stretches, fit.residual), "a shaking of {:.0f} to {:.0f} Hz");
-  unlessPlain(swell(signals, stretches, fit.residual), "slow swings, {:.1f} to {:.0f} times a second");
+  const Wrenches evened = evenWrench(fit.residual, fit.noise);
+  unlessPlain(shakingIn(signals, stretches, evened), "a shaking of {:.0f} to {:.0f} Hz");
+  unlessPlain(swell(signals, stretches, evened), "slow swings, {:.1f} to {:.0f} times a second");
   return best;
 }
 

@@ -23,8 +23,9 @@ void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
   const Fit& final = work.search.final;
   const bool wanders = walks(final.model);
   const Fit steady = wanders ? fitModel(work.signals, work.stretches, without(final.model, kWandering)) : final;
+  const Wrenches residual = evenWrench(steady.residual, steady.noise);
   bool hides = false;
-  if (const auto leaps = leapsIn(work.signals, work.stretches, steady.residual); leaps.size() >= kFewestLeaps && out.remaining.gain <= kUnexplained) {
+  if (const auto leaps = leapsIn(work.signals, work.stretches, residual); leaps.size() >= kFewestLeaps && out.remaining.gain <= kUnexplained) {
     out.findings.push_back({Severity::warning, "switches",
                             heft::say("Something on the tool changes at once {} times, first at {:.1f} s.", std::ssize(leaps), leaps.front()),
                             heft::say("Look at what switches there: a gripper, a valve, a part that slides."), {}});
@@ -32,7 +33,7 @@ void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
     out.remaining.gain = 1e3;
     hides = true;
   }
-  if (const double excess = slowWave(work.signals, work.stretches, steady.residual); excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
+  if (const double excess = slowWave(work.signals, work.stretches, residual); excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
     hides = true;

@@ -58,6 +58,13 @@ class Hysteresis final : public Cause {
         play(share, r, w.row(c));
     }
   }
+  /// A loop of a thousandth of the range is what corners of the motion leave, and less than a sensor is known by.
+  double overOwnErrors(const Form& form, const VectorXd& v, const Signals&) const override {
+    constexpr double kOwn = 0.0012;  // Clean recordings had 0.0002 to 0.0011
+    const bool each = form.choice.size() < 3, loop = !each && form.choice[2] == kLoop;
+    const double height = each ? 0.01 * form.choice[0] * v.cwiseAbs().maxCoeff() : std::abs(loop ? v(0) : v(0) * v(1));
+    return height / kOwn;
+  }
 
  private:
   enum Kind { kPlay, kBristles, kAlike, kLoop };

@@ -29,7 +29,7 @@ class LowPassLag final : public Cause {
     else
       for (int stage = 0; stage < stages; ++stage) w = onePole(w, v(0) / stages, signals.rateHz);
   }
-  double overOwnErrors(const Form&, const VectorXd& v, const Signals& signals) const override { return overOwnTimes(v(0), signals); }
+  double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
 
  private:
   enum Filter { kMean = 0, kOne = 1, kTwo = 3 };  // 2, in older files, had the time of each of two stages

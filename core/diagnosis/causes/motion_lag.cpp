@@ -26,7 +26,7 @@ class MotionLag final : public Cause {
       return form.choice[0] == 0 ? onePole(value, v(0), signals.rateHz) : delayed(value, v(0), signals.rateHz);
     });
   }
-  double overOwnErrors(const Form&, const VectorXd& v, const Signals& signals) const override { return overOwnTimes(v(0), signals); }
+  double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ class TimeOffset final : public Cause {
   }
   double overOwnErrors(const Form& form, const VectorXd& v, const Signals& signals) const override {
     const double apart = form.choice.empty() ? 0.0 : 0.5 * signals.duration() * v(1);
-    return overOwnTimes(std::abs(v(0)) + std::abs(apart), signals);
+    return overOwnTimes(std::abs(v(0)) + std::abs(apart));
   }
 
  private:

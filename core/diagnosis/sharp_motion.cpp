@@ -1,0 +1,43 @@
+#include "core/diagnosis/sharp_motion.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace heft::diagnosis {
+
+namespace {
+
+/// Means over `reach` columns to either side.
+Wrenches blurred(const Wrenches& of, Eigen::Index reach) {
+  Wrenches out(6, of.cols());
+  for (Eigen::Index n = 0; n < of.cols(); ++n) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, n - reach), to = std::min(of.cols(), n + reach + 1);
+    out.col(n) = of.middleCols(from, to - from).rowwise().mean();
+  }
+  return out;
+}
+
+}  // namespace
+
+void weighSharpMotion(std::vector<Way>& ways) {
+  constexpr double kNoticed = 1.0;   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
+  constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
+  Signals& least = ways.front().signals;
+  const auto stretches = untouched(least, ways.front());
+  if (stretches.empty()) return;
+  const Fit fit = fitModel(least, stretches, Model{});
+  const Vector10d payload = fit.model.x.tail<10>();
+  Vector6d noise;
+  for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;
+  Wrenches made = averaged(least, payloadWrench(least.kinematics, payload));
+  for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
+    const Signals& smoother = ways[i + 1].signals;
+    if (smoother.blocks() != made.cols()) return;
+    Wrenches next = averaged(smoother, payloadWrench(smoother.kinematics, payload));
+    auto louder = std::make_shared<const Wrenches>(blurred((noise.cwiseInverse().asDiagonal() * (made - next)).cwiseAbs2(), kReach));
+    if (louder->maxCoeff() > kNoticed) ways[i].signals.louder = std::move(louder);
+    made = std::move(next);
+  }
+}
+
+}  // namespace heft::diagnosis
