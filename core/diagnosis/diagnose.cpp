@@ -33,7 +33,6 @@ namespace {
 
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
 constexpr double kGainOfFaint = 0.012;       ///< The same for a cause that next to nothing speaks for
-constexpr double kDisagree = 1.5;            ///< Of 20 faint causes that were there none had more than 1.5, of six that were not three had
 constexpr double kHarm = 0.1;                ///< Share of the unseen misfit that no cause may add
 constexpr double kWholeTool = 0.5;           ///< Share of the payload that is hardly a part of the tool any more
 
@@ -278,22 +277,6 @@ bool standsOut(const Fit& fit, std::string_view cause) {
   return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) > kDeviations * kDeviations * static_cast<double>(all.size());
 }
 
-/// How many times what noise alone would the parts of a recording disagree about a cause whose fit is `with`, and without it `rest`: the
-/// variance of its score over a second's blocks each, over the information in them (White 1982). More than 1 where the noise is louder
-/// where the cause acts.
-double disagreement(const std::vector<Stretch>& stretches, const Fit& with, const Fit& rest) {
-  constexpr Eigen::Index kPart = 50 * 6;  // Channels of blocks
-  const VectorXd left = whitened(flat(with.residual), with.noise, stretches);
-  const VectorXd explained = whitened(flat(rest.residual - with.residual), with.noise, stretches);
-  double seen = 0.0;
-  for (Eigen::Index k = 0; k < left.size(); k += kPart) {
-    const Eigen::Index count = std::min(kPart, left.size() - k);
-    const double score = left.segment(k, count).dot(explained.segment(k, count));
-    seen += score * score;
-  }
-  return seen / std::max(1e-300, explained.squaredNorm());
-}
-
 /// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing speaks for it.
 Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance, const std::vector<Direct>& directs) {
   Judged out;
@@ -327,10 +310,7 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
     const bool harms = gain.explainedFraction < -kHarm;
     // Beside something unknown, what may as well be nothing is a part of that.
     const bool vague = needed > 0.0 && !standsOut(search.final, found->cause);
-    // What parts of the recording disagree about is worth less than it seems.
-    const double apart = found->gain < 2.0 * kFaint && !local ? disagreement(work.stretches, search.final, rest) : 1.0;
-    const bool fluke = neededOfFaint > 0.0 && apart > kDisagree && found->gain < kFaint * apart;
-    if (vague || fluke || (!nearlyAll && (harms || (!local && !(explains && 2 * gain.blocksBetter >= gain.blocks))))) {
+    if (vague || (!nearlyAll && (harms || (!local && !(explains && 2 * gain.blocksBetter >= gain.blocks))))) {
       // Nothing is gained where it was not fitted: it is no cause.
       search.final = std::move(rest);
       out.last = std::move(before);

@@ -6606,6 +6606,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>sudden changes</source>
         <translation>plötzlichen Änderungen</translation>
     </message>
+    <message>
+        <source>what the load was before</source>
+        <translation>der Last von vorher</translation>
+    </message>
+    <message>
+        <source>what the load was while the tool stood still</source>
+        <translation>der Last, während das Werkzeug stillstand</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -70,7 +70,7 @@ TEST(Catalogue, OwnSmoothingIsNoCause) {
   for (const Form& form : cause.forms(signals)) {
     if (form.choice.empty()) continue;
     const auto over = [&](double width) {
-      return cause.overOwnSmoothing(form, VectorXd::Constant(1, std::pow(width, form.name == "smoothed" ? 2.0 : 4.0)), signals);
+      return cause.overOwnErrors(form, VectorXd::Constant(1, std::pow(width, form.name == "smoothed" ? 2.0 : 4.0)), signals);
     };
     signals.keptHz = 0.0;
     EXPECT_LT(over(0.004), 1.0) << form.name;
@@ -79,6 +79,25 @@ TEST(Catalogue, OwnSmoothingIsNoCause) {
     EXPECT_LT(over(0.004), 1.0) << form.name;
     EXPECT_GT(over(0.012), 1.0) << form.name;
   }
+}
+
+/// Times that resampling may put a row off by, and loops of less than a thousandth, are no causes.
+TEST(Catalogue, WhatResamplingMayLeaveIsNoCause) {
+  const Signals& signals = prepared().signals;
+  const auto over = [&](std::string_view cause, std::size_t form, std::vector<double> v) {
+    const auto forms = findCause(cause)->forms(signals);
+    return findCause(cause)->overOwnErrors(forms.at(form), Eigen::Map<const VectorXd>(v.data(), std::ssize(v)), signals);
+  };
+  for (const char* cause : {"time_offset", "low_pass_lag", "motion_lag"}) {
+    EXPECT_LT(over(cause, 0, {1e-5}), 1.0) << cause;
+    EXPECT_GT(over(cause, 0, {1e-4}), 3.5) << cause;
+  }
+  EXPECT_GT(over("time_offset", 1, {0.0, 1e-4}), 3.5) << "clocks that run apart";
+  const auto loops = findCause("hysteresis")->forms(signals);
+  const auto loop = std::ranges::find_if(loops, [](const Form& form) { return form.name == "loop"; });
+  ASSERT_NE(loop, loops.end());
+  EXPECT_LT(over("hysteresis", static_cast<std::size_t>(loop - loops.begin()), {0.0007, 0.002}), 1.0);
+  EXPECT_GT(over("hysteresis", static_cast<std::size_t>(loop - loops.begin()), {0.005, 0.02}), 3.5);
 }
 
 TEST(Catalogue, EveryFormIsSilentAtItsStart) {

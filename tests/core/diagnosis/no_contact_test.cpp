@@ -252,6 +252,22 @@ TEST(NoContact, WhatSwitchesAgainAndAgainIsUnknown) {
   EXPECT_TRUE(finds(report, "switches")) << said(report);
 }
 
+/// An amplifier whose charge leaks away forgets a load within a minute: that was a zero that walks, and so clean.
+TEST(NoContact, AChargeThatLeaksIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 314);
+  constexpr double kForgets = 60.0;  // [s]
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    double remembered = recording.wrench(0, c);
+    for (Eigen::Index i = 1; i < recording.rows(); ++i) {
+      remembered += (recording.wrench(i, c) - remembered) * (recording.time(i) - recording.time(i - 1)) / kForgets;
+      recording.wrench(i, c) -= remembered;
+    }
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "what the load was before") << said(report);
+}
+
 /// A gauge warms up in seconds and what it sits in takes minutes: it was a walk, and so clean.
 TEST(NoContact, ADriftThatIsFastAtFirstIsOne) {
   Recording recording = aRecording(MotionKind::free, 313);

@@ -203,6 +203,16 @@ TEST(SampleTests, CoarseStepsAreSeenThroughTheDigitsOfTheFile) {
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"quantisation"});
 }
 
+/// A driver counts in steps of its own what a coarse converter gives it.
+TEST(SampleTests, CoarseStepsAreSeenThroughAFinerConverter) {
+  Recording recording = aRecording(MotionKind::free, 255);
+  constexpr double kStep = 0.27, kFiner = 0.0125;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (Eigen::Index c = 0; c < 3; ++c)
+      recording.wrench(i, c) = kFiner * std::round(kStep * std::round(recording.wrench(i, c) / kStep) / kFiner);
+  EXPECT_EQ(directCauses(recording), std::vector<std::string>{"quantisation"});
+}
+
 /// In a hundredth of each channel's readings, and so in six of a hundred rows.
 TEST(SampleTests, SpikesOnEachChannelForItself) {
   Recording recording = aRecording(MotionKind::free, 253);
