@@ -121,14 +121,12 @@ void coachPoses(const Options& options, const Input& input) {
       std::string joints;
       for (const double q : next->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
       const double mass = kNormal95 * next->massStd, com = kNormal95 * next->comStd;
-      text += fmt::format("Next pose: {}\n  joints [{}] rad\n  {}, {} after it\n", next->words, joints,
-                          mass < kFarMass ? fmt::format("mass ± {:.1f} g", 1e3 * mass) : "mass not known",
-                          com < kFarCom ? fmt::format("centre of mass ± {:.1f} mm", 1e3 * com)
-                                        : "centre of mass not known yet");
+      text += fmt::format(
+          "Next pose: {}\n  joints [{}] rad\n  {}, {} after it\n", next->words, joints,
+          mass < kFarMass ? fmt::format("mass ± {:.1f} g", 1e3 * mass) : "mass not known",
+          com < kFarCom ? fmt::format("centre of mass ± {:.1f} mm", 1e3 * com) : "centre of mass not known yet");
       text += kObstacles;
-      out["next"] = {{"q_rad", list(next->q)},
-                     {"text", next->words},
-                     {"after", {{"mass_kg", mass}, {"com_m", com}}}};
+      out["next"] = {{"q_rad", list(next->q)}, {"text", next->words}, {"after", {{"mass_kg", mass}, {"com_m", com}}}};
     }
   }
   writeResults(options, "heft.coach/1", out, text, nullptr);

@@ -28,14 +28,13 @@ void run(const Options& options) {
   const Overwrite overwriteCsv{options.force, {}};
   if (!options.json.empty()) requireWritable(options.json, overwriteJson);
   if (!options.output.empty()) requireWritable(options.output, overwriteCsv);
-  CompensateOptions settings =
-      orFail(compensateOptionsFromJson(orFail(readJsonFile(options.result)), options.result));
+  CompensateOptions settings = orFail(compensateOptionsFromJson(orFail(readJsonFile(options.result)), options.result));
 
   ProgressLine line;
   const Input input = readInput(options.recording, options.import, options.robot, line.progress());
   if (!options.diagnosis.empty())
-    settings.effects.push_back(
-        orFail(diagnosedEffect(orFail(readJsonFile(options.diagnosis)), input.recording, input.model(), options.diagnosis)));
+    settings.effects.push_back(orFail(
+        diagnosedEffect(orFail(readJsonFile(options.diagnosis)), input.recording, input.model(), options.diagnosis)));
   Compensated compensated = orFail(compensate(input.recording, input.model(), settings, line.progress()));
   line.clear();
   compensated.findings.insert(compensated.findings.begin(), input.findings.begin(), input.findings.end());

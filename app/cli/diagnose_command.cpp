@@ -52,7 +52,8 @@ void run(const Options& options) {
   const Overwrite overwriteResult{options.force,
                                   [](const std::string& old) { return hasSchema(old, "heft.diagnose/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);
-  const Overwrite overwriteEstimate{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  const Overwrite overwriteEstimate{options.force,
+                                    [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
   if (!options.result.empty()) requireWritable(options.result, overwriteEstimate);
   for (const auto& file : {options.report, options.correctedMeta})
     if (!file.empty()) requireWritable(file, {options.force, {}});
@@ -86,13 +87,17 @@ void run(const Options& options) {
 
 Command makeDiagnoseCommand(CLI::App& root) {
   auto options = std::make_shared<Options>();
-  CLI::App* app = root.add_subcommand("diagnose", "Show what the simulation gets wrong, name the cause, measure the gain");
+  CLI::App* app =
+      root.add_subcommand("diagnose", "Show what the simulation gets wrong, name the cause, measure the gain");
   app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")->type_name("");
-  app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")->type_name("FILE");
-  app->add_option("--report", options->report, "Write a page with plots (HTML)")->type_name("FILE");
-  app->add_option("--result", options->result, "Write the payload estimated with the causes taken out, for 'heft export'")
+  app->add_option("--json", options->json, "Write the result as JSON; - is stdout, instead of the text")
       ->type_name("FILE");
-  app->add_option("--check", options->check, "Another recording of the same rig, to check the causes on")->type_name("FILE");
+  app->add_option("--report", options->report, "Write a page with plots (HTML)")->type_name("FILE");
+  app->add_option("--result", options->result,
+                  "Write the payload estimated with the causes taken out, for 'heft export'")
+      ->type_name("FILE");
+  app->add_option("--check", options->check, "Another recording of the same rig, to check the causes on")
+      ->type_name("FILE");
   app->add_option("--corrected-meta", options->correctedMeta,
                   "Where a cause means that the meta file is wrong, write the corrected one")
       ->type_name("FILE");
@@ -101,7 +106,8 @@ Command makeDiagnoseCommand(CLI::App& root) {
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
   app->add_option("--without", options->hidden, "Leave a cause out of the catalogue; may be given several times")
       ->type_name("CAUSE");
-  app->add_option("--surrogates", options->surrogates, "Simulated clean recordings that set the threshold; 0: a fixed one")
+  app->add_option("--surrogates", options->surrogates,
+                  "Simulated clean recordings that set the threshold; 0: a fixed one")
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Of the simulated recordings")->type_name("N")->capture_default_str();

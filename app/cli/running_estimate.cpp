@@ -20,8 +20,10 @@ RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* ro
                                  const std::optional<Shape>& shape) {
   OnlineOptions options;
   options.shape = shape;
-  impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor, std::nullopt,
-                       orFail(OnlineEstimator::create(meta, robot, options)), {}});
+  impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor,
+                       std::nullopt,
+                       orFail(OnlineEstimator::create(meta, robot, options)),
+                       {}});
 }
 
 void RunningEstimate::add(const LiveSample& sample) {

@@ -34,8 +34,8 @@ struct CoachOptions {
 Result<Advice> advise(const std::optional<OnlineInformation>& information, const GuidedTool& tool,
                       const Vector3d& gravity, const VectorXd& q, const CoachOptions& options = {});
 
-/// The coach's motion of that name ("shake-sideways") from posture `q` and back, as large as the limits allow; without a
-/// promise of what it brings. About 20 ms of work. Fails like advise(), and if there is no such motion.
+/// The coach's motion of that name ("shake-sideways") from posture `q` and back, as large as the limits allow; without
+/// a promise of what it brings. About 20 ms of work. Fails like advise(), and if there is no such motion.
 Result<Advice> namedMotion(std::string_view id, const GuidedTool& tool, const VectorXd& q,
                            const CoachOptions& options = {});
 

@@ -7,8 +7,9 @@
 
 namespace heft {
 
-/// The causes of a result of heft diagnose (its member "model"), for one recording of the same rig. Causes with a place in
-/// time belong to the recording that they were found in and are left out elsewhere. Fails if the result holds no model.
+/// The causes of a result of heft diagnose (its member "model"), for one recording of the same rig. Causes with a place
+/// in time belong to the recording that they were found in and are left out elsewhere. Fails if the result holds no
+/// model.
 Result<std::shared_ptr<const WrenchEffect>> diagnosedEffect(const nlohmann::json& found, const Recording& recording,
                                                             const RobotModel* robot, const std::string& where);
 

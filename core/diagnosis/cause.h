@@ -17,14 +17,14 @@
 namespace heft::diagnosis {
 
 struct Parameter {
-  std::string name;    ///< As reported, for instance "delay"
-  std::string unit;    ///< As reported, for instance "ms"; empty for pure numbers
-  double scale = 1.0;  ///< Reported value = scale * internal SI value
-  double size = 1.0;   ///< A realistic size (SI): sets steps of differentiation and of the search
-  double lower = 0.0, upper = 0.0;  ///< What is physically believable (SI); at a bound the cause is not accepted.
-  bool lowerIsFine = false;         ///< Unless it may well lie at its lower bound, such as how long a step takes.
-  bool saysHowMuch = true;          ///< Of the cause there is
-  double (*told)(double) = nullptr; ///< What is reported instead of scale * value, where that is no multiple of it
+  std::string name;                  ///< As reported, for instance "delay"
+  std::string unit;                  ///< As reported, for instance "ms"; empty for pure numbers
+  double scale = 1.0;                ///< Reported value = scale * internal SI value
+  double size = 1.0;                 ///< A realistic size (SI): sets steps of differentiation and of the search
+  double lower = 0.0, upper = 0.0;   ///< What is physically believable (SI); at a bound the cause is not accepted.
+  bool lowerIsFine = false;          ///< Unless it may well lie at its lower bound, such as how long a step takes.
+  bool saysHowMuch = true;           ///< Of the cause there is
+  double (*told)(double) = nullptr;  ///< What is reported instead of scale * value, where that is no multiple of it
 };
 
 class Cause;
@@ -34,15 +34,17 @@ struct Form {
   const Cause* cause = nullptr;
   std::string name;  ///< Empty for the only form; otherwise what is special about it, for instance "second axis"
   std::vector<Parameter> parameters;
-  VectorXd start;           ///< Parameters at which the wrench is unchanged (amplitudes zero).
-  std::vector<int> scan;    ///< Those that the first look varies, linearly, from `start`.
-  std::vector<int> choice;  ///< Fixed integers that tell forms apart, for instance an axis; meaning private to the cause
-  bool subset = false;      ///< Only those of the scanned parameters that the data ask for are freed.
-  bool local = false;       ///< Has a place in time, parameter 0 [s].
-  bool atOnce = false;      ///< And changes there within a block or so.
-  bool alone = false;       ///< Nothing else of its cause beside it: with two of them, almost anything could be made up
-  bool rare = false;        ///< Takes no place of its cause's other forms when some are chosen for a fit: the most promising one is added.
-  bool walk = false;        ///< Waves k = 1, 2, .. of six channels in turn, whose amplitudes fall with 1/k as a walk's do
+  VectorXd start;         ///< Parameters at which the wrench is unchanged (amplitudes zero).
+  std::vector<int> scan;  ///< Those that the first look varies, linearly, from `start`.
+  std::vector<int>
+      choice;           ///< Fixed integers that tell forms apart, for instance an axis; meaning private to the cause
+  bool subset = false;  ///< Only those of the scanned parameters that the data ask for are freed.
+  bool local = false;   ///< Has a place in time, parameter 0 [s].
+  bool atOnce = false;  ///< And changes there within a block or so.
+  bool alone = false;   ///< Nothing else of its cause beside it: with two of them, almost anything could be made up
+  bool rare = false;  ///< Takes no place of its cause's other forms when some are chosen for a fit: the most promising
+                      ///< one is added.
+  bool walk = false;  ///< Waves k = 1, 2, .. of six channels in turn, whose amplitudes fall with 1/k as a walk's do
 };
 
 class Cause {
@@ -54,8 +56,11 @@ class Cause {
   /// Every form worth looking at with these signals; none if the recording cannot show the cause.
   virtual std::vector<Form> forms(const Signals& signals) const = 0;
 
-  /// Richer forms that begin where the fit of one ended, with their first guess: such as lie too far from any of forms() to be found.
-  virtual std::vector<std::pair<Form, VectorXd>> grown(const Form&, const VectorXd&, const Signals&) const { return {}; }
+  /// Richer forms that begin where the fit of one ended, with their first guess: such as lie too far from any of
+  /// forms() to be found.
+  virtual std::vector<std::pair<Form, VectorXd>> grown(const Form&, const VectorXd&, const Signals&) const {
+    return {};
+  }
 
   /// Place in the signal's way; lower comes first within a stage.
   virtual int order() const { return 0; }
@@ -74,12 +79,15 @@ class Cause {
   virtual bool changesSensor(const Form&) const { return false; }
   /// Evidence that it needs beyond what any cause needs, with these parameters on these signals.
   virtual double doubt(const Form&, const VectorXd&, const Signals&) const { return 0.0; }
-  /// How much of it there is over what Heft's own smoothing and resampling of these signals may leave; where each term of a cause
-  /// comes to less than 1, they are part of the model but nothing that somebody could mend.
-  virtual double overOwnErrors(const Form&, const VectorXd&, const Signals&) const { return std::numeric_limits<double>::infinity(); }
+  /// How much of it there is over what Heft's own smoothing and resampling of these signals may leave; where each term
+  /// of a cause comes to less than 1, they are part of the model but nothing that somebody could mend.
+  virtual double overOwnErrors(const Form&, const VectorXd&, const Signals&) const {
+    return std::numeric_limits<double>::infinity();
+  }
   /// False for parameters that no thing of its kind has, with their standard deviations.
   virtual bool possible(const Form&, const VectorXd&, const VectorXd&) const { return true; }
-  /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty: none.
+  /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty:
+  /// none.
   virtual VectorXd modelStd(const Form&, const VectorXd&) const { return {}; }
   /// Stretches of time [s] in which it acts; empty: always.
   virtual std::vector<std::pair<double, double>> when(const Form&, const VectorXd&, const Signals&) const { return {}; }

@@ -11,8 +11,8 @@ namespace {
 constexpr double kWindow = 0.02;  ///< [s]
 constexpr double kMost = 0.5;     ///< Share of readings that may be cut off
 
-/// How much the mean drops when the share `cut` of a normal distribution is cut off, for one by which it then lies below
-/// the level.
+/// How much the mean drops when the share `cut` of a normal distribution is cut off, for one by which it then lies
+/// below the level.
 double lostMean(double cut) {
   const auto above = [](double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); };
   double low = 0.0, high = 6.0;  // Of the level above the mean, in deviations.
@@ -26,7 +26,8 @@ double lostMean(double cut) {
 
 }  // namespace
 
-Unclipped unclipped(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, const std::vector<FlatTop>& tops, double rateHz) {
+Unclipped unclipped(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, const std::vector<FlatTop>& tops,
+                    double rateHz) {
   Unclipped out{wrench, std::vector<bool>(static_cast<std::size_t>(wrench.rows()), false)};
   const auto window = std::max<Eigen::Index>(4, std::lround(kWindow * rateHz));
   for (const FlatTop& flat : tops) {

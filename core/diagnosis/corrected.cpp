@@ -145,7 +145,8 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
   if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
   if (cause.id == "contact") return !cause.when.empty();
   // Noisy angles were smoothed more, which every estimate does by itself.
-  const bool noisy = std::ranges::any_of(cause.parameters, [](const CauseParameter& p) { return p.name == "force_noise"; });
+  const bool noisy =
+      std::ranges::any_of(cause.parameters, [](const CauseParameter& p) { return p.name == "force_noise"; });
   return cause.id == "jitter" || cause.id == "motion_lag" || (cause.id == "derivative_noise" && !noisy);
 }
 
@@ -213,16 +214,21 @@ Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel
   std::vector<std::string> known = causes, strange;
   std::erase_if(known, [&](const std::string& id) { return has(unknown, id); });
   if (!known.empty())
-    report->findings.push_back({Severity::info, "causes_taken_out",
-                                heft::say("The reality check's corrections are part of these numbers: {}.", fmt::join(known, ", ")),
-                                {}, {}});
+    report->findings.push_back(
+        {Severity::info,
+         "causes_taken_out",
+         heft::say("The reality check's corrections are part of these numbers: {}.", fmt::join(known, ", ")),
+         {},
+         {}});
   for (const std::string& id : unknown) strange.push_back("\"" + causeTitle(id) + "\"");
   if (!strange.empty())
     report->findings.push_back(
-        {Severity::warning, "causes_unknown",
+        {Severity::warning,
+         "causes_unknown",
          heft::say("Another version of Heft saved {} in a form that this one does not know: not part of these numbers.",
                    fmt::join(strange, ", ")),
-         heft::say("Run the reality check again."), {}});
+         heft::say("Run the reality check again."),
+         {}});
   return report;
 }
 

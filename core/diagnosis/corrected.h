@@ -17,14 +17,14 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause);
 
 /// `recording` without `causes` (IDs) of `found`, a heft.diagnose/1 that was made on it: their wrench is taken off,
 /// frames are set right, contacts are marked, joint velocities that disagree with the angles are dropped. Fails if
-/// `found` does not hold them. A cause in a form that this version does not know is an error, too, or, where `unknown` is
-/// given, left in and its ID put there.
+/// `found` does not hold them. A cause in a form that this version does not know is an error, too, or, where `unknown`
+/// is given, left in and its ID put there.
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const nlohmann::json& found,
                             const std::vector<std::string>& causes, std::vector<std::string>* unknown = nullptr);
 
 /// estimate() with the causes in the model: the payload comes from the corrected recording, its deviations are at least
-/// those of the joint fit, and the simulated wrench holds what the causes add, so that it compares with the recording. What
-/// another version of Heft saved and this one does not know stays out, and the findings say so.
+/// those of the joint fit, and the simulated wrench holds what the causes add, so that it compares with the recording.
+/// What another version of Heft saved and this one does not know stays out, and the findings say so.
 Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                     const nlohmann::json& found, const std::vector<std::string>& causes,
                                     const Progress& progress = {});

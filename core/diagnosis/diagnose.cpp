@@ -36,7 +36,9 @@ constexpr double kGainOfFaint = 0.012;       ///< The same for a cause that next
 constexpr double kHarm = 0.1;                ///< Share of the unseen misfit that no cause may add
 constexpr double kWholeTool = 0.5;           ///< Share of the payload that is hardly a part of the tool any more
 
-bool contains(const std::vector<std::string>& list, std::string_view id) { return std::ranges::find(list, id) != list.end(); }
+bool contains(const std::vector<std::string>& list, std::string_view id) {
+  return std::ranges::find(list, id) != list.end();
+}
 
 /// What single readings say, and the recording without what they spoil.
 struct Readings {
@@ -103,16 +105,20 @@ struct Searched {
 Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
                           DiagnoseOptions options, const Progress& progress) {
   // Readings that are cut off flat are dealt with.
-  if (std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; })) options.hidden.emplace_back("saturation");
+  if (std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; }))
+    options.hidden.emplace_back("saturation");
   struct Smoothing {
     double cutoff;
-    bool twicing;  ///< Lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the better
+    bool twicing;  ///< Lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the
+                   ///< better
   };
-  constexpr std::array<Smoothing, 6> kSmoothings{{{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
+  constexpr std::array<Smoothing, 6> kSmoothings{
+      {{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
   constexpr double kClearly = 30.0;  // Evidence for another way than this one
   std::array<std::optional<Result<Way>>, kSmoothings.size()> smoothed;
   onTwoThreads(smoothed.size(), [&](std::size_t i) {
-    smoothed[i] = wayOf(recording, readings.cleaned, robot, kSmoothings[i].cutoff, kSmoothings[i].twicing, options, readings.bad);
+    smoothed[i] =
+        wayOf(recording, readings.cleaned, robot, kSmoothings[i].cutoff, kSmoothings[i].twicing, options, readings.bad);
   });
   std::vector<Way> ways;
   for (auto& way : smoothed) {
@@ -127,13 +133,15 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   const auto leastSmoothed = [&](const std::vector<double>& evidence) {
     constexpr double kSlightly = 10.0;
     const double best = *std::ranges::max_element(evidence);
-    return static_cast<std::size_t>(std::ranges::find_if(evidence, [&](double e) { return e > best - kSlightly; }) - evidence.begin());
+    return static_cast<std::size_t>(std::ranges::find_if(evidence, [&](double e) { return e > best - kSlightly; }) -
+                                    evidence.begin());
   };
   const std::vector<double> plain = nullEvidence(ways);
   Searched out;
   if (*std::ranges::max_element(plain) > plain[at] + kClearly) {
     at = leastSmoothed(plain);
-    if (!contains(options.hidden, "derivative_noise")) out.noisy = noisyMotion(readings.cleaned, ways.front(), ways[at], plain[at] - plain.front());
+    if (!contains(options.hidden, "derivative_noise"))
+      out.noisy = noisyMotion(readings.cleaned, ways.front(), ways[at], plain[at] - plain.front());
     for (Way& way : ways) way.signals.noisyMotion = out.noisy.has_value();
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
@@ -142,7 +150,8 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
-  // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better, none is.
+  // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better,
+  // none is.
   const auto betterBy = [&](const auto& evidenceOf) {
     std::vector<double> gains(ways.size(), 0.0);
     const auto ask = [&](bool neighbours) {
@@ -157,10 +166,13 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     at = leastSmoothed(gains);
     return true;
   };
-  const auto betterElsewhere = [&](const Work& work) { return betterBy([&](const Way& way) { return evidenceAt(way, work); }); };
+  const auto betterElsewhere = [&](const Work& work) {
+    return betterBy([&](const Way& way) { return evidenceAt(way, work); });
+  };
   const bool smooth = at > 0;
   auto found = searchedOn(at, kThreshold, [&](const Work& work) {
-    return smooth ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); }) : betterElsewhere(work);
+    return smooth ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); })
+                  : betterElsewhere(work);
   });
   if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
   if (!found) return found.error();
@@ -201,15 +213,16 @@ double swingingShare(const Fit& fit, const Found& found) {
   return (firstOf(fit, found.cause) + more) / std::max(0.02, fit.model.x(6));
 }
 
-/// Whether a pull acts straight up or down where the tool's weight does: then gravity may be another than stated, or be taken out of the
-/// readings already, which no motion can tell from it.
+/// Whether a pull acts straight up or down where the tool's weight does: then gravity may be another than stated, or be
+/// taken out of the readings already, which no motion can tell from it.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
   const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
   return std::ranges::any_of(fit.model.terms, [&](const Term& term) {
     if (term.form->cause->id() != "constant_pull" || term.form->local || term.v.size() < 6) return false;
     const Vector3d force = term.v.head<3>();
-    return force.cross(gravity).norm() < kAside * force.norm() * gravity.norm() && (term.v.segment<3>(3) - com).norm() < kNear;
+    return force.cross(gravity).norm() < kAside * force.norm() * gravity.norm() &&
+           (term.v.segment<3>(3) - com).norm() < kNear;
   });
 }
 
@@ -241,8 +254,8 @@ struct Judged {
   bool dropped = false;
 };
 
-/// Whether our own smoothing and resampling leave all that the final model has of `cause`. A mount that swings enlarges what the
-/// smoothing took; where little speaks for it, corners of the motion may be all that does.
+/// Whether our own smoothing and resampling leave all that the final model has of `cause`. A mount that swings enlarges
+/// what the smoothing took; where little speaks for it, corners of the motion may be all that does.
 bool ownErrors(const Work& work, const Found& found) {
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
@@ -274,11 +287,14 @@ bool standsOut(const Fit& fit, std::string_view cause) {
   }
   if (all.size() < 2) return false;
   const Eigen::Map<const VectorXd> size(sizes.data(), std::ssize(sizes));
-  return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) > kDeviations * kDeviations * static_cast<double>(all.size());
+  return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) >
+         kDeviations * kDeviations * static_cast<double>(all.size());
 }
 
-/// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing speaks for it.
-Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance, const std::vector<Direct>& directs) {
+/// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing
+/// speaks for it.
+Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance,
+              const std::vector<Direct>& directs) {
   Judged out;
   const bool held = std::ranges::any_of(directs, [](const Direct& d) { return d.cause == "dropouts"; });
   Search& search = work.search;
@@ -291,21 +307,24 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
   std::map<const Found*, DiagnosedCause> holds;
   for (const Found* found : order) {
     // Part of the model, but no cause that somebody could mend.
-    const bool turned = work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
+    const bool turned =
+        work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
     if (found->cause == kWandering || turned || ownErrors(work, *found)) continue;
     Fit rest = fitModel(work.signals, work.stretches, without(search.final.model, found->cause));
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
     const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
     const auto anyForm = [&](const auto& is) {
-      return std::ranges::any_of(search.final.model.terms, [&](const Term& t) { return t.form->cause->id() == found->cause && is(*t.form); });
+      return std::ranges::any_of(search.final.model.terms,
+                                 [&](const Term& t) { return t.form->cause->id() == found->cause && is(*t.form); });
     };
     const bool local = anyForm([](const Form& form) { return form.local; });
     // What has chosen from many frequencies or speeds explains a little of any noise.
     const bool chose = anyForm([](const Form& form) { return form.scan.size() < form.parameters.size(); });
     const double least = found->gain < kFaint ? std::max(needed, neededOfFaint) : needed;
-    const bool explains = gain.explainedFraction > least || (!chose && gain.explainedFraction > needed && gain.lower > 0.0);
-    // What has its place in time can hardly be seen elsewhere; harm there is another matter. Where nearly all parts are better,
-    // one of them is not like the others, such as the first of a drift that settles.
+    const bool explains =
+        gain.explainedFraction > least || (!chose && gain.explainedFraction > needed && gain.lower > 0.0);
+    // What has its place in time can hardly be seen elsewhere; harm there is another matter. Where nearly all parts are
+    // better, one of them is not like the others, such as the first of a drift that settles.
     const bool nearlyAll = found->gain >= kFaint && 10 * gain.blocksBetter >= 8 * gain.blocks;
     const bool harms = gain.explainedFraction < -kHarm;
     // Beside something unknown, what may as well be nothing is a part of that.
@@ -335,8 +354,9 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
   return out;
 }
 
-/// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in coarse
-/// steps: these add a little noise and no more. Contact belongs to the task more often than to the rig: it comes last.
+/// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in
+/// coarse steps: these add a little noise and no more. Contact belongs to the task more often than to the rig: it comes
+/// last.
 void sortByStrength(std::vector<DiagnosedCause>& causes) {
   const auto rank = [](const DiagnosedCause& c) {
     return c.id == "contact" ? -1e300 : c.id == "quantisation" ? 0.0 : c.direct ? 1e300 : c.deltaBic;
@@ -355,7 +375,8 @@ std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCau
     if (id == kWandering || std::ranges::any_of(named, [&](const auto& c) { return c.id == id; })) continue;
     const VectorXd& size = visible[b];
     for (Eigen::Index i = 0; i < size.size(); ++i) {
-      const Parameter& p = signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
+      const Parameter& p =
+          signature.form.parameters[static_cast<std::size_t>(signature.form.scan[static_cast<std::size_t>(i)])];
       if (!p.saysHowMuch) continue;
       const double value = size(i) * std::abs(p.scale);
       const auto known = std::ranges::find_if(out, [&](const Smallest& s) { return s.cause == id; });
@@ -419,7 +440,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   }
   out.baseline = rmsOf(work.stretches, work.search.null.residual);
   out.noise = rmsOf(work.stretches, final.residual);
-  const double quiet = std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
+  const double quiet =
+      std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
   sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
@@ -439,7 +461,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   giveVerdict(work, out);
 
   progress(0.93, heft::say("Estimating the payload again"));
-  if (auto error = estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))
+  if (auto error =
+          estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))
     return *error;
   out.model = final.model;
   out.smallest = smallestVisible(work, out.causes, out.threshold);

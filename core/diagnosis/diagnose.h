@@ -2,9 +2,9 @@
 // What does the simulation get wrong? Shows it, names the cause, extends the model and measures the gain.
 //
 // A rigid payload with a constant bias is fitted to the whole recording (baseline). What it leaves over is searched for
-// the causes of the catalogue, one after the other, by the evidence that each adds under autoregressive noise (difference
-// of BIC), against a threshold learned on simulated clean recordings with the same motion and noise. What fits equally
-// well is said to be equal; what nothing in the catalogue accounts for is said to be unexplained.
+// the causes of the catalogue, one after the other, by the evidence that each adds under autoregressive noise
+// (difference of BIC), against a threshold learned on simulated clean recordings with the same motion and noise. What
+// fits equally well is said to be equal; what nothing in the catalogue accounts for is said to be unexplained.
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -43,7 +43,7 @@ struct DiagnosedCause {
   std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
   bool direct = false;                          ///< Seen in the samples themselves; evidence and gain are then empty.
   double deltaBic = 0.0, pValue = 0.0;
-  diagnosis::Gain gain;  ///< On blocks that were held out, the other causes in place
+  diagnosis::Gain gain;               ///< On blocks that were held out, the other causes in place
   diagnosis::Wrenches before, after;  ///< 6 x N, left over on such blocks without and with it; empty if seen directly
   std::vector<std::string> alternatives;
   std::string tellApart;
@@ -62,26 +62,26 @@ struct Smallest {
 
 /// Wrench as measured, as simulated by the baseline and by the extended model; for plots, on blocks of about 20 ms.
 struct DiagnosisSeries {
-  VectorXd time;                       ///< [s]
-  diagnosis::Wrenches measured;        ///< 6 x N
-  diagnosis::Wrenches before, after;   ///< Simulated; each block by parameters fitted without it
-  std::vector<bool> judged;            ///< False: trimmed, contact, marked
+  VectorXd time;                      ///< [s]
+  diagnosis::Wrenches measured;       ///< 6 x N
+  diagnosis::Wrenches before, after;  ///< Simulated; each block by parameters fitted without it
+  std::vector<bool> judged;           ///< False: trimmed, contact, marked
 };
 
 struct DiagnosisReport {
   std::string file;
   Verdict verdict = Verdict::clean;
-  std::string sentence;  ///< The verdict in plain words
+  std::string sentence;       ///< The verdict in plain words
   WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor
   std::vector<DiagnosedCause> causes;
   diagnosis::Structure remaining;  ///< What nothing accounts for; gain <= 0: nothing
   double threshold = 10.0;
   int surrogates = 0;
-  EstimateReport before, after;   ///< Payload as estimated from the recording, and with the causes taken out
+  EstimateReport before, after;  ///< Payload as estimated from the recording, and with the causes taken out
   std::vector<Smallest> smallest;
   nlohmann::json metaChanges() const;  ///< What the meta file should say instead; empty object: nothing
   RecordingMeta meta;
-  diagnosis::Model model;         ///< Extended model
+  diagnosis::Model model;                          ///< Extended model
   std::optional<diagnosis::FrameMistake> mistake;  ///< Undone before everything else
   DiagnosisSeries series;
   Findings findings;
@@ -101,10 +101,11 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
 /// Applies the causes of `report` to another recording and fits bias and payload only.
 Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot);
 
-/// What the causes add to the wrench [N, N m] at each row of the recording: measured minus this is what the rigid payload
-/// and the bias alone would read. `causes`: IDs to apply; empty: all.
+/// What the causes add to the wrench [N, N m] at each row of the recording: measured minus this is what the rigid
+/// payload and the bias alone would read. `causes`: IDs to apply; empty: all.
 Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const diagnosis::Model& model, const Recording& recording,
-                                                          const RobotModel* robot, const std::vector<std::string>& causes = {});
+                                                          const RobotModel* robot,
+                                                          const std::vector<std::string>& causes = {});
 
 /// The contract's heft.diagnose/1.
 nlohmann::json toJson(const DiagnosisReport& report);
@@ -114,8 +115,8 @@ std::string toHtml(const DiagnosisReport& report);
 
 /// The extended model as it stands in toJson(report)["model"].
 nlohmann::json modelToJson(const diagnosis::Model& model);
-/// A cause in a form of another version that this one does not know is an error, or, where `unknown` is given, left out and
-/// its ID put there.
+/// A cause in a form of another version that this one does not know is an error, or, where `unknown` is given, left out
+/// and its ID put there.
 Result<diagnosis::Model> modelFromJson(const nlohmann::json& model, const Recording& recording, const RobotModel* robot,
                                        std::vector<std::string>* unknown = nullptr);
 

@@ -20,7 +20,8 @@ Vector6d usualSize(const Signals& signals, const Fit& fit) {
   return out.cwiseSqrt();
 }
 
-/// Share of the power of `residual` in a stretch that holds for a tenth of a second: 0.2 for white noise, next to 1 for a push.
+/// Share of the power of `residual` in a stretch that holds for a tenth of a second: 0.2 for white noise, next to 1 for
+/// a push.
 double steadiness(const Wrenches& residual, const Stretch& where, double blockRate) {
   const auto length = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(std::lround(0.1 * blockRate)));
   double steady = 0.0, all = 1e-300;
@@ -36,7 +37,9 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
 bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch& where) {
   constexpr double kLeft = 0.15;  // Share of the power; a push of one block alone leaves 0.25
   const auto alone = [&](Eigen::Index n) { return residual.col(n).squaredNorm(); };
-  const auto averaged = [&](Eigen::Index n) { return (0.25 * residual.col(n - 1) + 0.5 * residual.col(n) + 0.25 * residual.col(n + 1)).squaredNorm(); };
+  const auto averaged = [&](Eigen::Index n) {
+    return (0.25 * residual.col(n - 1) + 0.5 * residual.col(n) + 0.25 * residual.col(n + 1)).squaredNorm();
+  };
   double usual = 0.0, usualAveraged = 0.0, most = 0.0, mostAveraged = 0.0, count = 0.0;
   for (Eigen::Index n = 1; n + 1 < residual.cols(); ++n) {
     if (n >= where.from && n < where.to) {
@@ -51,9 +54,10 @@ bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch&
   return count > 0.0 && mostAveraged - usualAveraged / count < kLeft * (most - usual / count);
 }
 
-/// Share of what is left of force, or of torque, in all contacts that goes with `motion` (F x N), by the law that holds in all other
-/// places that are `known`.
-double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const std::vector<Contact>& contacts, const std::vector<bool>& known) {
+/// Share of what is left of force, or of torque, in all contacts that goes with `motion` (F x N), by the law that holds
+/// in all other places that are `known`.
+double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const std::vector<Contact>& contacts,
+                         const std::vector<bool>& known) {
   constexpr Eigen::Index kApart = 5;
   const Eigen::Index blocks = motion.cols();
   const double little = 1e-3 * (motion.squaredNorm() / static_cast<double>(blocks) + 1e-12);
@@ -61,7 +65,8 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
   for (const Contact& contact : contacts) {
     MatrixXd A = little * MatrixXd::Identity(motion.rows(), motion.rows()), b = MatrixXd::Zero(motion.rows(), 6);
     for (Eigen::Index n = 0; n < blocks; ++n) {
-      if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart)) continue;
+      if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart))
+        continue;
       A += motion.col(n) * motion.col(n).transpose();
       b += motion.col(n) * residual.col(n).transpose();
     }
@@ -79,8 +84,9 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
 struct Law {
   std::string name;
   MatrixXd motion;  ///< F x N
-  double follows;  ///< Share of what is left in the contacts that it must tell where it holds at all times
-  std::optional<double> followsInZone = {};  ///< The same of one that may act in a zone only; of pushes 0.2 at most went with either
+  double follows;   ///< Share of what is left in the contacts that it must tell where it holds at all times
+  std::optional<double> followsInZone =
+      {};  ///< The same of one that may act in a zone only; of pushes 0.2 at most went with either
 };
 
 /// Whether each joint turns and how hard it speeds up or slows down, as its motor and what that disturbs do.
@@ -89,7 +95,8 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
   std::vector<Law> out;
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   for (Eigen::Index j = 0; signals.dq.cols() == signals.size() && j < signals.dq.rows(); ++j) {
-    const double still = kStill * signals.dq.row(j).cwiseAbs().maxCoeff(), most = std::max(1e-9, signals.ddq.row(j).cwiseAbs().maxCoeff());
+    const double still = kStill * signals.dq.row(j).cwiseAbs().maxCoeff(),
+                 most = std::max(1e-9, signals.ddq.row(j).cwiseAbs().maxCoeff());
     MatrixXd motor(2, blocks);
     for (Eigen::Index n = 0; n < blocks; ++n) {
       motor(0, n) = signals.dq.row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
@@ -106,8 +113,12 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
   // A little of what lies around it starts the memory, as far as it is to be trusted.
   constexpr Eigen::Index kMemory = 8;
   std::vector<Stretch> whole{{from, to}};
-  while (whole[0].from > std::max<Eigen::Index>(0, from - kMemory) && signals.usable[static_cast<std::size_t>(whole[0].from - 1)]) --whole[0].from;
-  while (whole[0].to < std::min(signals.blocks(), to + kMemory) && signals.usable[static_cast<std::size_t>(whole[0].to)]) ++whole[0].to;
+  while (whole[0].from > std::max<Eigen::Index>(0, from - kMemory) &&
+         signals.usable[static_cast<std::size_t>(whole[0].from - 1)])
+    --whole[0].from;
+  while (whole[0].to < std::min(signals.blocks(), to + kMemory) &&
+         signals.usable[static_cast<std::size_t>(whole[0].to)])
+    ++whole[0].to;
   // Innovations of the stretch cost their square.
   const MatrixXd u = whitened(flat(fit.residual), fit.noise, whole);
   double cost = 0.0;
@@ -140,7 +151,8 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   Wrenches motion = Wrenches::Zero(6, blocks);  // Velocity and turning, S axes
   for (Eigen::Index k = 0; k < blocks * m; ++k) {
-    motion.col(k / m).head<3>() += signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.velocity.col(k) / static_cast<double>(m);
+    motion.col(k / m).head<3>() +=
+        signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.velocity.col(k) / static_cast<double>(m);
     motion.col(k / m).tail<3>() += signals.kinematics.omega.col(k) / static_cast<double>(m);
   }
   std::vector<bool> inContact(static_cast<std::size_t>(blocks), false), everywhere = signals.usable;

@@ -10,7 +10,8 @@ struct Contact {
   double evidence = 0;      ///< Gained by leaving the stretch out
   Stretch blocks;           ///< The same in blocks
   bool steady = true;       ///< It pushes for a tenth of a second at least; if not, it shakes or is noise
-  bool rings = false;       ///< It is short and turns round from block to block: left by the smoothing of the motion where a motor's force jumps
+  bool rings = false;  ///< It is short and turns round from block to block: left by the smoothing of the motion where a
+                       ///< motor's force jumps
 };
 
 /// Evidence for leaving blocks [from, to) out of `fit`: what they would cost under its noise, less the price of a force
@@ -20,8 +21,8 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 /// The candidates' stretches (blocks) that the fit really needs to leave out.
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates);
 
-/// What the fit leaves in the contacts goes with, where each can be told from the others by how the tool moves, as no push can;
-/// empty otherwise. Not translated.
+/// What the fit leaves in the contacts goes with, where each can be told from the others by how the tool moves, as no
+/// push can; empty otherwise. Not translated.
 std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
 
 }  // namespace heft::diagnosis

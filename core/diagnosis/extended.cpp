@@ -23,7 +23,8 @@ Model withoutTerms(const Model& model) {
 }  // namespace
 
 Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const Model& model, const Recording& recording,
-                                                          const RobotModel* robot, const std::vector<std::string>& causes) {
+                                                          const RobotModel* robot,
+                                                          const std::vector<std::string>& causes) {
   MotionOptions options;
   options.cutoffHz = kDefaultCutoffHz;
   const auto motion = motionOf(recording, robot, options);
@@ -90,7 +91,10 @@ json modelToJson(const Model& model) {
   for (const auto& term : model.terms) {
     json values = json::array();
     for (Eigen::Index i = 0; i < term.v.size(); ++i) values.push_back(term.v(i));
-    terms.push_back({{"cause", term.form->cause->id()}, {"form", term.form->name}, {"choice", term.form->choice}, {"values_si", values}});
+    terms.push_back({{"cause", term.form->cause->id()},
+                     {"form", term.form->name},
+                     {"choice", term.form->choice},
+                     {"values_si", values}});
   }
   json x = json::array();
   for (Eigen::Index i = 0; i < model.x.size(); ++i) x.push_back(model.x(i));

@@ -46,7 +46,7 @@ MatrixXd informationBeside(const MatrixXd& information, const std::vector<Eigen:
   return information(own, own) - B.transpose() * A.ldlt().solve(B);
 }
 
-constexpr double kWidth = 3.5;  ///< 2 ln of how many widths of a prior there are to choose from
+constexpr double kWidth = 3.5;       ///< 2 ln of how many widths of a prior there are to choose from
 constexpr double kLeastWalk = 1e-3;  ///< Of a parameter's size: a walk that is none
 
 /// What a walk's waves cost: how far the data had to narrow what the walk left open, and how far they are from zero.
@@ -55,7 +55,8 @@ double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const st
   const VectorXd prior = sd(own).cwiseQuotient(scale(own));
   MatrixXd M = prior.asDiagonal() * informationBeside(information, own, others) * prior.asDiagonal();
   M.diagonal().array() += 1.0;
-  double out = 2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(sd(own)).squaredNorm();
+  double out =
+      2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(sd(own)).squaredNorm();
   for (const int c : {0, 3}) {
     const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
     if (term.walk(c) > 2.0 * least * least) out += kWidth;
@@ -63,8 +64,8 @@ double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const st
   return out;
 }
 
-/// The walk's size that explains its waves best: sum of squares over how many of them the data tell (MacKay). Channels of
-/// one kind share it: what makes one of a sensor's gauges creep makes the others.
+/// The walk's size that explains its waves best: sum of squares over how many of them the data tell (MacKay). Channels
+/// of one kind share it: what makes one of a sensor's gauges creep makes the others.
 void learnWalk(Model& model, const MatrixXd& covariance) {
   Eigen::Index at = kLinear;
   for (auto& term : model.terms) {
@@ -94,8 +95,10 @@ void startWalk(Model& model) {
       const double size = term.form->parameters[static_cast<std::size_t>(first)].size;
       double squares = 0.0;
       for (Eigen::Index c = first; c < first + 3; ++c)
-        for (Eigen::Index k = 1; k <= count; ++k) squares += std::pow(static_cast<double>(k) * term.v(6 * (k - 1) + c), 2);
-      term.walk.segment<3>(first).setConstant(std::max(std::pow(0.1 * size, 2), squares / static_cast<double>(3 * count)));
+        for (Eigen::Index k = 1; k <= count; ++k)
+          squares += std::pow(static_cast<double>(k) * term.v(6 * (k - 1) + c), 2);
+      term.walk.segment<3>(first).setConstant(
+          std::max(std::pow(0.1 * size, 2), squares / static_cast<double>(3 * count)));
     }
   }
 }
@@ -175,7 +178,8 @@ ChannelColumns::ChannelColumns(const MatrixXd& J) : columns_(J.cols()) {
     for (Eigen::Index i = 0; i < J.cols(); ++i)
       if (!channel(i).isZero(0.0)) which_[c].push_back(i);
     parts_[c].resize(n, std::ssize(which_[c]));
-    for (Eigen::Index i = 0; i < parts_[c].cols(); ++i) parts_[c].col(i) = channel(which_[c][static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = 0; i < parts_[c].cols(); ++i)
+      parts_[c].col(i) = channel(which_[c][static_cast<std::size_t>(i)]);
   }
 }
 
@@ -233,7 +237,8 @@ namespace {
 
 enum class Weights { coloured, whiteFirst };
 
-/// Deviations `sd` a priori with next to none for the causes' parameters that `holds` (term, its parameter, in Model::packed()).
+/// Deviations `sd` a priori with next to none for the causes' parameters that `holds` (term, its parameter, in
+/// Model::packed()).
 template <class Holds>
 VectorXd heldWhere(const Model& model, VectorXd sd, const Holds& holds) {
   constexpr double kHeld = 1e-9;  ///< Of a parameter's size
@@ -257,7 +262,8 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   VectorXd sd = whisper(fit.model);
   Linearised at = linearised(signals, fit.model);
   fit.residual = signals.measured - at.value;
-  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.louder) : white(fit.residual, stretches, signals.louder);
+  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.louder)
+                                           : white(fit.residual, stretches, signals.louder);
   // What whitens best is not what the noise is learned as: evidence may fall again, and then what was best counts.
   constexpr int kMostFalls = 2;
   struct State {
@@ -279,7 +285,8 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     bool leaves = false;
     const auto stays = [&](const Term& term, Eigen::Index p, Eigen::Index i) {
       const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
-      const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) || (step(i) > 0.0 && term.v(p) >= parameter.upper));
+      const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) ||
+                                         (step(i) > 0.0 && term.v(p) >= parameter.upper));
       leaves = leaves || out;
       return out;
     };
@@ -296,7 +303,8 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     for (int half = 0; half < 4; ++half, factor *= 0.4) {
       if (betters(moved(fit.model, step, factor))) break;
       if (half < 3) continue;
-      // A time, a frequency or so leads astray, such as that of a step between two samples: then what is linear moves alone.
+      // A time, a frequency or so leads astray, such as that of a step between two samples: then what is linear moves
+      // alone.
       if (betters(moved(fit.model, Normal(J, heldWhere(fit.model, sd, bends)).solve(pull), 1.0))) break;
       next = fit.model;
       value = at.value;
@@ -336,8 +344,10 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
       const Parameter& parameter = term.form->parameters[p];
       const double value = term.v(static_cast<Eigen::Index>(p)), margin = 1e-6 * parameter.size;
-      fit.atBound = fit.atBound || (term.moves(static_cast<Eigen::Index>(p)) &&
-                                    ((!parameter.lowerIsFine && value <= parameter.lower + margin) || value >= parameter.upper - margin));
+      fit.atBound =
+          fit.atBound ||
+          (term.moves(static_cast<Eigen::Index>(p)) &&
+           ((!parameter.lowerIsFine && value <= parameter.lower + margin) || value >= parameter.upper - margin));
     }
   return fit;
 }
@@ -361,12 +371,14 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   for (const auto& term : fit.model.terms) {
     for (const int p : term.form->scan)
       if (term.form->start(p) == 0.0)
-        sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term.v(p)) + kLittle * term.form->parameters[static_cast<std::size_t>(p)].size);
+        sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term.v(p)) +
+                                              kLittle * term.form->parameters[static_cast<std::size_t>(p)].size);
     at += term.v.size();
   }
   Model model = fit.model;
   for (int round = 0; round < 2; ++round) {
-    const Linearised around = round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
+    const Linearised around =
+        round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
     const Wrenches residual = signals.measured - around.value;
     const ChannelColumns J(whitened(around.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);

@@ -11,25 +11,26 @@ namespace heft::diagnosis {
 struct Fit {
   Model model;
   Noise noise;
-  Wrenches residual;     ///< 6 x N, all blocks, judged or not
-  MatrixXd jacobian;     ///< 6N x model.size()
-  MatrixXd information;  ///< Of the whitened problem, model.size() squared, without priors
-  MatrixXd covariance;   ///< Its inverse with a whisper of prior
-  int dimensions = 0;    ///< Parameters of the causes that the motion can tell at all
-  double price = 0.0;    ///< What these cost, see priceOf()
+  Wrenches residual;      ///< 6 x N, all blocks, judged or not
+  MatrixXd jacobian;      ///< 6N x model.size()
+  MatrixXd information;   ///< Of the whitened problem, model.size() squared, without priors
+  MatrixXd covariance;    ///< Its inverse with a whisper of prior
+  int dimensions = 0;     ///< Parameters of the causes that the motion can tell at all
+  double price = 0.0;     ///< What these cost, see priceOf()
   double evidence = 0.0;  ///< Twice the log-likelihood less the price
   bool atBound = false;
 
   VectorXd std() const { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
 };
 
-/// What `count` parameters cost, in units of twice the log-likelihood, that together gain about `gain`. How large an effect
-/// is nobody knows by orders of magnitude: each parameter's prior is as wide as what the data say of all of them, and the
-/// choice of that width costs a little, too. Never more than BIC's ln n (`lnN`) each, which stands for the widest.
+/// What `count` parameters cost, in units of twice the log-likelihood, that together gain about `gain`. How large an
+/// effect is nobody knows by orders of magnitude: each parameter's prior is as wide as what the data say of all of
+/// them, and the choice of that width costs a little, too. Never more than BIC's ln n (`lnN`) each, which stands for
+/// the widest.
 double priceOf(double gain, double count, double lnN);
 
-/// Whitened columns (6N rows), kept channel by channel: many of them, such as biases and waves of the zero, are about one
-/// channel only, and products with them cost a sixth.
+/// Whitened columns (6N rows), kept channel by channel: many of them, such as biases and waves of the zero, are about
+/// one channel only, and products with them cost a sixth.
 class ChannelColumns {
  public:
   explicit ChannelColumns(const MatrixXd& J);
@@ -38,7 +39,7 @@ class ChannelColumns {
 
  private:
   Eigen::Index columns_ = 0;
-  std::array<MatrixXd, 6> parts_;                       ///< N x what is not zero in the channel
+  std::array<MatrixXd, 6> parts_;  ///< N x what is not zero in the channel
   std::array<std::vector<Eigen::Index>, 6> which_;
 };
 
@@ -60,8 +61,8 @@ class Normal {
 /// switched off (Term::active) keeps its value.
 Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds = 8);
 
-/// The fit, or the one that begins with its answer under white noise, whichever has more evidence: a noise that was learned with
-/// a long memory swallows slow misfit and holds on to it.
+/// The fit, or the one that begins with its answer under white noise, whichever has more evidence: a noise that was
+/// learned with a long memory swallows slow misfit and holds on to it.
 Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit);
 
 /// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
@@ -70,8 +71,8 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
 /// Orthonormal columns (6N rows) that span what a change of the fit's parameters can do to the whitened readings.
 MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches);
 
-/// What the waves of a walk cost in one channel, which shares the walk's size with two others: amplitudes (k = 1, 2, ..), their
-/// variances from the data alone, and the variance of the longest wave that the walk is said to have.
+/// What the waves of a walk cost in one channel, which shares the walk's size with two others: amplitudes (k = 1, 2,
+/// ..), their variances from the data alone, and the variance of the longest wave that the walk is said to have.
 double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest);
 
 /// Whether the zero walks in the model.

@@ -67,7 +67,8 @@ Signals reoriented(const Signals& signals, const Orientation& of) {
   }
   const auto at = [&](Eigen::Index k) { return static_cast<std::size_t>(std::clamp<Eigen::Index>(k, 0, n - 1)); };
   for (Eigen::Index k = 0; k < n; ++k)
-    out.kinematics.omega.col(k) = 0.5 * signals.rateHz * vectorFromRotation(out.R_BS[at(k - 1)].transpose() * out.R_BS[at(k + 1)]);
+    out.kinematics.omega.col(k) =
+        0.5 * signals.rateHz * vectorFromRotation(out.R_BS[at(k - 1)].transpose() * out.R_BS[at(k + 1)]);
   out.kinematics.alpha = rateOf(out.kinematics.omega, signals.rateHz);
   out.robot = nullptr;
   return out;
@@ -86,7 +87,8 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
     case FrameMistake::Kind::gravitySign:
       out.gravity = -signals.gravity;
       for (Eigen::Index k = 0; k < signals.size(); ++k)
-        out.kinematics.specificForce.col(k) += 2.0 * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity);
+        out.kinematics.specificForce.col(k) +=
+            2.0 * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity);
       break;
     case FrameMistake::Kind::transposed:
       return reoriented(signals, [](const Matrix3d& R) { return Matrix3d(R.transpose()); });
@@ -106,7 +108,8 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
   return out;
 }
 
-std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& null) {
+std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches,
+                                         const Fit& null) {
   const double before = forceRms(signals, null);
   const double mass = null.model.x(6), massStd = std::sqrt(null.covariance(6, 6));
   // The size of what there is to explain: without it every turn fits.

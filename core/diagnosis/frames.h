@@ -17,7 +17,8 @@ struct FrameMistake {
 };
 
 /// The mistake that, undone, leaves at most two fifths of the misfit; nothing if the recording is understood as stated.
-std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& null);
+std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches,
+                                         const Fit& null);
 
 /// The signals as they would be without it.
 Signals corrected(const Signals& signals, const FrameMistake& mistake);

@@ -19,9 +19,7 @@ Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& 
   take(even(flat(fit.residual), noise));
 }
 
-Ground::Ground(const Ground& other, const Wrenches& residual) : Ground(other) {
-  take(flat(residual));
-}
+Ground::Ground(const Ground& other, const Wrenches& residual) : Ground(other) { take(flat(residual)); }
 
 double Ground::evidence(const VectorXd& left) const {
   Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
@@ -75,8 +73,8 @@ Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double t
 
 namespace {
 
-/// Forward selection: the column that explains most, as long as it pays for itself and for the choice. What is chosen is
-/// made orthogonal to what was chosen before (Chen, Billings and Luo 1989), by products alone.
+/// Forward selection: the column that explains most, as long as it pays for itself and for the choice. What is chosen
+/// is made orthogonal to what was chosen before (Chen, Billings and Luo 1989), by products alone.
 Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
   constexpr double kLeast = 1e-12;  // Squared length below which a column says nothing new
   Judged out;

@@ -15,7 +15,7 @@ struct Ground {
   Noise noise;
   bool learnsAgain;  ///< The noise is no more than a weighting; gains are counted with noise refitted to what is left.
   MatrixXd basis;
-  VectorXd r;        ///< Whitened residual, freed of what the fit can do
+  VectorXd r;  ///< Whitened residual, freed of what the fit can do
   double energy = 1.0;
 
   double before = 0.0;  ///< Evidence of the residual as it is, all blocks made equally loud
@@ -33,8 +33,8 @@ struct Ground {
   void take(const VectorXd& residual);
 };
 
-/// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many times,
-/// otherwise each as it is needed.
+/// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many
+/// times, otherwise each as it is needed.
 class Dictionary {
  public:
   explicit Dictionary(MatrixXd columns, bool askedOften = false);
@@ -52,8 +52,8 @@ class Dictionary {
   Eigen::LDLT<MatrixXd> together_;
 };
 
-/// All columns at once, which must be few: a little of everything is cheaper so than piece by piece. `tries`: of how many such
-/// sets this is the best.
+/// All columns at once, which must be few: a little of everything is cheaper so than piece by piece. `tries`: of how
+/// many such sets this is the best.
 Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries);
 
 /// As many of the columns as pay for themselves, or all at once.

@@ -68,7 +68,12 @@ Runs staleRuns(const Recording& recording) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const auto& [from, to] = runs[k];
     const bool last = k + 1 == runs.size();
-    const Vector6d moved = last ? Vector6d::Ones() : (recording.wrench.row(to).array() != recording.wrench.row(from).array()).cast<double>().matrix().transpose().eval();
+    const Vector6d moved = last ? Vector6d::Ones()
+                                : (recording.wrench.row(to).array() != recording.wrench.row(from).array())
+                                      .cast<double>()
+                                      .matrix()
+                                      .transpose()
+                                      .eval();
     if (!last) still += Vector6d::Ones() - moved;
     if (to - from < 2 || moved.sum() < 4.0) continue;
     out.emplace_back(from + 1, to);
@@ -100,7 +105,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
 }
 
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {
-  constexpr double kLongest = 0.02;  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
+  constexpr double kLongest =
+      0.02;  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
   std::erase_if(stale, [&](const auto& run) {
     return stoodStill(recording, {run.first, run.second}) ||
            std::ranges::any_of(notJudged, [&](const Held& held) { return held.from == run.first; });
@@ -118,14 +124,16 @@ void refresh(Recording& cleaned, const Recording& recording, Runs stale, const s
   // The fresh row nearest to `at` on the way on from `row`, or none.
   const auto freshBeyond = [&](Eigen::Index row, Eigen::Index step, double at) {
     const double way = static_cast<double>(step);
-    while (row >= 0 && row < time.size() && (old[static_cast<std::size_t>(row)] || way * (time(row) - at) < 0.0)) row += step;
+    while (row >= 0 && row < time.size() && (old[static_cast<std::size_t>(row)] || way * (time(row) - at) < 0.0))
+      row += step;
     return row;
   };
   for (const auto& [from, to] : stale) {
     if (to == time.size()) continue;
     // As far away as the reading was held: slopes between close rows are mostly noise.
     const double lasted = time(to) - time(from - 1);
-    const Eigen::Index before = freshBeyond(from - 2, -1, time(from - 1) - lasted), behind = freshBeyond(to + 1, 1, time(to) + lasted);
+    const Eigen::Index before = freshBeyond(from - 2, -1, time(from - 1) - lasted),
+                       behind = freshBeyond(to + 1, 1, time(to) + lasted);
     if (before < 0 || behind >= time.size())
       straightOver({{from, to}}, time, cleaned.wrench);
     else

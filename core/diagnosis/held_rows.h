@@ -19,20 +19,20 @@ struct Held {
 /// repeats often and briefly. None where they make up more than a quarter of the recording.
 std::vector<Held> heldRows(const Recording& recording);
 
-/// Runs of rows [from, to) that repeat the reading before them, which was held back: nearly all channels have moved on when
-/// the next one comes. A smooth signal in coarse steps repeats, too, but goes on by a step in one channel or two. None if
-/// channels that stand still independently of each other would make a third as many.
+/// Runs of rows [from, to) that repeat the reading before them, which was held back: nearly all channels have moved on
+/// when the next one comes. A smooth signal in coarse steps repeats, too, but goes on by a step in one channel or two.
+/// None if channels that stand still independently of each other would make a third as many.
 Runs staleRuns(const Recording& recording);
 
-/// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are fewer than
-/// three such rows.
+/// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are
+/// fewer than three such rows.
 Runs zeroRuns(const Recording& recording);
 
 /// The wrench with straight lines in their place.
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
 
-/// Cubics through fresh readings in `cleaned`, where those of `recording` are `stale`. Not where the motion was held with them:
-/// then both are equally old; and not where most are held for long.
+/// Cubics through fresh readings in `cleaned`, where those of `recording` are `stale`. Not where the motion was held
+/// with them: then both are equally old; and not where most are held for long.
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged);
 
 /// The motion of whole rows that were repeated put back: a cubic through two rows on either side.

@@ -31,7 +31,8 @@ std::vector<std::vector<Stretch>> parts(const std::vector<Stretch>& stretches) {
   return out;
 }
 
-std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::vector<Stretch>& part, Eigen::Index gap) {
+std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::vector<Stretch>& part,
+                             Eigen::Index gap) {
   std::vector<Stretch> out;
   for (auto s : stretches) {
     std::vector<Stretch> left{s};
@@ -64,12 +65,14 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
   return out;
 }
 
-Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
+Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& signals,
+                                                               const std::vector<Stretch>& stretches, const Fit& fit) {
   const auto all = parts(stretches);
   Eigen::Matrix<double, 10, Eigen::Dynamic> out(10, std::ssize(all));
   onTwoThreads(all.size(), [&](std::size_t i) {
     const auto training = outside(stretches, all[i], 0);
-    out.col(static_cast<Eigen::Index>(i)) = (training.empty() ? fit.model : refitted(signals, training, fit)).x.tail<10>();
+    out.col(static_cast<Eigen::Index>(i)) =
+        (training.empty() ? fit.model : refitted(signals, training, fit)).x.tail<10>();
   });
   return out;
 }

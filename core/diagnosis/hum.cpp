@@ -27,7 +27,8 @@ std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& s
   }
   std::vector<Eigen::Index> all;
   for (Eigen::Index from = 0; from + length <= n; from += length / 2)
-    if (usableUpTo[static_cast<std::size_t>(from + length)] - usableUpTo[static_cast<std::size_t>(from)] == length) all.push_back(from);
+    if (usableUpTo[static_cast<std::size_t>(from + length)] - usableUpTo[static_cast<std::size_t>(from)] == length)
+      all.push_back(from);
   std::vector<Eigen::Index> out;
   const std::size_t step = std::max<std::size_t>(1, (all.size() + kMost - 1) / kMost);
   for (std::size_t i = 0; i < all.size(); i += step) out.push_back(all[i]);
@@ -37,12 +38,13 @@ std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& s
 }  // namespace
 
 std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
-  constexpr double kStandsOut = 10.0;          ///< Times the power beside it; noise reaches 3.5
-  constexpr double kBroad = 0.25;              ///< Of a line's power, two hertz to either side; a taper leaves 0.1
+  constexpr double kStandsOut = 10.0;              ///< Times the power beside it; noise reaches 3.5
+  constexpr double kBroad = 0.25;                  ///< Of a line's power, two hertz to either side; a taper leaves 0.1
   constexpr Eigen::Index kBeside = 10, kNear = 2;  ///< Lines, a hertz apart
   const double rate = recording.rateHz();
   const auto length = static_cast<Eigen::Index>(std::lround(rate));
-  const auto last = static_cast<Eigen::Index>(std::min(kHighestHz, kOfRate * rate)), first = static_cast<Eigen::Index>(kLowestHz);
+  const auto last = static_cast<Eigen::Index>(std::min(kHighestHz, kOfRate * rate)),
+             first = static_cast<Eigen::Index>(kLowestHz);
   if (last < first + kBeside) return std::nullopt;
   const auto windows = windowsOf(recording, signals, length);
   if (windows.size() < kFewest) return std::nullopt;
@@ -83,7 +85,8 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
               std::sqrt(scale * line.tail<3>().sum()), share, false};
   }
   if (out)
-    out->mains = std::ranges::any_of(std::array{50.0, 60.0, 100.0, 120.0}, [&](double f) { return std::abs(out->frequencyHz - f) < 1.5; });
+    out->mains = std::ranges::any_of(std::array{50.0, 60.0, 100.0, 120.0},
+                                     [&](double f) { return std::abs(out->frequencyHz - f) < 1.5; });
   return out;
 }
 

@@ -13,7 +13,8 @@ struct Hum {
   bool mains = false;                ///< 50 or 60 Hz or twice that
 };
 
-/// The line that stands out most, if any does; `recording` has evenly spaced rows, of which those in usable blocks count.
+/// The line that stands out most, if any does; `recording` has evenly spaced rows, of which those in usable blocks
+/// count.
 std::optional<Hum> humIn(const Recording& recording, const Signals& signals);
 
 }  // namespace heft::diagnosis

@@ -13,12 +13,18 @@ struct JointTurns::Cut {
   bool carries = false;  ///< Whether S is beyond the joint
   Vector3d axis = Vector3d::UnitZ();
   std::vector<Matrix3d> R_BJ, R_JS;
-  Eigen::Matrix3Xd omega, alpha, a;              ///< Of J in B
-  Eigen::Matrix3Xd place, speed, gain, turning, turnsFaster;  ///< Of S in J: position, velocity, acceleration, angular ones
+  Eigen::Matrix3Xd omega, alpha, a;  ///< Of J in B
+  Eigen::Matrix3Xd place, speed, gain, turning,
+      turnsFaster;  ///< Of S in J: position, velocity, acceleration, angular ones
 };
 
 JointTurns::JointTurns(const RobotModel& robot, int link, const Isometry3d& X_LS, MatrixXd q, MatrixXd dq, MatrixXd ddq)
-    : robot_(robot), link_(link), X_LS_(X_LS), q_(std::move(q)), dq_(std::move(dq)), ddq_(std::move(ddq)),
+    : robot_(robot),
+      link_(link),
+      X_LS_(X_LS),
+      q_(std::move(q)),
+      dq_(std::move(dq)),
+      ddq_(std::move(ddq)),
       cuts_(static_cast<std::size_t>(q_.rows())) {}
 
 JointTurns::~JointTurns() = default;
@@ -36,7 +42,8 @@ std::shared_ptr<const Kinematics> JointTurns::with(const JointTurn& turn, const 
   constexpr std::size_t kKept = 16;
   {
     const std::lock_guard lock(mutex_);
-    const auto known = std::ranges::find_if(answers_, [&](const Answer& a) { return a.turn == turn && a.gravity == gravity; });
+    const auto known =
+        std::ranges::find_if(answers_, [&](const Answer& a) { return a.turn == turn && a.gravity == gravity; });
     if (known != answers_.end()) {
       std::rotate(answers_.begin(), known, known + 1);
       return answers_.front().motion;
@@ -68,9 +75,12 @@ std::unique_ptr<JointTurns::Cut> JointTurns::made(int joint) const {
   const Eigen::Index n = q_.cols();
   out->R_BJ.resize(static_cast<std::size_t>(n));
   out->R_JS.resize(static_cast<std::size_t>(n));
-  for (Eigen::Matrix3Xd* each : {&out->omega, &out->alpha, &out->a, &out->place, &out->speed, &out->gain, &out->turning, &out->turnsFaster})
+  for (Eigen::Matrix3Xd* each :
+       {&out->omega, &out->alpha, &out->a, &out->place, &out->speed, &out->gain, &out->turning, &out->turnsFaster})
     each->resize(3, n);
-  const auto moves = [&](int link, const Isometry3d& X, Eigen::Index k) { return robot_.frameMotion(link, X, q_.col(k), dq_.col(k), ddq_.col(k)); };
+  const auto moves = [&](int link, const Isometry3d& X, Eigen::Index k) {
+    return robot_.frameMotion(link, X, q_.col(k), dq_.col(k), ddq_.col(k));
+  };
   if (sensor_.empty())
     for (Eigen::Index k = 0; k < n; ++k) sensor_.push_back(moves(link_, X_LS_, k));
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -86,7 +96,8 @@ std::unique_ptr<JointTurns::Cut> JointTurns::made(int joint) const {
     out->a.col(k) = back * J.a_BSo_B;
     out->place.col(k) = back * arm;
     out->speed.col(k) = back * speed;
-    out->gain.col(k) = back * (S.a_BSo_B - J.a_BSo_B - J.alpha_BS_B.cross(arm) - J.w_BS_B.cross(J.w_BS_B.cross(arm)) - 2.0 * J.w_BS_B.cross(speed));
+    out->gain.col(k) = back * (S.a_BSo_B - J.a_BSo_B - J.alpha_BS_B.cross(arm) - J.w_BS_B.cross(J.w_BS_B.cross(arm)) -
+                               2.0 * J.w_BS_B.cross(speed));
     out->turning.col(k) = back * turning;
     out->turnsFaster.col(k) = back * (S.alpha_BS_B - J.alpha_BS_B - J.w_BS_B.cross(turning));
   }
@@ -114,7 +125,8 @@ Kinematics JointTurns::worked(const JointTurn& by, const Vector3d& gravity) cons
   double turnedBy = 0.0;
   for (Eigen::Index k = 0; k < n; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    const double turned = cut.carries ? angle(k) : 0.0, faster = cut.carries ? rate(k) : 0.0, gains = cut.carries ? acceleration(k) : 0.0;
+    const double turned = cut.carries ? angle(k) : 0.0, faster = cut.carries ? rate(k) : 0.0,
+                 gains = cut.carries ? acceleration(k) : 0.0;
     if (turned != turnedBy) {
       turn = Eigen::AngleAxisd(turned, cut.axis).toRotationMatrix();
       turnedBy = turned;

@@ -20,9 +20,9 @@ struct JointTurn {
   bool operator==(const JointTurn&) const = default;
 };
 
-/// The motion of an arm cut in two at each of its joints: what carries the link that a joint turns, and what that link carries, in its own
-/// axes, where a further turn of the joint changes nothing. A few products instead of the whole arm's kinematics at each instant.
-/// Safe to share between threads.
+/// The motion of an arm cut in two at each of its joints: what carries the link that a joint turns, and what that link
+/// carries, in its own axes, where a further turn of the joint changes nothing. A few products instead of the whole
+/// arm's kinematics at each instant. Safe to share between threads.
 class JointTurns {
  public:
   /// Of frame S at X_LS on `link`; q, dq, ddq dof x K. `robot` must outlive it.
@@ -32,8 +32,8 @@ class JointTurns {
   /// Whether the joint turns, and no other with it: only such can be turned further here.
   bool turnsAlone(int joint) const;
 
-  /// Motion of S in S axes with one joint turned further. `gravity`: g_B. The latest answers are kept: who bends one joint after the other
-  /// asks for the same ones again.
+  /// Motion of S in S axes with one joint turned further. `gravity`: g_B. The latest answers are kept: who bends one
+  /// joint after the other asks for the same ones again.
   std::shared_ptr<const Kinematics> with(const JointTurn& turn, const Vector3d& gravity) const;
 
  private:
@@ -53,9 +53,9 @@ class JointTurns {
   Isometry3d X_LS_;
   MatrixXd q_, dq_, ddq_;
   mutable std::mutex mutex_;
-  mutable std::vector<FrameMotion> sensor_;         ///< Of S in B, for all cuts; like them made when first asked for
+  mutable std::vector<FrameMotion> sensor_;  ///< Of S in B, for all cuts; like them made when first asked for
   mutable std::vector<std::unique_ptr<Cut>> cuts_;
-  mutable std::deque<Answer> answers_;              ///< The latest first
+  mutable std::deque<Answer> answers_;  ///< The latest first
 };
 
 }  // namespace heft::diagnosis

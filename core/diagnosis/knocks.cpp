@@ -5,10 +5,10 @@
 namespace heft::diagnosis {
 
 std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model) {
-  /// Times the usual power beside a straight line through each block. Of 260 recordings 255 have none at 15, the others some, such as where
-  /// friction turns round; three and more at 60 had only a part that rattled.
+  /// Times the usual power beside a straight line through each block. Of 260 recordings 255 have none at 15, the others
+  /// some, such as where friction turns round; three and more at 60 had only a part that rattled.
   constexpr double kLoud = 60.0;
-  constexpr double kRings = 0.3;   ///< [s]
+  constexpr double kRings = 0.3;  ///< [s]
   const Wrenches left = signals.readings - predicted(signals, model);
   const Eigen::Index m = signals.samplesPerBlock;
   if (m < 4) return {};
@@ -16,7 +16,8 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
   Wrenches power = Wrenches::Zero(6, signals.blocks());
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
     const Wrenches block = left.middleCols(n * m, m);
-    power.col(n) = block.cwiseAbs2().rowwise().sum() - static_cast<double>(m) * Vector6d(block.rowwise().mean()).cwiseAbs2() -
+    power.col(n) = block.cwiseAbs2().rowwise().sum() -
+                   static_cast<double>(m) * Vector6d(block.rowwise().mean()).cwiseAbs2() -
                    Vector6d(block * course.transpose()).cwiseAbs2();
   }
   Vector6d usual;

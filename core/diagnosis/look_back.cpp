@@ -16,20 +16,22 @@ bool enlarges(std::string_view id) { return id == "flexible_mount" || id == "loo
 
 bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
   constexpr double kMost = 0.75;
-  constexpr std::array<std::string_view, 5> kLikeAWalk{"bias_drift", "sensor_bias", "payload_change", "contact", kWandering};
+  constexpr std::array<std::string_view, 5> kLikeAWalk{"bias_drift", "sensor_bias", "payload_change", "contact",
+                                                       kWandering};
   return std::ranges::find(kLikeAWalk, cause) == kLikeAWalk.end() && gain > std::max(kFaint, kMost * walk);
 }
 
 namespace {
 
-constexpr double kSame = 4.0;        ///< Twice the log-likelihood that sets no two causes apart
-constexpr double kChance = 3.0;      ///< Twice the log-likelihood that an idle parameter hardly ever gains
+constexpr double kSame = 4.0;    ///< Twice the log-likelihood that sets no two causes apart
+constexpr double kChance = 3.0;  ///< Twice the log-likelihood that an idle parameter hardly ever gains
 
-/// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it and
-/// together they may still reach `goal`.
+/// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it
+/// and together they may still reach `goal`.
 Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, Trial trial,
             std::span<const std::string_view> causes, std::size_t terms, double goal) {
-  constexpr double kMore = 1.5;  ///< Times what a first look promises, and a tie more: no fit in a hundred has gained that
+  constexpr double kMore =
+      1.5;  ///< Times what a first look promises, and a tie more: no fit in a hundred has gained that
   for (std::size_t i = 1; i < terms; ++i) {
     const auto ranked = promises(signals, stretches, bank, trial.fit, causes);
     if (ranked.empty()) break;
@@ -45,9 +47,10 @@ Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, Signa
   return trial;
 }
 
-/// A walk has waves for anything that is slow: two or three causes together may explain clearly more. `walk`: its gain; a faint
-/// one is left to be one.
-void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk, std::vector<Trial>& all) {
+/// A walk has waves for anything that is slow: two or three causes together may explain clearly more. `walk`: its gain;
+/// a faint one is left to be one.
+void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk,
+                 std::vector<Trial>& all) {
   constexpr std::size_t kTop = 3, kTerms = 3;
   constexpr double kNear = 0.25;  ///< Share of what the walk explains
   if (walk < 2.0 * kFaint) return;
@@ -69,23 +72,26 @@ void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, 
 void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Model& model,
                 std::string_view cause, std::vector<Trial>& all) {
   constexpr double kNear = 0.6;  ///< Share of the best
-  const auto terms = static_cast<std::size_t>(std::ranges::count_if(model.terms, [&](const Term& t) { return causeOf(t) == cause; }));
+  const auto terms =
+      static_cast<std::size_t>(std::ranges::count_if(model.terms, [&](const Term& t) { return causeOf(t) == cause; }));
   if (terms < 2 || all.empty()) return;
   const double best = all.front().gain;
   std::vector<std::string_view> done{cause};
   for (Trial& trial : all) {
     const Form& form = *trial.fit.model.terms.back().form;
     const std::array<std::string_view, 1> same{form.cause->id()};
-    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end()) continue;
+    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end())
+      continue;
     done.push_back(same[0]);
     trial = grown(signals, stretches, bank, std::move(trial), same, terms, 0.0);
   }
   sortByGain(all);
 }
 
-/// What was accepted has come to rest on a long way; where its own cause does not reach as much again, others that came as near
-/// are fitted as long.
-void settleRivals(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Found& found, std::vector<Trial>& all) {
+/// What was accepted has come to rest on a long way; where its own cause does not reach as much again, others that came
+/// as near are fitted as long.
+void settleRivals(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Found& found,
+                  std::vector<Trial>& all) {
   const auto own = std::ranges::find_if(all, [&](const Trial& t) { return t.cause == found.cause; });
   if (own == all.end() || own->gain > found.gain - 0.5 * kTie) return;
   const double near = own->gain - 2.0 * kTie;
@@ -105,8 +111,8 @@ Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
           trial.fit.dimensions - accepted.dimensions, trial.fit.model.x.tail<10>()};
 }
 
-/// How far from the only term of `cause` in `model` the parameters of other trials of it lie that explain about as much: what a
-/// deviation, which looks around one answer, does not see. Empty if there are several terms.
+/// How far from the only term of `cause` in `model` the parameters of other trials of it lie that explain about as
+/// much: what a deviation, which looks around one answer, does not see. Empty if there are several terms.
 VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<Trial>& all) {
   const auto own = [&](const Term& t) { return causeOf(t) == cause; };
   const auto& terms = model.terms;
@@ -123,9 +129,10 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
   return out;
 }
 
-/// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger than the
-/// motion says, what swings below its resonance like motion that was smoothed; or something begins to pull where, as far as the tool
-/// turns, the zero may have jumped: how well either fits is not known better than to a share of what both explain.
+/// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger
+/// than the motion says, what swings below its resonance like motion that was smoothed; or something begins to pull
+/// where, as far as the tool turns, the zero may have jumped: how well either fits is not known better than to a share
+/// of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
   constexpr double kShare = 0.05, kShareOfEvent = 0.1;
   const auto begins = [](std::string_view id) { return id == "sensor_bias" || id == "constant_pull"; };
@@ -133,9 +140,9 @@ double slackBetween(std::string_view a, std::string_view b, double gain) {
   return (lags(a) && lags(b)) || (enlarges(a) && enlarges(b)) ? kShare * gain : 0.0;
 }
 
-/// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm. Of a
-/// walk that is plain to see, a drift never explains as much (it was at least 14 behind in 60 simulated ones; where there was
-/// a drift, at most 9).
+/// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm.
+/// Of a walk that is plain to see, a drift never explains as much (it was at least 14 behind in 60 simulated ones;
+/// where there was a drift, at most 9).
 double leadFor(const Found& found, const Rival& rival) {
   constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kWandering, walkComes = rival.cause == kWandering;
@@ -149,9 +156,10 @@ double leadFor(const Found& found, const Rival& rival) {
   return walkGoes ? ahead : -ahead;
 }
 
-/// The model fitted without `cause`; where others make no sense without it, without those, too, the last accepted first.
-Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model, std::string_view cause,
-                std::span<const std::string> order) {
+/// The model fitted without `cause`; where others make no sense without it, without those, too, the last accepted
+/// first.
+Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model,
+                std::string_view cause, std::span<const std::string> order) {
   Model less = without(model, cause);
   Fit out = settled(signals, stretches, fitModel(signals, stretches, less));
   for (std::size_t i = order.size(); i-- > 0 && !believable(out);) {
@@ -162,10 +170,10 @@ Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, c
   return out;
 }
 
-/// A fit with one term of either `cause` or a named one that it is easily taken for, instead of all terms of both, where that
-/// explains about as well: such as a pull at the tip that was told as a tilt and a pull at the sensor.
-std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& final,
-                             std::string_view cause) {
+/// A fit with one term of either `cause` or a named one that it is easily taken for, instead of all terms of both,
+/// where that explains about as well: such as a pull at the tip that was told as a tilt and a pull at the sensor.
+std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                             const Fit& final, std::string_view cause) {
   for (const auto& other : findCause(cause)->lookAlikes()) {
     if (!contains(final.model, other)) continue;
     const std::array<std::string_view, 2> both{cause, other};
@@ -195,8 +203,8 @@ bool tied(const Found& found, const Rival& rival) {
   return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
 }
 
-bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
-              Search& search, const Progress& progress) {
+bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+              const SearchOptions& options, Search& search, const Progress& progress) {
   // The last look changes nothing any more: what was found must be told whole.
   constexpr int kLooks = 3;
   bool changed = true, ever = false;
@@ -214,13 +222,15 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       progress(0.8, heft::say("Comparing what could stand in its place"));
       Found found;
       found.cause = cause;
-      // What was tried around the same model before, such as before the last cause was accepted, is what stands against it now.
+      // What was tried around the same model before, such as before the last cause was accepted, is what stands against
+      // it now.
       const Model bare = without(search.final.model, cause);
       auto known = std::ranges::find_if(tried, [&](const Tried& t) { return sameForms(bare, t.base.model); });
       if (known == tried.end()) {
         Tried fresh{restWithout(signals, stretches, search.final.model, cause, search.order), {}};
         const auto ranked = promises(signals, stretches, bank, fresh.base);
-        fresh.all = trialsOf(signals, stretches, fresh.base, chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
+        fresh.all = trialsOf(signals, stretches, fresh.base,
+                             chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
         addAtThatMoment(signals, stretches, fresh.base, ranked, fresh.all);
         addCompletions(signals, stretches, fresh.base, fresh.all);
         known = tried.insert(tried.end(), std::move(fresh));
@@ -243,21 +253,24 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       // What another of the named causes explains about as well needs no name of its own.
       const auto other = std::ranges::find_if(all, [&](const Trial& t) {
         const Form& form = *t.fit.model.terms.back().form;
-        return t.gain > found.gain - kTie && t.cause != cause && contains(rest.model, t.cause) && !form.local && !form.walk;
+        return t.gain > found.gain - kTie && t.cause != cause && contains(rest.model, t.cause) && !form.local &&
+               !form.walk;
       });
       if (other != all.end() && look + 1 < kLooks) {
         take(other->fit);
         std::erase(search.order, cause);
         break;
       }
-      if (const auto one = look + 1 < kLooks ? oneForTwo(signals, stretches, bank, search.final, cause) : std::nullopt) {
+      if (const auto one =
+              look + 1 < kLooks ? oneForTwo(signals, stretches, bank, search.final, cause) : std::nullopt) {
         take(*one);
         std::erase_if(search.order, [&](const std::string& named) { return !contains(search.final.model, named); });
         break;
       }
       std::map<std::string, const Trial*> best;
       for (const auto& trial : all)
-        if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) && best.try_emplace(trial.cause, &trial).second)
+        if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) &&
+            best.try_emplace(trial.cause, &trial).second)
           found.rivals.push_back(rivalOf(found, trial, search.final));
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
@@ -267,7 +280,8 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         take(best.at(better->cause)->fit);
         *std::find(search.order.begin(), search.order.end(), cause) = better->cause;
         for (const Term& term : search.final.model.terms)
-          if (std::find(search.order.begin(), search.order.end(), causeOf(term)) == search.order.end()) search.order.emplace_back(causeOf(term));
+          if (std::find(search.order.begin(), search.order.end(), causeOf(term)) == search.order.end())
+            search.order.emplace_back(causeOf(term));
         break;
       }
       std::erase_if(found.rivals, [&](const Rival& r) { return !tied(found, r); });

@@ -22,7 +22,8 @@ Order inOrder(const std::vector<Term>& terms) {
 
 /// `from`: as the terms before `first` bend it.
 Kinematics bent(const Signals& signals, const Order& terms, std::size_t first, Kinematics from) {
-  for (std::size_t i = first; i < terms.size(); ++i) terms[i]->form->cause->geometry(*terms[i]->form, terms[i]->v, signals, from);
+  for (std::size_t i = first; i < terms.size(); ++i)
+    terms[i]->form->cause->geometry(*terms[i]->form, terms[i]->v, signals, from);
   return from;
 }
 
@@ -105,7 +106,9 @@ Wrenches valueOf(const Signals& signals, const Model& model) { return averaged(s
 
 namespace {
 
-bool bendsOrChanges(const Term& term) { return term.form->cause->bendsGeometry() || term.form->cause->changesSensor(*term.form); }
+bool bendsOrChanges(const Term& term) {
+  return term.form->cause->bendsGeometry() || term.form->cause->changesSensor(*term.form);
+}
 
 /// What changes with each parameter of one term, where everything else stays as it is.
 class Moving {
@@ -127,7 +130,8 @@ class Moving {
 
   /// The readings, averaged.
   Wrenches value() const {
-    const Wrenches told = told_.size() > 0 ? told_ : sensed(signals_, terms_, loads(signals_, model_, terms_, kinematics_));
+    const Wrenches told =
+        told_.size() > 0 ? told_ : sensed(signals_, terms_, loads(signals_, model_, terms_, kinematics_));
     return averaged(signals_, readings(signals_, model_, terms_, told));
   }
 
@@ -219,12 +223,15 @@ class Moving {
   Order terms_;  ///< Of model_
   Kinematics kinematics_;
   std::vector<Kinematics> before_;  ///< Each of terms_ that bends it
-  Wrenches load_, told_;  ///< Empty where no parameter changes them
+  Wrenches load_, told_;            ///< Empty where no parameter changes them
   bool linear_ = true;
 };
 
-/// Whether the columns of the term's parameters are the same wherever these are, as long as nothing bends or changes what it adds.
-bool addsLinearly(const Term& term) { return term.form->scan.size() == term.form->parameters.size() && !bendsOrChanges(term); }
+/// Whether the columns of the term's parameters are the same wherever these are, as long as nothing bends or changes
+/// what it adds.
+bool addsLinearly(const Term& term) {
+  return term.form->scan.size() == term.form->parameters.size() && !bendsOrChanges(term);
+}
 
 }  // namespace
 
@@ -256,8 +263,12 @@ Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches 
 }
 
 Surroundings::Surroundings(const Signals& signals, const Model& model)
-    : signals_(signals), model_(model), terms_(inOrder(model.terms)), kinematics_(bent(signals, terms_)),
-      load_(loads(signals, model, terms_, kinematics_)), sensed_(sensed(signals, terms_, load_)) {}
+    : signals_(signals),
+      model_(model),
+      terms_(inOrder(model.terms)),
+      kinematics_(bent(signals, terms_)),
+      load_(loads(signals, model, terms_, kinematics_)),
+      sensed_(sensed(signals, terms_, load_)) {}
 
 MatrixXd Surroundings::signatures(const Form& form) const {
   const auto shared = std::make_shared<const Form>(form);
@@ -280,7 +291,8 @@ MatrixXd Surroundings::signatures(const Form& form) const {
       Model with = model_;
       with.terms.push_back({shared, v, {}});
       const Order terms = inOrder(with.terms);
-      w = sensed(signals_, terms, cause.bendsGeometry() ? loads(signals_, with, terms, bent(signals_, terms)) : load_) - sensed_;
+      w = sensed(signals_, terms, cause.bendsGeometry() ? loads(signals_, with, terms, bent(signals_, terms)) : load_) -
+          sensed_;
     }
     out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, w)) / step;
   }

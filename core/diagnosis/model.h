@@ -1,5 +1,6 @@
 #pragma once
-// Bias, payload and accepted causes together: what the sensor should have read, and how that changes with each parameter.
+// Bias, payload and accepted causes together: what the sensor should have read, and how that changes with each
+// parameter.
 #include <memory>
 #include <vector>
 
@@ -11,9 +12,10 @@ constexpr int kLinear = 16;  ///< x = [bias force, bias torque, phi]
 
 struct Term {
   std::shared_ptr<const Form> form;
-  VectorXd v;                ///< SI
-  std::vector<bool> active;  ///< One a parameter: false keeps it where it is. Empty: all move.
-  Vector6d walk = Vector6d::Zero();  ///< Of a walk's waves: variance of each channel's longest, learned with the fit, one for each kind
+  VectorXd v;                        ///< SI
+  std::vector<bool> active;          ///< One a parameter: false keeps it where it is. Empty: all move.
+  Vector6d walk = Vector6d::Zero();  ///< Of a walk's waves: variance of each channel's longest, learned with the fit,
+                                     ///< one for each kind
 
   bool moves(Eigen::Index p) const { return active.empty() || active[static_cast<std::size_t>(p)]; }
 };
@@ -44,8 +46,8 @@ struct Linearised {
 };
 Linearised linearised(const Signals& signals, const Model& model);
 
-/// The same where `value` is known and `jacobian` is of a model with the same terms that differs in parameters only: columns that
-/// do not depend on these are kept.
+/// The same where `value` is known and `jacobian` is of a model with the same terms that differs in parameters only:
+/// columns that do not depend on these are kept.
 Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian);
 
 /// A model that a form may be added to; neither it nor the signals may go before this.

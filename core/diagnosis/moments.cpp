@@ -8,15 +8,17 @@
 namespace heft::diagnosis {
 
 std::vector<double> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kLeap = 30.0;      // Squared deviations in six channels
-  constexpr double kMeanOver = 0.2;   // [s] before and after
-  const auto length = std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(kMeanOver * signals.blockRate())));
+  constexpr double kLeap = 30.0;     // Squared deviations in six channels
+  constexpr double kMeanOver = 0.2;  // [s] before and after
+  const auto length =
+      std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(kMeanOver * signals.blockRate())));
   std::vector<Eigen::Index> at;
   std::vector<Vector6d> steps;
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from + length; n + length <= s.to; ++n) {
       at.push_back(n);
-      steps.push_back(residual.middleCols(n, length).rowwise().mean() - residual.middleCols(n - length, length).rowwise().mean());
+      steps.push_back(residual.middleCols(n, length).rowwise().mean() -
+                      residual.middleCols(n - length, length).rowwise().mean());
     }
   if (at.size() < 100) return {};
   Vector6d usual;

@@ -40,11 +40,14 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
         }
         const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
         // A step shorter than the blocks show: how long it takes is less than usual, and no more is known.
-        if (parameter.lowerIsFine && term.v(p) <= parameter.lower) deviation(p) = std::min(deviation(p), parameter.size);
+        if (parameter.lowerIsFine && term.v(p) <= parameter.lower)
+          deviation(p) = std::min(deviation(p), parameter.size);
         std::string name = parameter.name;
         for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
           name = fmt::format("{}_{}", parameter.name, i);
-        const auto told = [&](double value) { return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale; };
+        const auto told = [&](double value) {
+          return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale;
+        };
         const double little = 1e-3 * parameter.size;
         const double slope = std::abs(told(term.v(p) + little) - told(term.v(p) - little)) / (2.0 * little);
         out.push_back({name, parameter.unit, told(term.v(p)), deviation(p) * slope});

@@ -43,7 +43,8 @@ Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches
     double judged = 0.0;
     for (const auto& s : stretches) judged += std::max(0.0, static_cast<double>(s.to - s.from - model.order()));
     const double achieved = squares(c) / std::max(1.0, judged);
-    out.evidence -= counts(c) * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, counts(c)));
+    out.evidence -=
+        counts(c) * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, counts(c)));
   }
   return out;
 }
@@ -52,8 +53,10 @@ Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches
 Wrenches evenness(const Wrenches& louder, double share) { return (1.0 + share * louder.array()).rsqrt().matrix(); }
 
 /// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
-double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches, const Wrenches& louder, double share) {
-  Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was, logs = Eigen::Array<double, 6, 1>::Zero();
+double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
+                      const Wrenches& louder, double share) {
+  Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was,
+                             logs = Eigen::Array<double, 6, 1>::Zero();
   double count = 0.0;
   for (const auto& s : stretches) {
     for (Eigen::Index n = s.from; n < s.to; ++n) {
@@ -67,7 +70,8 @@ double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Str
   return (count * (was / is).log() - logs).sum();
 }
 
-Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder, const std::shared_ptr<const Wrenches>& louder) {
+Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder,
+             const std::shared_ptr<const Wrenches>& louder) {
   // The next smoother motion may be as far from the truth as this one is from it, hardly farther.
   constexpr std::array<double, 4> kShares{1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0};
   Noise out = fittedEven(residual, stretches, maxOrder);
@@ -107,11 +111,13 @@ std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
   return out;
 }
 
-Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder) {
+Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
+               const std::shared_ptr<const Wrenches>& louder) {
   return fitted(residual, stretches, kMaxOrder, louder);
 }
 
-Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder) {
+Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
+            const std::shared_ptr<const Wrenches>& louder) {
   return fitted(residual, stretches, 0, louder);
 }
 
@@ -131,8 +137,8 @@ using Coefficients = Eigen::Matrix<double, 6, kMaxOrder>;
 
 /// Innovations of columns [from, to) of `x` into `e`, all six channels at once with memories of `Order`.
 template <int Order>
-void innovate(const Eigen::Map<const Wrenches>& x, Eigen::Index from, Eigen::Index to, const Vector6d& scale, const Coefficients& coefficients,
-              Eigen::Map<Wrenches>& e) {
+void innovate(const Eigen::Map<const Wrenches>& x, Eigen::Index from, Eigen::Index to, const Vector6d& scale,
+              const Coefficients& coefficients, Eigen::Map<Wrenches>& e) {
   for (Eigen::Index n = from; n < to; ++n) {
     Vector6d sum = scale.cwiseProduct(x.col(n));
     for (Eigen::Index i = 0; i < Order; ++i) sum -= coefficients.col(i).cwiseProduct(x.col(n - 1 - i));

@@ -17,7 +17,7 @@ struct Stretch {
 std::vector<Stretch> stretchesOf(const std::vector<bool>& usable);
 
 struct Noise {
-  std::array<ArModel, 6> channels;  ///< Of what is left once all blocks are made equally loud
+  std::array<ArModel, 6> channels;         ///< Of what is left once all blocks are made equally loud
   std::shared_ptr<const Wrenches> louder;  ///< As Signals::louder
   double share = 0.0;                      ///< Of it that the residual shows
   /// Twice the log-likelihood of the residual it was fitted to, minus ln n for each coefficient of the noise.
@@ -26,10 +26,12 @@ struct Noise {
 };
 
 /// `louder`: as Signals::louder; how much of it there is, is learned, too.
-Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder);
+Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
+               const std::shared_ptr<const Wrenches>& louder);
 
 /// The same sizes without memory.
-Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches, const std::shared_ptr<const Wrenches>& louder);
+Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
+            const std::shared_ptr<const Wrenches>& louder);
 
 /// Columns of 6N rows with all blocks made equally loud: what `noise.channels` are about.
 MatrixXd even(const MatrixXd& columns, const Noise& noise);

@@ -25,7 +25,8 @@ double noiseFromRowToRow(const Columns& columns) {
   for (Eigen::Index c = 0; c < columns.cols() && n > 0; ++c) {
     std::vector<double> differences(static_cast<std::size_t>(n));
     for (Eigen::Index i = 0; i < n; ++i)
-      differences[static_cast<std::size_t>(i)] = std::abs(columns(i + 3, c) - 3.0 * columns(i + 2, c) + 3.0 * columns(i + 1, c) - columns(i, c));
+      differences[static_cast<std::size_t>(i)] =
+          std::abs(columns(i + 3, c) - 3.0 * columns(i + 2, c) + 3.0 * columns(i + 1, c) - columns(i, c));
     out = std::max(out, 1.4826 * median(std::move(differences)) / kThird);
   }
   return out;
@@ -39,10 +40,11 @@ double noiseOfMotion(const Recording& recording) {
 
 }  // namespace
 
-std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed, double evidence) {
-  // Of 260 recordings, whatever was wrong with them, noise became 2.4 times smaller at most, and 1.75 times where a robot reports
-  // its angles late and unevenly; noisy angles began at 2.7. So did, now and then, motion with the noise that a robot's has, 2.5e-5
-  // at most, under a quiet sensor; where somebody had made it noisy, it had 3e-4 or more.
+std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed,
+                                       double evidence) {
+  // Of 260 recordings, whatever was wrong with them, noise became 2.4 times smaller at most, and 1.75 times where a
+  // robot reports its angles late and unevenly; noisy angles began at 2.7. So did, now and then, motion with the noise
+  // that a robot's has, 2.5e-5 at most, under a quiet sensor; where somebody had made it noisy, it had 3e-4 or more.
   constexpr double kTimes = 2.2, kPlain = 1e-4;
   const auto judged = static_cast<double>(std::ranges::count(usual.signals.usable, true));
   if (evidence < 12.0 * judged * std::log(kTimes)) return {};

@@ -1,5 +1,6 @@
 #pragma once
-// Angles or poses so noisy that accelerations worked out from them, with the usual smoothing, hide what the sensor can see.
+// Angles or poses so noisy that accelerations worked out from them, with the usual smoothing, hide what the sensor can
+// see.
 #include <optional>
 
 #include "core/diagnosis/diagnose.h"
@@ -14,6 +15,7 @@ struct NoisyMotion {
 };
 
 /// None where more smoothing hardly helps. `evidence`: of `smoothed` over `usual`, by bias and payload alone.
-std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed, double evidence);
+std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed,
+                                       double evidence);
 
 }  // namespace heft::diagnosis

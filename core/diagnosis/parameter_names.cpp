@@ -89,27 +89,35 @@ std::string wordsOf(std::string_view name) {
   if (name == "gain_force") return heft::say("Gain of all forces off by");
   if (name == "step_torque") return heft::say("Step of the torque readings");
   if (name.size() == 2 && name[0] == 'r' && isAxis(name.substr(1))) return heft::say("Turned about {}", name.substr(1));
-  if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1))) return heft::say("Shifted along {}", name.substr(1));
+  if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1)))
+    return heft::say("Shifted along {}", name.substr(1));
   if (name.starts_with("gain_"))
     if (const auto channel = channelOf(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
   if (name.starts_with("growth_"))
-    if (const auto channel = channelOf(name.substr(7))) return heft::say("Gain of {} changes by", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(7)))
+      return heft::say("Gain of {} changes by", channelWords(*channel));
   if (name.starts_with("asymmetry_"))
-    if (const auto channel = channelOf(name.substr(10))) return heft::say("Gain of {}, more to one side", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(10)))
+      return heft::say("Gain of {}, more to one side", channelWords(*channel));
   if (name.starts_with("loss_"))
-    if (const auto channel = channelOf(name.substr(5))) return heft::say("Missing near the end of the range, {}", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(5)))
+      return heft::say("Missing near the end of the range, {}", channelWords(*channel));
   if (name.starts_with("knee_"))
-    if (const auto channel = channelOf(name.substr(5))) return heft::say("Of the range, how much that is, {}", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(5)))
+      return heft::say("Of the range, how much that is, {}", channelWords(*channel));
   if (name.starts_with("level_"))
-    if (const auto channel = channelOf(name.substr(6))) return heft::say("End of the range, {}", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(6)))
+      return heft::say("End of the range, {}", channelWords(*channel));
   if (name.size() == 8 && name.substr(2, 4) == "_to_") {
     const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
     if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
   }
   if (name.ends_with("_slope"))
-    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 8) return heft::say("Rate in {}", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 8)
+      return heft::say("Rate in {}", channelWords(*channel));
   if (name.ends_with("_bend"))
-    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 7) return heft::say("Bend in {}", channelWords(*channel));
+    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 7)
+      return heft::say("Bend in {}", channelWords(*channel));
   if (const auto once = name.find("_once_"); once != std::string_view::npos && name[0] == 'q') {
     const auto joint = name.substr(1, once - 1);
     if (name.ends_with("_sine")) return heft::say("Angle of joint {} off by, times its sine", joint);
@@ -127,7 +135,8 @@ std::string wordsOf(std::string_view name) {
 
 std::string_view occurrenceOf(std::string_view name) {
   const auto line = name.rfind('_');
-  const bool counted = line != std::string_view::npos && line + 1 < name.size() && std::isdigit(static_cast<unsigned char>(name[line + 1])) != 0;
+  const bool counted = line != std::string_view::npos && line + 1 < name.size() &&
+                       std::isdigit(static_cast<unsigned char>(name[line + 1])) != 0;
   return counted ? name.substr(line) : std::string_view();
 }
 

@@ -32,7 +32,8 @@ Doubt ofFit(const Fit& fit) {
   out.mass = fit.covariance(6, 6);
   for (int i = 0; i < 3; ++i) {
     const double c = fit.model.x(7 + i) / m;
-    const double variance = fit.covariance(7 + i, 7 + i) - 2.0 * c * fit.covariance(6, 7 + i) + c * c * fit.covariance(6, 6);
+    const double variance =
+        fit.covariance(7 + i, 7 + i) - 2.0 * c * fit.covariance(6, 7 + i) + c * c * fit.covariance(6, 6);
     out.com(i) = std::max(0.0, variance) / (m * m);
   }
   return out;
@@ -77,7 +78,8 @@ void widen(EstimateReport& report, const Doubt& fit, const Doubt& more) {
     deviation = wide;
   };
   grow(report.std.mass, report.interval95.mass, fit.mass, more.mass);
-  for (int i = 0; i < 3; ++i) grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], fit.com(i), more.com(i));
+  for (int i = 0; i < 3; ++i)
+    grow(report.std.com(i), report.interval95.com[static_cast<std::size_t>(i)], fit.com(i), more.com(i));
 }
 
 /// Unseen stretches come out no worse in force and torque, and better in one.
@@ -152,17 +154,23 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
                  heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
                  heft::say("Repeat the recording without touching anything."));
   } else if (unknown && !predictsBetter(report.after, report.before)) {
-    leaveAsItWas(report, work, "payload_left_as_it_was",
-                 heft::say("Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
-                 heft::say("Find what is unknown first: record the motion once more, more slowly."));
+    leaveAsItWas(
+        report, work, "payload_left_as_it_was",
+        heft::say(
+            "Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
+        heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (unknown && !report.mistake && movesFar(report.after, report.before)) {
     leaveAsItWas(report, work, "payload_left_as_it_was",
-                 heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was."),
+                 heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while "
+                           "something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {
-    report.findings.push_back({Severity::info, "payload_as_stated",
-                               heft::say("The payload is told from the sensor's place and axes as the meta file states them."),
-                               heft::say("Where the corrected meta file is used, estimate once more with it."), {}});
+    report.findings.push_back(
+        {Severity::info,
+         "payload_as_stated",
+         heft::say("The payload is told from the sensor's place and axes as the meta file states them."),
+         heft::say("Where the corrected meta file is used, estimate once more with it."),
+         {}});
   }
   return std::nullopt;
 }

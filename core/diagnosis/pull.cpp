@@ -58,7 +58,8 @@ std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witnes
     const char axis = "xyz"[i];
     const CauseParameter* along = find(cable.parameters, std::string("stiffness_") + axis);
     if (const CauseParameter* told = along ? along : alike) stiffnessStd(i) = told->std;
-    if (const CauseParameter* f = find(cable.parameters, std::string("force_") + axis)) force(i) = f->value, forceStd(i) = f->std;
+    if (const CauseParameter* f = find(cable.parameters, std::string("force_") + axis))
+      force(i) = f->value, forceStd(i) = f->std;
     if (const CauseParameter* anchor = find(cable.parameters, std::string("anchor_") + axis)) {
       placed = true;
       out.anchor(i) = kMetre * anchor->value;

@@ -9,19 +9,20 @@
 
 namespace heft::diagnosis {
 
-/// Symmetric, B axes [N/m]: alike to all sides, or along each axis and, where it has them, across two. `ending`: what follows the
-/// parameters' names where a cause has several terms.
+/// Symmetric, B axes [N/m]: alike to all sides, or along each axis and, where it has them, across two. `ending`: what
+/// follows the parameters' names where a cause has several terms.
 Matrix3d stiffnessOf(const std::vector<CauseParameter>& parameters, std::string_view ending = {});
 
 /// Where a cable pulls to.
 struct Pull {
-  Vector3d anchor = Vector3d::Zero();  ///< Where it is fixed or, where that was not found itself, where its force would be none, B axes [m]
+  Vector3d anchor = Vector3d::Zero();  ///< Where it is fixed or, where that was not found itself, where its force would
+                                       ///< be none, B axes [m]
   double anchorStd = 0.0;              ///< Largest of the three deviations [m]
   double force = 0.0;                  ///< How hard it pulls, on average over the motion [N]
 };
 
-/// None where a cable is too soft along some axis to tell a place, or where `witnesses` (those of the same recording) lack the
-/// tool's position.
+/// None where a cable is too soft along some axis to tell a place, or where `witnesses` (those of the same recording)
+/// lack the tool's position.
 std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witness>& witnesses);
 
 }  // namespace heft::diagnosis

@@ -53,8 +53,8 @@ json jsonOf(const DiagnosedCause& cause) {
 
 std::string payloadLine(const EstimateReport& report) {
   const auto& p = report.payload;
-  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm", p.mass, 1.96 * report.std.mass, p.com.x() * 1e3,
-                     p.com.y() * 1e3, p.com.z() * 1e3);
+  return fmt::format("{:.4f} ± {:.4f} kg, centre of mass ({:.1f}, {:.1f}, {:.1f}) mm", p.mass, 1.96 * report.std.mass,
+                     p.com.x() * 1e3, p.com.y() * 1e3, p.com.z() * 1e3);
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ nlohmann::json DiagnosisReport::metaChanges() const {
     };
     constexpr double kRad = 3.14159265358979323846 / 180.0;
     if (cause.id == "sensor_rotation" || (cause.id == "frame_error" && !cause.parameters.empty())) {
-      const Matrix3d R = rotationFromRpy(meta.mount.rpy) *
-                         rotationFromVector(Vector3d(value("rx"), value("ry"), value("rz")) * kRad);
+      const Matrix3d R =
+          rotationFromRpy(meta.mount.rpy) * rotationFromVector(Vector3d(value("rx"), value("ry"), value("rz")) * kRad);
       const Vector3d rpy = rpyFromRotation(R);
       out["sensor"]["mount"]["rpy_rad"] = {rpy.x(), rpy.y(), rpy.z()};
     } else if (cause.id == "lever_arm") {
@@ -151,8 +151,9 @@ nlohmann::json toJson(const DiagnosisReport& report) {
 
 std::string toText(const DiagnosisReport& report) {
   std::string out = report.sentence + "\n\n";
-  out += fmt::format("Misfit of the plain model  {:.3f} N  {:.4f} N m\nNoise floor                {:.3f} N  {:.4f} N m\n",
-                     report.baseline.force, report.baseline.torque, report.noise.force, report.noise.torque);
+  out +=
+      fmt::format("Misfit of the plain model  {:.3f} N  {:.4f} N m\nNoise floor                {:.3f} N  {:.4f} N m\n",
+                  report.baseline.force, report.baseline.torque, report.noise.force, report.noise.torque);
   int number = 0;
   for (const auto& cause : report.causes) {
     out += fmt::format("\n{}. {} ({})\n   {}\n", ++number, cause.title, cause.id, cause.sentence);
@@ -161,12 +162,12 @@ std::string toText(const DiagnosisReport& report) {
                          : fmt::format("   {:<18} {:.4g} {}\n", p.name, p.value, p.unit);
     for (const auto& [from, to] : cause.when) out += fmt::format("   from {:.2f} to {:.2f} s\n", from, to);
     if (cause.gain.blocks > 0)
-      out += fmt::format("   Unseen stretches: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m; better in {} of {}\n", cause.gain.forceBefore,
-                         cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter, cause.gain.blocksBetter,
-                         cause.gain.blocks);
+      out += fmt::format("   Unseen stretches: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m; better in {} of {}\n",
+                         cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
+                         cause.gain.blocksBetter, cause.gain.blocks);
     if (!cause.direct && report.surrogates > 0)
-      out += fmt::format("   Evidence {:.0f}; on {} simulated clean recordings never above {:.1f} in 95 %\n", cause.deltaBic,
-                         report.surrogates, report.threshold);
+      out += fmt::format("   Evidence {:.0f}; on {} simulated clean recordings never above {:.1f} in 95 %\n",
+                         cause.deltaBic, report.surrogates, report.threshold);
     if (!cause.alternatives.empty())
       out += fmt::format("   This motion cannot tell it from: {}\n   To tell them apart: {}\n",
                          fmt::join(cause.alternatives, ", "), cause.tellApart);
@@ -174,16 +175,21 @@ std::string toText(const DiagnosisReport& report) {
   }
   if (report.verdict == Verdict::unexplained)
     out += fmt::format("\nUnknown: {} goes with {}; no cause in the catalogue accounts for it.\n",
-                       report.remaining.share > 0.0 ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share) : "something",
+                       report.remaining.share > 0.0
+                           ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share)
+                           : "something",
                        report.remaining.goesWith);
   if (!report.causes.empty())
-    out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before), payloadLine(report.after));
+    out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before),
+                       payloadLine(report.after));
   if (report.check)
-    out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n", report.check->file, report.check->before.force,
-                       report.check->after.force, report.check->before.torque, report.check->after.torque);
+    out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n", report.check->file,
+                       report.check->before.force, report.check->after.force, report.check->before.torque,
+                       report.check->after.torque);
   std::string unseen;
   for (const auto& s : report.smallest)
-    if (std::isfinite(s.value)) unseen += fmt::format("  {:<18} below {:.2g} {} ({})\n", s.cause, s.value, s.unit, s.parameter);
+    if (std::isfinite(s.value))
+      unseen += fmt::format("  {:<18} below {:.2g} {} ({})\n", s.cause, s.value, s.unit, s.parameter);
   if (!unseen.empty()) out += "\nCould not have been seen with this motion:\n" + unseen;
   return out;
 }

@@ -26,7 +26,8 @@ MatrixXd courseOf(const VectorXd& angle, double multiple) {
 }
 
 /// What sine and cosine of each candidate explain of the whitened residual in all channels, each for itself.
-std::vector<double> powersOnChannels(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, const Ground& ground) {
+std::vector<double> powersOnChannels(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
+                                     const Ground& ground) {
   const Eigen::Index blocks = angles.front().size();
   std::vector<double> out(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -54,8 +55,8 @@ std::vector<Matrix3d> orientations(const Signals& signals) {
 
 /// The same of forces and torques along the axes of B. The tool turns slowly against the waves, so that whitening only
 /// makes them larger and shifts them, as the noise's spectrum says.
-std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const VectorXd& time, const std::vector<Wave>& candidates,
-                                     const Ground& ground, double blockRate) {
+std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const VectorXd& time,
+                                     const std::vector<Wave>& candidates, const Ground& ground, double blockRate) {
   const Eigen::Index blocks = time.size();
   const Eigen::Map<const Wrenches> r(ground.r.data(), 6, blocks);
   MatrixXd turned = MatrixXd::Zero(blocks, 18);  // Row c of the channel times axis i of B: column 3 c + i
@@ -76,7 +77,8 @@ std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const Ve
     for (std::size_t c = 0; c < 6; ++c) {
       const ArModel& model = ground.noise.channels[c];
       response[c] = 1.0;
-      for (int i = 0; i < model.order(); ++i) response[c] -= model.coefficients(i) * std::polar(1.0, -omega * (i + 1) / blockRate);
+      for (int i = 0; i < model.order(); ++i)
+        response[c] -= model.coefficients(i) * std::polar(1.0, -omega * (i + 1) / blockRate);
       response[c] /= model.sigma;
     }
     for (Eigen::Index kind = 0; kind < 2; ++kind)
@@ -84,7 +86,8 @@ std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const Ve
         std::complex<double> along = 0.0;
         double size = 0.0;
         for (Eigen::Index c = 3 * kind; c < 3 * kind + 3; ++c) {
-          along += std::conj(response[static_cast<std::size_t>(c)]) * std::complex<double>(sums(1, 3 * c + i), -sums(0, 3 * c + i));
+          along += std::conj(response[static_cast<std::size_t>(c)]) *
+                   std::complex<double>(sums(1, 3 * c + i), -sums(0, 3 * c + i));
           size += std::norm(response[static_cast<std::size_t>(c)]) * sizes(3 * c + i);
         }
         out[k] += std::norm(along) / std::max(1e-9, size);
@@ -100,16 +103,17 @@ MatrixXd inTheWorld(const std::vector<Matrix3d>& R_BS, const MatrixXd& courses) 
   for (Eigen::Index f = 0; f < count; ++f)
     for (Eigen::Index n = 0; n < blocks; ++n)
       for (Eigen::Index kind = 0; kind < 2; ++kind)
-        columns.block<3, 3>(6 * n + 3 * kind, 6 * f + 3 * kind) = courses(f, n) * R_BS[static_cast<std::size_t>(n)].transpose();
+        columns.block<3, 3>(6 * n + 3 * kind, 6 * f + 3 * kind) =
+            courses(f, n) * R_BS[static_cast<std::size_t>(n)].transpose();
   return columns;
 }
 
 using Columns = std::function<MatrixXd(const MatrixXd& courses)>;
 
-/// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay. `power`:
-/// what each explains by a first look; there is at least one.
-Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, std::vector<double> power, const Columns& columns,
-                  const Ground& ground, double lnN, Wave& first) {
+/// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay.
+/// `power`: what each explains by a first look; there is at least one.
+Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, std::vector<double> power,
+                  const Columns& columns, const Ground& ground, double lnN, Wave& first) {
   Judged out;
   out.gain = -1e300;
   const double tries = static_cast<double>(candidates.size());
@@ -124,7 +128,8 @@ Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& 
     if (step == 0) first = wave;
     // Its neighbours are the same wave.
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (candidates[i].of == wave.of && std::abs(candidates[i].multiple - wave.multiple) < 0.2 * wave.multiple) power[i] = 0.0;
+      if (candidates[i].of == wave.of && std::abs(candidates[i].multiple - wave.multiple) < 0.2 * wave.multiple)
+        power[i] = 0.0;
   }
   return out;
 }
@@ -179,10 +184,12 @@ BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, d
   Wave first;
   if (kind == WaveKind::inTheWorld) {
     const auto R_BS = orientations(signals);
-    out.judged = judgeWaves(angles, candidates, powersInTheWorld(R_BS, angles[0], candidates, ground, signals.blockRate()),
-                            [&](const MatrixXd& courses) { return inTheWorld(R_BS, courses); }, ground, lnN, first);
+    out.judged = judgeWaves(
+        angles, candidates, powersInTheWorld(R_BS, angles[0], candidates, ground, signals.blockRate()),
+        [&](const MatrixXd& courses) { return inTheWorld(R_BS, courses); }, ground, lnN, first);
   } else {
-    out.judged = judgeWaves(angles, candidates, powersOnChannels(angles, candidates, ground), onEachChannel, ground, lnN, first);
+    out.judged =
+        judgeWaves(angles, candidates, powersOnChannels(angles, candidates, ground), onEachChannel, ground, lnN, first);
   }
   out.frequencyHz = inTime ? first.multiple / (2.0 * std::numbers::pi) : 0.0;
   return out;

@@ -20,13 +20,15 @@ bool sameRow(const Recording& recording, Eigen::Index i) {
 }
 
 /// Rows at a value that a channel does not pass. Those that are lost are not to be trusted.
-std::optional<Direct> saturation(const Recording& recording, const std::vector<FlatTop>& tops, const std::vector<bool>& lost) {
+std::optional<Direct> saturation(const Recording& recording, const std::vector<FlatTop>& tops,
+                                 const std::vector<bool>& lost) {
   if (tops.empty()) return std::nullopt;
   Direct out;
   out.cause = "saturation";
   std::vector<bool> clipped(lost.size(), false);
   for (const FlatTop& flat : tops) {
-    out.parameters.push_back({fmt::format("level_{}", kChannels[flat.channel]), flat.channel < 3 ? "N" : "N m", flat.level, 0.0});
+    out.parameters.push_back(
+        {fmt::format("level_{}", kChannels[flat.channel]), flat.channel < 3 ? "N" : "N m", flat.level, 0.0});
     for (const auto& [from, to] : flat.runs) std::fill(clipped.begin() + from, clipped.begin() + to, true);
   }
   const auto count = static_cast<double>(std::count(clipped.begin(), clipped.end(), true));
@@ -69,7 +71,8 @@ std::optional<Direct> quantisation(const Recording& recording) {
     std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
     const double usual = steps[steps.size() / 2], range = levels.back() - levels.front();
     const double step = range / std::round(range / usual);  // The digits of the file are little of all steps together
-    // Every level is a whole number of steps away from the lowest, but for the digits of the file or a finer converter behind it.
+    // Every level is a whole number of steps away from the lowest, but for the digits of the file or a finer converter
+    // behind it.
     const bool regular = std::all_of(levels.begin(), levels.end(), [&](double level) {
       const double count = (level - levels.front()) / step;
       return std::abs(count - std::nearbyint(count)) < 0.1;
@@ -114,15 +117,18 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   out.rows.assign(static_cast<std::size_t>(n), false);
   constexpr double kGap = 0.015, kBeside = 0.1;  // [s] Shorter ones are bridged well enough
   for (const auto& [from, to] : blanks)
-    if (recording.time(to - 1) - recording.time(from) > kGap) std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
+    if (recording.time(to - 1) - recording.time(from) > kGap)
+      std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
   // Where the motion was held, too, or nothing was recorded, its derivatives are wrong a little further.
   const auto beside = static_cast<Eigen::Index>(kBeside * recording.rateHz());
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i)
     if (recording.time(i) - recording.time(i - 1) > std::max(kGap, 3.0 * step))
-      std::fill(out.rows.begin() + std::max<Eigen::Index>(0, i - beside), out.rows.begin() + std::min(n, i + beside), true);
+      std::fill(out.rows.begin() + std::max<Eigen::Index>(0, i - beside), out.rows.begin() + std::min(n, i + beside),
+                true);
   for (const Held& run : facts.held) {
     const Eigen::Index margin = run.motionToo ? beside : 0;
-    std::fill(out.rows.begin() + std::max<Eigen::Index>(0, run.from - margin), out.rows.begin() + std::min(n, run.to + margin), true);
+    std::fill(out.rows.begin() + std::max<Eigen::Index>(0, run.from - margin),
+              out.rows.begin() + std::min(n, run.to + margin), true);
   }
   return out;
 }

@@ -58,7 +58,7 @@ class Weighting {
     double gain = 0.0;     ///< Twice the log-likelihood
     double squares = 0.0;  ///< The same, had the noise been known
     double score = -1e300;
-    VectorXd others;         ///< How far all other parameters give way
+    VectorXd others;  ///< How far all other parameters give way
     double walkPrice = 0.0;
   };
 
@@ -135,8 +135,10 @@ class Weighting {
   void learnNoise(Answer& answer, const Signature& signature, double lnN) const {
     if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
-    Eigen::Map<VectorXd>(residual.data(), residual.size()) -= *signature.columns * answer.gamma + fit_.jacobian * answer.others;
-    score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence, lnN);
+    Eigen::Map<VectorXd>(residual.data(), residual.size()) -=
+        *signature.columns * answer.gamma + fit_.jacobian * answer.others;
+    score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence,
+          lnN);
   }
 
   Answer judge(const Signature& signature, double lnN) const {
@@ -172,7 +174,9 @@ SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::stri
 std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
                                              const std::function<bool(const Form&)>& wanted) {
   // What a saturated sensor or one with a memory makes of a sum is linearised without these two.
-  const auto changes = [](const Term& t) { return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form); };
+  const auto changes = [](const Term& t) {
+    return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form);
+  };
   const bool matrixOnly = std::ranges::all_of(model.terms, [&](const Term& t) {
     return !t.form->cause->bendsGeometry() && (!changes(t) || t.form->cause->isMatrix(*t.form));
   });
@@ -204,14 +208,13 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   return out;
 }
 
-std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
-                                   double threshold) {
+std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit,
+                                   const std::vector<Signature>& bank, double threshold) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const Weighting weighting(fit.noise, stretches, fit);
   std::vector<VectorXd> out(bank.size());
-  onTwoThreads(bank.size(), [&](std::size_t i) {
-    out[i] = std::sqrt(threshold + lnN) * weighting.deviations(*bank[i].columns);
-  });
+  onTwoThreads(bank.size(),
+               [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(*bank[i].columns); });
   return out;
 }
 
@@ -235,19 +238,21 @@ void take(Candidate& candidate, const Weighting::Answer& answer) {
 
 }  // namespace
 
-std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
-                            const std::vector<Signature>& bank) {
+std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies; rare ones have doubts of their own.
+  // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies; rare ones have
+  // doubts of their own.
   std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
   for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
   const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
-  // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does so the less,
-  // the fewer there are.
+  // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does
+  // so the less, the fewer there are.
   constexpr double kFew = 0.1, kHardlyAny = 4.0;
   std::vector<std::array<Weighting::Answer, 2>> answers(bank.size());
-  onTwoThreads(bank.size(), [&](std::size_t i) { answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)}; });
+  onTwoThreads(bank.size(), [&](std::size_t i) {
+    answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)};
+  });
   std::array<double, 2> many{kHardlyAny, kHardlyAny};
   for (std::size_t i = 0; i < bank.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
@@ -279,7 +284,8 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
   return out;
 }
 
-Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Candidate& candidate) {
+Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                  const Candidate& candidate) {
   constexpr double kNear = 0.3, kStep = 0.1;  // [s]
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);

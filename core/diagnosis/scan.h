@@ -9,9 +9,9 @@ namespace heft::diagnosis {
 
 struct Candidate {
   Form form;
-  VectorXd v;                ///< First guess, form.parameters.size()
-  std::vector<bool> active;  ///< See Term::active
-  double score = 0.0;        ///< Gain of evidence over the fit, less choicePenalty
+  VectorXd v;                  ///< First guess, form.parameters.size()
+  std::vector<bool> active;    ///< See Term::active
+  double score = 0.0;          ///< Gain of evidence over the fit, less choicePenalty
   double choicePenalty = 0.0;  ///< For having had so many forms of this cause to choose from: 2 ln(count)
 };
 
@@ -21,32 +21,34 @@ struct Signature {
   std::shared_ptr<const MatrixXd> columns;  ///< 6N x form.scan.size()
 };
 
-/// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around every
-/// payload and is kept; what bends the motion or changes the sensor is worked out anew each time.
+/// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
+/// every payload and is kept; what bends the motion or changes the sensor is worked out anew each time.
 class SignatureBank {
  public:
   SignatureBank() = default;
   SignatureBank(const Signals& signals, const std::vector<std::string>& hidden);
 
-  /// Those of `wanted` forms around `model`, on two threads; `signals` are those of the construction but for what may be judged.
-  std::vector<Signature> around(const Signals& signals, const Model& model, const std::function<bool(const Form&)>& wanted = {});
+  /// Those of `wanted` forms around `model`, on two threads; `signals` are those of the construction but for what may
+  /// be judged.
+  std::vector<Signature> around(const Signals& signals, const Model& model,
+                                const std::function<bool(const Form&)>& wanted = {});
 
  private:
   std::vector<Signature> plain_;  ///< Around nothing but a payload; columns once they were needed
 };
 
-/// Gains of evidence, best first. Each form is judged under the fit's noise and under white noise, since a strong misfit
-/// hides behind a long memory; the noise is refitted to what the form leaves over.
-std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit,
-                            const std::vector<Signature>& bank);
+/// Gains of evidence, best first. Each form is judged under the fit's noise and under white noise, since a strong
+/// misfit hides behind a long memory; the noise is refitted to what the form leaves over.
+std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank);
 
-/// A candidate with a place in time, moved to the block where it gains most: what changes at once is seen for what it is
-/// only where it is put within a block or so, closer than the first look goes.
-Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Candidate& candidate);
+/// A candidate with a place in time, moved to the block where it gains most: what changes at once is seen for what it
+/// is only where it is put within a block or so, closer than the first look goes.
+Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                  const Candidate& candidate);
 
-/// For each signature the size of each scanned parameter, alone, at which it would gain `threshold` with the fit's noise;
-/// infinite for what the motion cannot show.
-std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
-                                   double threshold);
+/// For each signature the size of each scanned parameter, alone, at which it would gain `threshold` with the fit's
+/// noise; infinite for what the motion cannot show.
+std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit,
+                                   const std::vector<Signature>& bank, double threshold);
 
 }  // namespace heft::diagnosis

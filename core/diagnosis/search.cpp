@@ -9,20 +9,25 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kSlightlyRicher = 4.0;  ///< Evidence for a richer form that is none
+constexpr double kSlightlyRicher = 4.0;    ///< Evidence for a richer form that is none
 constexpr double kShareOfWandering = 0.2;  ///< And of what they explain: the further it wanders, the more they leave
 
-/// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero that walks.
+/// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero
+/// that walks.
 double neededBeside(const Model& model, double explained, double wanders, const Trial& trial) {
-  constexpr double kShareOfFast = 0.02;  ///< What the form of one thing that changes fast forces leaves, another of them takes
-  constexpr double kEvent = 20.0, kShareOfEvents = 0.02;  ///< And an event at the right moment takes a little of anything
+  constexpr double kShareOfFast =
+      0.02;  ///< What the form of one thing that changes fast forces leaves, another of them takes
+  constexpr double kEvent = 20.0,
+                   kShareOfEvents = 0.02;  ///< And an event at the right moment takes a little of anything
   const std::string_view cause = trial.cause;
   double out = contains(model, kWandering) ? kBesideWandering + kShareOfWandering * wanders : 0.0;
   const auto fast = [](std::string_view id) { return (lags(id) || enlarges(id)) && id != "loose_mass"; };
-  const bool another = std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && fast(causeOf(t)); });
+  const bool another =
+      std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && fast(causeOf(t)); });
   if (fast(cause) && another) out += kShareOfFast * explained;
   const Term& added = trial.fit.model.terms.back();
-  const bool beside = std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && !t.form->walk; });
+  const bool beside =
+      std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && !t.form->walk; });
   if (added.form->atOnce && causeOf(added) == cause && beside) out += kEvent + kShareOfEvents * explained;
   return out;
 }
@@ -35,16 +40,16 @@ Model without(const Model& model, std::string_view cause) {
   return out;
 }
 
-std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
-                             std::span<const std::string_view> causes) {
+std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                             const Fit& base, std::span<const std::string_view> causes) {
   const auto ranked = promises(signals, stretches, bank, base, causes);
   auto all = trialsOf(signals, stretches, base, chosenOf(ranked, kRivals, 0.0));
   if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
   return std::move(all.front().fit);
 }
 
-Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
-              const Progress& progress) {
+Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+              const SearchOptions& options, const Progress& progress) {
   Search out;
   out.null = settled(signals, stretches, fitModel(signals, stretches, Model{}));
   out.final = out.null;
@@ -58,7 +63,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   double wanders = 0.0;  // What a wandering zero explains, once accepted
   if (contains(out.final.model, kWandering))
     wanders = out.final.evidence - fitModel(signals, stretches, without(out.final.model, kWandering)).evidence;
-  for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled(); ++step) {
+  for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled();
+       ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
@@ -82,7 +88,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
-        if (trial.cause == kWandering && trial.gain > chosen->gain - (chosen->cause == "bias_drift" ? kBesideWandering : kJump)) {
+        if (trial.cause == kWandering &&
+            trial.gain > chosen->gain - (chosen->cause == "bias_drift" ? kBesideWandering : kJump)) {
           chosen = &trial;
           break;
         }
@@ -96,7 +103,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     // Of forms that explain as much, the simplest; a richer one may still take its place when the others are in theirs.
     const double good = chosen->gain - kSlightlyRicher;
     for (const auto& trial : all)
-      if (trial.cause == chosen->cause && trial.gain > good && trial.fit.dimensions < chosen->fit.dimensions) chosen = &trial;
+      if (trial.cause == chosen->cause && trial.gain > good && trial.fit.dimensions < chosen->fit.dimensions)
+        chosen = &trial;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
     out.accepted = std::move(latest);

@@ -1,5 +1,6 @@
 #pragma once
-// Naming causes one after the other, each by the evidence it adds. What could stand in their place is asked in the end: look_back.h.
+// Naming causes one after the other, each by the evidence it adds. What could stand in their place is asked in the end:
+// look_back.h.
 #include <functional>
 #include <optional>
 #include <span>
@@ -30,42 +31,42 @@ struct SearchOptions {
 /// A cause that explains a step (almost) as well.
 struct Rival {
   std::string cause;
-  double behind = 0.0;  ///< Evidence that it lacks against the accepted one
-  double worse = 0.0;   ///< The same without the price of parameters: by how much it fits worse
-  int extra = 0;        ///< Parameters that it has more
+  double behind = 0.0;                    ///< Evidence that it lacks against the accepted one
+  double worse = 0.0;                     ///< The same without the price of parameters: by how much it fits worse
+  int extra = 0;                          ///< Parameters that it has more
   Vector10d payload = Vector10d::Zero();  ///< That goes with it
 };
 
 struct Found {
   std::string cause;
-  double gain = 0.0;  ///< Evidence lost if it is taken out of the final model again
+  double gain = 0.0;          ///< Evidence lost if it is taken out of the final model again
   std::vector<Rival> rivals;  ///< Tried in its place, best first
-  VectorXd spread;            ///< Of its only term's parameters: how far away others are that explain as much; empty: unknown
+  VectorXd spread;  ///< Of its only term's parameters: how far away others are that explain as much; empty: unknown
 };
 
 /// Whether the recording leaves it open which of the two it is. Where only its price sets a rival back, simplicity
-/// decides; not, though, between look-alikes, nor where there is little evidence at all, nor where the rival fits better
-/// by more than idle parameters would.
+/// decides; not, though, between look-alikes, nor where there is little evidence at all, nor where the rival fits
+/// better by more than idle parameters would.
 bool tied(const Found& found, const Rival& rival);
 
 struct Search {
-  Fit null;   ///< Bias and payload alone
-  Fit final;  ///< With everything accepted
+  Fit null;                        ///< Bias and payload alone
+  Fit final;                       ///< With everything accepted
   std::vector<std::string> order;  ///< Causes in `final`, in the order of acceptance
   Tried accepted;                  ///< The trials that the last of them was chosen from
-  std::vector<Found> found;  ///< By cause, in that order, once lookBack() has compared them
-  bool givenUp = false;      ///< `final` has the first cause and nothing was compared
+  std::vector<Found> found;        ///< By cause, in that order, once lookBack() has compared them
+  bool givenUp = false;            ///< `final` has the first cause and nothing was compared
 };
 
 /// Terms of `cause` are one cause: `without` takes them all out.
 Model without(const Model& model, std::string_view cause);
 
 /// `bank`: of these signals. Nothing is compared yet.
-Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const SearchOptions& options,
-              const Progress& progress);
+Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+              const SearchOptions& options, const Progress& progress);
 
 /// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it.
-std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
-                             std::span<const std::string_view> causes);
+std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                             const Fit& base, std::span<const std::string_view> causes);
 
 }  // namespace heft::diagnosis

@@ -20,7 +20,8 @@ Wrenches blurred(const Wrenches& of, Eigen::Index reach) {
 }  // namespace
 
 void weighSharpMotion(std::vector<Way>& ways) {
-  constexpr double kNoticed = 1.0;   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
+  constexpr double kNoticed =
+      1.0;  // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   Signals& least = ways.front().signals;
   const auto stretches = untouched(least, ways.front());
@@ -34,7 +35,8 @@ void weighSharpMotion(std::vector<Way>& ways) {
     const Signals& smoother = ways[i + 1].signals;
     if (smoother.blocks() != made.cols()) return;
     Wrenches next = averaged(smoother, payloadWrench(smoother.kinematics, payload));
-    auto louder = std::make_shared<const Wrenches>(blurred((noise.cwiseInverse().asDiagonal() * (made - next)).cwiseAbs2(), kReach));
+    auto louder = std::make_shared<const Wrenches>(
+        blurred((noise.cwiseInverse().asDiagonal() * (made - next)).cwiseAbs2(), kReach));
     if (louder->maxCoeff() > kNoticed) ways[i].signals.louder = std::move(louder);
     made = std::move(next);
   }

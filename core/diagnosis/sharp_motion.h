@@ -1,11 +1,13 @@
 #pragma once
-// Where the motion turns too sharply for its smoothing, such as where a motor's force jumps: the model is less to be trusted there.
+// Where the motion turns too sharply for its smoothing, such as where a motor's force jumps: the model is less to be
+// trusted there.
 #include "core/diagnosis/work.h"
 
 namespace heft::diagnosis {
 
-/// Sets Signals::louder of each way, the least smoothed first: by how much the wrench that the payload makes of the motion differs from
-/// that of the next smoother one, over the noise. Contact on the first way must have been looked for.
+/// Sets Signals::louder of each way, the least smoothed first: by how much the wrench that the payload makes of the
+/// motion differs from that of the next smoother one, over the noise. Contact on the first way must have been looked
+/// for.
 void weighSharpMotion(std::vector<Way>& ways);
 
 }  // namespace heft::diagnosis

@@ -161,8 +161,8 @@ Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double
 
 namespace {
 
-/// How y' = kappa rate (u - y), whose pole may be complex, goes on from sample to sample, exactly where u is a cubic between them:
-/// y(k + 1) = keep y(k) + sum_i weight_i u(k - 1 + i).
+/// How y' = kappa rate (u - y), whose pole may be complex, goes on from sample to sample, exactly where u is a cubic
+/// between them: y(k + 1) = keep y(k) + sum_i weight_i u(k - 1 + i).
 template <class Scalar>
 struct Following {
   Scalar keep;
@@ -192,8 +192,9 @@ Following<Scalar> following(Scalar kappa) {
   }
   // Cubic through u = -1, 0, 1, 2 in powers of u, integrated term by term.
   return {keep,
-          {(-2.0 * moment[1] + 3.0 * moment[2] - moment[3]) / 6.0, moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3],
-           moment[1] + 0.5 * moment[2] - 0.5 * moment[3], (moment[3] - moment[1]) / 6.0}};
+          {(-2.0 * moment[1] + 3.0 * moment[2] - moment[3]) / 6.0,
+           moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3], moment[1] + 0.5 * moment[2] - 0.5 * moment[3],
+           (moment[3] - moment[1]) / 6.0}};
 }
 
 }  // namespace
@@ -210,7 +211,8 @@ Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T
   });
 }
 
-Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping, double rateHz) {
+Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping,
+                              double rateHz) {
   const double omega = 2.0 * std::numbers::pi * frequencyHz;
   const std::complex<double> pole(-damping * omega, omega * std::sqrt(1.0 - damping * damping));
   // Its two poles apart: G = 2 Re(p / (p - p*) P), P with the pole p and 1 at rest.

@@ -17,16 +17,17 @@ inline Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.
 
 /// Motion that the payload feels, S axes; a cause may bend it. K columns.
 struct Kinematics {
-  Eigen::Matrix3Xd specificForce;  ///< s = R_BS^T (a - g) [m/s2]
-  Eigen::Matrix3Xd omega;          ///< [rad/s]
-  Eigen::Matrix3Xd alpha;          ///< [rad/s2]
+  Eigen::Matrix3Xd specificForce;                       ///< s = R_BS^T (a - g) [m/s2]
+  Eigen::Matrix3Xd omega;                               ///< [rad/s]
+  Eigen::Matrix3Xd alpha;                               ///< [rad/s2]
   std::shared_ptr<const std::vector<Matrix3d>> turned;  ///< R_BS where a cause turns S; null: as recorded
 };
 
 /// Share of the corner below which a smoothing by twicing, of order 6 and run both ways, takes less than 1.5 %.
 constexpr double kKeptTwiced = 0.85;
 
-/// The recording at about 200 Hz, K instants, and blocks of it at about 50 Hz, N of them, on which everything is judged.
+/// The recording at about 200 Hz, K instants, and blocks of it at about 50 Hz, N of them, on which everything is
+/// judged.
 struct Signals {
   double startTime = 0.0;  ///< [s] on the recording's clock
   double rateHz = 0.0;
@@ -37,7 +38,8 @@ struct Signals {
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   bool positionKnown = true;
   bool noisyMotion = false;  ///< Accelerations are noise not only above `keptHz`, but clearly so below, too
-  double keptHz = 0.0;  ///< Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
+  double keptHz =
+      0.0;  ///< Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
 
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
   int link = 0;
@@ -46,19 +48,17 @@ struct Signals {
   std::shared_ptr<const JointTurns> joints;
 
   int samplesPerBlock = 4;
-  Wrenches readings;         ///< 6 x K
-  Wrenches measured;         ///< 6 x N: their averages
-  /// 6 x N: by how many times its power the noise may be louder than usual where the motion is less well known, times a share that
-  /// noise tells; null: nowhere.
+  Wrenches readings;  ///< 6 x K
+  Wrenches measured;  ///< 6 x N: their averages
+  /// 6 x N: by how many times its power the noise may be louder than usual where the motion is less well known, times a
+  /// share that noise tells; null: nowhere.
   std::shared_ptr<const Wrenches> louder;
   std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
 
   Eigen::Index size() const { return kinematics.omega.cols(); }
   Eigen::Index blocks() const { return measured.cols(); }
   double time(Eigen::Index k) const { return startTime + static_cast<double>(k) / rateHz; }
-  double blockTime(Eigen::Index n) const {
-    return time(n * samplesPerBlock) + 0.5 * (samplesPerBlock - 1) / rateHz;
-  }
+  double blockTime(Eigen::Index n) const { return time(n * samplesPerBlock) + 0.5 * (samplesPerBlock - 1) / rateHz; }
   double blockRate() const { return rateHz / samplesPerBlock; }
   double duration() const { return static_cast<double>(size()) / rateHz; }
 };
@@ -90,7 +90,8 @@ Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T
 
 /// What a spring with a damper beside it passes on of a force on the mass that it carries: the response of
 /// y'' + 2 z w y' + w^2 y = 2 z w u' + w^2 u, as exact and started so; w = 2 pi f, damping z < 1.
-Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping, double rateHz);
+Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping,
+                              double rateHz);
 
 /// Central differences in time of each row [1/s].
 Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz);

@@ -21,8 +21,8 @@ namespace {
 
 struct Group {
   std::string goesWith;
-  MatrixXd features;  ///< F x K
-  MatrixXd columns = {};   ///< 6N x F: what they are on the channels, where that is known; otherwise anything on each
+  MatrixXd features;      ///< F x K
+  MatrixXd columns = {};  ///< 6N x F: what they are on the channels, where that is known; otherwise anything on each
 };
 
 MatrixXd normalised(MatrixXd features) {
@@ -34,11 +34,12 @@ MatrixXd normalised(MatrixXd features) {
   return features;
 }
 
-constexpr double kPlain = 60.0;     ///< Gain of a structure that nobody would call noise
+constexpr double kPlain = 60.0;             ///< Gain of a structure that nobody would call noise
 constexpr double kPlainBesideWalk = 120.0;  ///< The same where the zero walks: its fast waves are many times the noise
-constexpr double kBesideColour = 20.0;  ///< Gain of a wave in a noise that is not quite as it was learned
+constexpr double kBesideColour = 20.0;      ///< Gain of a wave in a noise that is not quite as it was learned
 constexpr double kStill = 0.03, kStillTurning = 0.1;  // [m/s]; [rad/s]
-constexpr double kShareOfWalk = 0.03;  ///< Of what a walk explains: what its waves leave over may go with anything by chance
+constexpr double kShareOfWalk =
+    0.03;  ///< Of what a walk explains: what its waves leave over may go with anything by chance
 
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
@@ -62,8 +63,8 @@ MatrixXd aheadOfPlay(const MatrixXd& rows, double half) {
   return out;
 }
 
-/// What is left of rows after a filter that follows them within `T` [s], but only where `follows`; their integral for a T far longer
-/// than the recording.
+/// What is left of rows after a filter that follows them within `T` [s], but only where `follows`; their integral for a
+/// T far longer than the recording.
 MatrixXd followed(const MatrixXd& rows, const std::vector<bool>& follows, double T, double rateHz) {
   MatrixXd out(rows.rows(), rows.cols());
   VectorXd at = rows.col(0);
@@ -102,9 +103,11 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
     up.row(1) = (-p.row(2).array()).exp();
     out.push_back(
         {heft::toSay("where the tool is"), stacked(stacked(withProducts(p), stacked(far, up)), normalised(positionS))});
-    out.push_back({heft::toSay("how fast the tool moves"), stacked(velocityS, velocityS.cwiseProduct(velocityS.cwiseAbs()))});
-    out.push_back({heft::toSay("the direction in which the tool moves"),
-                   stacked(direction, stacked(aheadOfPlay(signals.position, 0.005), aheadOfPlay(signals.position, 0.03)))});
+    out.push_back(
+        {heft::toSay("how fast the tool moves"), stacked(velocityS, velocityS.cwiseProduct(velocityS.cwiseAbs()))});
+    out.push_back(
+        {heft::toSay("the direction in which the tool moves"),
+         stacked(direction, stacked(aheadOfPlay(signals.position, 0.005), aheadOfPlay(signals.position, 0.03)))});
   }
   if (signals.q.cols() == n) {
     MatrixXd joints(2 * signals.q.rows(), n);
@@ -118,14 +121,16 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
                    stacked((signals.dq.array() / (signals.dq.array().square() + 1e-3).sqrt()).matrix(),
                            stacked(aheadOfPlay(signals.q, 0.04), aheadOfPlay(signals.q, 0.12)))});
     out.push_back({heft::toSay("how hard the joints speed up and slow down"), signals.ddq.cwiseAbs()});
-    if (signals.robot != nullptr) out.push_back({heft::toSay("the joint angles, several times a turn"), {}, ripplesOfGears(signals, payload)});
+    if (signals.robot != nullptr)
+      out.push_back({heft::toSay("the joint angles, several times a turn"), {}, ripplesOfGears(signals, payload)});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
   out.push_back({heft::toSay("the load's size"), stacked(cubes.cwiseAbs(), cubes.array().cube().matrix())});
   out.push_back({heft::toSay("how fast the load changes"),
                  stacked(rateOf(kin.specificForce, signals.rateHz), aheadOfPlay(kin.specificForce, 3.0))});
-  out.push_back({heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
+  out.push_back(
+      {heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
   out.push_back({heft::toSay("the direction in which the tool turns"), turning});
   out.push_back({heft::toSay("how fast the turning changes"), kin.alpha});
   return out;
@@ -136,9 +141,13 @@ std::vector<Group> past(const Signals& signals) {
   std::vector<Group> out;
   const std::vector<bool> always(static_cast<std::size_t>(signals.size()), true);
   std::vector<bool> still = always;
-  for (Eigen::Index k = 0; k < signals.size(); ++k) still[static_cast<std::size_t>(k)] = signals.velocity.col(k).norm() < kStill && signals.kinematics.omega.col(k).norm() < kStillTurning;
+  for (Eigen::Index k = 0; k < signals.size(); ++k)
+    still[static_cast<std::size_t>(k)] =
+        signals.velocity.col(k).norm() < kStill && signals.kinematics.omega.col(k).norm() < kStillTurning;
   const auto since = [&](const std::vector<bool>& follows) {
-    const auto within = [&](double T) { return followed(signals.kinematics.specificForce, follows, T, signals.rateHz); };
+    const auto within = [&](double T) {
+      return followed(signals.kinematics.specificForce, follows, T, signals.rateHz);
+    };
     return stacked(within(1.0), stacked(within(5.0), within(1e3)));
   };
   out.push_back({heft::toSay("what the load was before"), since(always)});
@@ -163,7 +172,8 @@ MatrixXd cosinesOver(Eigen::Index count) {
   for (Eigen::Index k = 0; k < count; ++k) {
     const double size = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(count));
     for (Eigen::Index n = 0; n < count; ++n)
-      out(n, k) = size * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
+      out(n, k) = size * std::cos(std::numbers::pi * static_cast<double>(k) * (static_cast<double>(n) + 0.5) /
+                                  static_cast<double>(count));
   }
   return out;
 }
@@ -212,16 +222,22 @@ class Waves {
 /// Noise of the residual's colour that goes with nothing, and what columns gain in it.
 class Chance {
  public:
-  Chance(const Ground& ground, double lnN) : ground_(ground), lnN_(lnN), residual_(evenWrench(ground.fit.residual, ground.noise)), waves_(residual_, ground.stretches) {
+  Chance(const Ground& ground, double lnN)
+      : ground_(ground),
+        lnN_(lnN),
+        residual_(evenWrench(ground.fit.residual, ground.noise)),
+        waves_(residual_, ground.stretches) {
     std::mt19937_64 random(7);
     for (auto& drawn : signs_) drawn = waves_.draw(random);
   }
 
-  /// What the columns gain at most where there is nothing: more than any draw, and more than one in some hundred, since a dozen
-  /// groups are asked.
+  /// What the columns gain at most where there is nothing: more than any draw, and more than one in some hundred, since
+  /// a dozen groups are asked.
   double gainOf(const Dictionary& columns) const {
     std::array<double, kDraws> gains{};
-    onTwoThreads(kDraws, [&](std::size_t i) { gains[i] = judge(columns, Ground(ground_, waves_.reshuffled(signs_[i])), lnN_).gain; });
+    onTwoThreads(kDraws, [&](std::size_t i) {
+      gains[i] = judge(columns, Ground(ground_, waves_.reshuffled(signs_[i])), lnN_).gain;
+    });
     const Eigen::Map<const VectorXd> all(gains.data(), kDraws);
     const double mean = all.mean(), deviation = std::sqrt((all.array() - mean).square().mean());
     return std::max(all.maxCoeff(), mean + 3.0 * deviation);
@@ -245,7 +261,8 @@ double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
   Wrenches without = fit.residual;
   Eigen::Index at = kLinear;
   for (const auto& term : fit.model.terms) {
-    if (term.form->walk) Eigen::Map<VectorXd>(without.data(), without.size()) += fit.jacobian.middleCols(at, term.v.size()) * term.v;
+    if (term.form->walk)
+      Eigen::Map<VectorXd>(without.data(), without.size()) += fit.jacobian.middleCols(at, term.v.size()) * term.v;
     at += term.v.size();
   }
   return fit.noise.evidence - fitNoise(without, stretches, fit.noise.louder).evidence;
@@ -255,7 +272,8 @@ double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
 
 namespace {
 
-Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least, const std::vector<Group>& all) {
+Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least,
+                    const std::vector<Group>& all) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   const bool wanders = walks(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
@@ -294,16 +312,19 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   if (signals.keptHz > 0.0) fastest = std::min(fastest, signals.keptHz);
   constexpr std::array<WaveKind, 3> kKinds{WaveKind::onChannels, WaveKind::inTheWorld, WaveKind::overJoints};
   std::array<BestWave, 2 * kKinds.size()> waves;
-  onTwoThreads(waves.size(), [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
+  onTwoThreads(waves.size(),
+               [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
   for (const auto& [wave, frequency] : waves) {
     if (wave.gain - kBesideColour <= best.gain) continue;
-    best = {frequency > 0.0 ? fmt::format("a rhythm of {:.2g} Hz", frequency) : heft::toSay("the joint angles, several times a turn"),
+    best = {frequency > 0.0 ? fmt::format("a rhythm of {:.2g} Hz", frequency)
+                            : heft::toSay("the joint angles, several times a turn"),
             wave.gain - kBesideColour, wave.explained, frequency, frequency};
   }
   best.gain -= ofWalk;
   const auto unlessPlain = [&](const Swell& found, fmt::format_string<const double&, const double&> words) {
     if (found.excess > 1.0 && best.gain < kPlain)
-      best = {fmt::format(words, found.lowHz, found.highHz), kPlain * found.excess, found.share, found.lowHz, found.highHz};
+      best = {fmt::format(words, found.lowHz, found.highHz), kPlain * found.excess, found.share, found.lowHz,
+              found.highHz};
   };
   // What shakes most below the corner is noise of the motion, if that is noisy.
   if (signals.noisyMotion) return best;
@@ -319,7 +340,8 @@ Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretc
   return strongest(signals, stretches, fit, least, groups(signals, fit.model.x.tail<10>()));
 }
 
-Structure structureBehindWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double enough) {
+Structure structureBehindWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                              double enough) {
   auto all = groups(signals, fit.model.x.tail<10>());
   std::ranges::move(past(signals), std::back_inserter(all));
   return strongest(signals, stretches, fit, enough, all);

@@ -26,8 +26,8 @@ double Surrogates::pValue(double gain) const {
   return (static_cast<double>(above) + 1.0) / (static_cast<double>(best.size()) + 1.0);
 }
 
-Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank, int count,
-                      unsigned seed, const Progress& progress) {
+Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
+                      int count, unsigned seed, const Progress& progress) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];

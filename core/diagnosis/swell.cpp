@@ -19,8 +19,9 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   struct Band {
     double low, high, limit;
   };
-  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The slowest band
-  // of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the next one: 7 times.
+  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The
+  // slowest band of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the
+  // next one: 7 times.
   constexpr double kFall = 12.0;
   constexpr std::array<Band, 3> kBands{{{0.6, 2.0, 60.0}, {2.0, 4.0, 40.0}, {8.0, 20.0, 0.0}}};
   std::array<Vector6d, kBands.size()> power;
@@ -50,7 +51,8 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double floor = power.back()(c) / count.back();
       double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
-      if (b == 0 && count[1] > 0.0) excess = std::min(excess, power[0](c) / count[0] / std::max(1e-300, power[1](c) / count[1]) / kFall);
+      if (b == 0 && count[1] > 0.0)
+        excess = std::min(excess, power[0](c) / count[0] / std::max(1e-300, power[1](c) / count[1]) / kFall);
       if (excess > out.excess) out = {excess, power[b](c) / std::max(1e-300, total(c)), kBands[b].low, kBands[b].high};
     }
   }
@@ -92,8 +94,8 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
       Eigen::Index first = b, last = b;
       while (first > 0 && density(c, first - 1) > kLimit * floor) --first;
       while (last + 1 < kBins && density(c, last + 1) > kLimit * floor) ++last;
-      out = {excess, density.row(c).segment(first, last - first + 1).sum() / density.row(c).sum(), static_cast<double>(first) + 0.5,
-             static_cast<double>(last) + 1.5};
+      out = {excess, density.row(c).segment(first, last - first + 1).sum() / density.row(c).sum(),
+             static_cast<double>(first) + 0.5, static_cast<double>(last) + 1.5};
     }
   return out;
 }

@@ -10,11 +10,12 @@ struct Swell {
   double lowHz = 0.0, highHz = 0.0;
 };
 
-/// The slow band, below 4 Hz, whose power density stands highest above that of the residual's own fast noise, 8 to 20 Hz.
+/// The slow band, below 4 Hz, whose power density stands highest above that of the residual's own fast noise, 8 to 20
+/// Hz.
 Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
-/// The band between 5 and 22 Hz that stands highest above what is both slower and faster: what shakes the tool from outside, such as
-/// a conveyor that changes its speed.
+/// The band between 5 and 22 Hz that stands highest above what is both slower and faster: what shakes the tool from
+/// outside, such as a conveyor that changes its speed.
 Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 }  // namespace heft::diagnosis

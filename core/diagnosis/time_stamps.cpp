@@ -7,9 +7,10 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kUneven = 0.05;  ///< Steps; what a real-time logger stays below by far
+constexpr double kUneven = 0.05;      ///< Steps; what a real-time logger stays below by far
 constexpr Eigen::Index kBlock = 200;  ///< Rows over whose mean lateness comes and goes
-constexpr double kAstray = 0.5;  ///< Of the deviation that such means may have: beyond, rows are missing or the clock drifts
+constexpr double kAstray =
+    0.5;  ///< Of the deviation that such means may have: beyond, rows are missing or the clock drifts
 constexpr double kSmoother = 0.8;  ///< Of the roughness: what even times must come below
 
 /// How far each row lies off the line between its neighbours, as a sum of squares over all columns.

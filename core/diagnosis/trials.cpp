@@ -15,21 +15,24 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr std::size_t kTried = 8;    ///< Causes that get a fit in a step
-constexpr double kHopeful = 0.25;    ///< Of the evidence to beat: what a first look must promise
+constexpr std::size_t kTried = 8;       ///< Causes that get a fit in a step
+constexpr double kHopeful = 0.25;       ///< Of the evidence to beat: what a first look must promise
 constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 
-Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Candidate& candidate) {
+Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+            const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
-  const Candidate& placed = candidate.form.atOnce && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
+  const Candidate& placed =
+      candidate.form.atOnce && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
   Model model = base.model;
   model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;
   out.promised = candidate.score;
   out.fit = fitModel(signals, stretches, std::move(model), 3);
   // A walk makes steps of its own, too: where the zero is known to walk, a jump of it or of the load is more.
-  const bool maybeWalk = (out.cause == "sensor_bias" || out.cause == "payload_change") && contains(base.model, kWandering);
+  const bool maybeWalk =
+      (out.cause == "sensor_bias" || out.cause == "payload_change") && contains(base.model, kWandering);
   if (maybeWalk && !jumpStandsOut(signals, stretches, base, out.fit)) return out;
   weigh(out, base, signals);
   return out;
@@ -44,7 +47,8 @@ bool mayAdd(const Form& form, const Model& model) {
          });
 }
 
-/// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything else.
+/// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything
+/// else.
 double standsOut(const Fit& fit, std::size_t at) {
   Eigen::Index from = kLinear;
   for (std::size_t i = 0; i < at; ++i) from += fit.model.terms[i].v.size();
@@ -80,8 +84,8 @@ void sortByGain(std::vector<Trial>& all) {
 
 std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
   std::vector<const Candidate*> chosen;
-  // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less: the two
-  // do not compete for places.
+  // A first look at all of a form's parameters promises about what the fit will reach; one at some of them, less: the
+  // two do not compete for places.
   std::array<std::map<std::string_view, std::vector<const Candidate*>>, 2> forms;
   std::set<std::string_view> rare;
   for (const auto& candidate : ranked) {
@@ -93,7 +97,9 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
     }
     // In 134 recordings, one in 200 that promised less than kLeast gained enough, and next to nothing.
     constexpr double kLeast = -12.0;
-    if (candidate.score < std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie))) continue;
+    if (candidate.score <
+        std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)))
+      continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
     if (candidate.form.rare) {
@@ -104,8 +110,8 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
     const std::size_t most = known.size() > 3 ? (whole ? 2 : 3) : whole ? 4 : 8;
     std::vector<const Candidate*>& same = known[id];
     // Neighbours in frequency or time are the same thing.
-    const auto alike = std::count_if(same.begin(), same.end(),
-                                     [&](const Candidate* other) { return other->form.choice == candidate.form.choice; });
+    const auto alike = std::count_if(
+        same.begin(), same.end(), [&](const Candidate* other) { return other->form.choice == candidate.form.choice; });
     if (same.size() >= most || (alike >= 2 && !whole)) continue;
     same.push_back(&candidate);
     chosen.push_back(&candidate);
@@ -118,8 +124,9 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
   std::vector<Trial> all(chosen.size());
   onTwoThreads(chosen.size(), [&](std::size_t i) { all[i] = tried(signals, stretches, base, *chosen[i]); });
   sortByGain(all);
-  // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those that
-  // promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned alongside.
+  // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those
+  // that promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned
+  // alongside.
   std::vector<Trial*> resting;
   for (std::size_t i = 0; i < all.size() && resting.size() < 2 * kFinished; ++i) {
     const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie;
@@ -151,7 +158,8 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
   return all;
 }
 
-void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all) {
+void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                    std::vector<Trial>& all) {
   struct Whole {
     Model model;
     std::string_view cause;
@@ -181,8 +189,8 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   sortByGain(all);
 }
 
-void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const std::vector<Candidate>& ranked,
-                     std::vector<Trial>& all) {
+void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                     const std::vector<Candidate>& ranked, std::vector<Trial>& all) {
   if (all.empty() || !all.front().fit.model.terms.back().form->atOnce) return;
   const double moment = all.front().fit.model.terms.back().v(0);
   const auto off = [&](const Candidate& c) { return std::abs(c.v(0) - moment); };
@@ -196,7 +204,8 @@ void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretch
   for (const auto& [cause, candidate] : nearest) {
     there.push_back(*candidate);
     Candidate& moved = there.back();
-    moved.form.start(0) = moved.v(0) = std::clamp(moment, moved.form.parameters[0].lower, moved.form.parameters[0].upper);
+    moved.form.start(0) = moved.v(0) =
+        std::clamp(moment, moved.form.parameters[0].lower, moved.form.parameters[0].upper);
     moved.score = 0.0;  // Placed already
   }
   std::vector<const Candidate*> chosen;
@@ -206,8 +215,8 @@ void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretch
   sortByGain(all);
 }
 
-std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
-                                std::span<const std::string_view> causes) {
+std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                                const Fit& base, std::span<const std::string_view> causes) {
   return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {
     return mayAdd(form, base.model) && (causes.empty() || std::ranges::find(causes, form.cause->id()) != causes.end());
   }));
@@ -242,13 +251,16 @@ bool believable(const Fit& fit) {
   constexpr double kApart = 0.1;  // [s]
   for (const Term& a : fit.model.terms)
     for (const Term& b : fit.model.terms)
-      if (&a < &b && a.form->atOnce && b.form->atOnce && a.form->cause == b.form->cause && std::abs(a.v(0) - b.v(0)) < kApart) return false;
+      if (&a < &b && a.form->atOnce && b.form->atOnce && a.form->cause == b.form->cause &&
+          std::abs(a.v(0) - b.v(0)) < kApart)
+        return false;
   // What swings is a part of the payload, or all of it.
   Eigen::Index at = kLinear;
   const VectorXd std = fit.std();
   for (const auto& term : fit.model.terms) {
     if (!term.form->cause->possible(*term.form, term.v, std.segment(at, term.v.size()))) return false;
-    const bool mount = causeOf(term) == "flexible_mount" && term.v.size() > 2, swings = mount || causeOf(term) == "loose_mass";
+    const bool mount = causeOf(term) == "flexible_mount" && term.v.size() > 2,
+               swings = mount || causeOf(term) == "loose_mass";
     if (mount && term.v(0) < kLeastOnMount * mass) return false;
     if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;
     at += term.v.size();

@@ -22,7 +22,7 @@ struct Trial {
   std::string cause;
   Fit fit;
   double choicePenalty = 0.0, penalty = 0.0;  ///< See Candidate; with the cause's own doubt
-  double promised = 0.0;  ///< By the first look
+  double promised = 0.0;                      ///< By the first look
   double gain = -1e300;
 };
 
@@ -39,8 +39,8 @@ void weigh(Trial& trial, const Fit& base, const Signals& signals);
 void sortByGain(std::vector<Trial>& all);
 
 /// What each form that may still come promises around `base`, best first. `causes`: of these only, or of all if empty.
-std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Fit& base,
-                                std::span<const std::string_view> causes = {});
+std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                                const Fit& base, std::span<const std::string_view> causes = {});
 
 /// The most promising causes' candidates, several forms of the first few, since what sets them apart may show only when
 /// everything moves. `toBeat`: evidence of the strongest, or of the cause whose place is in question.
@@ -50,19 +50,20 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
 std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                             const std::vector<const Candidate*>& chosen);
 
-/// Trials of what promises most. What did may come to nothing, such as a step at an impossible place: then everything gets
-/// its chance.
+/// Trials of what promises most. What did may come to nothing, such as a step at an impossible place: then everything
+/// gets its chance.
 std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                           const std::vector<Candidate>& ranked);
 
-/// The model with all parameters of one term, of which the first look had freed only some, or with the richer form that this one
-/// grows into: what these explain needs no second name. Added to `all`, best first.
-void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, std::vector<Trial>& all);
+/// The model with all parameters of one term, of which the first look had freed only some, or with the richer form that
+/// this one grows into: what these explain needs no second name. Added to `all`, best first.
+void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                    std::vector<Trial>& all);
 
-/// Where the best of `all` is an event, the other causes' events at that moment: a first look at steps half a second apart says
-/// little of them, and less where the zero wanders. Added to `all`, best first.
-void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const std::vector<Candidate>& ranked,
-                     std::vector<Trial>& all);
+/// Where the best of `all` is an event, the other causes' events at that moment: a first look at steps half a second
+/// apart says little of them, and less where the zero wanders. Added to `all`, best first.
+void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                     const std::vector<Candidate>& ranked, std::vector<Trial>& all);
 
 /// Takes out again what the others have made needless.
 Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold);

@@ -16,24 +16,31 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// A walk has waves for anything that is slow. What swings, or goes with the motion, beyond what the walk explains is none.
+/// A walk has waves for anything that is slow. What swings, or goes with the motion, beyond what the walk explains is
+/// none.
 void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
-  constexpr double kBeyond = 30.0;  ///< Of 70 walks none came nearer than 5 below; what was hidden went at least 90 beyond
+  constexpr double kBeyond =
+      30.0;  ///< Of 70 walks none came nearer than 5 below; what was hidden went at least 90 beyond
   constexpr std::size_t kFewestLeaps = 6;  ///< Of 30 clean recordings one had four, the others two at most
   const Fit& final = work.search.final;
   const bool wanders = walks(final.model);
   const Fit steady = wanders ? fitModel(work.signals, work.stretches, without(final.model, kWandering)) : final;
   const Wrenches residual = evenWrench(steady.residual, steady.noise);
   bool hides = false;
-  if (const auto leaps = leapsIn(work.signals, work.stretches, residual); leaps.size() >= kFewestLeaps && out.remaining.gain <= kUnexplained) {
-    out.findings.push_back({Severity::warning, "switches",
-                            heft::say("Something on the tool changes at once {} times, first at {:.1f} s.", std::ssize(leaps), leaps.front()),
-                            heft::say("Look at what switches there: a gripper, a valve, a part that slides."), {}});
+  if (const auto leaps = leapsIn(work.signals, work.stretches, residual);
+      leaps.size() >= kFewestLeaps && out.remaining.gain <= kUnexplained) {
+    out.findings.push_back({Severity::warning,
+                            "switches",
+                            heft::say("Something on the tool changes at once {} times, first at {:.1f} s.",
+                                      std::ssize(leaps), leaps.front()),
+                            heft::say("Look at what switches there: a gripper, a valve, a part that slides."),
+                            {}});
     out.remaining.goesWith = heft::toSay("sudden changes");
     out.remaining.gain = 1e3;
     hides = true;
   }
-  if (const double excess = slowWave(work.signals, work.stretches, residual); excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
+  if (const double excess = slowWave(work.signals, work.stretches, residual);
+      excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
     hides = true;
@@ -46,12 +53,15 @@ void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
     if (hides) out.remaining = hidden;
   }
   if (hides) return;
-  out.findings.push_back({Severity::info, "zero_wanders",
+  out.findings.push_back({Severity::info,
+                          "zero_wanders",
                           heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
-                          heft::say("Let the sensor warm up, and keep recordings short."), {}});
+                          heft::say("Let the sensor warm up, and keep recordings short."),
+                          {}});
 }
 
-/// A drift in place of what goes with the motion: where that explains as much as the drift and the walk together, neither is known.
+/// A drift in place of what goes with the motion: where that explains as much as the drift and the walk together,
+/// neither is known.
 void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
   constexpr double kAsMuch = 10.0;  ///< Less than the drift; of 27 that were one none came nearer than 40
   constexpr double kPlain = 60.0;
@@ -71,10 +81,13 @@ void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
     evidence += odd.evidence;
     lasts += odd.to - odd.from;
   }
-  out.findings.push_back({Severity::warning, "odd_stretches",
-                          heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
-                                    std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
-                          heft::say("Look at what switches, shakes or turns on the tool at these moments."), {}});
+  out.findings.push_back(
+      {Severity::warning,
+       "odd_stretches",
+       heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
+                 std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
+       heft::say("Look at what switches, shakes or turns on the tool at these moments."),
+       {}});
   if (known || out.remaining.gain > evidence) return;
   out.remaining.goesWith = work.oddGoesWith;
   out.remaining.gain = evidence;
@@ -90,10 +103,13 @@ bool isFolded(const Hum& hum, double blockRate, const Structure& remaining) {
 void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
   constexpr double kMuch = 0.2;
   const bool unknown = !hum.mains && hum.share > kMuch;
-  out.findings.push_back({unknown ? Severity::warning : Severity::info, "readings_hum",
-                          heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum.frequencyHz, hum.force, hum.torque),
-                          hum.mains ? heft::say("That is the mains: check the sensor's shield and earth.")
-                                    : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."), {}});
+  out.findings.push_back(
+      {unknown ? Severity::warning : Severity::info,
+       "readings_hum",
+       heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum.frequencyHz, hum.force, hum.torque),
+       hum.mains ? heft::say("That is the mains: check the sensor's shield and earth.")
+                 : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."),
+       {}});
   if (!unknown || (out.remaining.gain > kUnexplained && !isFolded(hum, blockRate, out.remaining))) return;
   out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
   out.remaining.share = hum.share;
@@ -101,16 +117,20 @@ void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
   out.remaining.gain = 1e3;
 }
 
-/// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and slip.
+/// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and
+/// slip.
 void sayKnocks(const Work& work, DiagnosisReport& out) {
   constexpr std::size_t kFewest = 3;
   const Model& final = work.search.final.model;
   if (contains(final, "loose_mass") || contains(final, "coulomb_friction")) return;
   const auto knocks = knocksIn(work.signals, work.stretches, final);
   if (knocks.size() < kFewest) return;
-  out.findings.push_back({Severity::warning, "knocks",
-                          heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(knocks), knocks.front()),
-                          heft::say("Shake the tool by hand and listen: is a part of it loose?"), {}});
+  out.findings.push_back(
+      {Severity::warning,
+       "knocks",
+       heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(knocks), knocks.front()),
+       heft::say("Shake the tool by hand and listen: is a part of it loose?"),
+       {}});
   if (out.remaining.gain > kUnexplained) return;
   out.remaining.goesWith = heft::toSay("short knocks");
   out.remaining.gain = 1e3;

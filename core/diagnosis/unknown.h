@@ -5,12 +5,12 @@
 
 namespace heft::diagnosis {
 
-/// Gain of a structure above which it is one. Of 58 clean recordings two had 13.3 and 16.3 by chance; of what was hidden, none between
-/// that and 17.2.
+/// Gain of a structure above which it is one. Of 58 clean recordings two had 13.3 and 16.3 by chance; of what was
+/// hidden, none between that and 17.2.
 constexpr double kUnexplained = 16.5;
 
-/// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings and makes it
-/// what remains, unless something else does. `known`: single readings tell of something wrong with them.
+/// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings
+/// and makes it what remains, unless something else does. `known`: single readings tell of something wrong with them.
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out);
 
 }  // namespace heft::diagnosis

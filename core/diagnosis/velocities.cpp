@@ -19,16 +19,16 @@ constexpr double kEdge = 0.5;        ///< [s] left out at either end, where filt
 constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
 constexpr double kLagNamed = 0.003;  ///< [s]
 constexpr double kLossNamed = 0.03;
-constexpr double kNoiseNamed = 0.05;        ///< Of the motion's own speed
-constexpr double kNoiseMatters = 0.004;     ///< [rad/s, m/s]; less is how finely velocities are reported
-constexpr double kMemory = 0.05;     ///< [s] over which what is left over does not change
+constexpr double kNoiseNamed = 0.05;     ///< Of the motion's own speed
+constexpr double kNoiseMatters = 0.004;  ///< [rad/s, m/s]; less is how finely velocities are reported
+constexpr double kMemory = 0.05;         ///< [s] over which what is left over does not change
 
 /// Slope of the angles, or of the pose, `q` (D x K) as it would be reported with a lag [s].
 using Reporting = std::function<MatrixXd(const MatrixXd& q, const MatrixXd& slope, double lag, double rateHz)>;
 
 struct Match {
-  double lag = 0.0;    ///< [s]
-  double scale = 1.0;  ///< Reported velocity over that of the angles, at this lag
+  double lag = 0.0;     ///< [s]
+  double scale = 1.0;   ///< Reported velocity over that of the angles, at this lag
   double left = 1e300;  ///< Sum of squares left over
 };
 
@@ -63,7 +63,8 @@ class Comparison {
       if (const Match trial = at(reporting, lag); trial.left < out.left) out = trial;
     double low = out.lag / kGrowth, high = std::min(kLongest, out.lag * kGrowth);
     while (high - low > std::max(1e-4, 0.01 * low)) {
-      const Match left = at(reporting, high - kGolden * (high - low)), right = at(reporting, low + kGolden * (high - low));
+      const Match left = at(reporting, high - kGolden * (high - low)),
+                  right = at(reporting, low + kGolden * (high - low));
       (left.left < right.left ? high : low) = left.left < right.left ? right.lag : left.lag;
       for (const Match& trial : {left, right})
         if (trial.left < out.left) out = trial;
@@ -73,12 +74,16 @@ class Comparison {
 
   /// Root mean square [rad/s, m/s] of what a match leaves, and of the motion's own speed.
   double leftOver(const Match& match) const { return std::sqrt(match.left / static_cast<double>(count_ * q_.rows())); }
-  double speed() const { return std::sqrt(slope_.middleCols(edge_, count_).squaredNorm() / static_cast<double>(count_ * q_.rows())); }
+  double speed() const {
+    return std::sqrt(slope_.middleCols(edge_, count_).squaredNorm() / static_cast<double>(count_ * q_.rows()));
+  }
 
   /// Deviation of the lag [s], from how fast the misfit grows around it.
   double deviation(const Reporting& reporting, const Match& match) const {
     const double h = std::max(1e-3, 0.05 * match.lag);
-    const double bend = (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) / (h * h);
+    const double bend =
+        (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) /
+        (h * h);
     const double independent = static_cast<double>(count_ * q_.rows()) / std::max(1.0, kMemory * rateHz_);
     // A filter in steps of the recording is no better known than to half a step.
     return std::max(halfStep_, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);

@@ -1,6 +1,6 @@
 #pragma once
-// Velocities as a controller reports them, late, smoothed or scaled: of joints against the slope of the angles, of the sensor
-// against that of its poses.
+// Velocities as a controller reports them, late, smoothed or scaled: of joints against the slope of the angles, of the
+// sensor against that of its poses.
 #include "core/diagnosis/sample_tests.h"
 
 namespace heft::diagnosis {

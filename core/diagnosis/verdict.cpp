@@ -18,12 +18,14 @@ std::ptrdiff_t fittedOf(const std::vector<DiagnosedCause>& causes) {
   return std::ranges::count_if(causes, [](const DiagnosedCause& c) { return !c.direct; });
 }
 
-/// Several causes, each of which next to nothing speaks for, or three and more that each explain little of what is unseen: crutches
-/// for something that the catalogue lacks.
+/// Several causes, each of which next to nothing speaks for, or three and more that each explain little of what is
+/// unseen: crutches for something that the catalogue lacks.
 bool areCrutches(const std::vector<DiagnosedCause>& causes) {
   constexpr double kLittle = 0.3;
   const auto fitted = fittedOf(causes);
-  const auto all = [&](const auto& are) { return std::ranges::all_of(causes, [&](const DiagnosedCause& c) { return c.direct || are(c); }); };
+  const auto all = [&](const auto& are) {
+    return std::ranges::all_of(causes, [&](const DiagnosedCause& c) { return c.direct || are(c); });
+  };
   return (fitted > 1 && all([](const DiagnosedCause& c) { return c.deltaBic < kFaint; })) ||
          (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kLittle; }));
 }
@@ -40,7 +42,8 @@ Verdict verdictOf(const DiagnosisReport& report) {
   for (const auto& cause : report.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
   if (report.remaining.gain > std::max(kUnexplained, 0.03 * total)) return Verdict::unexplained;
   if (report.causes.empty()) return Verdict::clean;
-  const bool tied = std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
+  const bool tied =
+      std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
   return tied ? Verdict::ambiguous : Verdict::explained;
 }
 
@@ -48,17 +51,20 @@ Verdict verdictOf(const DiagnosisReport& report) {
 
 void giveVerdict(const Work& work, DiagnosisReport& out) {
   constexpr std::ptrdiff_t kSeveral = 3;
-  constexpr double kAsMuch = 0.9;  ///< Share of what several causes explain together; of right answers 0.72 was the most
+  constexpr double kAsMuch =
+      0.9;  ///< Share of what several causes explain together; of right answers 0.72 was the most
   out.verdict = verdictOf(out);
   if (out.remaining.gain > kUnexplained) return;
   // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.
-  const bool strained = !out.causes.empty() && !believable(work.search.final), several = fittedOf(out.causes) >= kSeveral;
+  const bool strained = !out.causes.empty() && !believable(work.search.final),
+             several = fittedOf(out.causes) >= kSeveral;
   const double faint = faintEvidence(out.causes);
   if (!strained && !several && faint <= 0.0) return;
   // What one unknown explains as well may be crutches for something that the catalogue lacks.
   const Structure plain = structureIn(work.signals, work.stretches, work.search.null);
   const double together = work.search.final.evidence - work.search.null.evidence;
-  if (strained || areCrutches(out.causes) || (faint > 0.0 && plain.gain > faint + kTie) || (several && plain.gain > kAsMuch * together)) {
+  if (strained || areCrutches(out.causes) || (faint > 0.0 && plain.gain > faint + kTie) ||
+      (several && plain.gain > kAsMuch * together)) {
     out.remaining = plain;
     out.verdict = Verdict::unexplained;
   }
@@ -69,19 +75,22 @@ std::string verdictSentence(const DiagnosisReport& report) {
     case Verdict::clean:
       return "The model fits: nothing is left but the sensor's noise.";
     case Verdict::ambiguous: {
-      const auto tied = std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
+      const auto tied =
+          std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
       std::string others;
-      for (const auto& other : tied->alternatives) others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
-      return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title, others);
+      for (const auto& other : tied->alternatives)
+        others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
+      return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title,
+                         others);
     }
     case Verdict::unexplained:
       return fmt::format("Something unknown is left that goes with {}.", report.remaining.goesWith);
     case Verdict::explained:
       break;
   }
-  return report.causes.size() == 1 ? "Cause found: " + report.causes.front().sentence
-                                   : fmt::format("{} causes found; the strongest: {}", report.causes.size(),
-                                                 report.causes.front().sentence);
+  return report.causes.size() == 1
+             ? "Cause found: " + report.causes.front().sentence
+             : fmt::format("{} causes found; the strongest: {}", report.causes.size(), report.causes.front().sentence);
 }
 
 }  // namespace heft::diagnosis

@@ -5,8 +5,8 @@
 
 namespace heft::diagnosis {
 
-/// Sets the verdict from the causes, the strongest first, and what remains beside them; where the causes are crutches for something
-/// unknown, that is what remains.
+/// Sets the verdict from the causes, the strongest first, and what remains beside them; where the causes are crutches
+/// for something unknown, that is what remains.
 void giveVerdict(const Work& work, DiagnosisReport& report);
 
 /// The verdict in a sentence; the causes have theirs.

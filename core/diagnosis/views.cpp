@@ -30,7 +30,8 @@ double rateOf(const DiagnosisSeries& series) {
 
 }  // namespace
 
-TellingStretch tellingStretch(const DiagnosisSeries& series, const Wrenches& before, const Wrenches& after, double seconds) {
+TellingStretch tellingStretch(const DiagnosisSeries& series, const Wrenches& before, const Wrenches& after,
+                              double seconds) {
   TellingStretch out;
   const Eigen::Index n = std::min(before.cols(), after.cols());
   if (n < 2) return out;
@@ -80,7 +81,8 @@ Spectrum spectrumOf(const DiagnosisSeries& series, bool torque) {
   out.before = (before / (3.0 * count)).cwiseSqrt();
   out.after = (after / (3.0 * count)).cwiseSqrt();
   out.frequency.resize(lines);
-  for (Eigen::Index k = 0; k < lines; ++k) out.frequency(k) = rate * static_cast<double>(k + 1) / static_cast<double>(length);
+  for (Eigen::Index k = 0; k < lines; ++k)
+    out.frequency(k) = rate * static_cast<double>(k + 1) / static_cast<double>(length);
   std::vector<double> high(out.after.data() + lines / 2, out.after.data() + lines);
   std::nth_element(high.begin(), high.begin() + static_cast<std::ptrdiff_t>(high.size() / 2), high.end());
   out.floor = high.empty() ? 0.0 : high[high.size() / 2];
@@ -107,7 +109,8 @@ Result<std::vector<Witness>> witnesses(const Recording& recording, const RobotMo
       VectorXd value(signals.blocks());
       for (Eigen::Index b = 0; b < signals.blocks(); ++b)
         value(b) = rows.row(i).segment(b * signals.samplesPerBlock, signals.samplesPerBlock).mean();
-      out.push_back({rows.rows() == 3 ? fmt::format("{}{}", kind, kAxis[static_cast<std::size_t>(i)]) : kind, unit, value});
+      out.push_back(
+          {rows.rows() == 3 ? fmt::format("{}{}", kind, kAxis[static_cast<std::size_t>(i)]) : kind, unit, value});
     }
   };
   Eigen::RowVectorXd time(n);

@@ -25,9 +25,9 @@ Spectrum spectrumOf(const DiagnosisSeries& series, bool torque);
 
 /// Something about the motion that a difference may go with, at series.time.
 struct Witness {
-  std::string id;    ///< "gravity_x", "speed_z", "load", ...; the part before the last _ is its kind.
+  std::string id;  ///< "gravity_x", "speed_z", "load", ...; the part before the last _ is its kind.
   std::string unit;
-  VectorXd value;    ///< N
+  VectorXd value;  ///< N
 };
 /// Gravity's direction and its rate (S axes), position and velocity (B axes), its sign, acceleration and turning (S
 /// axes), load, time. Fails like motionOf().

@@ -10,13 +10,13 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// A residual in parts of `seconds` each, without its mean, turned so that both a random walk and white noise are independent
-/// from row to row. Parts of which less than half is judged are not there.
+/// A residual in parts of `seconds` each, without its mean, turned so that both a random walk and white noise are
+/// independent from row to row. Parts of which less than half is judged are not there.
 struct Turned {
-  MatrixXd y;         ///< M x 6
-  VectorXd walk;      ///< M: variances of a walk that goes as far as one white reading scatters over the recording
-  MatrixXd from;      ///< M x (M + 1): what turns a function of the parts' times likewise
-  VectorXd time;      ///< M + 1 [s]
+  MatrixXd y;     ///< M x 6
+  VectorXd walk;  ///< M: variances of a walk that goes as far as one white reading scatters over the recording
+  MatrixXd from;  ///< M x (M + 1): what turns a function of the parts' times likewise
+  VectorXd time;  ///< M + 1 [s]
 };
 
 Turned turned(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual, double seconds) {
@@ -78,8 +78,9 @@ bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches
 }
 
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kBelow = 0.6;   // [Hz]; faster ones are looked for elsewhere
-  constexpr double kLimit = 70.0;  // Of 120 recordings with and without a walk the highest was 48; waves of 20 deviations began at 71
+  constexpr double kBelow = 0.6;  // [Hz]; faster ones are looked for elsewhere
+  constexpr double kLimit =
+      70.0;  // Of 120 recordings with and without a walk the highest was 48; waves of 20 deviations began at 71
   constexpr double kMostParts = 400.0;
   const double part = std::max(0.2, signals.duration() / kMostParts);
   const Turned at = turned(signals, stretches, residual, part);
@@ -87,8 +88,8 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
   if (count < 8) return 0.0;
   std::vector<VectorXd> weights{VectorXd::Ones(count)};
   for (double a = 0.1; a < 1e4; a *= 1.6) weights.push_back((1.0 + a * at.walk.array()).inverse().matrix());
-  // Twice the log-likelihood of a channel as a walk of any size on noise of any size, with the wave `X` or, where that is empty,
-  // without.
+  // Twice the log-likelihood of a channel as a walk of any size on noise of any size, with the wave `X` or, where that
+  // is empty, without.
   const auto likelihood = [&](Eigen::Index channel, const VectorXd& weight, const MatrixXd& X) {
     const auto y = at.y.col(channel);
     double left = weight.dot(y.cwiseAbs2());

@@ -8,8 +8,9 @@ namespace heft::diagnosis {
 /// makes at other times.
 bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& without, const Fit& with);
 
-/// How far a slow wave in time (below 0.6 Hz) of `residual` stands out from a random walk on top of white noise, in all channels
-/// together: above 1 no walk does that. By the likelihood of the judged blocks alone: gaps cost sight, but look like nothing.
+/// How far a slow wave in time (below 0.6 Hz) of `residual` stands out from a random walk on top of white noise, in all
+/// channels together: above 1 no walk does that. By the likelihood of the judged blocks alone: gaps cost sight, but
+/// look like nothing.
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 }  // namespace heft::diagnosis

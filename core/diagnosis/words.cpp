@@ -35,17 +35,22 @@ const std::map<std::string_view, Words>& words() {
         heft::toSay("Come back to the same pose three times: a drift reads differently each time."),
         heft::toSay("The difference climbs or sinks slowly over the whole recording and ignores the motion.")}},
       {"time_offset",
-       {heft::toSay("Readings late"), heft::toSay("Do force and joint angles get their time from one clock, at the source?"),
+       {heft::toSay("Readings late"),
+        heft::toSay("Do force and joint angles get their time from one clock, at the source?"),
         heft::toSay("Shake the tool quickly for ten seconds, two to four times a second."),
-        heft::toSay("The difference is large where the force changes fast and zero where it rests, with the full height "
-              "kept.")}},
+        heft::toSay(
+            "The difference is large where the force changes fast and zero where it rests, with the full height "
+            "kept.")}},
       {"low_pass_lag",
-       {heft::toSay("Readings smoothed"), heft::toSay("Is a filter or averaging switched on in the sensor's amplifier or driver?"),
+       {heft::toSay("Readings smoothed"),
+        heft::toSay("Is a filter or averaging switched on in the sensor's amplifier or driver?"),
         heft::toSay("Shake the tool quickly for ten seconds: smoothing makes fast forces smaller, a delay does not."),
         heft::toSay("Late like a delay, but peaks are also cut down, and the noise looks soft.")}},
       {"motion_lag",
-       {heft::toSay("Accelerations late"), heft::toSay("Record the plain joint angles at the full rate, without smoothing."),
-        heft::toSay("Turn the tool slowly through large angles: late readings show then too, late accelerations do not."),
+       {heft::toSay("Accelerations late"),
+        heft::toSay("Record the plain joint angles at the full rate, without smoothing."),
+        heft::toSay(
+            "Turn the tool slowly through large angles: late readings show then too, late accelerations do not."),
         heft::toSay("Slow turning fits well; only starts and stops leave a difference.")}},
       {"sensor_rotation",
        {heft::toSay("Sensor mounted turned"),
@@ -60,14 +65,17 @@ const std::map<std::string_view, Words>& words() {
       {"gain_error",
        {heft::toSay("One channel reads wrong"),
         heft::toSay("Hang a known weight from each side of the sensor; check its calibration file."),
-        heft::toSay("Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale."),
+        heft::toSay(
+            "Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale."),
         heft::toSay("The difference on one channel is a small copy of that channel itself.")}},
       {"crosstalk",
-       {heft::toSay("One channel shows on another"), heft::toSay("Is the sensor's own calibration matrix loaded (serial number)?"),
+       {heft::toSay("One channel shows on another"),
+        heft::toSay("Is the sensor's own calibration matrix loaded (serial number)?"),
         heft::toSay("Tilt the tool so that its weight lies on each axis of the sensor in turn."),
         heft::toSay("The difference on one channel is a small copy of another channel.")}},
       {"cable_pull",
-       {heft::toSay("Cable or hose pulls"), heft::toSay("Does the cable or hose hang free of the wrist, with slack in every pose?"),
+       {heft::toSay("Cable or hose pulls"),
+        heft::toSay("Does the cable or hose hang free of the wrist, with slack in every pose?"),
         heft::toSay("Move the tool through a larger space, to where the cable is taut and where it is slack."),
         heft::toSay("The difference goes with the place of the tool: the same spot, the same pull, at any speed.")}},
       {"constant_pull",
@@ -108,7 +116,8 @@ const std::map<std::string_view, Words>& words() {
         heft::toSay("Repeat the motion more slowly, or with a lighter tool."),
         heft::toSay("The measured curve is cut off flat at the top.")}},
       {"joint_offset",
-       {heft::toSay("Joint angle off"), heft::toSay("Check that joint's calibration and the robot description of this recording."),
+       {heft::toSay("Joint angle off"),
+        heft::toSay("Check that joint's calibration and the robot description of this recording."),
         heft::toSay("Visit poses in which the other joints stand very differently, elbow high and low."),
         heft::toSay("A difference that depends on the pose: a tilt that is not the same everywhere.")}},
       {"spikes",
@@ -126,7 +135,8 @@ const std::map<std::string_view, Words>& words() {
         heft::toSay("Record once more with stronger smoothing and compare."),
         heft::toSay("The fast parts of the motion are too large or too small in the simulation, the slow ones fit.")}},
       {"hysteresis",
-       {heft::toSay("Sensor remembers its load"), heft::toSay("Was the sensor overloaded, glued or pinched? Check its screws."),
+       {heft::toSay("Sensor remembers its load"),
+        heft::toSay("Was the sensor overloaded, glued or pinched? Check its screws."),
         heft::toSay("Load the sensor slowly up and down in one direction, in small and large steps."),
         heft::toSay("The difference lags behind the load itself: one value on the way up, another on the way down.")}},
       {"frame_error",
@@ -135,15 +145,18 @@ const std::map<std::string_view, Words>& words() {
         heft::toSay("None is needed: the mistake is too large to be overlooked."),
         heft::toSay("Nothing fits: the simulated curves run against the measured ones.")}},
       {"dropouts",
-       {heft::toSay("Readings lost or repeated"), heft::toSay("Check the connection, and record at the sensor's own rate."),
+       {heft::toSay("Readings lost or repeated"),
+        heft::toSay("Check the connection, and record at the sensor's own rate."),
         heft::toSay("None is needed: the readings show it."),
         heft::toSay("The measured curve has flat steps or holes where it should run on.")}},
       {"jitter",
-       {heft::toSay("Uneven time stamps"), heft::toSay("Let the sensor or the robot stamp the readings, not a busy computer."),
+       {heft::toSay("Uneven time stamps"),
+        heft::toSay("Let the sensor or the robot stamp the readings, not a busy computer."),
         heft::toSay("None is needed: the time stamps show it."),
         heft::toSay("In fast motion the measured curve trembles forth and back in time.")}},
       {"quantisation",
-       {heft::toSay("Coarse readings"), heft::toSay("Choose a finer measuring range, or a file format with more digits."),
+       {heft::toSay("Coarse readings"),
+        heft::toSay("Choose a finer measuring range, or a file format with more digits."),
         heft::toSay("None is needed: the readings show it."),
         heft::toSay("The measured curve climbs in stairs where the simulated one is smooth.")}},
   };
@@ -215,7 +228,9 @@ struct Values {
     double most = -1.0;
     for (const auto& p : cause.parameters) {
       if (occurrenceOf(p.name) != ending) continue;
-      if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration") || p.name == "warm_up") continue;
+      if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration") ||
+          p.name == "warm_up")
+        continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {
         most = z;
@@ -276,8 +291,9 @@ std::string cableSentence(const Values& v) {
   if (v.find("twist_stiffness"))
     return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
   if (v.find("length"))
-    return heft::say("A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.", v.size("length"),
-                     v.size("stiffness"));
+    return heft::say(
+        "A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.",
+        v.size("length"), v.size("stiffness"));
   if (v.find("stiffness"))
     return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
   const Matrix3d stiffness = diagnosis::stiffnessOf(v.cause.parameters, v.ending);
@@ -293,8 +309,8 @@ std::string sidesSentence(const Values& v) {
   if (asymmetry == nullptr) return {};
   const CauseParameter* gain = v.find("gain_" + channel);
   const double both = gain != nullptr ? gain->value : 0.0;
-  return heft::say("The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.", channelWords(channelOf(channel)),
-                   both + asymmetry->value, both - asymmetry->value);
+  return heft::say("The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.",
+                   channelWords(channelOf(channel)), both + asymmetry->value, both - asymmetry->value);
 }
 
 /// A joint whose angle is off to and fro once a turn; empty if the strongest parameter is of another kind.
@@ -303,14 +319,16 @@ std::string onceATurnSentence(const Values& v) {
   const auto once = name.find("_once_");
   if (once == std::string::npos) return {};
   const std::string both = name.substr(0, once + 6);
-  return heft::say("Joint {} is read up to {} degrees wrong, to and fro once a turn.", name.substr(1, once - 1), v.norm({both + "sine", both + "cosine"}));
+  return heft::say("Joint {} is read up to {} degrees wrong, to and fro once a turn.", name.substr(1, once - 1),
+                   v.norm({both + "sine", both + "cosine"}));
 }
 
 /// Of those causes that change a reading: one parameter says which and how much.
 std::string readingSentence(const std::string& id, const CauseParameter& p) {
   if (p.name.starts_with("gain_force"))
-    return p.value > 0.0 ? heft::say("All forces read {} % too much against the torques.", plusMinus(p.value, p.std))
-                         : heft::say("All forces read {} % too little against the torques.", plusMinus(-p.value, p.std));
+    return p.value > 0.0
+               ? heft::say("All forces read {} % too much against the torques.", plusMinus(p.value, p.std))
+               : heft::say("All forces read {} % too little against the torques.", plusMinus(-p.value, p.std));
   if (p.name.starts_with("growth_"))
     return heft::say("The gain of {} changes by {:+.1f} % during the recording, as when a sensor warms up.",
                      channelWords(channelOf(std::string_view(p.name).substr(7))), p.value);
@@ -328,10 +346,12 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
     return heft::say("Joint {} is really {} degrees away from what was recorded.", p.name.substr(1, 1),
                      plusMinus(std::abs(p.value), p.std));
   if (p.name.starts_with("loop"))
-    return heft::say("The sensor remembers its load: it reads {} % of the load's range differently going up and coming down.",
-                     plusMinus(std::abs(p.value), p.std));
-  return heft::say("The sensor remembers {} of its load: it reads differently going up and coming down.",
-                   p.name.starts_with("memory") ? fmt::format("{} %", plusMinus(std::abs(p.value), p.std)) : parameterWords(p));
+    return heft::say(
+        "The sensor remembers its load: it reads {} % of the load's range differently going up and coming down.",
+        plusMinus(std::abs(p.value), p.std));
+  return heft::say(
+      "The sensor remembers {} of its load: it reads differently going up and coming down.",
+      p.name.starts_with("memory") ? fmt::format("{} %", plusMinus(std::abs(p.value), p.std)) : parameterWords(p));
 }
 
 std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mistake) {
@@ -341,8 +361,10 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return mistake ? mistakeSentence(*mistake) : std::string();
   if (id == "sensor_bias")
     return v.find("fx") || v.find("fy") || v.find("fz")
-               ? heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1), v.norm({"fx", "fy", "fz"}))
-               : heft::say("At {} s the sensor's zero jumped by {} N m.", number(v.value("time"), 1), v.norm({"tx", "ty", "tz"}));
+               ? heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1),
+                           v.norm({"fx", "fy", "fz"}))
+               : heft::say("At {} s the sensor's zero jumped by {} N m.", number(v.value("time"), 1),
+                           v.norm({"tx", "ty", "tz"}));
   if (id == "bias_drift") return driftSentence(v);
   if (id == "time_offset" && v.find("clock_drift"))
     return heft::say("The clocks of force readings and motion run apart, by {} ms a second.", v.size("clock_drift"));
@@ -367,35 +389,43 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "cable_pull") return cableSentence(v);
   if (id == "constant_pull") {
     const std::string size = v.norm({"force_x", "force_y", "force_z"});
-    return v.find("time") ? heft::say("From {} s on something pulls at the tool with {} N, always in the same direction.", number(v.value("time"), 1), size)
-                          : heft::say("Something pulls at the tool with {} N, always in the same direction.", size);
+    return v.find("time")
+               ? heft::say("From {} s on something pulls at the tool with {} N, always in the same direction.",
+                           number(v.value("time"), 1), size)
+               : heft::say("Something pulls at the tool with {} N, always in the same direction.", size);
   }
   if (id == "viscous_drag") {
     if (v.find("drag")) return heft::say("Something holds the tool back: {} N per metre per second.", v.size("drag"));
-    return v.find("drag_x") ? heft::say("Something holds the tool back, by up to {} N per metre per second.", v.most({"drag_x", "drag_y", "drag_z"}))
-                            : heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"));
+    return v.find("drag_x")
+               ? heft::say("Something holds the tool back, by up to {} N per metre per second.",
+                           v.most({"drag_x", "drag_y", "drag_z"}))
+               : heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"));
   }
   if (id == "coulomb_friction") {
     if (v.find("friction")) return heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"));
-    return v.find("friction_x") ? heft::say("Something rubs and holds the tool back, with up to {} N.", v.most({"friction_x", "friction_y", "friction_z"}))
-                                : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
+    return v.find("friction_x")
+               ? heft::say("Something rubs and holds the tool back, with up to {} N.",
+                           v.most({"friction_x", "friction_y", "friction_z"}))
+               : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
   }
   if (const CauseParameter* mass = v.find("mass"); id == "loose_mass" && mass && v.value("damping") > 0.5)
-    return mass->std > 0.5 * mass->value ? heft::say("Something in the tool is loose and rolls to another place as it turns.")
-                                         : heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));
+    return mass->std > 0.5 * mass->value
+               ? heft::say("Something in the tool is loose and rolls to another place as it turns.")
+               : heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));
   if (id == "loose_mass")
     return heft::say("About {} g in the tool are loose and swing {} times a second.", v.size("mass"),
                      number(v.value("frequency"), 1));
   if (id == "flexible_mount")
     return heft::say("The tool's mount gives and rings at {} Hz.", number(v.value("frequency"), 0));
   if (id == "payload_change" && v.value("duration") > 1.0) {
-    const std::string from = number(v.value("time") - 0.5 * v.value("duration"), 1), to = number(v.value("time") + 0.5 * v.value("duration"), 1);
+    const std::string from = number(v.value("time") - 0.5 * v.value("duration"), 1),
+                      to = number(v.value("time") + 0.5 * v.value("duration"), 1);
     return v.value("mass") > 0.0 ? heft::say("From {} to {} s the load became {} g heavier.", from, to, v.size("mass"))
                                  : heft::say("From {} to {} s the load became {} g lighter.", from, to, v.size("mass"));
   }
   if (id == "payload_change" && v.find("mass") && std::abs(v.value("mass")) < 2.0 * v.find("mass")->std)
-    return heft::say("At {} s the load moved on the tool; its weight hardly changed ({} g).", number(v.value("time"), 1),
-                     plusMinus(v.value("mass"), v.find("mass")->std));
+    return heft::say("At {} s the load moved on the tool; its weight hardly changed ({} g).",
+                     number(v.value("time"), 1), plusMinus(v.value("mass"), v.find("mass")->std));
   if (id == "payload_change")
     return v.value("mass") > 0.0
                ? heft::say("At {} s the load became {} g heavier.", number(v.value("time"), 1), v.size("mass"))
@@ -407,11 +437,13 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                                   : heft::say("The tool touched something {} times, with up to {} N.",
                                               cause.when.size(), number(v.value("peak_force"), 1));
   if (id == "saturation" && !cause.direct) {
-    const auto loss = std::find_if(cause.parameters.begin(), cause.parameters.end(), [](const CauseParameter& p) { return p.name.starts_with("loss_"); });
+    const auto loss = std::find_if(cause.parameters.begin(), cause.parameters.end(),
+                                   [](const CauseParameter& p) { return p.name.starts_with("loss_"); });
     return loss == cause.parameters.end()
                ? std::string()
                : heft::say("Near the end of its range the channel {} shows {} % less than there is.",
-                           channelWords(channelOf(std::string_view(loss->name).substr(5))), plusMinus(loss->value, loss->std));
+                           channelWords(channelOf(std::string_view(loss->name).substr(5))),
+                           plusMinus(loss->value, loss->std));
   }
   if (id == "saturation")
     return heft::say("The sensor reached the end of its range in {} % of the readings.", v.size("share"));
@@ -422,18 +454,22 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return heft::say("The sensor's origin sits {} mm away from where the meta file puts it.",
                      v.norm({"dx", "dy", "dz"}));
   if (id == "derivative_noise" && v.find("noise"))
-    return heft::say("The reported velocities are noisy, by {} % of the motion's speed; Heft can use the positions instead.",
-                     v.size("noise"));
+    return heft::say(
+        "The reported velocities are noisy, by {} % of the motion's speed; Heft can use the positions instead.",
+        v.size("noise"));
   if (id == "derivative_noise" && v.find("force_noise"))
-    return heft::say("The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.",
-                     number(v.value("force_noise"), 2), number(v.value("corner"), 0));
+    return heft::say(
+        "The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.",
+        number(v.value("force_noise"), 2), number(v.value("corner"), 0));
   if (id == "derivative_noise" && v.find("smoothing"))
-    return heft::say("The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too small.",
-                     v.size("smoothing"));
+    return heft::say(
+        "The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too "
+        "small.",
+        v.size("smoothing"));
   if (id == "derivative_noise")
-    return cause.direct ? heft::say("The reported velocities are {} % off; Heft can use the positions instead.",
-                                    v.size("loss"))
-                        : heft::say("The forces of acceleration are {} % off what the motion says.", v.size("loss"));
+    return cause.direct
+               ? heft::say("The reported velocities are {} % off; Heft can use the positions instead.", v.size("loss"))
+               : heft::say("The forces of acceleration are {} % off what the motion says.", v.size("loss"));
   if (id == "dropouts") return dropoutSentence(v);
   if (id == "jitter")
     return heft::say("The time stamps come up to {} ms early or late; Heft takes the rows as evenly spaced.",
@@ -504,8 +540,10 @@ std::string causeSentence(const DiagnosedCause& cause, const std::optional<Frame
 
 std::string goesWithWords(const std::string& goesWith) {
   double from = 0.0, to = 0.0;
-  if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1) return from < 10.0 ? heft::say("a rhythm of {:.2g} Hz", from) : heft::say("a rhythm of {:.0f} Hz", from);
-  if (std::sscanf(goesWith.c_str(), "a shaking of %lf to %lf Hz", &from, &to) == 2) return heft::say("a shaking of {:.0f} to {:.0f} Hz", from, to);
+  if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1)
+    return from < 10.0 ? heft::say("a rhythm of {:.2g} Hz", from) : heft::say("a rhythm of {:.0f} Hz", from);
+  if (std::sscanf(goesWith.c_str(), "a shaking of %lf to %lf Hz", &from, &to) == 2)
+    return heft::say("a shaking of {:.0f} to {:.0f} Hz", from, to);
   if (std::sscanf(goesWith.c_str(), "slow swings, %lf to %lf times", &from, &to) == 2)
     return heft::say("slow swings, {:.1f} to {:.0f} times a second", from, to);
   if (int joint = 0; std::sscanf(goesWith.c_str(), "what the motor of joint %d does", &joint) == 1)

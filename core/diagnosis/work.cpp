@@ -43,11 +43,12 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
       signals.usable[static_cast<std::size_t>(n)] = false;
 }
 
-/// What is left of `contacts` if one cause is behind most of it, such as the end of the sensor's range, a jump of its zero or a
-/// cable that is slack elsewhere: that one looks like contact as long as it is set aside.
-/// `elsewise`: the share of the evidence for contact that this cause takes away.
-std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, const Search& found, const std::vector<Contact>& contacts,
-                                    const std::vector<Stretch>& holes, double& elsewise) {
+/// What is left of `contacts` if one cause is behind most of it, such as the end of the sensor's range, a jump of its
+/// zero or a cable that is slack elsewhere: that one looks like contact as long as it is set aside. `elsewise`: the
+/// share of the evidence for contact that this cause takes away.
+std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, const Search& found,
+                                    const std::vector<Contact>& contacts, const std::vector<Stretch>& holes,
+                                    double& elsewise) {
   constexpr double kMost = 0.9;
   std::vector<std::string_view> causes;
   for (const auto& cause : catalogue())
@@ -71,8 +72,8 @@ std::vector<Contact> unlessElsewise(const Signals& whole, SignatureBank& bank, c
   return elsewise > kMost ? left : contacts;
 }
 
-/// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else. Those that ring are left
-/// out as well, but they are nothing: a motion that is smoothed can do no better there.
+/// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else. Those that
+/// ring are left out as well, but they are nothing: a motion that is smoothed can do no better there.
 void setOddAside(Work& work, const Signals& whole) {
   std::erase_if(work.contacts, [](const Contact& c) { return c.rings; });
   std::vector<Contact> pushes;
@@ -86,17 +87,20 @@ void setOddAside(Work& work, const Signals& whole) {
   work.contacts = std::move(pushes);
 }
 
-/// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter. `e`: innovations, 6 x N.
+/// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter. `e`: innovations, 6
+/// x N.
 double loudnessBeside(const Contact& touch, const Work& work, const Eigen::Map<const Wrenches>& e) {
   constexpr double kNear = 2.0, kApart = 0.1, kWindow = 1.0;  // [s]
   const auto length = static_cast<Eigen::Index>(kWindow * work.signals.blockRate());
   std::vector<double> usual;
   double near = 0.0, count = 0.0;
   for (const auto& s : work.stretches) {
-    for (Eigen::Index n = s.from; n + length <= s.to; n += length) usual.push_back(e.middleCols(n, length).squaredNorm() / static_cast<double>(length));
+    for (Eigen::Index n = s.from; n + length <= s.to; n += length)
+      usual.push_back(e.middleCols(n, length).squaredNorm() / static_cast<double>(length));
     for (Eigen::Index n = s.from; n < s.to; ++n) {
       const double t = work.signals.blockTime(n);
-      if (t < touch.from - kNear || t > touch.to + kNear || (t > touch.from - kApart && t < touch.to + kApart)) continue;
+      if (t < touch.from - kNear || t > touch.to + kNear || (t > touch.from - kApart && t < touch.to + kApart))
+        continue;
       near += e.col(n).squaredNorm();
       count += 1.0;
     }
@@ -104,8 +108,9 @@ double loudnessBeside(const Contact& touch, const Work& work, const Eigen::Map<c
   return count > 0.0 && !usual.empty() ? std::max(1.0, near / count / std::max(1e-12, median(usual))) : 1.0;
 }
 
-/// Whether so much speaks for `touches`, beside what else the search found, that something was touched. What other causes leave
-/// when their form is not quite right looks like a touch now and then, often one of a torque without a force.
+/// Whether so much speaks for `touches`, beside what else the search found, that something was touched. What other
+/// causes leave when their form is not quite right looks like a touch now and then, often one of a torque without a
+/// force.
 bool wereTouches(const std::vector<Contact>& touches, double evidence, const Work& work) {
   // Of 30 faint ones in 560 recordings, real touches had 32 or more, and more than 1.3 times the noise below 100.
   constexpr double kLeast = 30.0, kShareOfOthers = 0.03, kFaintTouch = 100.0;
@@ -117,12 +122,14 @@ bool wereTouches(const std::vector<Contact>& touches, double evidence, const Wor
   return evidence > kFaintTouch || peak > rmsOf(work.stretches, work.search.final.residual).force;
 }
 
-/// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are none.
+/// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are
+/// none.
 void setTouchesAside(Work& work) {
   constexpr double kMostOfTime = 0.2;
   constexpr std::ptrdiff_t kMost = 4;
   Search& search = work.search;
-  const auto found = std::find_if(search.found.begin(), search.found.end(), [](const Found& f) { return f.cause == "contact"; });
+  const auto found =
+      std::find_if(search.found.begin(), search.found.end(), [](const Found& f) { return f.cause == "contact"; });
   if (found == search.found.end()) return;
   Signals& signals = work.signals;
   std::vector<Contact> touches;
@@ -160,7 +167,8 @@ void setTouchesAside(Work& work) {
   const Wrenches& residual = search.final.residual;
   const VectorXd innovations = whitened(flat(residual), search.final.noise, work.stretches);
   double evidence = 0.0;
-  for (const auto& touch : touches) evidence += touch.evidence / loudnessBeside(touch, work, {innovations.data(), 6, residual.cols()});
+  for (const auto& touch : touches)
+    evidence += touch.evidence / loudnessBeside(touch, work, {innovations.data(), 6, residual.cols()});
   const bool touched = wereTouches(touches, evidence, work);
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
@@ -185,8 +193,11 @@ void setTouchesAside(Work& work) {
 /// Nobody touches a tool again and again for no longer than it takes to knock at it.
 void setKnocksAside(Work& work) {
   constexpr double kKnock = 0.25;  ///< [s]
-  constexpr std::ptrdiff_t kKnocks = 3;  ///< Of five recordings with two or more, and nothing longer, none had been touched
-  if (std::ssize(work.contacts) < kKnocks || std::ranges::any_of(work.contacts, [](const Contact& c) { return c.to - c.from > kKnock; })) return;
+  constexpr std::ptrdiff_t kKnocks =
+      3;  ///< Of five recordings with two or more, and nothing longer, none had been touched
+  if (std::ssize(work.contacts) < kKnocks ||
+      std::ranges::any_of(work.contacts, [](const Contact& c) { return c.to - c.from > kKnock; }))
+    return;
   work.odd = std::move(work.contacts);
   work.contacts.clear();
   work.oddGoesWith = heft::toSay("short knocks");
@@ -194,8 +205,8 @@ void setKnocksAside(Work& work) {
 
 }  // namespace
 
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff, bool twicing,
-                  const DiagnoseOptions& options, const std::vector<bool>& badRows) {
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
+                  bool twicing, const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   MotionOptions smoothing;
   smoothing.cutoffHz = cutoff;
   smoothing.twicing = twicing;
@@ -222,7 +233,8 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
     if (!badRows.empty()) {
       while (row < recording.rows() && recording.time(row) < t - half) ++row;
       const auto at = static_cast<std::size_t>(row);
-      if (row > 0 && row < recording.rows()) usable = usable && !(badRows[at - 1] && badRows[at]);  // Nothing was recorded here
+      if (row > 0 && row < recording.rows())
+        usable = usable && !(badRows[at - 1] && badRows[at]);  // Nothing was recorded here
       for (Eigen::Index i = row; i < recording.rows() && recording.time(i) <= t + half; ++i)
         usable = usable && !badRows[static_cast<std::size_t>(i)];
     }
@@ -273,7 +285,8 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   const auto fitAll = [&](const std::optional<FrameMistake>& mistake) {
     onTwoThreads(ways.size(), [&](std::size_t i) {
       const Signals& signals = ways[i].signals;
-      if (signals.blocks() == common.blocks()) out[i] = fitModel(mistake ? corrected(signals, *mistake) : signals, stretches, Model{}).evidence;
+      if (signals.blocks() == common.blocks())
+        out[i] = fitModel(mistake ? corrected(signals, *mistake) : signals, stretches, Model{}).evidence;
     });
   };
   fitAll({});
@@ -286,8 +299,9 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
 namespace {
 
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
-Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes, const DiagnoseOptions& options,
-                double threshold, const Progress& progress, const std::function<bool(const Work&)>& givesUp) {
+Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes,
+                const DiagnoseOptions& options, double threshold, const Progress& progress,
+                const std::function<bool(const Work&)>& givesUp) {
   Work work;
   work.mistake = mistake;
   work.signals = mistake ? corrected(recorded, *mistake) : recorded;
@@ -324,7 +338,9 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty())
       work.contacts = unlessElsewise(whole, work.bank, work.search, work.contacts, holes, elsewise);
-    const auto last = [&] { return work.contacts.size() == holes.size() || round + 1 == kRounds || progress.cancelled(); };
+    const auto last = [&] {
+      return work.contacts.size() == holes.size() || round + 1 == kRounds || progress.cancelled();
+    };
     if (last() && lookBack(signals, work.stretches, work.bank, searching, work.search, progress))
       work.contacts = contactsIn(whole, work.search.final, holes);
     if (last()) break;
@@ -365,7 +381,7 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
 
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const std::function<bool(const Work&)>& givesUp) {
-  constexpr double kClearly = 30.0;     ///< Evidence without a mistake over that with it
+  constexpr double kClearly = 30.0;  ///< Evidence without a mistake over that with it
   const double judged = blocksIn(stretchesOf(way.signals.usable));
   if (judged < 100.0)
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
@@ -374,7 +390,8 @@ Result<Work> worked(const Way& way, const DiagnoseOptions& options, double thres
   const std::optional<FrameMistake> mistake = way.putRight ? std::nullopt : frameMistake(way);
   Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, givesUp);
   if (!mistake || work.search.givenUp) return work;
-  // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more without.
+  // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more
+  // without.
   Work plain = workedWith(std::nullopt, way.signals, std::move(holes), options, threshold, progress, {});
   const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
   return believable(plain.search.final) && (perBlock(plain) - perBlock(work)) * judged > kClearly ? plain : work;

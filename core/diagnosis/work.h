@@ -21,22 +21,23 @@ struct Way {
   bool putRight = false;  ///< A mistake with frames was found in the recording and undone: no other is looked for
 };
 
-/// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not judged.
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff, bool twicing,
-                  const DiagnoseOptions& options, const std::vector<bool>& badRows);
+/// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not
+/// judged.
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
+                  bool twicing, const DiagnoseOptions& options, const std::vector<bool>& badRows);
 
 /// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
 
-/// The stretches of `judged` that the contact on `way`, which must have been looked for, leaves; all of them where it takes most of the
-/// time, or leaves none.
+/// The stretches of `judged` that the contact on `way`, which must have been looked for, leaves; all of them where it
+/// takes most of the time, or leaves none.
 std::vector<Stretch> untouched(Signals judged, const Way& way);
 
 /// What is mixed up in it as far as nothing touches, where contact was looked for.
 std::optional<FrameMistake> frameMistake(const Way& way);
 
-/// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the first
-/// way left out, frames and signs put right.
+/// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the
+/// first way left out, frames and signs put right.
 std::vector<double> nullEvidence(const std::vector<Way>& ways);
 
 /// Everything that a search needs, and what it found.
@@ -51,16 +52,17 @@ struct Work {
   Search search;
 };
 
-/// Contact on `way` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it says so,
-/// the search ends there (Search::givenUp).
+/// Contact on `way` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it
+/// says so, the search ends there (Search::givenUp).
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const std::function<bool(const Work&)>& givesUp = {});
 
-/// Evidence of the work's final model when the motion is smoothed another way, less that with its own; next to nothing where it is
-/// not believable there.
+/// Evidence of the work's final model when the motion is smoothed another way, less that with its own; next to nothing
+/// where it is not believable there.
 double evidenceAt(const Way& other, const Work& work);
 
-/// The same for a work of one cause, which is looked for afresh: parameters that fit a motion smoothed far too much lead astray.
+/// The same for a work of one cause, which is looked for afresh: parameters that fit a motion smoothed far too much
+/// lead astray.
 double evidenceAfresh(const Way& other, const Work& work, const DiagnoseOptions& options);
 
 }  // namespace heft::diagnosis

@@ -23,10 +23,10 @@ std::optional<ParameterSet> parameterSetFromString(std::string_view text);
 struct EstimateOptions {
   Method method = Method::map;
   ParameterSet parameters = ParameterSet::full;
-  bool bias = true;                     ///< Six constant sensor biases are estimated too.
-  double trim = 0.10;                   ///< Fraction of the duration dropped at each end.
-  bool keepTrim = false;                ///< Even where contact leaves little else.
-  std::optional<SegmentMode> segments;  ///< Absent: marks if the recording has any, else automatic.
+  bool bias = true;                           ///< Six constant sensor biases are estimated too.
+  double trim = 0.10;                         ///< Fraction of the duration dropped at each end.
+  bool keepTrim = false;                      ///< Even where contact leaves little else.
+  std::optional<SegmentMode> segments;        ///< Absent: marks if the recording has any, else automatic.
   std::optional<PayloadGuess> firstEstimate;  ///< Helps to find what is free; the estimate itself does not lean on it.
   PartialPayload known;               ///< Values for parameters that are not estimated; overrides the recording's own.
   std::optional<Shape> shape;         ///< Prior.

@@ -271,9 +271,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     best->findings.push_back(
         {Severity::info,
          "spikes_removed",
-         heft::say(
-             "{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.",
-             spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
+         heft::say("{} samples ({:.2g} %) held spikes in the wrench and were replaced by what lies beside them.",
+                   spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
          {},
          {}});
   if (best->cutoffHz > 0.0 && best->cutoffHz < kDefaultCutoffHz && choose)

@@ -83,10 +83,12 @@ Result<ChosenPrior> fromShape(const EstimateOptions& options, const Triangle& wh
     findings.push_back(
         {Severity::warning,
          "shape_contradicts_data",
-         heft::say("The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
-         "the sensor differently."),
-         options.shape->certainty == Certainty::rough ? heft::say("Check the shape's size and where it sits, or leave it away.")
-                                                      : heft::say("Check the shape's size and where it sits, or choose \"rough\"."),
+         heft::say(
+             "The shape and the measured motion contradict each other: a tool of that shape and place would have moved "
+             "the sensor differently."),
+         options.shape->certainty == Certainty::rough
+             ? heft::say("Check the shape's size and where it sits, or leave it away.")
+             : heft::say("Check the shape's size and where it sits, or choose \"rough\"."),
          {}});
   chosen.prior.U0 = fit.U0;
   chosen.prior.mean = fit.mean;

@@ -17,11 +17,13 @@ constexpr Eigen::Index kLevel = 7;     ///< Rows whose median is the level besid
 constexpr Eigen::Index kLongest = 24;  ///< Rows of a discharge
 constexpr double kHolds = 0.35;        ///< Of its height in the second row; a single reading far off is none
 constexpr double kMostShare = 0.05;    ///< Of a channel's rows; what happens all the time is the signal
-constexpr double kBack = 0.15;         ///< Of a spike's or discharge's height: within that it has fallen back, the load having moved on
+constexpr double kBack =
+    0.15;  ///< Of a spike's or discharge's height: within that it has fallen back, the load having moved on
 constexpr std::size_t kFewestDischarges = 3;
 
-/// `times` the scatter of one channel, for each `part` rows: that there or beside, and at least the usual one. Empty where there is too
-/// little of it. `off`: how far row i is from where its neighbours have it; 0 where they say nothing.
+/// `times` the scatter of one channel, for each `part` rows: that there or beside, and at least the usual one. Empty
+/// where there is too little of it. `off`: how far row i is from where its neighbours have it; 0 where they say
+/// nothing.
 template <class Off>
 std::vector<double> limitsBy(const Off& off, Eigen::Index rows, Eigen::Index part, double times) {
   constexpr std::size_t kFewest = 20;
@@ -43,19 +45,21 @@ std::vector<double> limitsBy(const Off& off, Eigen::Index rows, Eigen::Index par
   return out;
 }
 
-/// How far a reading of one channel must leap, by steps between rows that differ: repeated rows of a polled sensor say nothing about
-/// its noise.
+/// How far a reading of one channel must leap, by steps between rows that differ: repeated rows of a polled sensor say
+/// nothing about its noise.
 std::vector<double> leapLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part) {
   constexpr double kTimes = 8.0 * 1.4826 / std::numbers::sqrt2;
   return limitsBy([&](Eigen::Index i) { return channel(i) - channel(i - 1); }, channel.size(), part, kTimes);
 }
 
-/// How far a single reading must stand out: where rows are few and the load moves fast, steps are the load's own, and how far a reading
-/// usually is from half-way between those two rows before and after tells the noise.
-std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part, std::vector<double> leaps) {
+/// How far a single reading must stand out: where rows are few and the load moves fast, steps are the load's own, and
+/// how far a reading usually is from half-way between those two rows before and after tells the noise.
+std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index part,
+                                std::vector<double> leaps) {
   constexpr double kTimes = 10.0 * 1.4826 / 1.2247, kClearly = 0.8;  // The root of 1 + 1/4 + 1/4
   const auto off = [&](Eigen::Index i) {
-    const bool differs = i > 1 && i + 2 < channel.size() && channel(i) != channel(i - 1) && channel(i) != channel(i + 1);
+    const bool differs =
+        i > 1 && i + 2 < channel.size() && channel(i) != channel(i - 1) && channel(i) != channel(i + 1);
     return differs ? channel(i) - 0.5 * (channel(i - 2) + channel(i + 2)) : 0.0;
   };
   const auto bends = limitsBy(off, channel.size(), part, kTimes);
@@ -67,7 +71,7 @@ std::vector<double> spikeLimits(const Eigen::Ref<const Eigen::VectorXd>& channel
 /// A channel leaps in one row, no other with it, and falls back.
 struct Discharge {
   int channel = 0;
-  Eigen::Index from = 0, to = 0;  ///< Rows [from, to)
+  Eigen::Index from = 0, to = 0;     ///< Rows [from, to)
   double before = 0.0, after = 0.0;  ///< Levels on either side
 };
 
@@ -76,15 +80,17 @@ double medianOf(const WrenchSamples& wrench, int channel, Eigen::Index from) {
   return median(std::vector<double>(rows.data(), rows.data() + kLevel));
 }
 
-/// The discharge whose first row is `i`, if there is one. `limits`: of each channel, in the part that `i` is in. `apart`: rows
-/// within which no other channel leaps.
-std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel, const std::array<double, 6>& limits, Eigen::Index apart) {
+/// The discharge whose first row is `i`, if there is one. `limits`: of each channel, in the part that `i` is in.
+/// `apart`: rows within which no other channel leaps.
+std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i, int channel,
+                                     const std::array<double, 6>& limits, Eigen::Index apart) {
   const double limit = limits[static_cast<std::size_t>(channel)], last = wrench(i - 1, channel);
   if (std::abs(wrench(i, channel) - last) < limit) return {};
   // Where the load moves fast, one step is like those before it.
   constexpr double kSteps = 4.0;
   std::vector<double> steps;
-  for (Eigen::Index k = i - 2 * kLevel; k < i; ++k) steps.push_back(std::abs(wrench(k, channel) - wrench(k - 1, channel)));
+  for (Eigen::Index k = i - 2 * kLevel; k < i; ++k)
+    steps.push_back(std::abs(wrench(k, channel) - wrench(k - 1, channel)));
   if (std::abs(wrench(i, channel) - last) < kSteps * median(std::move(steps))) return {};
   // A reading that was held leaps, too, when it is fresh again.
   if (last == wrench(i - 2, channel) && last == wrench(i - 3, channel)) return {};
@@ -113,14 +119,16 @@ std::optional<Discharge> dischargeAt(const WrenchSamples& wrench, Eigen::Index i
 using Limits = std::array<std::vector<double>, 6>;
 
 /// Replaces discharges by lines, marks their rows and says how many there were.
-std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen::Index part, Eigen::Index apart, std::vector<bool>& touched) {
+std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen::Index part, Eigen::Index apart,
+                             std::vector<bool>& touched) {
   std::vector<Discharge> found;
   for (int c = 0; c < 6; ++c) {
     Eigen::Index rows = 0;
     const std::size_t before = found.size();
     for (Eigen::Index i = 3 * kLevel; i + kLevel + 4 < wrench.rows(); ++i) {
       std::array<double, 6> here{};
-      for (std::size_t k = 0; k < 6; ++k) here[k] = limits[k].empty() ? 1e300 : limits[k][static_cast<std::size_t>(i / part)];
+      for (std::size_t k = 0; k < 6; ++k)
+        here[k] = limits[k].empty() ? 1e300 : limits[k][static_cast<std::size_t>(i / part)];
       const auto discharge = dischargeAt(wrench, i, c, here, apart);
       if (!discharge) continue;
       found.push_back(*discharge);
@@ -139,9 +147,10 @@ std::size_t bridgeDischarges(WrenchSamples& wrench, const Limits& limits, Eigen:
   return found.size();
 }
 
-/// Replaces single readings far off by what lies around them, marks their rows and says how many there were. Where their limits are below
-/// those of leaps, the load moves fast.
-std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const Limits& leaps, Eigen::Index part, std::vector<bool>& touched) {
+/// Replaces single readings far off by what lies around them, marks their rows and says how many there were. Where
+/// their limits are below those of leaps, the load moves fast.
+std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const Limits& leaps, Eigen::Index part,
+                           std::vector<bool>& touched) {
   const Eigen::Index n = wrench.rows();
   std::size_t all = 0;
   for (int c = 0; c < 6; ++c) {
@@ -157,7 +166,8 @@ std::size_t replaceSingles(WrenchSamples& wrench, const Limits& allLimits, const
       // Without the way that the load goes meanwhile.
       const Eigen::Array<double, 7, 1> course = Eigen::Array<double, 7, 1>::LinSpaced(-3.0, 3.0);
       const bool moves = limit < leaps[static_cast<std::size_t>(c)][static_cast<std::size_t>(i / part)];
-      const double slope = !moves ? 0.0 : median({(rows(6) - rows(0)) / 6.0, (rows(5) - rows(1)) / 4.0, (rows(4) - rows(2)) / 2.0});
+      const double slope =
+          !moves ? 0.0 : median({(rows(6) - rows(0)) / 6.0, (rows(5) - rows(1)) / 4.0, (rows(4) - rows(2)) / 2.0});
       const Eigen::Array<double, 7, 1> near = rows.array() - slope * course;
       const auto standsOut = [&](Eigen::Index away) {
         const double before = near(3) - near(3 - away), after = near(3) - near(3 + away);

@@ -100,8 +100,8 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
         {Severity::info,
          "no_meta",
          heft::say("There is no {} beside the recording; defaults hold: wrench of the sensor on the payload, gravity "
-                     "(0, 0, -9.81) m/s2.",
-                     displayName(metaFileOf(path).filename())),
+                   "(0, 0, -9.81) m/s2.",
+                   displayName(metaFileOf(path).filename())),
          {},
          {displayName(path), 0, 0}});
   } else {

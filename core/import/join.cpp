@@ -132,10 +132,11 @@ class Joiner {
     if (wishes_.clock == "header" || most->second - least->second < kSameClock) return;
     for (const auto& [s, delay] : delays) {
       clockShift_[s] = nanoseconds(delay);
-      note(Severity::warning, "clock_shifted",
-           heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
-                       nameOf(s), delay),
-           heft::say("The transport's delay is not known.") + " " + remedy(Remedy::stateOffset, displayName(nameOf(s))));
+      note(
+          Severity::warning, "clock_shifted",
+          heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
+                    nameOf(s), delay),
+          heft::say("The transport's delay is not known.") + " " + remedy(Remedy::stateOffset, displayName(nameOf(s))));
     }
   }
 
@@ -177,7 +178,7 @@ class Joiner {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       note(Severity::warning, "time_sorted",
            heft::say("{} samples of {} were not in the order of their times and were sorted.", backwards,
-                       nameOf(out.stream)));
+                     nameOf(out.stream)));
     }
     const auto before = order.size();
     order.erase(
@@ -186,7 +187,7 @@ class Joiner {
     if (order.size() < before)
       note(Severity::warning, "time_repeated",
            heft::say("{} of {} samples of {} repeat a time and were left out.", before - order.size(), before,
-                       nameOf(out.stream)));
+                     nameOf(out.stream)));
     out.values.resize(static_cast<Eigen::Index>(order.size()), static_cast<Eigen::Index>(sources.size()));
     for (std::size_t r = 0; r < order.size(); ++r) {
       out.nanoseconds.push_back(order[r].first);
@@ -318,18 +319,19 @@ class Joiner {
                        how);
       wrench_.time.array() += offset.seconds;
       wrenchShift_ = offset.seconds;
-      note(Severity::warning, "clock_offset",
-           heft::say("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
-                       nameOf(wrench_.stream), figures),
-           heft::say("Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too."));
-    } else if (offset.sure) {
       note(
-          std::abs(offset.seconds) > std::max(0.02, 4.0 * offset.std) ? Severity::warning : Severity::info,
-          "time_offset_estimated",
-          heft::say("On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing "
-                      "was shifted.",
-                      nameOf(wrench_.stream), nameOf(motion().stream), figures),
-          how);
+          Severity::warning, "clock_offset",
+          heft::say("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
+                    nameOf(wrench_.stream), figures),
+          heft::say(
+              "Found by letting the force follow the motion; a delay of the sensor itself is thereby taken out, too."));
+    } else if (offset.sure) {
+      note(std::abs(offset.seconds) > std::max(0.02, 4.0 * offset.std) ? Severity::warning : Severity::info,
+           "time_offset_estimated",
+           heft::say("On their common clock the force of {} follows the motion of {} best when shifted by {}; nothing "
+                     "was shifted.",
+                     nameOf(wrench_.stream), nameOf(motion().stream), figures),
+           how);
     }
     return std::nullopt;
   }
@@ -378,14 +380,14 @@ class Joiner {
       const Signal& other = wrenchSlower ? moving : wrench_;
       note(Severity::info, "streams_joined",
            heft::say("{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.", nameOf(moving.stream),
-                       1.0 / moving.step, nameOf(wrench_.stream), 1.0 / wrench_.step, nameOf(base.stream),
-                       other.step < 0.67 * base.step ? heft::say("the faster one is averaged over each step")
-                                                     : heft::say("the other one is interpolated")));
+                     1.0 / moving.step, nameOf(wrench_.stream), 1.0 / wrench_.step, nameOf(base.stream),
+                     other.step < 0.67 * base.step ? heft::say("the faster one is averaged over each step")
+                                                   : heft::say("the other one is interpolated")));
     }
     if (inGaps > 0)
       note(Severity::warning, "stream_gaps",
            heft::say("At {} of {} times one of the streams has a gap; they were left out.", inGaps,
-                       inGaps + times.size()));
+                     inGaps + times.size()));
     if (moving.step > 0.0201 && moving.step > 2.0 * wrench_.step)
       note(Severity::warning, "motion_rate_low",
            heft::say("The motion comes at {:.3g} Hz only; inertia needs about 100 Hz or more.", 1.0 / moving.step),
@@ -404,8 +406,8 @@ class Joiner {
       const std::int64_t zero = (withWrench ? wrenchZero_ : motionZero_) - offsetOf(s) - clockShift_[like];
       std::vector<std::pair<double, double>> labelled;
       for (std::size_t k = 0; k < std::min(values.size(), stream.received.size()); ++k)
-        labelled.emplace_back(
-            1e-9 * static_cast<double>(stream.received[k] - zero) + (withWrench ? wrenchShift_ : 0.0), values[k]);
+        labelled.emplace_back(1e-9 * static_cast<double>(stream.received[k] - zero) + (withWrench ? wrenchShift_ : 0.0),
+                              values[k]);
       std::sort(labelled.begin(), labelled.end());
       if (labelled.empty()) continue;
       const double step = std::max(wrench_.step, motion().step);

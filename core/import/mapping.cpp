@@ -167,7 +167,8 @@ class Chooser {
       std::string other;
       for (const auto& candidate : candidates_)
         if (candidate.part == "wrench" && candidate.score < 0 && other.empty())
-          other = " " + heft::say("{} has one, but it is {}.", shown(streams_[candidate.columns[0].stream]), candidate.why) +
+          other = " " +
+                  heft::say("{} has one, but it is {}.", shown(streams_[candidate.columns[0].stream]), candidate.why) +
                   " " + remedy(Remedy::takeSource, shown(streams_[candidate.columns[0].stream]));
       return errorAt({file, 0, 0},
                      missing.size() == 6 ? heft::say("no wrench of a sensor was found.")
@@ -183,8 +184,8 @@ class Chooser {
         if (partOf(column.column) != part) continue;
         if (stream != streams_.size() && column.stream != stream)
           return errorAt({file, 0, 0},
-                         heft::say("the columns of the {} come from {} and from {}.", partName(part), shown(streams_[stream]),
-                                   shown(streams_[column.stream])),
+                         heft::say("the columns of the {} come from {} and from {}.", partName(part),
+                                   shown(streams_[stream]), shown(streams_[column.stream])),
                          heft::say("They must share their times."));
         stream = column.stream;
       }
@@ -219,11 +220,12 @@ class Chooser {
           others.push_back(shown(streams_[other]));
       }
       if (!others.empty() && !said)
-        findings_.push_back({Severity::info,
-                             "other_source",
-                             heft::say("The {} could also be {}.", partName(part), fmt::join(others, heft::say(" or "))),
-                             remedy(Remedy::chooseSource, part),
-                             {stream.file, 0, 0}});
+        findings_.push_back(
+            {Severity::info,
+             "other_source",
+             heft::say("The {} could also be {}.", partName(part), fmt::join(others, heft::say(" or "))),
+             remedy(Remedy::chooseSource, part),
+             {stream.file, 0, 0}});
     }
     findings_.push_back({Severity::info,
                          "sources",
@@ -240,7 +242,8 @@ class Chooser {
 };
 
 Error badMap(const std::string& name, const std::string& what) {
-  return errorAt({name, 0, 0}, what, heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock."));
+  return errorAt({name, 0, 0}, what,
+                 heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock."));
 }
 
 }  // namespace
@@ -284,10 +287,12 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
         wishes.join.push_back(other.is_absolute() ? other : file.parent_path() / other);
       }
     } else if (key == "pose_of") {
-      if (value != "sensor" && value != "flange") return badMap(name, heft::say("\"pose_of\" is neither sensor nor flange."));
+      if (value != "sensor" && value != "flange")
+        return badMap(name, heft::say("\"pose_of\" is neither sensor nor flange."));
       wishes.poseOfFlange = value == "flange";
     } else if (key == "clock") {
-      if (value != "header" && value != "received") return badMap(name, heft::say("\"clock\" is neither header nor received."));
+      if (value != "header" && value != "received")
+        return badMap(name, heft::say("\"clock\" is neither header nor received."));
       wishes.clock = value.get<std::string>();
     } else {
       return badMap(name, heft::say("\"{}\" is not known.", printable(key)));

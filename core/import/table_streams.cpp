@@ -138,12 +138,12 @@ std::vector<double> toLabels(const std::vector<std::string>& cells, StreamSet& s
     out.push_back(label ? static_cast<double>(*label) : kNoLabel);
   }
   if (unknown > 0)
-    set.findings.push_back({Severity::warning,
-                            "label_unknown",
-                            heft::say("\"{}\" is no label ({} such rows, read as not labelled).",
-                                        printable(cells[first]), unknown),
-                            heft::say("Labels are free, contact or ignore."),
-                            {set.file, 0, 0}});
+    set.findings.push_back(
+        {Severity::warning,
+         "label_unknown",
+         heft::say("\"{}\" is no label ({} such rows, read as not labelled).", printable(cells[first]), unknown),
+         heft::say("Labels are free, contact or ignore."),
+         {set.file, 0, 0}});
   return out;
 }
 

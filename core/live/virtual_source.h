@@ -40,9 +40,9 @@ class VirtualSource : public LiveSource {
   const Pace pace_;
   SampleSink sink_;
   bool running_ = false;
-  double origin_ = 0.0;   ///< [s] hostNow() of the rig's beginning
-  double owed_ = 0.0;     ///< [s] that passed without having made a sample
-  double newest_ = 0.0;   ///< [s] since the rig's beginning
+  double origin_ = 0.0;  ///< [s] hostNow() of the rig's beginning
+  double owed_ = 0.0;    ///< [s] that passed without having made a sample
+  double newest_ = 0.0;  ///< [s] since the rig's beginning
   double started_ = 0.0;
   SourceStatus status_;
   std::jthread thread_;

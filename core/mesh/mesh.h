@@ -10,8 +10,8 @@
 namespace heft {
 
 struct MeshPart {
-  std::vector<Eigen::Vector3f> vertices;              ///< [m] once scaled, in the mesh frame
-  std::vector<Eigen::Vector3f> normals;               ///< One per vertex, unit length
+  std::vector<Eigen::Vector3f> vertices;  ///< [m] once scaled, in the mesh frame
+  std::vector<Eigen::Vector3f> normals;   ///< One per vertex, unit length
   std::vector<std::array<unsigned, 3>> triangles;
   Eigen::Vector4f rgba{0.8f, 0.8f, 0.8f, 1.0f};
 };

@@ -185,10 +185,9 @@ Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
   if (robot == nullptr)
     return Error{heft::say("The recording has joint angles, but no robot is named.") + " " + remedy(Remedy::nameRobot)};
   if (recording.q.cols() != robot->dof())
-    return Error{
-        heft::say("The recording has {} joints, the robot \"{}\" has {}.", recording.q.cols(), robot->name(),
-                  robot->dof()) +
-        " " + remedy(Remedy::nameRobot)};
+    return Error{heft::say("The recording has {} joints, the robot \"{}\" has {}.", recording.q.cols(), robot->name(),
+                           robot->dof()) +
+                 " " + remedy(Remedy::nameRobot)};
   return mountLink(recording.meta.mount, *robot);
 }
 

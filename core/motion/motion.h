@@ -19,8 +19,8 @@ struct MotionOptions {
   /// lowPass: -6 dB of the zero-phase filter [Hz]; lowered to 0.4 of a slower recording's rate. 0: 25 Hz here, chosen
   /// from the data where a payload is estimated.
   double cutoffHz = 0.0;
-  /// lowPass: what the filter took is filtered once more and given back (twicing, Tukey 1977), so that of a loss e below the
-  /// corner e^2 is left. Lets more noise through above it: only where noise asks for little smoothing.
+  /// lowPass: what the filter took is filtered once more and given back (twicing, Tukey 1977), so that of a loss e
+  /// below the corner e^2 is left. Lets more noise through above it: only where noise asks for little smoothing.
   bool twicing = false;
   int order = 3;    ///< savitzkyGolay: polynomial order
   int window = 11;  ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).

@@ -26,7 +26,8 @@ UniformGrid gridFor(const VectorXd& time) {
   return grid;
 }
 
-void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, Row out) {
+void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time,
+                 const Eigen::Ref<const MatrixXd>& values, Row out) {
   out.setZero();
   for (const Eigen::Index i : rows) {
     double weight = 1.0;
@@ -38,8 +39,9 @@ void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const Vector
 
 namespace {
 
-/// Rows that bridge the gap which ends at row `right`: its ends, and one as far away from each as it is long, since slopes
-/// between close rows are mostly noise. None where it is too long to be bridged, or near an end of the recording.
+/// Rows that bridge the gap which ends at row `right`: its ends, and one as far away from each as it is long, since
+/// slopes between close rows are mostly noise. None where it is too long to be bridged, or near an end of the
+/// recording.
 std::optional<std::array<Eigen::Index, 4>> bridge(const VectorXd& time, Eigen::Index right) {
   constexpr double kLongest = 0.5;  // [s]
   const double from = time(right - 1), to = time(right), away = to - from;

@@ -19,12 +19,14 @@ UniformGrid gridFor(const VectorXd& time);
 /// A row of a matrix of any order.
 using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
-/// `out` becomes the value at `t` by Lagrange's polynomial through four `rows` of `values`; it may be another of their rows.
-void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, Row out);
+/// `out` becomes the value at `t` by Lagrange's polynomial through four `rows` of `values`; it may be another of their
+/// rows.
+void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const VectorXd& time,
+                 const Eigen::Ref<const MatrixXd>& values, Row out);
 
-/// Values on the grid: cubic Lagrange interpolation through the four nearest samples; across a gap of more than three steps
-/// through its ends and one sample as far beyond each as it is long. Linear where `linear` is set, where such a gap lasts more
-/// than half a second, and at the ends. Rows of `values` belong to `time`.
+/// Values on the grid: cubic Lagrange interpolation through the four nearest samples; across a gap of more than three
+/// steps through its ends and one sample as far beyond each as it is long. Linear where `linear` is set, where such a
+/// gap lasts more than half a second, and at the ends. Rows of `values` belong to `time`.
 Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear);
 
 }  // namespace heft

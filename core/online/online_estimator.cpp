@@ -246,8 +246,8 @@ struct OnlineEstimator::Impl {
     events.push_back({Severity::warning,
                       "tool_changed",
                       heft::say("The tool changed at {:.1f} s: {:.2f} kg became {:.2f} kg. The estimate starts anew "
-                                  "with what came after.",
-                                  time, learner.solution().phi(0), change->mass),
+                                "with what came after.",
+                                time, learner.solution().phi(0), change->mass),
                       heft::say("Estimate before and after apart."),
                       {}});
     Tool before{learner, {}};
@@ -268,7 +268,7 @@ struct OnlineEstimator::Impl {
     events.push_back({Severity::warning,
                       "tool_back",
                       heft::say("From {:.1f} s on the tool is the one from before, of {:.2f} kg.", time,
-                                  other->learner.solution().phi(0)),
+                                other->learner.solution().phi(0)),
                       {},
                       {}});
     Tool now{learner, {}};
@@ -329,7 +329,7 @@ void OnlineEstimator::Impl::fillState() const {
         {Severity::warning,
          "samples_dropped",
          heft::say("{} samples were not usable: not finite, without motion, or with a time that does not rise.",
-                     dropped),
+                   dropped),
          heft::say("Check the source."),
          {}});
   for (const auto& finding : lanes[chosen].findings) state.findings.push_back(finding);
@@ -351,8 +351,8 @@ void OnlineEstimator::Impl::fillState() const {
       state.findings.push_back({Severity::warning,
                                 "mostly_contact",
                                 heft::say("{:.1f} s looked like contact and were left out, {:.1f} s were free: trust "
-                                            "is low.",
-                                            state.contactDuration, state.usedDuration),
+                                          "is low.",
+                                          state.contactDuration, state.usedDuration),
                                 heft::say("Move the tool without touching anything."),
                                 {}});
     const Blocks& newest = lanes[chosen].newest;

@@ -25,7 +25,8 @@ Source weakest(std::initializer_list<Source> sources) {
 
 Excitation judged(Source source, bool good, std::string name, const std::string& size, const std::string& advice) {
   if (source == Source::none) return {ExcitationLight::none, fmt::format("{}: not known yet. {}", name, advice)};
-  if (source == Source::prior) return {ExcitationLight::coarse, fmt::format("{}: {}, from your shape. {}", name, size, advice)};
+  if (source == Source::prior)
+    return {ExcitationLight::coarse, fmt::format("{}: {}, from your shape. {}", name, size, advice)};
   if (!good) return {ExcitationLight::coarse, fmt::format("{}: {}. {}", name, size, advice)};
   return {ExcitationLight::good, fmt::format("{}: {}, measured.", name, size)};
 }

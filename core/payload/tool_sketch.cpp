@@ -10,15 +10,15 @@ namespace heft {
 namespace {
 
 constexpr std::array<std::pair<ToolPicture, std::string_view>, 10> kNames{{{ToolPicture::box, "box"},
-                                                                          {ToolPicture::cylinder, "cylinder"},
-                                                                          {ToolPicture::tube, "tube"},
-                                                                          {ToolPicture::sphere, "sphere"},
-                                                                          {ToolPicture::cone, "cone"},
-                                                                          {ToolPicture::capsule, "capsule"},
-                                                                          {ToolPicture::plate, "plate"},
-                                                                          {ToolPicture::gripper, "gripper"},
-                                                                          {ToolPicture::several, "several"},
-                                                                          {ToolPicture::mesh, "mesh"}}};
+                                                                           {ToolPicture::cylinder, "cylinder"},
+                                                                           {ToolPicture::tube, "tube"},
+                                                                           {ToolPicture::sphere, "sphere"},
+                                                                           {ToolPicture::cone, "cone"},
+                                                                           {ToolPicture::capsule, "capsule"},
+                                                                           {ToolPicture::plate, "plate"},
+                                                                           {ToolPicture::gripper, "gripper"},
+                                                                           {ToolPicture::several, "several"},
+                                                                           {ToolPicture::mesh, "mesh"}}};
 
 /// Sizes that are taken while nothing is known of the tool (width, depth, height) [m].
 Vector3d usualSize(ToolPicture picture) {

@@ -1,6 +1,6 @@
 #pragma once
-// A tool as a person with a ruler tells it: a picture, lengths from side to side, and bodies that begin where the sensor
-// ends. All of it becomes a Shape.
+// A tool as a person with a ruler tells it: a picture, lengths from side to side, and bodies that begin where the
+// sensor ends. All of it becomes a Shape.
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
@@ -14,10 +14,9 @@ namespace heft {
 /// What a tool may look like; most are one body.
 enum class ToolPicture { box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh };
 
-inline constexpr std::array kToolPictures{ToolPicture::box,  ToolPicture::cylinder, ToolPicture::tube,
-                                          ToolPicture::sphere, ToolPicture::cone,   ToolPicture::capsule,
-                                          ToolPicture::plate, ToolPicture::gripper, ToolPicture::several,
-                                          ToolPicture::mesh};
+inline constexpr std::array kToolPictures{
+    ToolPicture::box,     ToolPicture::cylinder, ToolPicture::tube,    ToolPicture::sphere,  ToolPicture::cone,
+    ToolPicture::capsule, ToolPicture::plate,    ToolPicture::gripper, ToolPicture::several, ToolPicture::mesh};
 
 std::string_view toString(ToolPicture picture);  ///< "gripper"
 std::optional<ToolPicture> toolPictureFromString(std::string_view text);
@@ -38,8 +37,8 @@ std::vector<Measure> measuresOf(const ShapeBody& body);
 /// The body with one of its measures (by index) changed to `value` [m]. `hold` says what stays where it is along the
 /// measure's axis: -1 the low end, 0 the middle, 1 the high end; round bodies keep their axis.
 ShapeBody resized(const ShapeBody& body, std::size_t measure, double value, int hold);
-/// The same for a body of a tool: lengths along z keep the end towards the sensor, others the middle, and the fingers of a
-/// gripper stay at the end of its body.
+/// The same for a body of a tool: lengths along z keep the end towards the sensor, others the middle, and the fingers
+/// of a gripper stay at the end of its body.
 Shape resized(const Shape& shape, ToolPicture picture, std::size_t body, std::size_t measure, double value);
 
 /// Space that a body takes in its own frame [m]; empty for a mesh that is not loaded.
@@ -47,8 +46,8 @@ Eigen::AlignedBox3d extentOf(const ShapeBody& body);
 /// And the whole tool, S axes.
 Eigen::AlignedBox3d extentOf(const Shape& shape);
 
-/// Bodies for a picture, beginning at S's origin and reaching along z; `size` [m] is what they should fill (width, depth,
-/// height). Nothing for a mesh. `several` begins with a box and a cylinder at its end.
+/// Bodies for a picture, beginning at S's origin and reaching along z; `size` [m] is what they should fill (width,
+/// depth, height). Nothing for a mesh. `several` begins with a box and a cylinder at its end.
 std::vector<ShapeBody> sketch(ToolPicture picture, std::optional<Vector3d> size = std::nullopt);
 /// One more body of this kind at the far end of the others.
 ShapeBody nextBody(BodyKind kind, const Shape& shape);

@@ -42,8 +42,7 @@ std::optional<Error> assumeRobot(const Examined& examined, long header) {
   }
   if (examined.map.hasOrientation()) return std::nullopt;
   return errorAt({examined.file, header, examined.table ? examined.map.joints[0] : 0},
-                 heft::say("there are {} joints but no robot is named.", joints),
-                 remedy(Remedy::nameRobot));
+                 heft::say("there are {} joints but no robot is named.", joints), remedy(Remedy::nameRobot));
 }
 
 namespace {

@@ -8,7 +8,8 @@ namespace heft {
 namespace {
 
 constexpr double kBeyond = 0.02;  ///< Share of readings that may be spikes
-/// A pile: so many readings, so many times as many as at any of the nearest values. The more there are, the less it takes.
+/// A pile: so many readings, so many times as many as at any of the nearest values. The more there are, the less it
+/// takes.
 struct Pile {
   Eigen::Index fewest;
   double times;
@@ -16,15 +17,16 @@ struct Pile {
 };
 constexpr std::size_t kNeighbours = 3;  ///< At most
 constexpr Pile kPiles[] = {{8, 4.0, kNeighbours}, {40, 2.0, 1}};
-constexpr double kStill = 0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
+constexpr double kStill =
+    0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
 
 struct Level {
   double value;
   Eigen::Index count;
 };
 
-/// The values from that end on which `further` puts last, level by level: as far as spikes may lie, and the neighbours of what
-/// comes next. Only those are sorted.
+/// The values from that end on which `further` puts last, level by level: as far as spikes may lie, and the neighbours
+/// of what comes next. Only those are sorted.
 template <class Further>
 std::vector<Level> levelsFromEnd(std::vector<double> values, const Further& further) {
   const double spikes = kBeyond * static_cast<double>(values.size());
@@ -49,8 +51,10 @@ Eigen::Index pileAt(const std::vector<Level>& levels, Eigen::Index readings) {
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     for (const Pile& pile : kPiles) {
       Eigen::Index beside = beyond;
-      for (std::size_t j = i + 1; j < levels.size() && j <= i + pile.neighbours; ++j) beside = std::max(beside, levels[j].count);
-      if (levels[i].count >= pile.fewest && static_cast<double>(levels[i].count) > pile.times * static_cast<double>(beside))
+      for (std::size_t j = i + 1; j < levels.size() && j <= i + pile.neighbours; ++j)
+        beside = std::max(beside, levels[j].count);
+      if (levels[i].count >= pile.fewest &&
+          static_cast<double>(levels[i].count) > pile.times * static_cast<double>(beside))
         return static_cast<Eigen::Index>(i);
     }
     beyond += levels[i].count;

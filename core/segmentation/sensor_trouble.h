@@ -12,8 +12,8 @@ struct Trouble {
   std::string reason;
 };
 
-/// The whole wrench hung (no channel changes for 50 ms and twenty times longer than usual), or a channel is cut off at the
-/// end of its range (flatTops()) for 10 ms or more.
+/// The whole wrench hung (no channel changes for 50 ms and twenty times longer than usual), or a channel is cut off at
+/// the end of its range (flatTops()) for 10 ms or more.
 std::vector<Trouble> sensorTrouble(const Recording& recording);
 
 }  // namespace heft

@@ -14,8 +14,8 @@ struct GuidedPath {
 };
 
 /// What guiding may reach. A hand is slower than the arm could be.
-constexpr double kGuidedSpeed = 0.5;         ///< Of S's origin [m/s]
-constexpr double kGuidedTurningRate = 1.8;   ///< [rad/s]
+constexpr double kGuidedSpeed = 0.5;        ///< Of S's origin [m/s]
+constexpr double kGuidedTurningRate = 1.8;  ///< [rad/s]
 
 /// Joint position, velocity and acceleration are a triple integrator's: exactly consistent with one another. Position,
 /// velocity and acceleration limits of the joints (jointRooms) and the Cartesian ones (cartesianLoad) hold at every

@@ -19,9 +19,9 @@ std::uint64_t mixed(std::uint64_t x) {
 }  // namespace
 
 const std::vector<std::string>& practiceKinds() {
-  static const std::vector<std::string> kKinds{"cable_pull",   "time_offset",      "gravity_tilt",   "bias_drift",
-                                               "sensor_bias",  "coulomb_friction", "viscous_drag",   "loose_mass",
-                                               "contact",      "payload_change",   "sensor_rotation", "low_pass_lag"};
+  static const std::vector<std::string> kKinds{"cable_pull",  "time_offset",      "gravity_tilt",    "bias_drift",
+                                               "sensor_bias", "coulomb_friction", "viscous_drag",    "loose_mass",
+                                               "contact",     "payload_change",   "sensor_rotation", "low_pass_lag"};
   return kKinds;
 }
 

@@ -28,11 +28,10 @@ SensorNoise::SensorNoise(const SensorModel& sensor, std::uint64_t seed, double r
     const auto channel = static_cast<std::uint64_t>(c);
     RandomStream coloured(seed, RandomPurpose::coloured, channel);
     const double state = coloured.normal();
-    channels_.push_back({RandomStream(seed, RandomPurpose::white, channel), coloured,
-                         RandomStream(seed, RandomPurpose::walk, channel),
-                         c < 3 ? sensor.forceNoise : sensor.torqueNoise,
-                         c < 3 ? sensor.colouredForce : sensor.colouredTorque,
-                         (c < 3 ? sensor.forceWalk : sensor.torqueWalk) / std::sqrt(rateHz), state});
+    channels_.push_back(
+        {RandomStream(seed, RandomPurpose::white, channel), coloured, RandomStream(seed, RandomPurpose::walk, channel),
+         c < 3 ? sensor.forceNoise : sensor.torqueNoise, c < 3 ? sensor.colouredForce : sensor.colouredTorque,
+         (c < 3 ? sensor.forceWalk : sensor.torqueWalk) / std::sqrt(rateHz), state});
   }
 }
 

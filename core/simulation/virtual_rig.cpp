@@ -99,10 +99,9 @@ Payload practiceTool(std::uint64_t seed) {
   const Payload hand = box(share * mass, {random.uniform(0.06, 0.10), random.uniform(0.05, 0.12), height},
                            {0.0, 0.0, 0.5 * height}, {0, 0, random.uniform(-0.4, 0.4)});
   const double length = random.uniform(0.06, 0.14);
-  const Payload held =
-      box((1.0 - share) * mass, {random.uniform(0.03, 0.06), random.uniform(0.03, 0.06), length},
-          {random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), height + 0.45 * length},
-          {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.0});
+  const Payload held = box((1.0 - share) * mass, {random.uniform(0.03, 0.06), random.uniform(0.03, 0.06), length},
+                           {random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), height + 0.45 * length},
+                           {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.0});
   return composed(hand, held);
 }
 

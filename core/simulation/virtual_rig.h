@@ -15,16 +15,16 @@ struct VirtualRigOptions {
   SensorMount mount{"panda_link8", {0.0, 0.0, 0.04}, {0.0, 0.0, 0.0}};
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   double rateHz = 1000.0;
-  std::uint64_t seed = 1;         ///< Of noise and bias
-  double positionNoise = 1e-5;    ///< encoder noise on q, standard deviation [rad]
-  double velocityQuantum = 1e-3;  ///< step of the reported dq [rad/s]; 0: exact
+  std::uint64_t seed = 1;                ///< Of noise and bias
+  double positionNoise = 1e-5;           ///< encoder noise on q, standard deviation [rad]
+  double velocityQuantum = 1e-3;         ///< step of the reported dq [rad/s]; 0: exact
   std::string robotReference = "panda";  ///< What the meta names as robot
 };
 
 /// What sensor and controller report at one instant.
 struct VirtualSample {
-  double time = 0.0;  ///< [s] since the beginning
-  VectorXd q, dq;     ///< [rad], [rad/s]
+  double time = 0.0;                   ///< [s] since the beginning
+  VectorXd q, dq;                      ///< [rad], [rad/s]
   Vector6d wrench = Vector6d::Zero();  ///< F_PSo_S with bias and noise
 };
 

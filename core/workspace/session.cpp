@@ -163,7 +163,8 @@ Result<SessionRecording> readRecordingEntry(const json& entry, const Reader& rea
   out.marks = std::move(marks).value();
   if (memberOf(entry, "result").is_object()) out.result = entry["result"].dump();
   const json& corrections = memberOf(entry, "corrections");
-  if (corrections.is_object() && memberOf(corrections, "found").is_object() && memberOf(corrections, "causes").is_array()) {
+  if (corrections.is_object() && memberOf(corrections, "found").is_object() &&
+      memberOf(corrections, "causes").is_array()) {
     for (const json& cause : corrections["causes"]) {
       if (!cause.is_string()) return reader.wrong("corrections", heft::say("should name causes"));
       out.corrections.causes.push_back(cause.get<std::string>());
@@ -178,8 +179,7 @@ Result<ShapeChoice> readShapeChoice(const json& object, const Reader& reader, co
   ShapeChoice out;
   if (!object.is_object()) return out;
   const std::string answer = textOf(object, "answer");
-  for (const auto candidate :
-       {ShapeChoice::Answer::notGiven, ShapeChoice::Answer::unknown, ShapeChoice::Answer::given})
+  for (const auto candidate : {ShapeChoice::Answer::notGiven, ShapeChoice::Answer::unknown, ShapeChoice::Answer::given})
     if (toString(candidate) == answer) out.answer = candidate;
   out.picture = textOf(object, "picture");
   if (memberOf(object, "shape").is_object()) {
@@ -251,23 +251,22 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
   const json kept = keptObject(session.kept);
   json view{{"step", session.step}};
   if (asRecovery) view["home"] = displayName(session.home);
-  json out{
-      {"schema", fmt::format("{}{}", kSchema, kSessionVersion)},
-      {"recordings", std::move(recordings)},
-      {"active", session.active},
-      {"shape", withKept(shapeJson(session.shape, folder), memberOf(kept, "shape"))},
-      {"settings", withKept({{"method", heft::toString(session.settings.method)},
-                             {"parameters", heft::toString(session.settings.parameters)},
-                             {"bias", session.settings.bias},
-                             {"trim", numberOrNull(session.settings.trim)}},
-                            memberOf(kept, "settings"))},
-      {"known_payload", known(session.settings.known)},
-      {"export", withKept({{"format", session.exporting.format},
-                           {"role", toString(session.exporting.role)},
-                           {"mounted", std::move(mounted)},
-                           {"mounted_answered", session.exporting.mountedAnswered}},
-                          memberOf(kept, "export"))},
-      {"view", withKept(std::move(view), memberOf(kept, "view"))}};
+  json out{{"schema", fmt::format("{}{}", kSchema, kSessionVersion)},
+           {"recordings", std::move(recordings)},
+           {"active", session.active},
+           {"shape", withKept(shapeJson(session.shape, folder), memberOf(kept, "shape"))},
+           {"settings", withKept({{"method", heft::toString(session.settings.method)},
+                                  {"parameters", heft::toString(session.settings.parameters)},
+                                  {"bias", session.settings.bias},
+                                  {"trim", numberOrNull(session.settings.trim)}},
+                                 memberOf(kept, "settings"))},
+           {"known_payload", known(session.settings.known)},
+           {"export", withKept({{"format", session.exporting.format},
+                                {"role", toString(session.exporting.role)},
+                                {"mounted", std::move(mounted)},
+                                {"mounted_answered", session.exporting.mountedAnswered}},
+                               memberOf(kept, "export"))},
+           {"view", withKept(std::move(view), memberOf(kept, "view"))}};
   return withKept(std::move(out), kept).dump(2) + "\n";
 }
 
@@ -321,8 +320,8 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
     out.home = textOf(view, "home");
   }
 
-  json kept = keptObject(othersOf(object, {"schema", "recordings", "active", "shape", "settings", "known_payload",
-                                           "export", "view"}));
+  json kept = keptObject(
+      othersOf(object, {"schema", "recordings", "active", "shape", "settings", "known_payload", "export", "view"}));
   const auto keepInside = [&](const char* key, std::initializer_list<std::string_view> mine) {
     if (!memberOf(object, key).is_object()) return;
     const json others = keptObject(othersOf(object[key], mine));

@@ -75,9 +75,9 @@ struct Session {
   ShapeChoice shape;
   EstimateSettings settings;
   ExportChoice exporting;
-  std::string step;             ///< Id of the step shown; view state, kept for coming back.
-  std::filesystem::path home;   ///< Where the user saved the session; empty if nowhere yet.
-  std::string kept;             ///< As in SessionRecording, for the whole file.
+  std::string step;            ///< Id of the step shown; view state, kept for coming back.
+  std::filesystem::path home;  ///< Where the user saved the session; empty if nowhere yet.
+  std::string kept;            ///< As in SessionRecording, for the whole file.
 };
 
 /// The session as the text of a file in `folder`. With `asRecovery` it also names `home`, so that a recovered session

@@ -1,5 +1,5 @@
-// Live listening for an hour: the virtual arm wanders at 1 kHz, its samples go through the session (and onto the disk if
-// a folder is given) and the learner, and the window's snapshot is made once a second. Prints every ten minutes the
+// Live listening for an hour: the virtual arm wanders at 1 kHz, its samples go through the session (and onto the disk
+// if a folder is given) and the learner, and the window's snapshot is made once a second. Prints every ten minutes the
 // processor time of each part as share of one core, what one snapshot costs, and the memory the process holds.
 //   bench_live [MINUTES] [FOLDER]
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 // `heft estimate --compare`: every method in one table, and in the result beside the chosen one.
 #include <gmock/gmock.h>
 
-
 #include "tests/cli/process.h"
 
 namespace heft::test {

@@ -32,7 +32,8 @@ TEST_F(LiveTest, AReplayEstimatesAndRecordsTheSame) {
 TEST_F(LiveTest, AnotherToolIsNoticedWhileItRuns) {
   // One motion and one sensor, so that the two recordings differ in nothing but the tool.
   const auto tool = [this](const char* name, double mass) {
-    write(name, json({{"mass_kg", mass}, {"com_m", {0.0, 0.01, 0.06}},
+    write(name, json({{"mass_kg", mass},
+                      {"com_m", {0.0, 0.01, 0.06}},
                       {"inertia_com_kgm2", {{0.001, 0, 0}, {0, 0.0011, 0}, {0, 0, 0.0007}}}})
                     .dump());
   };

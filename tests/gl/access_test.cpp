@@ -1,5 +1,5 @@
-// Everything that can be operated can be operated by keyboard and found by a screen reader: names, tips, and the Tab key's
-// way through every step, which goes as the eye does.
+// Everything that can be operated can be operated by keyboard and found by a screen reader: names, tips, and the Tab
+// key's way through every step, which goes as the eye does.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -37,7 +37,8 @@ class AccessTest : public RealWindowTest {
   static std::string describe(const QWidget* widget) {
     QString out = QString::fromLatin1(widget->metaObject()->className());
     if (!widget->objectName().isEmpty()) out += QStringLiteral(" \"%1\"").arg(widget->objectName());
-    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) out += QStringLiteral(" [%1]").arg(button->text());
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+      out += QStringLiteral(" [%1]").arg(button->text());
     if (!widget->toolTip().isEmpty()) out += QStringLiteral(" (%1)").arg(widget->toolTip().left(40));
     const QPoint at = widget->mapTo(widget->window(), QPoint());
     return QStringLiteral("%1 at %2,%3").arg(out).arg(at.x()).arg(at.y()).toStdString();
@@ -67,8 +68,9 @@ class AccessTest : public RealWindowTest {
   /// The header, the steps, the view ...: the nearest ancestor that is one of the window's own parts.
   static const QWidget* regionOf(const QWidget* widget) {
     for (; widget && widget->parentWidget(); widget = widget->parentWidget())
-      for (const char* part : {"heft::HeaderBar", "heft::StepBar", "heft::MessageBar", "heft::RobotView", "heft::RecordingPane",
-                               "heft::DifferencePane", "heft::StepPanel", "heft::Manual", "heft::StatusBar"})
+      for (const char* part :
+           {"heft::HeaderBar", "heft::StepBar", "heft::MessageBar", "heft::RobotView", "heft::RecordingPane",
+            "heft::DifferencePane", "heft::StepPanel", "heft::Manual", "heft::StatusBar"})
         if (widget->inherits(part)) return widget;
     return nullptr;
   }
@@ -83,7 +85,8 @@ class AccessTest : public RealWindowTest {
     EXPECT_GT(all.size(), 10u);
     for (auto* widget : all) {
       auto* accessible = QAccessible::queryAccessibleInterface(widget);
-      EXPECT_TRUE(accessible && !accessible->text(QAccessible::Name).trimmed().isEmpty()) << "no name: " << describe(widget);
+      EXPECT_TRUE(accessible && !accessible->text(QAccessible::Name).trimmed().isEmpty())
+          << "no name: " << describe(widget);
       const auto* button = qobject_cast<QAbstractButton*>(widget);
       // A view is described, not tipped: a tip would stand in the picture.
       const bool view = !button && !qobject_cast<const QLineEdit*>(widget) && !qobject_cast<const QComboBox*>(widget) &&
@@ -121,7 +124,8 @@ class AccessTest : public RealWindowTest {
       }
       if (k == 0) continue;
       const QRect before = place(way[k - 1]), now = place(way[k]);
-      EXPECT_FALSE(now.bottom() <= before.top()) << "Tab goes up from " << describe(way[k - 1]) << " to " << describe(way[k]);
+      EXPECT_FALSE(now.bottom() <= before.top())
+          << "Tab goes up from " << describe(way[k - 1]) << " to " << describe(way[k]);
       const bool sameRow = now.top() < before.center().y() && now.bottom() > before.center().y();
       EXPECT_FALSE(sameRow && now.right() <= before.left())
           << "Tab goes left from " << describe(way[k - 1]) << " to " << describe(way[k]);

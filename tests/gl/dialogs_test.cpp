@@ -1,4 +1,5 @@
-// Every dialog of the program, in both languages and themes: nothing cut, everything named, remedies that exist in the window.
+// Every dialog of the program, in both languages and themes: nothing cut, everything named, remedies that exist in the
+// window.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -18,9 +19,9 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
-#include <QTest>
 #include <QTimer>
 
 #include "core/base/remedy.h"
@@ -88,17 +89,20 @@ class DialogsTest : public testing::Test {
     int controls = 0;
     for (auto* widget : dialog->findChildren<QWidget*>()) {
       if (!widget->isVisibleTo(dialog)) continue;
-      const std::string what = std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString();
+      const std::string what =
+          std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString();
       if (const auto* label = qobject_cast<QLabel*>(widget); label && !label->text().isEmpty()) {
         const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
         EXPECT_GE(label->height() + 1, needed) << "cut: " << label->text().toStdString();
         const int wide = label->wordWrap() ? 0 : label->sizeHint().width();
         EXPECT_GE(label->width() + 1, wide) << "cut: " << label->text().toStdString();
       }
-      const bool inner = qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) || qobject_cast<QComboBox*>(widget->parentWidget());
+      const bool inner =
+          qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) || qobject_cast<QComboBox*>(widget->parentWidget());
       if (inner || widget->focusProxy()) continue;
       const auto* button = qobject_cast<QAbstractButton*>(widget);
-      if (!button && !qobject_cast<QLineEdit*>(widget) && !qobject_cast<QComboBox*>(widget) && !qobject_cast<QAbstractSpinBox*>(widget))
+      if (!button && !qobject_cast<QLineEdit*>(widget) && !qobject_cast<QComboBox*>(widget) &&
+          !qobject_cast<QAbstractSpinBox*>(widget))
         continue;
       ++controls;
       auto* accessible = QAccessible::queryAccessibleInterface(widget);
@@ -205,8 +209,8 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
 }
 
 TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
-  const Remedy all[] = {Remedy::showContents, Remedy::chooseSource, Remedy::takeSource,  Remedy::addFile,
-                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::nameRobot,   Remedy::mountSensor,
+  const Remedy all[] = {Remedy::showContents, Remedy::chooseSource, Remedy::takeSource,   Remedy::addFile,
+                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::nameRobot,    Remedy::mountSensor,
                         Remedy::turnWrench,   Remedy::turnGravity,  Remedy::correctMount, Remedy::sayStandingPoses,
                         Remedy::keepEndsOut,  Remedy::giveCentre,   Remedy::giveInertia};
   for (const char* language : {"en", "de"}) {
@@ -223,7 +227,8 @@ TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
       const QString words = QString::fromStdString(remedy(way, "NAME"));
       EXPECT_EQ(words.toStdString(), windowRemedy(way, "NAME"));
       EXPECT_FALSE(words.isEmpty());
-      EXPECT_FALSE(words.contains("--") || words.contains("meta file") || words.contains(".json")) << words.toStdString();
+      EXPECT_FALSE(words.contains("--") || words.contains("meta file") || words.contains(".json"))
+          << words.toStdString();
       for (auto it = quoted.globalMatch(words); it.hasNext();) {
         const QString named = it.next().captured(1);
         EXPECT_TRUE(entries.contains(named)) << "no menu has " << named.toStdString() << ": " << words.toStdString();

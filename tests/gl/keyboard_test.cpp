@@ -1,4 +1,5 @@
-// The whole task without a mouse: open, mark, shape, estimate, look for causes, apply, export, by Tab, arrows and shortcuts.
+// The whole task without a mouse: open, mark, shape, estimate, look for causes, apply, export, by Tab, arrows and
+// shortcuts.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -65,7 +66,9 @@ class KeyboardTest : public RealWindowTest {
     });
     poll->start();
   }
-  static QString focusName() { return QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QString(); }
+  static QString focusName() {
+    return QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QString();
+  }
 };
 
 TEST_F(KeyboardTest, FromOpeningToThePayloadFile) {
@@ -119,7 +122,8 @@ TEST_F(KeyboardTest, FromOpeningToThePayloadFile) {
   EXPECT_NEAR(workspace.report()->payload.mass, tool.mass, 0.05 * tool.mass);
   press(Qt::Key_5, Qt::AltModifier);
   settle(300);
-  if (auto* look = window.panel(Step::realityCheck)->findChild<QPushButton*>("mainButton"); look && look->text() == "Look for causes") {
+  if (auto* look = window.panel(Step::realityCheck)->findChild<QPushButton*>("mainButton");
+      look && look->text() == "Look for causes") {
     tabTo("mainButton", "Look for causes");
     press(Qt::Key_Space);
     settle();
@@ -152,7 +156,8 @@ TEST_F(KeyboardTest, FromOpeningToThePayloadFile) {
   press(Qt::Key_Return);
   QFile file(saved);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  EXPECT_NEAR(QJsonDocument::fromJson(file.readAll()).object()["mass"].toDouble(), workspace.report()->payload.mass, 1e-4);
+  EXPECT_NEAR(QJsonDocument::fromJson(file.readAll()).object()["mass"].toDouble(), workspace.report()->payload.mass,
+              1e-4);
 
   // Undo takes everything back that was said, and redo brings it again.
   const int edits = workspace.undoStack()->count();
@@ -185,7 +190,8 @@ TEST_F(KeyboardTest, ACauseIsAppliedAndTheKeyboardStaysThere) {
   settle(400);
   EXPECT_EQ(workspace.corrections().causes.size(), 1u);
   ASSERT_TRUE(QApplication::focusWidget());
-  EXPECT_TRUE(window.panel(Step::realityCheck)->isAncestorOf(QApplication::focusWidget())) << "the keyboard left the panel";
+  EXPECT_TRUE(window.panel(Step::realityCheck)->isAncestorOf(QApplication::focusWidget()))
+      << "the keyboard left the panel";
   tabTo("plainButton", "Take back");
   press(Qt::Key_Space);
   settle(400);
@@ -209,9 +215,11 @@ TEST_F(KeyboardTest, TheFocusIsVisibleOnEveryControl) {
       QWidget* at = QApplication::focusWidget();
       ASSERT_NE(at, nullptr);
       if (!seen.insert(at).second) break;
-      if (at->objectName() == "viewport") continue;  // A picture as large as half the window: its corner marks are tested by eye.
+      if (at->objectName() == "viewport")
+        continue;  // A picture as large as half the window: its corner marks are tested by eye.
       // Round it, too: some controls leave the ring to a frame.
-      QWidget* shown = at->parentWidget() && at->parentWidget()->size().width() < 2 * at->width() ? at->parentWidget() : at;
+      QWidget* shown =
+          at->parentWidget() && at->parentWidget()->size().width() < 2 * at->width() ? at->parentWidget() : at;
       const QImage with = shown->grab().toImage();
       at->clearFocus();
       QApplication::processEvents();

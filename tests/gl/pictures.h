@@ -24,8 +24,8 @@ inline double difference(const QImage& a, const QImage& b) {
   return static_cast<double>(different) / (a.width() * a.height());
 }
 
-/// At the end of a test: HEFT_TEST_PICTURES=FOLDER keeps the picture of every test as PREFIX_TEST.png, to be looked at; that
-/// of a test that failed is always kept.
+/// At the end of a test: HEFT_TEST_PICTURES=FOLDER keeps the picture of every test as PREFIX_TEST.png, to be looked at;
+/// that of a test that failed is always kept.
 inline void keepPicture(MainWindow& window, const char* prefix) {
   const QString folder = qEnvironmentVariable("HEFT_TEST_PICTURES");
   if (!testing::Test::HasFailure() && folder.isEmpty()) return;

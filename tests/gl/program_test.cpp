@@ -156,7 +156,8 @@ TEST(Program, AScriptFindsACauseAppliesItAndWritesTheReport) {
   EXPECT_TRUE(report.readAll().contains("(applied)"));
   EXPECT_TRUE(QFile::exists(folder.filePath("r.pdf")));
   EXPECT_TRUE(QFile::exists(folder.filePath("tool.json")));
-  const QImage cards(folder.filePath("cards.png")), motion(folder.filePath("motion.png")), manual(folder.filePath("manual.png"));
+  const QImage cards(folder.filePath("cards.png")), motion(folder.filePath("motion.png")),
+      manual(folder.filePath("manual.png"));
   EXPECT_EQ(cards.size(), QSize(1440, 900));
   EXPECT_NE(cards, motion);
   std::set<QRgb> colours;

@@ -24,7 +24,9 @@ class ShapeWindowTest : public RealWindowTest {
     Payload payload;
     payload.mass = 0.9;
     payload.com = {0, 0, 0.06};
-    payload.inertiaCom = (0.9 / 12 * Vector3d(0.04 * 0.04 + 0.12 * 0.12, 0.06 * 0.06 + 0.12 * 0.12, 0.06 * 0.06 + 0.04 * 0.04)).asDiagonal();
+    payload.inertiaCom =
+        (0.9 / 12 * Vector3d(0.04 * 0.04 + 0.12 * 0.12, 0.06 * 0.06 + 0.12 * 0.12, 0.06 * 0.06 + 0.04 * 0.04))
+            .asDiagonal();
     SimulateOptions options;
     options.motion = MotionKind::pickAndPlace;
     options.duration = 8.0;

@@ -1,4 +1,5 @@
-// Devices and bridges in the real window: chosen and typed in as a user does, seen, lost, found again, and kept on disk.
+// Devices and bridges in the real window: chosen and typed in as a user does, seen, lost, found again, and kept on
+// disk.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -34,18 +35,19 @@ constexpr std::uint64_t kTool = 5;
 class GuidedRobot {
  public:
   using Send = std::function<void(const VirtualSample&)>;
-  explicit GuidedRobot(Send send) : thread_([this, act = std::move(send)](const std::stop_token& stopping) {
-      VirtualRigOptions options;
-      options.payload = practiceTool(kTool);
-      options.rateHz = 200.0;
-      auto rig = VirtualRig::create(RobotModel::panda(), options).value();
-      rig.arm().wander();
-      while (!stopping.stop_requested()) {
-        const VirtualSample& sample = rig.next();
-        if (!silent_) act(sample);
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      }
-    }) {}
+  explicit GuidedRobot(Send send)
+      : thread_([this, act = std::move(send)](const std::stop_token& stopping) {
+          VirtualRigOptions options;
+          options.payload = practiceTool(kTool);
+          options.rateHz = 200.0;
+          auto rig = VirtualRig::create(RobotModel::panda(), options).value();
+          rig.arm().wander();
+          while (!stopping.stop_requested()) {
+            const VirtualSample& sample = rig.next();
+            if (!silent_) act(sample);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          }
+        }) {}
   /// The cable is pulled, or put in again.
   void setSilent(bool silent) { silent_ = silent; }
 
@@ -168,7 +170,8 @@ class SourcesTest : public RealWindowTest {
     })) << "the arm in the picture stands as the robot does";
   }
   void seeLoss() {
-    EXPECT_TRUE(soon([&] { return reads("The connection is lost. Heft tries again by itself."); })) << words().toStdString();
+    EXPECT_TRUE(soon([&] { return reads("The connection is lost. Heft tries again by itself."); }))
+        << words().toStdString();
     EXPECT_TRUE(reads("What came so far is kept."));
     EXPECT_TRUE(soon([&] { return reads("connection lost 1 time"); })) << words().toStdString();
   }

@@ -74,7 +74,8 @@ TEST_F(WindowTest, APanelIsAsHighAsItNeedsWheneverAStepIsEntered) {
       QTest::qWait(100);
       const auto* content = window.panel(step)->findChild<QWidget*>("panelContent");
       ASSERT_NE(content, nullptr);
-      EXPECT_GE(content->height(), content->layout()->totalHeightForWidth(content->width())) << stepId(step) << ", round " << round;
+      EXPECT_GE(content->height(), content->layout()->totalHeightForWidth(content->width()))
+          << stepId(step) << ", round " << round;
       for (const auto* label : content->findChildren<QLabel*>())
         if (label->isVisible() && label->wordWrap()) {
           EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
@@ -248,10 +249,13 @@ TEST_F(WindowTest, LabelsKeepClearOfTheNoteAndOfEachOther) {
   QString text = "time,qx,qy,qz,qw,fx,fy,fz,tx,ty,tz\n";
   for (int k = 0; k < 800; ++k) {
     const double t = 0.01 * k, a = 1.4 * std::sin(1.1 * t), b = 1.2 * std::sin(0.8 * t + 1);
-    const Eigen::Quaterniond turn = Eigen::AngleAxisd(a, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(b, Eigen::Vector3d::UnitY());
-    const Eigen::Vector3d f = turn.conjugate() * Eigen::Vector3d(0, 0, 9.81), tau = Eigen::Vector3d(0.01, 0, 0.06).cross(f);
+    const Eigen::Quaterniond turn =
+        Eigen::AngleAxisd(a, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(b, Eigen::Vector3d::UnitY());
+    const Eigen::Vector3d f = turn.conjugate() * Eigen::Vector3d(0, 0, 9.81),
+                          tau = Eigen::Vector3d(0.01, 0, 0.06).cross(f);
     text += QStringLiteral("%1,%2,%3,%4,%5").arg(t).arg(turn.x()).arg(turn.y()).arg(turn.z()).arg(turn.w());
-    for (const double each : {f.x(), f.y(), f.z(), tau.x(), tau.y(), tau.z()}) text += QStringLiteral(",%1").arg(each + 0.01 * ((k * 7919) % 13 - 6));
+    for (const double each : {f.x(), f.y(), f.z(), tau.x(), tau.y(), tau.z()})
+      text += QStringLiteral(",%1").arg(each + 0.01 * ((k * 7919) % 13 - 6));
     text += "\n";
   }
   QFile file(folder.filePath("turning.csv"));
@@ -277,7 +281,8 @@ TEST_F(WindowTest, LabelsKeepClearOfTheNoteAndOfEachOther) {
           ++labels;
           EXPECT_FALSE(places[i].intersects(note)) << stepId(step) << " at " << time << " s";
           EXPECT_TRUE(picture.contains(places[i])) << stepId(step) << " at " << time << " s";
-          for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(places[i].intersects(places[j])) << stepId(step) << " at " << time << " s";
+          for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(places[i].intersects(places[j])) << stepId(step) << " at " << time << " s";
         }
       }
     }

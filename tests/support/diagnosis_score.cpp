@@ -208,13 +208,15 @@ std::string DiagnosisScore::text() const {
   for (const Entry& e : entries_) {
     if (e.kind == HiddenCase::unlisted) continue;
     stated += e.errors.size();
-    within += static_cast<std::size_t>(std::count_if(e.errors.begin(), e.errors.end(), [](double z) { return std::abs(z) < 3.0; }));
+    within += static_cast<std::size_t>(
+        std::count_if(e.errors.begin(), e.errors.end(), [](double z) { return std::abs(z) < 3.0; }));
     if (e.residualOverNoise <= 0.0) continue;
     ++named;
     quiet += e.residualOverNoise < 1.15 ? 1 : 0;
   }
-  out += fmt::format("\nParameters within 3 of their deviations: {} of {}. Unseen residual within 15 % of the noise: {} of {}.\n",
-                     within, stated, quiet, named);
+  out += fmt::format(
+      "\nParameters within 3 of their deviations: {} of {}. Unseen residual within 15 % of the noise: {} of {}.\n",
+      within, stated, quiet, named);
   return out;
 }
 

@@ -179,7 +179,8 @@ HiddenRecording finished(HiddenCase kind, std::uint64_t seed, const std::string&
   out.truth.noise = noise;
   out.truth.multiple = multiple;
   out.truth.simulation = std::move(simulated->truth);
-  for (const Mark& mark : out.truth.simulation.marks) out.truth.touches = out.truth.touches || mark.label == MarkLabel::contact;
+  for (const Mark& mark : out.truth.simulation.marks)
+    out.truth.touches = out.truth.touches || mark.label == MarkLabel::contact;
   for (const EffectTruth& effect : out.truth.simulation.effects) out.truth.ids.push_back(effect.id);
   return out;
 }
@@ -307,8 +308,12 @@ Result<HiddenTruth> hiddenTruthFromJson(const nlohmann::json& json, const std::s
     truth.relatives = json.at("relatives").get<std::vector<std::string>>();
     for (const auto& mark : json.at("marks")) truth.touches = truth.touches || mark.at("label") == "contact";
     for (const auto& effect : json.at("effects")) {
-      EffectTruth hidden{effect.at("effect").get<std::string>(), effect.at("form").get<std::string>(),
-                         effect.at("size").get<double>(), effect.at("unit").get<std::string>(), {}, {}};
+      EffectTruth hidden{effect.at("effect").get<std::string>(),
+                         effect.at("form").get<std::string>(),
+                         effect.at("size").get<double>(),
+                         effect.at("unit").get<std::string>(),
+                         {},
+                         {}};
       for (const auto& [key, value] : effect.at("parameters").items())
         hidden.parameters.push_back(
             {key, value.is_array() ? value.get<std::vector<double>>() : std::vector<double>{value.get<double>()}});

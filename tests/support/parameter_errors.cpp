@@ -14,7 +14,8 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double number(const EffectTruth& hidden, const char* name, std::size_t index = 0) {
-  const auto found = std::find_if(hidden.parameters.begin(), hidden.parameters.end(), [&](const auto& p) { return p.name == name; });
+  const auto found =
+      std::find_if(hidden.parameters.begin(), hidden.parameters.end(), [&](const auto& p) { return p.name == name; });
   return found == hidden.parameters.end() || index >= found->values.size() ? std::nan("") : found->values[index];
 }
 
@@ -46,7 +47,8 @@ std::map<std::string, double> expected(const EffectTruth& hidden) {
   }
   // The joint stands that much less far than was recorded.
   if (hidden.id == "joint_offset")
-    for (std::size_t i = 0; i < 7; ++i) out[fmt::format("q{}_offset", i + 1)] = -kDegrees * number(hidden, "offset_rad", i);
+    for (std::size_t i = 0; i < 7; ++i)
+      out[fmt::format("q{}_offset", i + 1)] = -kDegrees * number(hidden, "offset_rad", i);
   return out;
 }
 

@@ -132,8 +132,8 @@ double enclosed(const MeshPart& part) {
 
 TEST(ToolSolid, EveryBodyIsDrawnWithItsOwnVolume) {
   const std::vector<std::pair<BodyKind, std::vector<double>>> bodies{
-      {BodyKind::box, {0.06, 0.04, 0.12}},  {BodyKind::cylinder, {0.03, 0.1}},   {BodyKind::tube, {0.03, 0.02, 0.1}},
-      {BodyKind::sphere, {0.05}},           {BodyKind::cone, {0.04, 0.1}},       {BodyKind::capsule, {0.03, 0.05}},
+      {BodyKind::box, {0.06, 0.04, 0.12}},  {BodyKind::cylinder, {0.03, 0.1}}, {BodyKind::tube, {0.03, 0.02, 0.1}},
+      {BodyKind::sphere, {0.05}},           {BodyKind::cone, {0.04, 0.1}},     {BodyKind::capsule, {0.03, 0.05}},
       {BodyKind::plate, {0.1, 0.1, 0.005}},
   };
   for (const auto& [kind, dims] : bodies) {

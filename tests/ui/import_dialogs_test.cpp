@@ -40,7 +40,8 @@ class ImportDialogsTest : public testing::Test {
       const double t = 0.01 * k;
       text += QString::number(1000000.0 * (100.0 + t), 'f', 0);
       for (int c = 0; c < 6; ++c) text += QStringLiteral(",%1").arg(5.0 * std::sin(t + c), 0, 'f', 6);
-      for (int j = 0; j < 7; ++j) text += QStringLiteral(",%1").arg(20.0 * std::sin(0.7 * t + j) - (j == 3 ? 100.0 : 0.0), 0, 'f', 6);
+      for (int j = 0; j < 7; ++j)
+        text += QStringLiteral(",%1").arg(20.0 * std::sin(0.7 * t + j) - (j == 3 ? 100.0 : 0.0), 0, 'f', 6);
       text += "\n";
     }
     return write("foreign.csv", text);
@@ -83,8 +84,7 @@ TEST_F(ImportDialogsTest, ATableWithOwnNamesIsReadAsTheUserSays) {
   for (int c = 0; c < 6; ++c)
     choose(dialog, QStringLiteral("column_%1").arg(QLatin1String(wrench[c])), QString(QChar('a' + c)));
   EXPECT_FALSE(dialog.complete()) << "there is no motion yet";
-  for (int j = 1; j <= 7; ++j)
-    choose(dialog, QStringLiteral("column_q%1").arg(j), QStringLiteral("j%1").arg(j));
+  for (int j = 1; j <= 7; ++j) choose(dialog, QStringLiteral("column_q%1").arg(j), QStringLiteral("j%1").arg(j));
   EXPECT_TRUE(dialog.complete()) << dialog.findChild<QLabel*>("sourcesState")->text().toStdString();
   choose(dialog, "unit_joints", "degrees");
   ASSERT_TRUE(dialog.complete());
@@ -132,7 +132,8 @@ TEST_F(ImportDialogsTest, TheWrenchMayStandInAnotherFile) {
   ASSERT_TRUE(writeTextFile(mapFileOf(file.toStdString()), mapText(wishes, folder.path().toStdString())).ok());
   const auto text = readTextFile(mapFileOf(file.toStdString()));
   ASSERT_TRUE(text.ok());
-  EXPECT_EQ(text->find(folder.path().toStdString()), std::string::npos) << "a file beside it is named without its folder";
+  EXPECT_EQ(text->find(folder.path().toStdString()), std::string::npos)
+      << "a file beside it is named without its folder";
   SourcesDialog dialog(file);
   settle(dialog);
   EXPECT_TRUE(dialog.complete()) << dialog.findChild<QLabel*>("sourcesState")->text().toStdString();
@@ -162,7 +163,8 @@ TEST_F(ImportDialogsTest, RobotAndSensorGoIntoTheMetaFileAndNothingElseChanges) 
     text += "\n";
   }
   const QString file = write("six.csv", text);
-  write("six.meta.json", "{\"note\": \"kept\", \"sensor\": {\"mount\": {\"parent\": \"tool0\", \"xyz_m\": [0, 0, 0.0123456789]}}}");
+  write("six.meta.json",
+        "{\"note\": \"kept\", \"sensor\": {\"mount\": {\"parent\": \"tool0\", \"xyz_m\": [0, 0, 0.0123456789]}}}");
   Workspace workspace;
   QSignalSpy unreadable(&workspace, &Workspace::unreadable);
   workspace.open(file);
@@ -172,9 +174,10 @@ TEST_F(ImportDialogsTest, RobotAndSensorGoIntoTheMetaFileAndNothingElseChanges) 
 
   QString urdf = "<robot name=\"six\"><link name=\"base\"/>";
   for (int j = 1; j <= 6; ++j)
-    urdf += QStringLiteral("<link name=\"%1\"/><joint name=\"j%2\" type=\"revolute\"><parent link=\"%3\"/><child link=\"%1\"/>"
-                           "<origin xyz=\"0 0 0.2\" rpy=\"0 0.3 0\"/><axis xyz=\"0 0 1\"/>"
-                           "<limit lower=\"-3\" upper=\"3\" effort=\"50\" velocity=\"2\"/></joint>")
+    urdf += QStringLiteral(
+                "<link name=\"%1\"/><joint name=\"j%2\" type=\"revolute\"><parent link=\"%3\"/><child link=\"%1\"/>"
+                "<origin xyz=\"0 0 0.2\" rpy=\"0 0.3 0\"/><axis xyz=\"0 0 1\"/>"
+                "<limit lower=\"-3\" upper=\"3\" effort=\"50\" velocity=\"2\"/></joint>")
                 .arg(j == 6 ? QString("tool0") : QStringLiteral("l%1").arg(j))
                 .arg(j)
                 .arg(j == 1 ? QString("base") : QStringLiteral("l%1").arg(j - 1));
@@ -202,7 +205,8 @@ TEST_F(ImportDialogsTest, RobotAndSensorGoIntoTheMetaFileAndNothingElseChanges) 
   const auto meta = readJsonFile(folder.filePath("six.meta.json").toStdString());
   ASSERT_TRUE(meta.ok());
   EXPECT_EQ((*meta)["note"], "kept");
-  EXPECT_EQ((*meta)["sensor"]["mount"]["xyz_m"][2].get<double>(), 0.0123456789) << "what was not touched keeps its digits";
+  EXPECT_EQ((*meta)["sensor"]["mount"]["xyz_m"][2].get<double>(), 0.0123456789)
+      << "what was not touched keeps its digits";
   EXPECT_EQ((*meta)["sensor"]["wrench_sign"], "payload_on_sensor");
   EXPECT_FALSE(meta->contains("gravity_m_s2"));
   workspace.open(file);

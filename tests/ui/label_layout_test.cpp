@@ -9,15 +9,18 @@ namespace {
 void expectFree(const std::vector<QRectF>& places, const std::vector<QRectF>& obstacles, QSizeF picture) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     EXPECT_TRUE(QRectF(QPointF(0, 0), picture).contains(places[i])) << "label " << i << " leaves the picture";
-    for (std::size_t j = i + 1; j < places.size(); ++j) EXPECT_FALSE(places[i].intersects(places[j])) << i << " and " << j;
-    for (const QRectF& each : obstacles) EXPECT_FALSE(places[i].intersects(each)) << "label " << i << " covers something";
+    for (std::size_t j = i + 1; j < places.size(); ++j)
+      EXPECT_FALSE(places[i].intersects(places[j])) << i << " and " << j;
+    for (const QRectF& each : obstacles)
+      EXPECT_FALSE(places[i].intersects(each)) << "label " << i << " covers something";
   }
 }
 
 TEST(LabelLayout, StandsInOneColumnAtTheRightOfWhatItNames) {
   LabelSide side = LabelSide::right;
   const LabelRoom room{{800, 500}, {}, {QRectF(300, 100, 150, 300)}};
-  const auto places = placeLabels({{{380, 90}, {120, 24}}, {{390, 200}, {180, 40}}, {{400, 205}, {90, 24}}}, room, side);
+  const auto places =
+      placeLabels({{{380, 90}, {120, 24}}, {{390, 200}, {180, 40}}, {{400, 205}, {90, 24}}}, room, side);
   ASSERT_EQ(places.size(), 3u);
   expectFree(places, room.subjects, room.picture);
   for (const QRectF& place : places) {
@@ -51,7 +54,8 @@ TEST(LabelLayout, GoesToTheLeftWhereTheRightHasNoRoom) {
 TEST(LabelLayout, WhereNothingIsFreeLabelsStillDoNotCoverEachOther) {
   LabelSide side = LabelSide::right;
   const LabelRoom room{{300, 200}, {}, {QRectF(0, 0, 300, 200)}};
-  const auto places = placeLabels({{{150, 20}, {120, 24}}, {{150, 30}, {120, 24}}, {{150, 180}, {120, 24}}}, room, side);
+  const auto places =
+      placeLabels({{{150, 20}, {120, 24}}, {{150, 30}, {120, 24}}, {{150, 180}, {120, 24}}}, room, side);
   expectFree(places, {}, room.picture);
 }
 

@@ -29,7 +29,8 @@ QString pushedFile(const QTemporaryDir& folder) {
   auto simulated = simulate(RobotModel::panda(), payload, options);
   EXPECT_TRUE(simulated.ok());
   for (Eigen::Index i = 0; i < simulated->recording.rows(); ++i)
-    if (simulated->recording.time(i) > 4.0 && simulated->recording.time(i) < 5.0) simulated->recording.wrench(i, 0) += 9.0;
+    if (simulated->recording.time(i) > 4.0 && simulated->recording.time(i) < 5.0)
+      simulated->recording.wrench(i, 0) += 9.0;
   const QString path = folder.filePath("pushed.csv");
   EXPECT_TRUE(writeRecording(simulated->recording, path.toStdString()).ok());
   return path;

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QDialogButtonBox>
 
 #include "tests/ui/fixtures.h"
 #include "ui/models/method_table.h"

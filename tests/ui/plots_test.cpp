@@ -78,7 +78,8 @@ TEST(WrenchTraces, NothingJoinsWhatWasMeasuredBeforeAndAfterAGap) {
   for (Eigen::Index i = 2000; i < 4000; ++i) recording.time(i) += 3.0;
   const WrenchTraces traces(recording, nullptr);
   for (const double zoom : {8.0, 0.01}) {
-    const ThinnedCurve curve = traces.thinned(WrenchTraces::Kind::measured, 0, zoom > 1 ? 0.0 : 1.99, zoom > 1 ? 7.0 : 5.01, zoom > 1 ? 800 : 4000);
+    const ThinnedCurve curve = traces.thinned(WrenchTraces::Kind::measured, 0, zoom > 1 ? 0.0 : 1.99,
+                                              zoom > 1 ? 7.0 : 5.01, zoom > 1 ? 800 : 4000);
     EXPECT_EQ(curve.crowded, zoom > 1);
     int holes = 0;
     for (int i = 0; i < curve.x.size(); ++i) holes += std::isnan(curve.low[i]);
@@ -103,7 +104,8 @@ TEST(TraceColumns, ALineIsAsThickAsItsPenWhateverItsSlope) {
     columns.addLine(0.0, 10.0, 40.0, 10.0 + 40 * slope);
     const std::vector<double> ink = inkOf(columns, 220, 1.5);
     // Cut upright, a line is thicker by its slope; a third of a pixel is nothing that one sees.
-    for (int x = 5; x < 35; ++x) EXPECT_NEAR(ink[static_cast<std::size_t>(x)], 1.5 * std::hypot(1.0, slope), 0.1 + 0.33 * slope) << slope;
+    for (int x = 5; x < 35; ++x)
+      EXPECT_NEAR(ink[static_cast<std::size_t>(x)], 1.5 * std::hypot(1.0, slope), 0.1 + 0.33 * slope) << slope;
   }
 }
 

@@ -175,7 +175,8 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   std::uint64_t seed = 1;
   while (practiceEffect(seed).id != "time_offset") ++seed;
   ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace.opened() && workspace.report() && !workspace.busy() && !jobs->running(); }, kLong));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return workspace.opened() && workspace.report() && !workspace.busy() && !jobs->running(); }, kLong));
   QApplication::processEvents();
   EXPECT_EQ(practiceSeed(workspace.opened()->path), seed);
   EXPECT_TRUE(texts().contains("What is wrong with this recording?"));

@@ -121,9 +121,37 @@ TEST(MessageBar, ShowsTheSentenceAndCloses) {
 }
 
 TEST(Icons, EveryDrawingIsThereAndTakesTheColour) {
-  for (const char* name :
-       {"heft", "open", "undo", "redo", "check", "copy", "plus", "minus", "brush", "cursors", "contact", "hand", "back", "table", "folder", "play", "pause", "fit", "tool", "view", "eye", "camera", "bulb", "close", "info",
-        "light_measured", "light_partly", "light_unknown", "light_look", "light_two_causes", "light_not_possible"}) {
+  for (const char* name : {"heft",
+                           "open",
+                           "undo",
+                           "redo",
+                           "check",
+                           "copy",
+                           "plus",
+                           "minus",
+                           "brush",
+                           "cursors",
+                           "contact",
+                           "hand",
+                           "back",
+                           "table",
+                           "folder",
+                           "play",
+                           "pause",
+                           "fit",
+                           "tool",
+                           "view",
+                           "eye",
+                           "camera",
+                           "bulb",
+                           "close",
+                           "info",
+                           "light_measured",
+                           "light_partly",
+                           "light_unknown",
+                           "light_look",
+                           "light_two_causes",
+                           "light_not_possible"}) {
     const QImage image = iconPixmap(name, 20, QColor("#123456"), QColor("#FFFFFF"), 2.0).toImage();
     int painted = 0, coloured = 0;
     for (int y = 0; y < image.height(); ++y) {

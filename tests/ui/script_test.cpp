@@ -6,7 +6,8 @@ namespace heft {
 namespace {
 
 TEST(Script, SplitsWordsAndKeepsLineNumbers) {
-  const auto lines = parseScript("# a walk\nopen \"my rec.csv\" b.csv\n\n  step  mark # then\npicture \"\"\n", "walk.txt");
+  const auto lines =
+      parseScript("# a walk\nopen \"my rec.csv\" b.csv\n\n  step  mark # then\npicture \"\"\n", "walk.txt");
   ASSERT_TRUE(lines.ok());
   ASSERT_EQ(lines->size(), 3u);
   EXPECT_EQ((*lines)[0].number, 2);

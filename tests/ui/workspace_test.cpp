@@ -174,9 +174,10 @@ TEST_F(WorkspaceTest, AnotherRobotIsNamedInTheMetaFileAndOnlyIfItFits) {
   const auto write = [&](const char* name, int joints, const char* last) {
     QString text = QStringLiteral("<robot name=\"own\"><link name=\"l0\"/>");
     for (int j = 1; j <= joints; ++j)
-      text += QStringLiteral("<link name=\"%1\"/><joint name=\"j%2\" type=\"revolute\"><parent link=\"%3\"/><child link=\"%1\"/>"
-                             "<origin xyz=\"0 0 0.1\" rpy=\"0 %4 0\"/><axis xyz=\"0 0 1\"/>"
-                             "<limit lower=\"-3\" upper=\"3\" effort=\"50\" velocity=\"2\"/></joint>")
+      text += QStringLiteral(
+                  "<link name=\"%1\"/><joint name=\"j%2\" type=\"revolute\"><parent link=\"%3\"/><child link=\"%1\"/>"
+                  "<origin xyz=\"0 0 0.1\" rpy=\"0 %4 0\"/><axis xyz=\"0 0 1\"/>"
+                  "<limit lower=\"-3\" upper=\"3\" effort=\"50\" velocity=\"2\"/></joint>")
                   .arg(j == joints ? QString(last) : QStringLiteral("l%1").arg(j))
                   .arg(j)
                   .arg(QStringLiteral("l%1").arg(j - 1))
@@ -186,7 +187,8 @@ TEST_F(WorkspaceTest, AnotherRobotIsNamedInTheMetaFileAndOnlyIfItFits) {
     urdf.write((text + "</robot>").toUtf8());
     return folder.filePath(name);
   };
-  for (const QString& wrong : {write("six.urdf", 6, "panda_link8"), write("nowhere.urdf", 7, "tip"), folder.filePath("none.urdf")}) {
+  for (const QString& wrong :
+       {write("six.urdf", 6, "panda_link8"), write("nowhere.urdf", 7, "tip"), folder.filePath("none.urdf")}) {
     const auto named = nameRobot(*workspace.opened(), wrong);
     ASSERT_FALSE(named.ok()) << wrong.toStdString();
     EXPECT_FALSE(named.error().message.empty());
@@ -196,7 +198,8 @@ TEST_F(WorkspaceTest, AnotherRobotIsNamedInTheMetaFileAndOnlyIfItFits) {
   ASSERT_TRUE(nameRobot(*workspace.opened(), write("own.urdf", 7, "panda_link8")).ok());
   workspace.open(file);
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return !workspace.busy() && workspace.opened()->robot && workspace.opened()->robot->name() == "own"; }, kPatience));
+      [&] { return !workspace.busy() && workspace.opened()->robot && workspace.opened()->robot->name() == "own"; },
+      kPatience));
   EXPECT_EQ(workspace.session().recordings.size(), 1u);
 }
 

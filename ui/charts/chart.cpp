@@ -55,7 +55,8 @@ std::vector<double> ticksOf(const Span& span, int about) {
   double step = 10.0 * power;
   for (const double f : {5.0, 2.0, 1.0})
     if (f * power >= raw) step = f * power;
-  for (double at = std::ceil(span.low / step) * step; at <= span.high + 1e-9 * step; at += step) out.push_back(std::abs(at) < 1e-9 * step ? 0.0 : at);
+  for (double at = std::ceil(span.low / step) * step; at <= span.high + 1e-9 * step; at += step)
+    out.push_back(std::abs(at) < 1e-9 * step ? 0.0 : at);
   return out;
 }
 
@@ -152,14 +153,16 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
       p.setPen(Qt::NoPen);
       p.setBrush(pale);
       for (const QPointF& point : curve.points)
-        if (std::isfinite(point.x()) && std::isfinite(point.y())) p.drawEllipse(QPointF(px(point.x()), py(point.y())), 1.6, 1.6);
+        if (std::isfinite(point.x()) && std::isfinite(point.y()))
+          p.drawEllipse(QPointF(px(point.x()), py(point.y())), 1.6, 1.6);
       p.setBrush(Qt::NoBrush);
       continue;
     }
     QPainterPath path;
     bool open = false;
     for (const QPointF& point : curve.points) {
-      if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || (y.log && point.y() <= 0.0) || (x.log && point.x() <= 0.0)) {
+      if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || (y.log && point.y() <= 0.0) ||
+          (x.log && point.x() <= 0.0)) {
         open = false;
         continue;
       }

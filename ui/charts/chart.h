@@ -24,9 +24,9 @@ struct Chart {
   QString xTitle, yTitle;  ///< With units: "Time [s]"
   std::vector<ChartCurve> curves;
   double band = 0.0;  ///< Half height of the noise band about zero; with logY: its level above the bottom.
-  QString xUnit;  ///< Behind the last tick, where there is no room for xTitle: "s"
+  QString xUnit;      ///< Behind the last tick, where there is no room for xTitle: "s"
   bool logX = false, logY = false;
-  QString nothing;    ///< Stands there if there are no points.
+  QString nothing;  ///< Stands there if there are no points.
 };
 
 void drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const Theme& theme, bool legend);

@@ -29,8 +29,8 @@ Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QO
   QDir().mkpath(folder_);
   // A name that no living program holds; two windows of one process differ by the number.
   for (int k = 0; k < 1000 && !lock_; ++k) {
-    file_ = QDir(folder_).filePath(
-        QStringLiteral("autosave-%1-%2.heft").arg(QCoreApplication::applicationPid()).arg(k));
+    file_ =
+        QDir(folder_).filePath(QStringLiteral("autosave-%1-%2.heft").arg(QCoreApplication::applicationPid()).arg(k));
     if (QFileInfo::exists(file_)) continue;
     auto lock = std::make_unique<QLockFile>(lockOf(file_));
     lock->setStaleLockTime(0);  // Only a dead owner makes it stale, not its age.
@@ -51,8 +51,7 @@ void Autosave::flush() {
   timer_.stop();
   if (!changed_ || !lock_) return;
   const Session& session = workspace_->session();
-  const auto written =
-      writeTextFile(file_.toStdString(), sessionText(session, folder_.toStdString(), true));
+  const auto written = writeTextFile(file_.toStdString(), sessionText(session, folder_.toStdString(), true));
   // A full disk is no reason to trouble the user every few seconds; the next change tries again.
   if (!written) return;
   changed_ = false;
@@ -62,8 +61,7 @@ void Autosave::flush() {
 
 QStringList Autosave::leftBehind() const {
   QStringList orphans;
-  const QFileInfoList files =
-      QDir(folder_).entryInfoList({QStringLiteral("autosave-*.heft")}, QDir::Files, QDir::Time);
+  const QFileInfoList files = QDir(folder_).entryInfoList({QStringLiteral("autosave-*.heft")}, QDir::Files, QDir::Time);
   for (const QFileInfo& info : files) {
     if (info.absoluteFilePath() == QFileInfo(file_).absoluteFilePath()) continue;
     QLockFile lock(lockOf(info.absoluteFilePath()));

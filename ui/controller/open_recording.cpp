@@ -17,8 +17,9 @@ ReadCure cureOf(const std::filesystem::path& file, const Progress& progress) {
   const auto contents = inspectRecording(file, {}, progress);
   if (!contents) return ReadCure::none;
   if (!contents->missing.empty()) return ReadCure::sources;
-  const auto joints = std::count_if(contents->chosen.begin(), contents->chosen.end(),
-                                    [](const ColumnSource& each) { return each.column[0] == 'q' && each.column[1] <= '9'; });
+  const auto joints = std::count_if(contents->chosen.begin(), contents->chosen.end(), [](const ColumnSource& each) {
+    return each.column[0] == 'q' && each.column[1] <= '9';
+  });
   Findings findings;
   const std::filesystem::path meta = metaFileOf(file);
   const auto said = std::filesystem::exists(meta) ? readMeta(meta, findings) : Result<RecordingMeta>(RecordingMeta{});
@@ -27,7 +28,8 @@ ReadCure cureOf(const std::filesystem::path& file, const Progress& progress) {
 
 }  // namespace
 
-Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress, ReadCure& cure) {
+Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress,
+                                                           ReadCure& cure) {
   cure = ReadCure::none;
   QElapsedTimer clock;
   clock.start();

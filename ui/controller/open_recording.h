@@ -7,6 +7,7 @@
 namespace heft {
 
 /// `cure` is told where it fails.
-Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress, ReadCure& cure);
+Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, const Progress& progress,
+                                                           ReadCure& cure);
 
 }  // namespace heft

@@ -29,7 +29,8 @@ json changesBetween(const RecordingMeta& before, const RecordingMeta& after) {
     out["sensor"]["wrench_sign"] =
         after.wrenchSign == WrenchSign::payloadOnSensor ? "payload_on_sensor" : "sensor_on_payload";
   if (before.sensorModel != after.sensorModel) out["sensor"]["model"] = after.sensorModel;
-  if (before.mount.parent != after.mount.parent || before.mount.xyz != after.mount.xyz || before.mount.rpy != after.mount.rpy)
+  if (before.mount.parent != after.mount.parent || before.mount.xyz != after.mount.xyz ||
+      before.mount.rpy != after.mount.rpy)
     out["sensor"]["mount"] = {
         {"parent", after.mount.parent}, {"xyz_m", triple(after.mount.xyz)}, {"rpy_rad", triple(after.mount.rpy)}};
   return out;
@@ -56,15 +57,18 @@ Result<bool> writeRig(const QString& recording, const OpenRecording* opened, con
     Findings findings;
     const auto robot = robotFor(after, findings);
     if (!robot) return robot.error();
-    const QString name = *after.robot == "panda" ? QString("Panda") : QFileInfo(QString::fromStdString(*after.robot)).fileName();
+    const QString name =
+        *after.robot == "panda" ? QString("Panda") : QFileInfo(QString::fromStdString(*after.robot)).fileName();
     if (opened && opened->recording.hasJoints() && robot->dof() != opened->recording.q.cols())
-      return Error{RobotChoice::tr("%1 has %2 joints, the recording %3: choose the description of the robot that was recorded.")
-                       .arg(name)
-                       .arg(robot->dof())
-                       .arg(opened->recording.q.cols())
-                       .toStdString()};
+      return Error{
+          RobotChoice::tr("%1 has %2 joints, the recording %3: choose the description of the robot that was recorded.")
+              .arg(name)
+              .arg(robot->dof())
+              .arg(opened->recording.q.cols())
+              .toStdString()};
     if ((!opened || opened->recording.hasJoints()) && !robot->findLink(after.mount.parent))
-      return Error{RobotChoice::tr("%1 has no link “%2”: choose the link that carries the sensor under Tools, “Robot and sensor”.")
+      return Error{RobotChoice::tr(
+                       "%1 has no link “%2”: choose the link that carries the sensor under Tools, “Robot and sensor”.")
                        .arg(name, QString::fromStdString(after.mount.parent))
                        .toStdString()};
   }

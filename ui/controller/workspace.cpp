@@ -90,7 +90,8 @@ void Workspace::open(const QStringList& paths) {
 void Workspace::addRecording(const Recording& recording, const QString& folder, const QString& name) {
   QDir().mkpath(folder);
   QString path = QDir(folder).filePath(name + ".csv");
-  for (int k = 2; QFileInfo::exists(path); ++k) path = QDir(folder).filePath(QStringLiteral("%1-%2.csv").arg(name).arg(k));
+  for (int k = 2; QFileInfo::exists(path); ++k)
+    path = QDir(folder).filePath(QStringLiteral("%1-%2.csv").arg(name).arg(k));
   const auto written = writeRecording(recording, path.toStdString());
   if (!written) return fail(written.error());
   open(path);
@@ -111,7 +112,8 @@ void Workspace::takeSession(Session session) {
   session_.active = -1;
   entries_.assign(session_.recordings.size(), {});
   queue_.clear();
-  for (const SessionRecording& recording : session_.recordings) queue_ << QString::fromStdString(recording.file.string());
+  for (const SessionRecording& recording : session_.recordings)
+    queue_ << QString::fromStdString(recording.file.string());
   emit shapeChanged();
   emit settingsChanged();
   emit exportChanged();
@@ -283,7 +285,7 @@ bool Workspace::save(const QString& file) {
 }
 
 template <class T>
-void Workspace::edit(T Session::* part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(),
+void Workspace::edit(T Session::*part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(),
                      bool estimates) {
   const int kind = std::is_same_v<T, ShapeChoice> ? kShape : std::is_same_v<T, EstimateSettings> ? kSettings : kExport;
   undo_.push(new EditCommand<T>(text, kind, mergeKey, session_.*part, std::move(after),

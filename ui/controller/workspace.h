@@ -151,8 +151,7 @@ class Workspace : public QObject {
 
   /// One undoable change of a part of the session.
   template <class T>
-  void edit(T Session::* part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(),
-            bool estimates);
+  void edit(T Session::*part, T after, const QString& text, int mergeKey, void (Workspace::*changed)(), bool estimates);
 
   Session session_;
   std::vector<Entry> entries_;  ///< One a recording of the session.
@@ -160,7 +159,7 @@ class Workspace : public QObject {
   bool loading_ = false;        ///< The job under way reads a file of the queue.
   int showAfter_ = -1;          ///< Recording of a session to show when all are read.
   JobRunner jobs_;
-  QTimer due_;                  ///< Edits in quick succession make one estimate.
+  QTimer due_;  ///< Edits in quick succession make one estimate.
   QUndoStack undo_;
   QString lastFailure_;
   int mergeKey_ = 0;

@@ -59,8 +59,9 @@ ExportChoice ExportPanel::choiceNow() const {
   const auto opened = workspace().opened();
   if (!choice.mounted.empty() || !opened) return choice;
   const RecordingMeta& meta = opened->recording.meta;
-  const std::string model = meta.sensorModel.empty() ? tr("Sensor body").toStdString()
-                                                     : tr("Sensor body, %1").arg(QString::fromStdString(meta.sensorModel)).toStdString();
+  const std::string model = meta.sensorModel.empty()
+                                ? tr("Sensor body").toStdString()
+                                : tr("Sensor body, %1").arg(QString::fromStdString(meta.sensorModel)).toStdString();
   if (const auto mass = sensorBodyMass(meta.sensorModel))
     choice.mounted.push_back({model, compactPart(*mass, 0.5 * meta.mount.xyz), false});
   return choice;
@@ -104,12 +105,14 @@ void ExportPanel::refresh() {
   }
   addChecks(column, choice);
   column->addStretch(1);
-  page()->setSecondButton(tr("Copy"), [this] { copy(); }, "copy");
+  page()->setSecondButton(
+      tr("Copy"), [this] { copy(); }, "copy");
   page()->secondButton()->setEnabled(!text_.empty());
-  page()->setMainButton(tr("Save the payload file …"), [this] { save(); }, "save");
+  page()->setMainButton(
+      tr("Save the payload file …"), [this] { save(); }, "save");
   const bool asked = choice.role != ExportChoice::Role::unasked;
-  page()->setMainEnabled(!text_.empty() && asked,
-                         asked ? tr("This file cannot be written; see above.") : tr("Answer the question above first."));
+  page()->setMainEnabled(!text_.empty() && asked, asked ? tr("This file cannot be written; see above.")
+                                                        : tr("Answer the question above first."));
   page()->setScrollPosition(position);
   emit stateChanged();
 }
@@ -179,8 +182,8 @@ void ExportPanel::addMounted(QVBoxLayout* column, const ExportChoice& choice, do
   head->addWidget(styledLabel(tr("between flange and tool"), "caption", content));
   column->addLayout(head);
   auto* list = new MountedList(content);
-  const bool any = std::any_of(choice.mounted.begin(), choice.mounted.end(),
-                               [](const MountedPart& part) { return part.present; });
+  const bool any =
+      std::any_of(choice.mounted.begin(), choice.mounted.end(), [](const MountedPart& part) { return part.present; });
   list->showParts(choice.mounted, choice.mountedAnswered && !any, together);
   connect(list, &MountedList::changed, this, [this](const std::vector<MountedPart>& parts, const QString& what) {
     ExportChoice next = choiceNow();
@@ -205,22 +208,25 @@ void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
   const ExportFormat* format = findExportFormat(choice.format);
   auto checks = checksBeforeSaving(*workspace().report(), file->onFlange, file->findings, choice, *format);
   if (!choice.mountedAnswered) {
-    const QString asks =
-        choice.mounted.empty()
-            ? tr("The sensor itself weighs something, too: add it under “Something else …” unless the controller knows it "
-                 "already, or tick “Nothing else”.")
-            : tr("The sensor itself weighs something, too: tick it above unless the controller knows it already, or tick "
-                 "“Nothing else”.");
+    const QString asks = choice.mounted.empty() ? tr("The sensor itself weighs something, too: add it under “Something "
+                                                     "else …” unless the controller knows it "
+                                                     "already, or tick “Nothing else”.")
+                                                : tr("The sensor itself weighs something, too: tick it above unless "
+                                                     "the controller knows it already, or tick "
+                                                     "“Nothing else”.");
     checks.insert(checks.begin(), {Severity::warning, false, asks});
   }
   if (choice.role == ExportChoice::Role::unasked)
-    checks.insert(checks.begin(), {Severity::warning, false, tr("Say above whether this is the robot’s own tool or something it picked up; then it can be saved.")});
+    checks.insert(
+        checks.begin(),
+        {Severity::warning, false,
+         tr("Say above whether this is the robot’s own tool or something it picked up; then it can be saved.")});
   for (const Check& check : checks) {
     const bool warns = !check.good;
-    const Light light = check.good                             ? Light::measured
-                        : check.severity == Severity::error    ? Light::notPossible
+    const Light light = check.good                            ? Light::measured
+                        : check.severity == Severity::error   ? Light::notPossible
                         : check.severity == Severity::warning ? Light::look
-                                                               : Light::info;
+                                                              : Light::info;
     auto* row = new QHBoxLayout;
     row->setSpacing(10);
     row->addWidget(new LightIcon(light, 18, content), 0, Qt::AlignTop);
@@ -246,8 +252,8 @@ void ExportPanel::chooseRole(ExportChoice::Role role) {
   ExportChoice next = workspace().session().exporting;
   if (next.role == role) return refresh();
   next.role = role;
-  workspace().setExport(next, role == ExportChoice::Role::ownTool ? tr("it is the robot’s own tool")
-                                                                  : tr("it is an extra load"));
+  workspace().setExport(
+      next, role == ExportChoice::Role::ownTool ? tr("it is the robot’s own tool") : tr("it is an extra load"));
 }
 
 void ExportPanel::save() {
@@ -287,8 +293,8 @@ std::optional<Result<bool>> ExportPanel::obey(const QStringList& words) {
   if (words[0] != "export") return std::nullopt;
   const bool replace = words.size() == 4 && words[3] == "replace";
   if (words.size() != 3 && !replace)
-    return Result<bool>(
-        Error{tr("export expects a format and a file, and may end in replace: export franka-desk tool.json").toStdString()});
+    return Result<bool>(Error{
+        tr("export expects a format and a file, and may end in replace: export franka-desk tool.json").toStdString()});
   if (!findExportFormat(words[1].toStdString()))
     return Result<bool>(Error{tr("There is no format %1; heft export --help lists them.").arg(words[1]).toStdString()});
   if (!workspace().report()) return Result<bool>(Error{tr("export needs a result.").toStdString()});

@@ -65,11 +65,13 @@ QString roleAdvice(std::string_view formatId, ExportChoice::Role role) {
   const bool setLoad = formatId == "libfranka" || formatId == "franka-ros" || formatId == "franka-ros2";
   const bool endEffector = formatId == "franka-desk" || formatId == "franka-profile";
   if (setLoad && role == ExportChoice::Role::ownTool)
-    return Words::tr("This file sets the load on top of the end effector. The robot’s own tool belongs into Franka Desk; "
-                     "stated in both, its weight counts twice.");
+    return Words::tr(
+        "This file sets the load on top of the end effector. The robot’s own tool belongs into Franka Desk; "
+        "stated in both, its weight counts twice.");
   if (endEffector && role == ExportChoice::Role::extraLoad)
-    return Words::tr("This file describes the robot’s own end effector. Something that it picked up belongs into setLoad "
-                     "(libfranka or ROS), added to the tool that is already there.");
+    return Words::tr(
+        "This file describes the robot’s own end effector. Something that it picked up belongs into setLoad "
+        "(libfranka or ROS), added to the tool that is already there.");
   if (formatId == "ur" && role == ExportChoice::Role::extraLoad)
     return Words::tr("A UR wants tool and load together in one number: tick the tool under “What else is mounted?”.");
   return {};
@@ -82,11 +84,13 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
   if (const QString advice = roleAdvice(format.id, choice.role); !advice.isEmpty()) warn(advice);
   if (report.identifiability.mass == Source::none) warn(Words::tr("The mass is not known from this motion."));
   if (anyUnknown(report)) {
-    warn(Words::tr("The inertia is not known from this motion; the file holds a plausible size only. Fine for slow work; "
-                   "record faster turns for fast work."));
+    warn(Words::tr(
+        "The inertia is not known from this motion; the file holds a plausible size only. Fine for slow work; "
+        "record faster turns for fast work."));
   } else if (anyFromPrior(report)) {
-    warn(Words::tr("The inertia rests on your shape, not on your motion. Fine for slow work; record faster turns for fast "
-                   "work."));
+    warn(Words::tr(
+        "The inertia rests on your shape, not on your motion. Fine for slow work; record faster turns for fast "
+        "work."));
   }
   for (const Finding& finding : findings) {
     if (finding.severity == Severity::info) continue;
@@ -98,8 +102,8 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
   if (checkPhysical(onFlange).physical)
     checks.push_back({Severity::info, true, Words::tr("A real body can have these numbers.")});
   if (format.heaviest > 0 && onFlange.mass < 0.9 * format.heaviest)
-    checks.push_back({Severity::info, true,
-                      Words::tr("Well inside the arm’s limit of %1 kg.").arg(numberText(format.heaviest, 0))});
+    checks.push_back(
+        {Severity::info, true, Words::tr("Well inside the arm’s limit of %1 kg.").arg(numberText(format.heaviest, 0))});
   return checks;
 }
 

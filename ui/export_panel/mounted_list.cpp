@@ -45,9 +45,9 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
     auto* box = new QCheckBox(QString::fromStdString(parts_[i].name), this);
     box->setObjectName(QStringLiteral("mounted%1").arg(i));
     box->setChecked(parts_[i].present);
-    box->setToolTip(QStringLiteral("%1\n%2").arg(
-        QString::fromStdString(parts_[i].name),
-        tr("Is it between flange and tool, and not told to the controller elsewhere?")));
+    box->setToolTip(
+        QStringLiteral("%1\n%2").arg(QString::fromStdString(parts_[i].name),
+                                     tr("Is it between flange and tool, and not told to the controller elsewhere?")));
     connect(box, &QCheckBox::toggled, this, [this, i](bool on) {
       auto next = parts_;
       next[i].present = on;
@@ -99,8 +99,8 @@ void MountedList::addPart() {
     form->addRow(axes[i], place[i]);
   }
   place[2]->setValue(20);
-  form->addRow(wrappedLabel(tr("Its inertia is taken as that of a compact aluminium body of this weight."), "caption",
-                            &dialog));
+  form->addRow(
+      wrappedLabel(tr("Its inertia is taken as that of a compact aluminium body of this weight."), "caption", &dialog));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Add it"));
   connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);

@@ -4,7 +4,8 @@
 
 namespace heft {
 
-QComboBox* makeChoice(const QString& name, const QString& accessible, const QString& tip, int characters, QWidget* parent) {
+QComboBox* makeChoice(const QString& name, const QString& accessible, const QString& tip, int characters,
+                      QWidget* parent) {
   auto* box = new QComboBox(parent);
   box->setObjectName(name);
   box->setAccessibleName(accessible);

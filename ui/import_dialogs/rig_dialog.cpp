@@ -25,8 +25,8 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kEarth = 9.81;
 enum Stand { upright, hanging, otherwise };
 
-QDoubleSpinBox* makeNumber(const QString& name, const QString& accessible, const QString& unit, double most, int decimals,
-                           QWidget* parent) {
+QDoubleSpinBox* makeNumber(const QString& name, const QString& accessible, const QString& unit, double most,
+                           int decimals, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
   box->setObjectName(name);
   box->setAccessibleName(accessible);
@@ -49,8 +49,8 @@ QWidget* inOneRow(const Numbers& numbers, QWidget* parent) {
 
 }  // namespace
 
-RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta, std::function<QString(const RecordingMeta&)> save,
-                     QWidget* parent)
+RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
+                     std::function<QString(const RecordingMeta&)> save, QWidget* parent)
     : QDialog(parent), before_(meta), save_(std::move(save)) {
   setObjectName("rigDialog");
   setWindowTitle(tr("Robot and sensor"));
@@ -59,9 +59,10 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta, std::f
   form->setContentsMargins(20, 18, 20, 16);
   form->setSpacing(10);
   form->addRow(styledLabel(tr("What was recorded?"), "question", this));
-  form->addRow(wrappedLabel(tr("A wrong entry here spoils every number. If you are not sure how the sensor is mounted, leave it: "
-                               "the reality check finds it out."),
-                            "answer", this));
+  form->addRow(wrappedLabel(
+      tr("A wrong entry here spoils every number. If you are not sure how the sensor is mounted, leave it: "
+         "the reality check finds it out."),
+      "answer", this));
   const auto choice = [&](const char* name, const QString& title, const QString& tip) {
     return makeChoice(name, title, tip, 20, this);
   };
@@ -87,8 +88,9 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta, std::f
   const QString turns[] = {tr("roll"), tr("pitch"), tr("yaw")};
   for (int a = 0; a < 3; ++a) {
     xyz_[a] = makeNumber("rigXyz", tr("Sensor's origin from the link, %1").arg(axes[a]), tr(" mm"), 2000, 2, this);
-    rpy_[a] = makeNumber("rigRpy", tr("Sensor turned against the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
-                         tr(" °"), 360, 2, this);
+    rpy_[a] = makeNumber(
+        "rigRpy", tr("Sensor turned against the link, %1 (roll, then pitch, then yaw about fixed axes)").arg(turns[a]),
+        tr(" °"), 360, 2, this);
     gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base's %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
     xyz_[a]->setValue(1e3 * meta.mount.xyz(a));
     rpy_[a]->setValue(meta.mount.rpy(a) / kDegree);
@@ -202,7 +204,8 @@ RecordingMeta RigDialog::meta() const {
   out.mount.parent = link_->currentText().trimmed().toStdString();
   // What was not touched keeps all its digits.
   const auto take = [](double& value, const QDoubleSpinBox* box, double unit) {
-    if (std::abs(box->value() * unit - value) > 0.6 * unit * std::pow(10.0, -box->decimals())) value = box->value() * unit;
+    if (std::abs(box->value() * unit - value) > 0.6 * unit * std::pow(10.0, -box->decimals()))
+      value = box->value() * unit;
   };
   for (int a = 0; a < 3; ++a) {
     take(out.mount.xyz(a), xyz_[a], 1e-3);

@@ -42,9 +42,9 @@ SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialo
   column->setContentsMargins(20, 18, 20, 16);
   column->setSpacing(10);
   column->addWidget(styledLabel(tr("Which column is what?"), "question", this));
-  column->addWidget(wrappedLabel(tr("Heft guesses from types and names in %1. Change what it took wrongly.")
-                                     .arg(QFileInfo(recording).fileName()),
-                                 "answer", this));
+  column->addWidget(wrappedLabel(
+      tr("Heft guesses from types and names in %1. Change what it took wrongly.").arg(QFileInfo(recording).fileName()),
+      "answer", this));
   auto* state = new QHBoxLayout;
   light_ = new LightIcon(Light::info, 20, this);
   state->addWidget(light_, 0, Qt::AlignTop);
@@ -61,10 +61,12 @@ SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialo
   grid->setColumnStretch(1, 1);
   addRow(grid, "wrench", tr("Force and torque"), tr("As the sensor at the wrist measured them"),
          {{tr("N and N m"), 1.0}, {tr("N and N mm"), 0.001}});
-  addRow(grid, "joints", tr("Joint angles"), tr("With them Heft needs no pose"), {{tr("radians"), 1.0}, {tr("degrees"), kDegree}});
+  addRow(grid, "joints", tr("Joint angles"), tr("With them Heft needs no pose"),
+         {{tr("radians"), 1.0}, {tr("degrees"), kDegree}});
   addRow(grid, "velocities", tr("Joint speeds"), tr("Only beside joint angles; Heft can do without"),
          {{tr("rad/s"), 1.0}, {tr("degrees/s"), kDegree}});
-  addRow(grid, "quaternion", tr("Orientation"), tr("Of the sensor or the flange, as a quaternion; needed without joint angles"), {});
+  addRow(grid, "quaternion", tr("Orientation"),
+         tr("Of the sensor or the flange, as a quaternion; needed without joint angles"), {});
   addRow(grid, "position", tr("Position"), tr("Of the sensor or the flange"), {{tr("m"), 1.0}, {tr("mm"), 0.001}});
   addRow(grid, "time", tr("Time"), tr("The column or dataset that holds the time of each sample"),
          {{tr("unit as found"), kAsFound}, {tr("s"), 1.0}, {tr("ms"), 1e-3}, {tr("µs"), 1e-6}, {tr("ns"), 1e-9}});
@@ -123,7 +125,8 @@ void SourcesDialog::addMore(QVBoxLayout* column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(12);
   row->addWidget(styledLabel(tr("Poses are those of"), "rowName", this));
-  poseOf_ = makeChoice("poseOf", tr("Poses are those of"), tr("The sensor's follow from the flange's by how it is mounted"), 12, this);
+  poseOf_ = makeChoice("poseOf", tr("Poses are those of"),
+                       tr("The sensor's follow from the flange's by how it is mounted"), 12, this);
   poseOf_->addItem(tr("the sensor"), false);
   poseOf_->addItem(tr("the flange"), true);
   row->addWidget(poseOf_, 1);
@@ -185,8 +188,9 @@ void SourcesDialog::addColumns(QVBoxLayout* column) {
   const char* const right[] = {"q1", "q2", "q3", "q4", "q5", "q6", "q7", "qx", "qy", "qz", "qw"};
   const auto add = [&](const char* name, int row, int place) {
     auto* label = styledLabel(QString::fromLatin1(name), "rowName", content);
-    auto* box = makeChoice(QStringLiteral("column_%1").arg(QLatin1String(name)), tr("Column for %1").arg(QLatin1String(name)),
-                           tr("Where %1 is read from").arg(QLatin1String(name)), 12, content);
+    auto* box =
+        makeChoice(QStringLiteral("column_%1").arg(QLatin1String(name)), tr("Column for %1").arg(QLatin1String(name)),
+                   tr("Where %1 is read from").arg(QLatin1String(name)), 12, content);
     box->setModel(&fields_);
     grid->addWidget(label, row, place);
     grid->addWidget(box, row, place + 1);
@@ -208,7 +212,8 @@ void SourcesDialog::addColumns(QVBoxLayout* column) {
 }
 
 void SourcesDialog::addFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Add a file recorded with it"), QFileInfo(path_).absolutePath());
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Add a file recorded with it"), QFileInfo(path_).absolutePath());
   if (file.isEmpty()) return;
   wishes_.join.emplace_back(file.toStdString());
   showFiles();
@@ -266,7 +271,9 @@ void SourcesDialog::look() {
   light_->setLight(Light::info);
   jobs_.start(
       QString(),
-      [path = path_.toStdString(), options](const Progress& progress) { return inspectRecording(path, options, progress); },
+      [path = path_.toStdString(), options](const Progress& progress) {
+        return inspectRecording(path, options, progress);
+      },
       [this](Result<RecordingContents> found) { show(found); });
 }
 
@@ -339,8 +346,9 @@ void SourcesDialog::showRow(const Row& row, const RecordingContents& found) {
     for (const ColumnSource& each : found.chosen)
       if (taken.isEmpty() && partOf(each.column) == part) taken = streamName(found.streams[each.stream]);
     const bool own = said == wishes_.use.end() && !taken.isEmpty();
-    row.source->addItem(own ? tr("Heft’s choice: %1").arg(taken)
-                            : found.candidates.empty() || taken.isEmpty() ? tr("none found") : tr("Heft’s choice"),
+    row.source->addItem(own                                           ? tr("Heft’s choice: %1").arg(taken)
+                        : found.candidates.empty() || taken.isEmpty() ? tr("none found")
+                                                                      : tr("Heft’s choice"),
                         QString());
     for (const ColumnCandidate& candidate : found.candidates) {
       if (candidate.part != part) continue;
@@ -385,7 +393,10 @@ Result<bool> SourcesDialog::keep() const {
   if (wishes_ == MappingWishes{}) {
     std::error_code code;
     std::filesystem::remove(file, code);
-    if (code) return Error{tr("%1 could not be removed: check that the folder may be written to.").arg(QString::fromStdString(file.string())).toStdString()};
+    if (code)
+      return Error{tr("%1 could not be removed: check that the folder may be written to.")
+                       .arg(QString::fromStdString(file.string()))
+                       .toStdString()};
     return true;
   }
   return writeTextFile(file, mapText(wishes_, std::filesystem::path(path_.toStdString()).parent_path()));

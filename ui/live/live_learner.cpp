@@ -9,12 +9,12 @@
 namespace heft {
 namespace {
 
-constexpr double kKept = 2.5;            ///< [s] of samples for the simulated wrench
-constexpr double kSimulateEvery = 0.4;   ///< [s]
-constexpr double kEdge = 0.3;            ///< [s] at the ends of a stretch, where smoothing is worst
+constexpr double kKept = 2.5;           ///< [s] of samples for the simulated wrench
+constexpr double kSimulateEvery = 0.4;  ///< [s]
+constexpr double kEdge = 0.3;           ///< [s] at the ends of a stretch, where smoothing is worst
 constexpr std::size_t kMostKnown = 400, kMostPath = 1500, kMostTouched = 200;
-constexpr double kShortestTouch = 0.1;   ///< [s]
-constexpr double kNoticed = 0.6;         ///< [s] A touch is noticed about so late.
+constexpr double kShortestTouch = 0.1;  ///< [s]
+constexpr double kNoticed = 0.6;        ///< [s] A touch is noticed about so late.
 
 /// Drops every other entry once there are too many; true if it did.
 template <class T>
@@ -31,8 +31,8 @@ KnownSoFar knownSoFar(const OnlineState& state) {
   known.mass = 1.96 * state.std.mass;
   known.com = 1.96 * state.std.com.maxCoeff();
   for (int i = 0; i < 3; ++i)
-    known.inertia = std::max(known.inertia, 1.96 * state.std.inertiaCom(i, i) /
-                                                std::max(1e-9, std::abs(state.payload.inertiaCom(i, i))));
+    known.inertia = std::max(
+        known.inertia, 1.96 * state.std.inertiaCom(i, i) / std::max(1e-9, std::abs(state.payload.inertiaCom(i, i))));
   return known;
 }
 
@@ -80,8 +80,9 @@ void LiveLearner::add(const LiveSample& sample) {
   if (!now.wrench.allFinite() || (!newest_.empty() && now.time <= newest_.back().time)) return;
   note(now);
   if (setup_.poses) {
-    if (guide_.add(now)) next_ = sample.q && tool_ ? guide_.next(Eigen::Map<const VectorXd>(sample.q->data(), setup_.robot->dof()))
-                                                   : std::nullopt;
+    if (guide_.add(now))
+      next_ = sample.q && tool_ ? guide_.next(Eigen::Map<const VectorXd>(sample.q->data(), setup_.robot->dof()))
+                                : std::nullopt;
     return;
   }
   if (estimator_.add(now)) {
@@ -101,7 +102,8 @@ void LiveLearner::add(const LiveSample& sample) {
       touched_.push_back(segment);
     }
     if (touching && !touched_.empty()) touched_.back().to = now.time;
-    if (!touching && touching_ && !touched_.empty() && touched_.back().to - touched_.back().from < kNoticed + kShortestTouch)
+    if (!touching && touching_ && !touched_.empty() &&
+        touched_.back().to - touched_.back().from < kNoticed + kShortestTouch)
       touched_.pop_back();
     if (touched_.size() > kMostTouched) touched_.erase(touched_.begin());
     touching_ = touching;
@@ -129,8 +131,8 @@ void LiveLearner::simulate() {
   if (!state.estimated || newest_.size() < 50 || newest_.back().time - newest_.front().time < 3 * kEdge) return;
   // 400 a second are enough to draw.
   const double span = newest_.back().time - newest_.front().time;
-  const auto stride = static_cast<std::size_t>(
-      std::max(1.0, std::floor(static_cast<double>(newest_.size()) / span / 400.0)));
+  const auto stride =
+      static_cast<std::size_t>(std::max(1.0, std::floor(static_cast<double>(newest_.size()) / span / 400.0)));
   const auto rows = static_cast<Eigen::Index>(newest_.size() / stride);
   Recording recording;
   recording.meta = setup_.meta;

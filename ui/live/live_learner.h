@@ -15,25 +15,25 @@ namespace heft {
 
 /// Half widths of the 95 % intervals at one time, in one number each.
 struct KnownSoFar {
-  double time = 0.0;                                ///< [s]
-  double mass = 0.0, com = 0.0, inertia = 0.0;      ///< [kg], [m] of the worst coordinate, relative of the worst moment
+  double time = 0.0;                            ///< [s]
+  double mass = 0.0, com = 0.0, inertia = 0.0;  ///< [kg], [m] of the worst coordinate, relative of the worst moment
 };
 
 /// A snapshot for the window; cheap to copy.
 struct LiveView {
-  bool any = false;        ///< A complete sample came.
-  double time = 0.0;       ///< [s] of the newest one, since the first
+  bool any = false;   ///< A complete sample came.
+  double time = 0.0;  ///< [s] of the newest one, since the first
   double rateHz = 0.0;
-  std::optional<VectorXd> q;          ///< [rad] now, where there are joints
+  std::optional<VectorXd> q;  ///< [rad] now, where there are joints
   Isometry3d X_BS = Isometry3d::Identity();
   Vector6d wrench = Vector6d::Zero();  ///< F_PSo_S, biased, averaged over the newest 20 ms
   OnlineState state;
-  std::vector<KnownSoFar> known;       ///< At most 400 points over the whole time
-  std::vector<Vector3d> path;          ///< Of S's origin, B axes [m], at most 1500 points
-  std::vector<Segment> touched;        ///< Contact
+  std::vector<KnownSoFar> known;  ///< At most 400 points over the whole time
+  std::vector<Vector3d> path;     ///< Of S's origin, B axes [m], at most 1500 points
+  std::vector<Segment> touched;   ///< Contact
   std::shared_ptr<const WrenchTraces> traces;
   std::shared_ptr<const OnlineInformation> information;  ///< Null until there is an estimate.
-  std::vector<JudgedPose> poses;       ///< With standing poses
+  std::vector<JudgedPose> poses;                         ///< With standing poses
   PoseResult poseResult;
   std::optional<NextPose> next;
   int posesWanted = 0;

@@ -30,8 +30,8 @@ struct LiveSetup {
   std::shared_ptr<const RobotModel> robot;  ///< Null: found from the first sample and the meta.
   RecordingMeta meta;
   std::optional<Shape> shape;
-  bool poses = false;        ///< Standing poses instead of a motion
-  QString folder, name;      ///< Of the recording; a number is added where it exists.
+  bool poses = false;    ///< Standing poses instead of a motion
+  QString folder, name;  ///< Of the recording; a number is added where it exists.
   LiveOrigin origin;
 };
 
@@ -112,8 +112,8 @@ class LiveRun : public QObject {
   int tools_ = 1;
   std::uint64_t seen_ = 0;
   std::vector<std::size_t> removals_;  ///< Poses that the next job takes away
-  double owed_ = 0.0;  ///< [s] that are still to pass
-  quint64 run_ = 0;    ///< Results of an earlier run are dropped.
+  double owed_ = 0.0;                  ///< [s] that are still to pass
+  quint64 run_ = 0;                    ///< Results of an earlier run are dropped.
   QTimer timer_;
   QElapsedTimer clock_;
   JobRunner& learning() { return learning_[byClock_ ? 1 : 0]; }

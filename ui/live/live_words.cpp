@@ -41,8 +41,7 @@ constexpr CoachWords kCoach[] = {
      QT_TRANSLATE_NOOP("LiveWords", "shake sideways")},
     {"shake-forwards", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool forwards and back, about three times a second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake forwards")},
-    {"shake-about",
-     QT_TRANSLATE_NOOP("LiveWords", "Shake the tool about its long axis, two to three times a second"),
+    {"shake-about", QT_TRANSLATE_NOOP("LiveWords", "Shake the tool about its long axis, two to three times a second"),
      QT_TRANSLATE_NOOP("LiveWords", "shake about its axis")},
     {"wobble",
      QT_TRANSLATE_NOOP("LiveWords", "Wobble the tool: tip it to all sides and twist it at once, about twice a second"),
@@ -137,7 +136,8 @@ std::vector<KnownText> knownTexts(const OnlineState& state) {
     if (text.light == Light::measured) {
       text.words = Words::tr("Good");
     } else if (text.light == Light::partly) {
-      text.words = fromShape(state.identifiability, goals[k]) ? Words::tr("From your shape") : Words::tr("Nearly there");
+      text.words =
+          fromShape(state.identifiability, goals[k]) ? Words::tr("From your shape") : Words::tr("Nearly there");
     } else if (!state.estimated) {
       text.words = k == 0   ? Words::tr("Not yet, move the tool")
                    : k == 1 ? Words::tr("Not yet, tilt the tool")
@@ -166,9 +166,7 @@ QString poseWord(PoseLight light) {
 }
 
 Light poseLight(PoseLight light) {
-  return light == PoseLight::used       ? Light::measured
-         : light == PoseLight::tooClose ? Light::partly
-                                        : Light::look;
+  return light == PoseLight::used ? Light::measured : light == PoseLight::tooClose ? Light::partly : Light::look;
 }
 
 QString poseWords(const JudgedPose& pose) {

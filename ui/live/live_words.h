@@ -20,7 +20,7 @@ QString coachGain(const Advice& advice);
 
 /// One quantity's light.
 struct KnownText {
-  QString name;   ///< "Centre of mass"
+  QString name;  ///< "Centre of mass"
   Light light = Light::unknown;
   QString words;  ///< "Nearly there"
   QString size;   ///< "± 3 mm"; empty while nothing is known

@@ -6,8 +6,8 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QUrl>
 #include <QUndoStack>
+#include <QUrl>
 #include <QVariant>
 #include <algorithm>
 
@@ -85,8 +85,8 @@ bool Files::save() {
 
 bool Files::saveAs() {
   const QString base = besideRecording();
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save the session"), base.isEmpty() ? QString() : base + ".heft",
-                                              tr("Heft sessions (*.heft)"));
+  QString path = QFileDialog::getSaveFileName(
+      window_, tr("Save the session"), base.isEmpty() ? QString() : base + ".heft", tr("Heft sessions (*.heft)"));
   if (path.isEmpty()) return false;
   if (QFileInfo(path).suffix().isEmpty()) {
     path += ".heft";
@@ -147,9 +147,8 @@ QString Files::besideRecording() const {
 
 void Files::savePicture(const QImage& image, const QString& what) {
   const QString base = besideRecording();
-  const QString path = QFileDialog::getSaveFileName(window_, tr("Save a picture"),
-                                                    (base.isEmpty() ? QString() : base + "-") + what + ".png",
-                                                    tr("Pictures (*.png)"));
+  const QString path = QFileDialog::getSaveFileName(
+      window_, tr("Save a picture"), (base.isEmpty() ? QString() : base + "-") + what + ".png", tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
   if (image.save(path)) {
     emit said(Severity::info, tr("Saved %1.").arg(path));
@@ -161,8 +160,8 @@ void Files::savePicture(const QImage& image, const QString& what) {
 
 void Files::saveText(const std::string& text, const QString& what, const QString& extension, const QString& filter) {
   const QString base = besideRecording();
-  const QString path = QFileDialog::getSaveFileName(window_, tr("Save"),
-                                                    (base.isEmpty() ? QString() : base + "-") + what + extension, filter);
+  const QString path = QFileDialog::getSaveFileName(
+      window_, tr("Save"), (base.isEmpty() ? QString() : base + "-") + what + extension, filter);
   if (path.isEmpty()) return;
   const auto written = writeTextFile(path.toStdString(), text);
   if (written) {

@@ -85,7 +85,8 @@ void HeaderBar::placeFileName() {
   file_->setText(file_->fontMetrics().elidedText(name_, Qt::ElideMiddle, std::max(0, room - 8)));
   const int wanted = std::min(file_->sizeHint().width() + 8, std::max(0, room));
   // In the middle of the window where the menus leave room for that.
-  file_->setGeometry(std::clamp((width() - wanted) / 2, left, std::max(left, left + room - wanted)), 0, wanted, height() - 1);
+  file_->setGeometry(std::clamp((width() - wanted) / 2, left, std::max(left, left + room - wanted)), 0, wanted,
+                     height() - 1);
 }
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {

@@ -8,11 +8,11 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
-#include <QMenu>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -168,21 +168,24 @@ void MainWindow::connectParts() {
   connect(workspace_, &Workspace::marksChanged, this, &MainWindow::showMarks);
   connect(workspace_, &Workspace::failed, this, [this](const QString& sentence) {
     const auto opened = workspace_->opened();
-    const bool noRobot = opened && opened->recording.hasJoints() && !opened->recording.hasOrientation() && !opened->robot;
+    const bool noRobot =
+        opened && opened->recording.hasJoints() && !opened->recording.hasOrientation() && !opened->robot;
     if (!noRobot) return message_->showMessage(Severity::error, sentence);
     message_->showMessage(Severity::error, sentence, tr("Robot and sensor …"), [this] { files_->editRig(); });
   });
-  connect(workspace_, &Workspace::unreadable, this, [this](const QString& path, const QString& sentence, ReadCure cure) {
-    if (cure == ReadCure::sources)
-      message_->showMessage(Severity::error, sentence, tr("Choose columns and units …"), [this, path] { files_->editSources(path); });
-    if (cure == ReadCure::rig)
-      message_->showMessage(Severity::error, sentence, tr("Robot and sensor …"), [this, path] { files_->editRig(path); });
-  });
+  connect(workspace_, &Workspace::unreadable, this,
+          [this](const QString& path, const QString& sentence, ReadCure cure) {
+            if (cure == ReadCure::sources)
+              message_->showMessage(Severity::error, sentence, tr("Choose columns and units …"),
+                                    [this, path] { files_->editSources(path); });
+            if (cure == ReadCure::rig)
+              message_->showMessage(Severity::error, sentence, tr("Robot and sensor …"),
+                                    [this, path] { files_->editRig(path); });
+          });
   connect(&playback_, &Playback::timeChanged, view_, &RobotView::showTime);
   connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->grab().toImage(), tr("view")); });
-  connect(pane_, &RecordingPane::csvWanted, this, [this] {
-    files_->saveText(pane_->visibleText(), tr("visible"), ".csv", tr("Tables (*.csv)"));
-  });
+  connect(pane_, &RecordingPane::csvWanted, this,
+          [this] { files_->saveText(pane_->visibleText(), tr("visible"), ".csv", tr("Tables (*.csv)")); });
   connect(pane_, &RecordingPane::unfoldWanted, this, [this] {
     pane_->setFolded(false);
     below_->setMaximumHeight(QWIDGETSIZE_MAX);

@@ -117,8 +117,8 @@ class MainWindow : public QMainWindow {
   QMenu* languages_ = nullptr;
   bool arranged_ = false;
   QMap<Step, StepPanel*> panels_;
-  QMap<Step, int> panelWidths_;       ///< Each step keeps its own, whatever the window's width is by then;
-  QMap<Step, double> viewShares_;     ///< and the 3D view's share of the height.
+  QMap<Step, int> panelWidths_;    ///< Each step keeps its own, whatever the window's width is by then;
+  QMap<Step, double> viewShares_;  ///< and the 3D view's share of the height.
 };
 
 }  // namespace heft

@@ -111,7 +111,8 @@ void MenuBuilder::buildTools(QMenu* menu) {
 }
 
 void MenuBuilder::buildHelp(QMenu* menu) {
-  menu->addAction(tr("&Manual"), w_, [w = w_] { w->showManual(!w->manualShown()); })->setShortcut(QKeySequence(Qt::Key_F1));
+  menu->addAction(tr("&Manual"), w_, [w = w_] { w->showManual(!w->manualShown()); })
+      ->setShortcut(QKeySequence(Qt::Key_F1));
   menu->addSeparator();
   QAction* about = menu->addAction(tr("&About Heft Studio"), w_, [w = w_] {
     QMessageBox box(w);

@@ -11,12 +11,8 @@ namespace heft {
 
 std::vector<StepPanel*> makePanels(const StudioParts& parts) {
   return {
-      new RecordPanel(parts),
-      new MarkPanel(parts),
-      new ShapePanel(parts),
-      new ResultStep(parts),
-      new RealityPanel(parts),
-      new ExportPanel(parts),
+      new RecordPanel(parts), new MarkPanel(parts),    new ShapePanel(parts),
+      new ResultStep(parts),  new RealityPanel(parts), new ExportPanel(parts),
   };
 }
 

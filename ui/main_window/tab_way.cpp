@@ -39,7 +39,8 @@ QVector<QWidget*> tabWay(const QWidget& window, const QVector<QWidget*>& parts) 
   for (auto* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible() || !widget->isEnabled() || widget->window() != &window || widget->focusProxy()) continue;
     if (!takesTab(widget) || !standsForItsGroup(widget)) continue;
-    const auto part = std::find_if(parts.begin(), parts.end(), [&](const QWidget* p) { return p == widget || p->isAncestorOf(widget); });
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const QWidget* p) { return p == widget || p->isAncestorOf(widget); });
     const QRect place(widget->mapTo(&window, QPoint()), widget->size());
     int block = place.top();
     for (const QWidget* p = widget->parentWidget(); p && p != &window; p = p->parentWidget())

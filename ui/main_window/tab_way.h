@@ -6,8 +6,8 @@ class QWidget;
 
 namespace heft {
 
-/// What the Tab key leads to in `window`, in order: part by part of `parts`, then whatever is in none of them; in each row by
-/// row, from the left. Of buttons that exclude each other only the chosen one: arrow keys lead to the others.
+/// What the Tab key leads to in `window`, in order: part by part of `parts`, then whatever is in none of them; in each
+/// row by row, from the left. Of buttons that exclude each other only the chosen one: arrow keys lead to the others.
 QVector<QWidget*> tabWay(const QWidget& window, const QVector<QWidget*>& parts);
 
 }  // namespace heft

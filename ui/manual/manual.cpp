@@ -20,7 +20,8 @@ namespace {
 /// "live:NAME" is a picture of the window.
 class Browser : public QTextBrowser {
  public:
-  Browser(std::function<QImage(const QString&)> pictureOf, QWidget* parent) : QTextBrowser(parent), pictureOf_(std::move(pictureOf)) {}
+  Browser(std::function<QImage(const QString&)> pictureOf, QWidget* parent)
+      : QTextBrowser(parent), pictureOf_(std::move(pictureOf)) {}
 
   QVariant loadResource(int type, const QUrl& name) override {
     if (name.scheme() != QLatin1String("live")) return QTextBrowser::loadResource(type, name);

@@ -1,6 +1,6 @@
 #pragma once
-// The manual in place of the step's panel. Its pictures are taken of the window itself whenever a page is shown, so that
-// they are always of this version, this language and this theme.
+// The manual in place of the step's panel. Its pictures are taken of the window itself whenever a page is shown, so
+// that they are always of this version, this language and this theme.
 #include <QImage>
 #include <QWidget>
 #include <functional>

@@ -78,8 +78,7 @@ StepState MarkPanel::state() const {
   const auto [segments, suggested] = shown();
   if (segments.empty()) return {P::ready, Light::measured, tr("being looked at …")};
   const MarkSummary summary = summarise(segments, suggested, opened->recording.duration());
-  if (summary.suggestions > 0)
-    return {P::ready, Light::look, tr("%n suggestion(s) to check", "", summary.suggestions)};
+  if (summary.suggestions > 0) return {P::ready, Light::look, tr("%n suggestion(s) to check", "", summary.suggestions)};
   return {P::done, summary.enough ? Light::measured : Light::look,
           tr("%1 s free").arg(numberText(summary.seconds[0], 1))};
 }
@@ -137,8 +136,9 @@ void MarkPanel::refresh() {
   const QString accept = summary.suggestions == 1   ? tr("Accept it and go on")
                          : summary.suggestions == 2 ? tr("Accept both and go on")
                                                     : tr("Accept all %1 and go on").arg(summary.suggestions);
-  page()->setMainButton(summary.suggestions > 0 ? accept : tr("Go on"), [this] { acceptAll(); },
-                        summary.suggestions > 0 ? QStringLiteral("check") : QString());
+  page()->setMainButton(
+      summary.suggestions > 0 ? accept : tr("Go on"), [this] { acceptAll(); },
+      summary.suggestions > 0 ? QStringLiteral("check") : QString());
   page()->setScrollPosition(position);
   emit stateChanged();
 }
@@ -197,9 +197,9 @@ void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segm
     auto* row = new QPushButton(content);
     row->setObjectName("linkButton");
     row->setIcon(markSwatch(segment.label));
-    row->setText(QStringLiteral("  %1   %2").arg(stretchText(segment.from, segment.to),
-                                               suggested[i] ? tr("%1?").arg(markWord(segment.label))
-                                                            : markWord(segment.label)));
+    row->setText(QStringLiteral("  %1   %2")
+                     .arg(stretchText(segment.from, segment.to),
+                          suggested[i] ? tr("%1?").arg(markWord(segment.label)) : markWord(segment.label)));
     row->setToolTip(QString::fromStdString(segment.reason));
     row->setAccessibleName(MarksBar::describe(segment));
     connect(row, &QPushButton::clicked, this, [this, segment] { select(segment.from, segment.to); });
@@ -253,7 +253,8 @@ void MarkPanel::addSummary(QVBoxLayout* column, const MarkSummary& summary) {
 
 void MarkPanel::chooseBrush(MarkLabel label) {
   brush_ = label;
-  if (brushes_) brushes_->setChosen(static_cast<int>(std::find(kLabels.begin(), kLabels.end(), label) - kLabels.begin()));
+  if (brushes_)
+    brushes_->setChosen(static_cast<int>(std::find(kLabels.begin(), kLabels.end(), label) - kLabels.begin()));
   if (here_ && parts().plots) parts().plots->setBrush(label);
 }
 

@@ -60,7 +60,8 @@ MethodTable methodTable(const std::vector<ComparedMethod>& methods, Method chose
   if (known) {
     column(Words::tr("Mass off [%]"), Words::tr("Relative error against the known value"));
     column(Words::tr("Centre off [%]"), Words::tr("Relative error against the known value"));
-    column(Words::tr("Inertia off [%]"), Words::tr("Relative error about the sensor’s origin, against the known value"));
+    column(Words::tr("Inertia off [%]"),
+           Words::tr("Relative error about the sensor’s origin, against the known value"));
   }
   column(Words::tr("Time [ms]"), Words::tr("From the prepared motion to the numbers"));
   column(Words::tr("Can it be so?"), Words::tr("Whether a real body can have these numbers"));

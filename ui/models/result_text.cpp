@@ -223,15 +223,17 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
     const double away = (report.payload.com - *known.com).norm();
     QString value = Words::tr("%1 mm away").arg(numberText(1e3 * away, 1));
     if (known.com->norm() > 0) value += Words::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
-    rows.push_back({Words::tr("Centre of mass"), value, Words::tr("|estimate − known|, and by the length of the known")});
+    rows.push_back(
+        {Words::tr("Centre of mass"), value, Words::tr("|estimate − known|, and by the length of the known")});
   }
   if (report.relativeError && report.relativeError->hasInertia) {
-    rows.push_back({Words::tr("Inertia"),
-                    Words::tr("%1 % away, about the sensor %2 %")
-                        .arg(numberText(100 * report.relativeError->inertiaCom, 1),
-                             numberText(100 * report.relativeError->inertiaOrigin, 1)),
-                    Words::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
-                              "origin")});
+    rows.push_back(
+        {Words::tr("Inertia"),
+         Words::tr("%1 % away, about the sensor %2 %")
+             .arg(numberText(100 * report.relativeError->inertiaCom, 1),
+                  numberText(100 * report.relativeError->inertiaOrigin, 1)),
+         Words::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
+                   "origin")});
   }
   return rows;
 }

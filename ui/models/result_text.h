@@ -55,8 +55,8 @@ struct ResultText {
   QString inertiaNote;
   QString advice;                     ///< What would make it better; may be empty.
   std::vector<FindingText> findings;  ///< Gravest first.
-  std::vector<ShareText> shares;   ///< Empty where nothing was told.
-  std::vector<DetailText> known;   ///< Comparison with CAD or scale values; empty without any.
+  std::vector<ShareText> shares;      ///< Empty where nothing was told.
+  std::vector<DetailText> known;      ///< Comparison with CAD or scale values; empty without any.
   std::vector<DetailText> details;
 };
 

@@ -38,7 +38,8 @@ UnseenError unseenError(const DiagnosisReport& report, const DiagnosedCause& cau
   const auto lost = [](double before, double after, double noise) {
     return noise > 0.0 ? (before * before - after * after) / (noise * noise) : 0.0;
   };
-  if (lost(gain.torqueBefore, gain.torqueAfter, report.noise.torque) > lost(gain.forceBefore, gain.forceAfter, report.noise.force))
+  if (lost(gain.torqueBefore, gain.torqueAfter, report.noise.torque) >
+      lost(gain.forceBefore, gain.forceAfter, report.noise.force))
     return {gain.torqueBefore, gain.torqueAfter, report.noise.torque, true};
   return {gain.forceBefore, gain.forceAfter, report.noise.force, false};
 }
@@ -48,9 +49,11 @@ QString worseText(const DiagnosedCause& cause) {
   const auto& gain = cause.gain;
   constexpr double kWorse = 1.02;
   if (gain.forceBefore > 0.0 && gain.forceAfter > kWorse * gain.forceBefore)
-    return Say::tr("Forces fit less well with it there: %1 → %2.").arg(newtonText(gain.forceBefore), newtonText(gain.forceAfter));
+    return Say::tr("Forces fit less well with it there: %1 → %2.")
+        .arg(newtonText(gain.forceBefore), newtonText(gain.forceAfter));
   if (gain.torqueBefore > 0.0 && gain.torqueAfter > kWorse * gain.torqueBefore)
-    return Say::tr("Torques fit less well with it there: %1 → %2 N m.").arg(numberText(gain.torqueBefore, 3), numberText(gain.torqueAfter, 3));
+    return Say::tr("Torques fit less well with it there: %1 → %2 N m.")
+        .arg(numberText(gain.torqueBefore, 3), numberText(gain.torqueAfter, 3));
   return {};
 }
 
@@ -145,21 +148,28 @@ void addDetails(QVBoxLayout* column, const DiagnosisReport& report, const Diagno
     grid->addWidget(left, r, 0);
     grid->addWidget(right, r++, 1);
   };
-  for (const auto& p : cause.parameters) add(parameterTitle(p), parameterText(p), Say::tr("Value and half of its 95 % interval; in files: %1").arg(QString::fromStdString(p.name)));
-  for (const auto& [from, to] : cause.when) add(Say::tr("When"), Say::tr("%1 to %2 s").arg(numberText(from, 1), numberText(to, 1)));
+  for (const auto& p : cause.parameters)
+    add(parameterTitle(p), parameterText(p),
+        Say::tr("Value and half of its 95 % interval; in files: %1").arg(QString::fromStdString(p.name)));
+  for (const auto& [from, to] : cause.when)
+    add(Say::tr("When"), Say::tr("%1 to %2 s").arg(numberText(from, 1), numberText(to, 1)));
   if (!cause.direct) {
     add(Say::tr("Evidence (ΔBIC)"), numberText(cause.deltaBic, 0),
-        Say::tr("How much better the recording is explained, after paying for the extra numbers; under %1 nothing is named.")
+        Say::tr("How much better the recording is explained, after paying for the extra numbers; under %1 nothing is "
+                "named.")
             .arg(numberText(report.threshold, 1)));
     add(Say::tr("p-value"), cause.pValue < 1e-4 ? QStringLiteral("< 0.0001") : numberText(cause.pValue, 4),
         Say::tr("How often a clean recording with this motion and noise looks at least as conspicuous"));
     if (cause.gain.blocks > 0) {
-      add(Say::tr("Better on"), Say::tr("%1 of %2 unseen stretches").arg(cause.gain.blocksBetter).arg(cause.gain.blocks));
+      add(Say::tr("Better on"),
+          Say::tr("%1 of %2 unseen stretches").arg(cause.gain.blocksBetter).arg(cause.gain.blocks));
       add(Say::tr("Explained"),
           Say::tr("%1 % (95 %: %2 to %3 %)")
-              .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0), numberText(100 * cause.gain.upper, 0)),
+              .arg(numberText(100 * cause.gain.explainedFraction, 0), numberText(100 * cause.gain.lower, 0),
+                   numberText(100 * cause.gain.upper, 0)),
           Say::tr("Share of the squared error that goes away on unseen stretches"));
-      add(Say::tr("Torque"), QStringLiteral("%1 → %2 N m").arg(numberText(cause.gain.torqueBefore, 4), numberText(cause.gain.torqueAfter, 4)));
+      add(Say::tr("Torque"), QStringLiteral("%1 → %2 N m")
+                                 .arg(numberText(cause.gain.torqueBefore, 4), numberText(cause.gain.torqueAfter, 4)));
     }
   }
   add(Say::tr("Name in files"), QString::fromStdString(cause.id));
@@ -180,7 +190,8 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
     QObject::connect(undo, &QPushButton::clicked, parent, [actions, id = cause.id] { actions.undo(id); });
     row->addWidget(undo);
   } else if (state.applicable) {
-    auto* apply = makeButton(state.next ? Say::tr("Apply this correction") : Say::tr("Apply"), state.next ? "mainButton" : "acceptButton", parent);
+    auto* apply = makeButton(state.next ? Say::tr("Apply this correction") : Say::tr("Apply"),
+                             state.next ? "mainButton" : "acceptButton", parent);
     apply->setProperty("cause", QString::fromStdString(cause.id));
     apply->setToolTip(Say::tr("The cause becomes part of the model: result, prediction and export use it"));
     if (state.next) apply->setIcon(QIcon(iconPixmap("check", 20, Qt::white, theme().accentFill, 2.0)));
@@ -188,10 +199,11 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
     row->addWidget(apply, state.next ? 1 : 0);
     if (!state.next) row->addStretch(1);
   } else {
-    row->addWidget(wrappedLabel(state.leftOut ? Say::tr("These stretches are left out already; the step Mark shows them.")
-                                              : Say::tr("Heft allows for it already; the cure is on the rig."),
-                                "caption", parent),
-                   1);
+    row->addWidget(
+        wrappedLabel(state.leftOut ? Say::tr("These stretches are left out already; the step Mark shows them.")
+                                   : Say::tr("Heft allows for it already; the cure is on the rig."),
+                     "caption", parent),
+        1);
   }
   auto* more = makeButton(Say::tr("Details"), state.next && !state.applied ? "secondButton" : "plainButton", parent);
   more->setCheckable(true);
@@ -236,7 +248,9 @@ bool helpsUnseen(const DiagnosedCause& cause) {
   return cause.direct || cause.gain.blocks == 0 || cause.gain.explainedFraction > 0.0;
 }
 
-QString newtonText(double value) { return QCoreApplication::translate("CauseCard", "%1 N").arg(numberText(value, value < 0.1 ? 3 : 2)); }
+QString newtonText(double value) {
+  return QCoreApplication::translate("CauseCard", "%1 N").arg(numberText(value, value < 0.1 ? 3 : 2));
+}
 
 StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& report) {
   if (cause.direct) return {Say::tr("seen directly"), Say::tr("The readings themselves show it.")};
@@ -277,8 +291,12 @@ Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   chart.yTitle = Say::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
   chart.xUnit = QStringLiteral("s");
   chart.band = 2.0 * (torque ? report.noise.torque : report.noise.force);
-  chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before, pointsOf(report, cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to), true});
-  chart.curves.push_back({Say::tr("after"), ChartCurve::Colour::after, pointsOf(report, cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to), false});
+  chart.curves.push_back({Say::tr("before"), ChartCurve::Colour::before,
+                          pointsOf(report, cause.before.row(stretch.channel).transpose(), stretch.from, stretch.to),
+                          true});
+  chart.curves.push_back({Say::tr("after"), ChartCurve::Colour::after,
+                          pointsOf(report, cause.after.row(stretch.channel).transpose(), stretch.from, stretch.to),
+                          false});
   return chart;
 }
 
@@ -286,7 +304,8 @@ Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
   const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
   const VectorXd measured = report.series.measured.row(stretch.channel).transpose();
   Chart chart;
-  chart.yTitle = QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), stretch.channel >= 3 ? "N m" : "N");
+  chart.yTitle =
+      QStringLiteral("%1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), stretch.channel >= 3 ? "N m" : "N");
   chart.xTitle = Say::tr("Time [s]");
   const auto add = [&](const QString& name, ChartCurve::Colour colour, const VectorXd& y, bool dashed) {
     chart.curves.push_back({name, colour, pointsOf(report, y, stretch.from, stretch.to), dashed});
@@ -299,7 +318,10 @@ Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
 
 QWidget* makeVerdictTag(const QString& text, Light light, bool accent, QWidget* parent) {
   auto* tag = new QFrame(parent);
-  tag->setObjectName(accent ? "verdictAccent" : light == Light::measured ? "verdictGood" : light == Light::twoCauses ? "verdictLook" : "verdictQuiet");
+  tag->setObjectName(accent                      ? "verdictAccent"
+                     : light == Light::measured  ? "verdictGood"
+                     : light == Light::twoCauses ? "verdictLook"
+                                                 : "verdictQuiet");
   auto* row = new QHBoxLayout(tag);
   row->setContentsMargins(7, 2, 8, 2);
   row->setSpacing(6);
@@ -321,7 +343,8 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
   const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   const StrengthText strength = strengthOf(cause, report);
-  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Cause found"), Light::measured, true, card.frame), strength.word, strength.meaning, card.frame));
+  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Cause found"), Light::measured, true, card.frame),
+                                strength.word, strength.meaning, card.frame));
   QLabel* sentence = wrappedLabel(sentenceOf(cause, report), "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
   card.layout->addWidget(sentence);
@@ -337,9 +360,10 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
   if (cause.gain.forceBefore > 0.0) {
     const UnseenError unseen = unseenError(report, cause);
     card.layout->addWidget(new GainBars(unseen, card.frame));
-    card.layout->addWidget(wrappedLabel(Say::tr("Unseen error %1 → %2; dashed: noise floor %3.")
-                                            .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
-                                        "caption", card.frame));
+    card.layout->addWidget(
+        wrappedLabel(Say::tr("Unseen error %1 → %2; dashed: noise floor %3.")
+                         .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
+                     "caption", card.frame));
   }
   if (const QString worse = worseText(cause); !worse.isEmpty() && !state.applied)
     card.layout->addWidget(wrappedLabel(worse, "caption", card.frame));
@@ -347,21 +371,24 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(new LightIcon(Light::look, 18, card.frame), 0, Qt::AlignTop);
-    row->addWidget(wrappedLabel(Say::tr("It fits the recording, but did not help on stretches that were kept aside. Apply it only "
-                                        "if what you find on the rig confirms it."),
-                                "body", card.frame),
-                   1);
+    row->addWidget(
+        wrappedLabel(Say::tr("It fits the recording, but did not help on stretches that were kept aside. Apply it only "
+                             "if what you find on the rig confirms it."),
+                     "body", card.frame),
+        1);
     card.layout->addLayout(row);
   }
   if (!state.applied) {
     QLabel* check = boldFirst(Say::tr("Check on the rig:"), checkOf(cause, report), card.frame);
     card.layout->addWidget(check);
-    card.layout->addWidget(boldFirst(strength.word.left(1).toUpper() + strength.word.mid(1) + ":", strength.meaning, card.frame));
+    card.layout->addWidget(
+        boldFirst(strength.word.left(1).toUpper() + strength.word.mid(1) + ":", strength.meaning, card.frame));
   }
   if (cause.before.cols() > 0 && !state.applied) {
     const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
     auto* show = makeButton(Say::tr("Show this stretch in the plots"), "linkButton", card.frame);
-    QObject::connect(show, &QPushButton::clicked, card.frame, [actions, stretch] { actions.showStretch(stretch.from, stretch.to); });
+    QObject::connect(show, &QPushButton::clicked, card.frame,
+                     [actions, stretch] { actions.showStretch(stretch.from, stretch.to); });
     card.layout->addWidget(show, 0, Qt::AlignLeft);
   }
   addButtons(card.layout, cause, state, actions, card.frame, detailsOf(report, cause, card.frame));
@@ -373,8 +400,10 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   const bool two = cause.alternatives.size() == 1;
-  card.layout->addLayout(tagRow(makeVerdictTag(two ? Say::tr("Two causes possible") : Say::tr("Several causes possible"), Light::twoCauses, false, card.frame),
-                                Say::tr("this motion cannot tell"), {}, card.frame));
+  card.layout->addLayout(
+      tagRow(makeVerdictTag(two ? Say::tr("Two causes possible") : Say::tr("Several causes possible"), Light::twoCauses,
+                            false, card.frame),
+             Say::tr("this motion cannot tell"), {}, card.frame));
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
   const auto box = [&](const QString& title, const QString& text) {
@@ -419,9 +448,10 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   card.layout->addLayout(buttons);
   if (cause.gain.forceBefore > 0.0) {
     const UnseenError unseen = unseenError(report, cause);
-    card.layout->addWidget(wrappedLabel(Say::tr("Whichever it is: unseen error %1 → %2; noise floor %3.")
-                                            .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
-                                        "caption", card.frame));
+    card.layout->addWidget(
+        wrappedLabel(Say::tr("Whichever it is: unseen error %1 → %2; noise floor %3.")
+                         .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
+                     "caption", card.frame));
   }
   addButtons(card.layout, cause, state, actions, card.frame, detailsOf(report, cause, card.frame));
   return card.frame;
@@ -430,8 +460,11 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
 QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actions, QWidget* parent) {
   const Card card = makeCard("card", parent);
   card.frame->setProperty("role", "unknown");
-  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Something unknown"), Light::unknown, false, card.frame), Say::tr("shown, not named"), {}, card.frame));
-  card.layout->addWidget(wrappedLabel(Say::tr("Something is left that goes with %1.").arg(goesWithText(report.remaining.goesWith)), "cardTitle", card.frame));
+  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Something unknown"), Light::unknown, false, card.frame),
+                                Say::tr("shown, not named"), {}, card.frame));
+  card.layout->addWidget(
+      wrappedLabel(Say::tr("Something is left that goes with %1.").arg(goesWithText(report.remaining.goesWith)),
+                   "cardTitle", card.frame));
   const auto spectrum = diagnosis::spectrumOf(report.series, false);
   const Eigen::Index lines = spectrum.frequency.size();
   // What is faster than the curve reaches shows in it at a place where it is not.
@@ -442,7 +475,8 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
     chart.logX = chart.logY = true;
     chart.band = spectrum.floor;
     QVector<QPointF> points;
-    for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i) points.push_back({spectrum.frequency(i), spectrum.after(i)});
+    for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
+      points.push_back({spectrum.frequency(i), spectrum.after(i)});
     chart.curves.push_back({{}, ChartCurve::Colour::after, points, false});
     auto* widget = new ChartWidget(card.frame);
     widget->setChart(chart, false);
@@ -454,14 +488,21 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
   const double share = 100.0 * std::clamp(report.remaining.share, 0.0, 1.0);
   QString band;
   if (report.remaining.highHz > report.remaining.lowHz)
-    band = Say::tr(" Most of it lies between %1 and %2 Hz.").arg(numberText(report.remaining.lowHz, 1), numberText(report.remaining.highHz, 1));
+    band = Say::tr(" Most of it lies between %1 and %2 Hz.")
+               .arg(numberText(report.remaining.lowHz, 1), numberText(report.remaining.highHz, 1));
   else if (report.remaining.highHz > 0.0)
     band = Say::tr(" Most of it lies at %1 Hz.").arg(numberText(report.remaining.lowHz, 1));
-  const QString part = share > 0.0 ? Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) : QString();
-  card.layout->addWidget(wrappedLabel((part + band + Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing.")).trimmed(),
-                                      "caption", card.frame));
+  const QString part =
+      share > 0.0 ? Say::tr("It makes up %1 % of what is left.").arg(numberText(share, share < 10 ? 1 : 0)) : QString();
+  card.layout->addWidget(wrappedLabel(
+      (part + band + Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing."))
+          .trimmed(),
+      "caption", card.frame));
   auto* row = new QHBoxLayout;
-  row->addWidget(boldFirst(Say::tr("What helps:"), Say::tr("record the same motion once more, without touching anything, and compare."), card.frame), 1);
+  row->addWidget(
+      boldFirst(Say::tr("What helps:"),
+                Say::tr("record the same motion once more, without touching anything, and compare."), card.frame),
+      1);
   auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
   QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record({}); });
   row->addWidget(record);
@@ -471,10 +512,12 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
 
 QWidget* makeCleanCard(const DiagnosisReport& report, QWidget* parent) {
   const Card card = makeCard("card", parent);
-  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Model fits"), Light::measured, false, card.frame), {}, {}, card.frame));
+  card.layout->addLayout(
+      tagRow(makeVerdictTag(Say::tr("Model fits"), Light::measured, false, card.frame), {}, {}, card.frame));
   card.layout->addWidget(wrappedLabel(Say::tr("Only the sensor’s noise is left."), "cardTitle", card.frame));
   card.layout->addWidget(wrappedLabel(Say::tr("Error %1, noise floor %2; torque %3 N m.")
-                                          .arg(newtonText(report.baseline.force), newtonText(report.noise.force), numberText(report.baseline.torque, 4)),
+                                          .arg(newtonText(report.baseline.force), newtonText(report.noise.force),
+                                               numberText(report.baseline.torque, 4)),
                                       "caption", card.frame));
   return card.frame;
 }

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "ui/controller/diagnosis.h"
 #include "ui/charts/chart.h"
+#include "ui/controller/diagnosis.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {

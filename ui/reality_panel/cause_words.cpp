@@ -41,11 +41,13 @@ QString goesWithText(const std::string& goesWith) { return typeset(goesWithWords
 
 std::string causeMotion(const std::string& id) {
   static const std::map<std::string, std::string> kMotions{
-      {"sensor_bias", "tilt-sideways"},     {"payload_change", "tilt-sideways"}, {"hysteresis", "tilt-sideways"},
-      {"bias_drift", "tilt-round"},         {"gain_error", "tilt-round"},        {"crosstalk", "tilt-round"},
-      {"time_offset", "shake-sideways"},    {"low_pass_lag", "shake-sideways"},  {"motion_lag", "turn-slowly"},
-      {"sensor_rotation", "tilt-forwards"}, {"viscous_drag", "swing-sideways"},  {"coulomb_friction", "swing-sideways"},
-      {"loose_mass", "shake-forwards"},     {"lever_arm", "wobble"}};
+      {"sensor_bias", "tilt-sideways"},   {"payload_change", "tilt-sideways"},
+      {"hysteresis", "tilt-sideways"},    {"bias_drift", "tilt-round"},
+      {"gain_error", "tilt-round"},       {"crosstalk", "tilt-round"},
+      {"time_offset", "shake-sideways"},  {"low_pass_lag", "shake-sideways"},
+      {"motion_lag", "turn-slowly"},      {"sensor_rotation", "tilt-forwards"},
+      {"viscous_drag", "swing-sideways"}, {"coulomb_friction", "swing-sideways"},
+      {"loose_mass", "shake-forwards"},   {"lever_arm", "wobble"}};
   const auto it = kMotions.find(id);
   return it == kMotions.end() ? std::string() : it->second;
 }
@@ -56,7 +58,9 @@ QStringList couldNotBeSeen(const DiagnosisReport& report, int most) {
     for (const Smallest& s : report.smallest) {
       if (s.cause != id || out.size() >= most || !std::isfinite(s.value) || !(s.value > 0.0)) continue;
       const int decimals = std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(s.value) - 1e-9)), 0, 5);
-      out << translated(shown).arg(numberText(s.value, decimals) + (s.unit == "deg" ? QStringLiteral("°") : QStringLiteral(" ") + QString::fromStdString(s.unit)));
+      out << translated(shown).arg(
+          numberText(s.value, decimals) +
+          (s.unit == "deg" ? QStringLiteral("°") : QStringLiteral(" ") + QString::fromStdString(s.unit)));
     }
   };
   add("payload_change", QT_TRANSLATE_NOOP("heft::Causes", "load changes under %1"));

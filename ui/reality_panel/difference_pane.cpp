@@ -21,15 +21,16 @@ QString witnessText(const std::string& id) {
   const auto underscore = id.rfind('_');
   const std::string kind = id.substr(0, underscore);
   const QString axis = underscore == std::string::npos ? QString() : QString::fromStdString(id.substr(underscore + 1));
-  const std::pair<const char*, QString> kinds[] = {{"time", DifferencePane::tr("time")},
-                                                   {"gravity", DifferencePane::tr("gravity’s direction, %1")},
-                                                   {"gravity-rate", DifferencePane::tr("how gravity’s direction changes, %1")},
-                                                   {"position", DifferencePane::tr("position, %1")},
-                                                   {"velocity", DifferencePane::tr("velocity, %1")},
-                                                   {"velocity-sign", DifferencePane::tr("sign of the velocity, %1")},
-                                                   {"acceleration", DifferencePane::tr("acceleration, %1")},
-                                                   {"turning", DifferencePane::tr("turning, %1")},
-                                                   {"load", DifferencePane::tr("load")}};
+  const std::pair<const char*, QString> kinds[] = {
+      {"time", DifferencePane::tr("time")},
+      {"gravity", DifferencePane::tr("gravity’s direction, %1")},
+      {"gravity-rate", DifferencePane::tr("how gravity’s direction changes, %1")},
+      {"position", DifferencePane::tr("position, %1")},
+      {"velocity", DifferencePane::tr("velocity, %1")},
+      {"velocity-sign", DifferencePane::tr("sign of the velocity, %1")},
+      {"acceleration", DifferencePane::tr("acceleration, %1")},
+      {"turning", DifferencePane::tr("turning, %1")},
+      {"load", DifferencePane::tr("load")}};
   for (const auto& [name, text] : kinds)
     if (kind == name) return axis.isEmpty() ? text : text.arg(axis);
   return QString::fromStdString(id);
@@ -91,7 +92,8 @@ DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
   refresh();
 }
 
-void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report, std::vector<diagnosis::Witness> witnesses) {
+void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report,
+                                std::vector<diagnosis::Witness> witnesses) {
   report_ = std::move(report);
   witnesses_ = std::move(witnesses);
   const QSignalBlocker block(witness_), blockToo(channel_);
@@ -106,7 +108,8 @@ void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report, s
     channel_->setCurrentIndex(static_cast<int>(channel));
     double most = -1.0;
     for (std::size_t i = 0; i < witnesses_.size(); ++i) {
-      const double r = std::abs(diagnosis::correlation(report_->series, witnesses_[i].value, was.row(channel).transpose()));
+      const double r =
+          std::abs(diagnosis::correlation(report_->series, witnesses_[i].value, was.row(channel).transpose()));
       if (r <= most) continue;
       most = r;
       witness_->setCurrentIndex(static_cast<int>(i));
@@ -138,8 +141,11 @@ Chart DifferencePane::timeChart() const {
   for (const bool after : {false, true}) {
     QVector<QPointF> points;
     for (Eigen::Index n = 0; n < s.time.size(); ++n)
-      points.push_back({s.time(n), s.judged[static_cast<std::size_t>(n)] ? s.measured(c, n) - (after ? s.after : s.before)(c, n) : std::nan("")});
-    chart.curves.push_back({after ? tr("with the causes") : tr("without"), after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
+      points.push_back({s.time(n), s.judged[static_cast<std::size_t>(n)]
+                                       ? s.measured(c, n) - (after ? s.after : s.before)(c, n)
+                                       : std::nan("")});
+    chart.curves.push_back({after ? tr("with the causes") : tr("without"),
+                            after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
   }
   return chart;
 }
@@ -156,7 +162,8 @@ Chart DifferencePane::frequencyChart(bool torque) const {
     QVector<QPointF> points;
     for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
       points.push_back({spectrum.frequency(i), (after ? spectrum.after : spectrum.before)(i)});
-    chart.curves.push_back({after ? tr("with the causes") : tr("without"), after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
+    chart.curves.push_back({after ? tr("with the causes") : tr("without"),
+                            after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
   }
   return chart;
 }
@@ -165,15 +172,19 @@ Chart DifferencePane::motionChart(bool after) const {
   Chart chart;
   const int c = channel_->currentIndex(), w = witness_->currentIndex();
   const auto& s = report_->series;
-  chart.yTitle = (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), c < 3 ? "N" : "N m");
+  chart.yTitle =
+      (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), c < 3 ? "N" : "N m");
   chart.band = 2.0 * (c < 3 ? report_->noise.force : report_->noise.torque);
   chart.nothing = tr("Nothing to compare with.");
   if (w < 0 || w >= static_cast<int>(witnesses_.size())) return chart;
   const auto& witness = witnesses_[static_cast<std::size_t>(w)];
-  chart.xTitle = witness.unit.empty() ? witnessText(witness.id) : QStringLiteral("%1 [%2]").arg(witnessText(witness.id), QString::fromStdString(witness.unit));
+  chart.xTitle = witness.unit.empty()
+                     ? witnessText(witness.id)
+                     : QStringLiteral("%1 [%2]").arg(witnessText(witness.id), QString::fromStdString(witness.unit));
   QVector<QPointF> points;
   for (Eigen::Index n = 0; n < std::min(s.time.size(), witness.value.size()); n += 2)
-    if (s.judged[static_cast<std::size_t>(n)]) points.push_back({witness.value(n), s.measured(c, n) - (after ? s.after : s.before)(c, n)});
+    if (s.judged[static_cast<std::size_t>(n)])
+      points.push_back({witness.value(n), s.measured(c, n) - (after ? s.after : s.before)(c, n)});
   chart.curves.push_back({{}, ChartCurve::Colour::dots, points, false});
   return chart;
 }
@@ -199,9 +210,10 @@ void DifferencePane::refresh() {
   right_->setVisible(charts.size() > 1);
   left_->setChart(charts.empty() ? Chart{} : charts[0], true);
   right_->setChart(charts.size() > 1 ? charts[1] : Chart{}, true);
-  const QString words[] = {tr("What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise."),
-                           tr("Grey: the level of the sensor’s own noise. What rises above it is not noise."),
-                           tr("A cloud that leans or bends goes with what is on the axis; a flat one does not.")};
+  const QString words[] = {
+      tr("What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise."),
+      tr("Grey: the level of the sensor’s own noise. What rises above it is not noise."),
+      tr("A cloud that leans or bends goes with what is on the axis; a flat one does not.")};
   says_->setText(words[static_cast<int>(view_)]);
 }
 

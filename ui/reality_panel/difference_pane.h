@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/controller/diagnosis.h"
 #include "ui/charts/chart.h"
+#include "ui/controller/diagnosis.h"
 
 class QComboBox;
 class QLabel;

@@ -29,7 +29,9 @@ QString practiceFolder() {
   return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).absoluteFilePath("practice");
 }
 
-QString practiceFile(std::uint64_t seed) { return QDir(practiceFolder()).filePath(QStringLiteral("practice-%1.csv").arg(seed)); }
+QString practiceFile(std::uint64_t seed) {
+  return QDir(practiceFolder()).filePath(QStringLiteral("practice-%1.csv").arg(seed));
+}
 
 std::optional<std::uint64_t> practiceSeed(const QString& path) {
   const QFileInfo file(path);
@@ -46,8 +48,9 @@ void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(s
   const Card hint = makeCard("cardSuggested", parent);
   hint.layout->addWidget(styledLabel(Words::tr("How to look"), "sectionTitle", hint.frame));
   hint.layout->addWidget(wrappedLabel(
-      Words::tr("When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, "
-                "drift or ring? The views below the arm show it by frequency and against the motion."),
+      Words::tr(
+          "When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, "
+          "drift or ring? The views below the arm show it by frequency and against the motion."),
       "body", hint.frame));
   column->addWidget(hint.frame);
   column->addWidget(styledLabel(Words::tr("Your guess"), "sectionTitle", parent));
@@ -78,7 +81,8 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
   const bool right = truth == guess;
   const Card card = makeCard(right ? "card" : "cardLook", parent);
   card.frame->setProperty("role", "feedback");
-  card.layout->addWidget(makeVerdictTag(right ? Words::tr("Right") : Words::tr("Not this one"), right ? Light::measured : Light::look, false, card.frame));
+  card.layout->addWidget(makeVerdictTag(right ? Words::tr("Right") : Words::tr("Not this one"),
+                                        right ? Light::measured : Light::look, false, card.frame));
   card.layout->addWidget(wrappedLabel(Words::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
   card.layout->addWidget(wrappedLabel(looksOf(truth), "body", card.frame));
   if (!right) {

@@ -28,12 +28,17 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
   const int total = static_cast<int>(report.causes.size());
   const int open = static_cast<int>(std::count_if(report.causes.begin(), report.causes.end(), isTied));
   const QString where = Words::tr("This is where the simulation differs from your data.");
-  if (report.verdict == Verdict::clean) return {Words::tr("The model fits"), Words::tr("Nothing in your data calls for a correction.")};
+  if (report.verdict == Verdict::clean)
+    return {Words::tr("The model fits"), Words::tr("Nothing in your data calls for a correction.")};
   if (report.verdict == Verdict::unexplained)
-    return {total == 0 ? Words::tr("Something unknown") : Words::tr("%n cause(s) found, something is left", "", total), where};
-  if (applied > 0 && applied == total) return {Words::tr("%n correction(s) applied", "", applied), Words::tr("Result, prediction and export use them.")};
+    return {total == 0 ? Words::tr("Something unknown") : Words::tr("%n cause(s) found, something is left", "", total),
+            where};
+  if (applied > 0 && applied == total)
+    return {Words::tr("%n correction(s) applied", "", applied), Words::tr("Result, prediction and export use them.")};
   if (open == 0) return {Words::tr("%n cause(s) found", "", total), where};
-  if (open == total) return {open == 1 ? Words::tr("Two causes are possible") : Words::tr("%n findings are still open", "", open), where};
+  if (open == total)
+    return {open == 1 ? Words::tr("Two causes are possible") : Words::tr("%n findings are still open", "", open),
+            where};
   return {Words::tr("%n cause(s) found, ", "", total - open) + Words::tr("%n still open", "", open), where};
 }
 
@@ -43,7 +48,8 @@ bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& seg
   for (const auto& [from, to] : cause.when) {
     touched += to - from;
     for (const Segment& segment : segments)
-      if (segment.label != MarkLabel::free) left += std::max(0.0, std::min(to, segment.to) - std::max(from, segment.from));
+      if (segment.label != MarkLabel::free)
+        left += std::max(0.0, std::min(to, segment.to) - std::max(from, segment.from));
   }
   constexpr double kNearlyAll = 0.85;  // The edges of a contact are told a little differently.
   return touched > 0 && left > kNearlyAll * touched;
@@ -73,13 +79,15 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
   row->addWidget(text, 1);
   card.layout->addLayout(row);
   card.layout->addWidget(wrappedLabel(change.sigmas >= 0.95
-                                          ? Words::tr("That is %1 times the uncertainty it was stated with.").arg(numberText(change.sigmas, change.sigmas < 10 ? 1 : 0))
+                                          ? Words::tr("That is %1 times the uncertainty it was stated with.")
+                                                .arg(numberText(change.sigmas, change.sigmas < 10 ? 1 : 0))
                                           : Words::tr("That is less than the uncertainty it was stated with."),
                                       "caption", card.frame));
   column->addWidget(card.frame);
 }
 
-void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const std::function<void()>& save) {
+void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report,
+                     const std::function<void()>& save) {
   const nlohmann::json changes = report.metaChanges();
   if (changes.empty()) return;
   const Card card = makeCard("card", parent);
@@ -90,7 +98,8 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
   card.layout->addWidget(text);
   auto* button = new QPushButton(Words::tr("Save the corrected meta file …"), card.frame);
   button->setObjectName("saveMeta");
-  button->setToolTip(Words::tr("Writes a copy of the meta file with these entries; later recordings then start out right."));
+  button->setToolTip(
+      Words::tr("Writes a copy of the meta file with these entries; later recordings then start out right."));
   QObject::connect(button, &QPushButton::clicked, parent, [save] { save(); });
   card.layout->addWidget(button, 0, Qt::AlignLeft);
   column->addWidget(card.frame);
@@ -106,9 +115,12 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(new LightIcon(better ? Light::measured : Light::look, 18, parent), 0, Qt::AlignTop);
-    QLabel* text = wrappedLabel((better ? Words::tr("On %1 the error falls, too: %2 → %3.") : Words::tr("On %1 it does not help: %2 → %3. The cause may belong to this recording alone."))
-                                    .arg(QString::fromStdString(report.check->file), newtonText(report.check->before.force), newtonText(report.check->after.force)),
-                                "body", parent);
+    QLabel* text = wrappedLabel(
+        (better ? Words::tr("On %1 the error falls, too: %2 → %3.")
+                : Words::tr("On %1 it does not help: %2 → %3. The cause may belong to this recording alone."))
+            .arg(QString::fromStdString(report.check->file), newtonText(report.check->before.force),
+                 newtonText(report.check->after.force)),
+        "body", parent);
     text->setProperty("role", "checked");
     row->addWidget(text, 1);
     column->addLayout(row);
@@ -137,7 +149,9 @@ void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& 
   head->setObjectName("consideredButton");
   head->setProperty("role", "plain");
   head->setCheckable(true);
-  auto* list = wrappedLabel(names.join(QStringLiteral(" · ")) + QStringLiteral(". ") + Words::tr("None of them explains anything beyond noise."), "caption", parent);
+  auto* list = wrappedLabel(names.join(QStringLiteral(" · ")) + QStringLiteral(". ") +
+                                Words::tr("None of them explains anything beyond noise."),
+                            "caption", parent);
   list->hide();
   QObject::connect(head, &QPushButton::toggled, list, &QWidget::setVisible);
   column->addWidget(head);
@@ -147,7 +161,8 @@ void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& 
 void addNotSeen(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool details) {
   const QStringList all = couldNotBeSeen(report, details ? 12 : 3);
   if (all.isEmpty()) return;
-  QLabel* label = wrappedLabel(Words::tr("Could not have been seen: %1.").arg(all.join(QStringLiteral(", "))), "caption", parent);
+  QLabel* label =
+      wrappedLabel(Words::tr("Could not have been seen: %1.").arg(all.join(QStringLiteral(", "))), "caption", parent);
   label->setProperty("role", "notSeen");
   label->setToolTip(Words::tr("The smallest size of each cause that this motion and this sensor would have shown."));
   column->addWidget(label);

@@ -1,12 +1,11 @@
 #pragma once
-// The lower half of the reality check's page: what the numbers become, the meta file, another recording, what was looked
-// for and what could not have been seen.
+// The lower half of the reality check's page: what the numbers become, the meta file, another recording, what was
+// looked for and what could not have been seen.
 #include <QString>
 #include <QStringList>
 #include <functional>
 
 #include "ui/controller/diagnosis.h"
-
 
 class QVBoxLayout;
 class QWidget;
@@ -24,7 +23,8 @@ bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& seg
 
 void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool applied);
 /// Only where the diagnosis says that the meta file is wrong.
-void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const std::function<void()>& save);
+void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report,
+                     const std::function<void()>& save);
 /// `names`: other recordings that are open.
 void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const QStringList& names,
               const std::function<void(int)>& check, const std::function<void()>& open);

@@ -23,13 +23,13 @@
 #include "ui/controller/diagnosis.h"
 #include "ui/controller/only_child.h"
 #include "ui/controller/workspace.h"
+#include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
-#include "ui/models/numbers.h"
 #include "ui/report/session_report.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/timeline/time_axis.h"
@@ -229,7 +229,8 @@ void RealityPanel::diagnose() {
           entry.json = std::move(result->json);
           entry.marks = now.marks;
         } else {
-          failure_ = result.error().cancelled ? tr("The search was stopped.") : QString::fromStdString(result.error().message);
+          failure_ =
+              result.error().cancelled ? tr("The search was stopped.") : QString::fromStdString(result.error().message);
         }
         // The runner still counts as running while it delivers.
         QMetaObject::invokeMethod(this, &RealityPanel::refresh, Qt::QueuedConnection);
@@ -303,7 +304,9 @@ void RealityPanel::checkOnOther(int index) {
   const QString path = workspace().opened()->path;
   jobs_.start(
       tr("Checking on %1").arg(QFileInfo(other->path).fileName()),
-      [report = found()->report, other](const Progress&) { return checkOn(*report, other->recording, other->robot.get()); },
+      [report = found()->report, other](const Progress&) {
+        return checkOn(*report, other->recording, other->robot.get());
+      },
       [this, path, name = QFileInfo(other->path).fileName()](Result<DiagnosisReport::Check> result) {
         if (!result) return parts().say(Severity::error, QString::fromStdString(result.error().message));
         if (!found_.contains(path) || !found_[path].report) return;
@@ -330,9 +333,9 @@ void RealityPanel::saveMeta() {
   const auto opened = workspace().opened();
   if (!opened) return;
   const QFileInfo info(opened->path);
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save the corrected meta file"),
-                                                    info.absolutePath() + "/" + info.completeBaseName() + "-corrected.meta.json",
-                                                    tr("Meta files (*.meta.json)"));
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the corrected meta file"),
+      info.absolutePath() + "/" + info.completeBaseName() + "-corrected.meta.json", tr("Meta files (*.meta.json)"));
   if (file.isEmpty()) return;
   const auto written = writeMeta(file, true);
   parts().say(written ? Severity::info : Severity::error,
@@ -370,7 +373,9 @@ void RealityPanel::saveReport() {
 }
 
 void RealityPanel::showWaiting() {
-  QVBoxLayout* column = page()->restart(tr("Looking for causes …"), tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean ones."));
+  QVBoxLayout* column = page()->restart(
+      tr("Looking for causes …"),
+      tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean ones."));
   bar_ = new QProgressBar(page()->content());
   bar_->setRange(0, 1000);
   bar_->setValue(static_cast<int>(1000 * jobs_.fraction()));
@@ -390,10 +395,14 @@ void RealityPanel::refresh() {
   markPull();
   page()->setSecondButton({});
   if (!opened) {
-    page()->restart(tr("What does the simulation get wrong?"), tr("Open a recording first, or take one from the menu Practice."))->addStretch(1);
+    page()
+        ->restart(tr("What does the simulation get wrong?"),
+                  tr("Open a recording first, or take one from the menu Practice."))
+        ->addStretch(1);
     page()->setMainButton(tr("Go to Record"), [this] { parts().goTo(Step::record); });
   } else if (riddle()) {
-    QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"), tr("One fault of the rig is hidden in it. Look, then guess."));
+    QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
+                                          tr("One fault of the rig is hidden in it. Look, then guess."));
     addGuesses(column, page()->content(), [this](const std::string& id) { guess(id); });
     auto* closer = new QPushButton(tr("Look at the difference more closely"), page()->content());
     closer->setObjectName("lookCloser");
@@ -405,17 +414,19 @@ void RealityPanel::refresh() {
   } else if (jobs_.running()) {
     showWaiting();
   } else if (opened->recording.meta.kind == RecordingKind::poses) {
-    page()->restart(tr("What does the simulation get wrong?"),
-                    tr("Standing poses do not show it: causes need a motion. Mass and centre of mass can be exported as they are."))
+    page()
+        ->restart(tr("What does the simulation get wrong?"), tr("Standing poses do not show it: causes need a motion. "
+                                                                "Mass and centre of mass can be exported as they are."))
         ->addStretch(1);
     page()->setSecondButton(tr("Record a motion"), [this] { parts().goTo(Step::record); });
     page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
   } else if (!found()) {
     const int count = static_cast<int>(workspace().corrections().causes.size());
-    page()->restart(tr("What does the simulation get wrong?"),
-                    !failure_.isEmpty() ? failure_
-                    : count > 0         ? tr("%n correction(s) of an earlier check are part of the result.", "", count)
-                                        : tr("Heft looks for what the model of a rigid tool cannot explain."))
+    page()
+        ->restart(tr("What does the simulation get wrong?"),
+                  !failure_.isEmpty() ? failure_
+                  : count > 0         ? tr("%n correction(s) of an earlier check are part of the result.", "", count)
+                                      : tr("Heft looks for what the model of a rigid tool cannot explain."))
         ->addStretch(1);
     page()->setMainButton(tr("Look for causes"), [this] { diagnose(); });
   } else {
@@ -472,7 +483,8 @@ void RealityPanel::showReport(const Found& found) {
   column->addWidget(closer);
   QStringList names;
   for (const int k : others()) names << QFileInfo(workspace().openedAt(k)->path).fileName();
-  addCheck(column, content, report, names, [this](int index) { checkOnOther(index); }, [this] { parts().chooseFiles(); });
+  addCheck(
+      column, content, report, names, [this](int index) { checkOnOther(index); }, [this] { parts().chooseFiles(); });
   addConsidered(column, content, report);
   addNotSeen(column, content, report, details_);
   column->addStretch(1);
@@ -492,7 +504,8 @@ void RealityPanel::addActions(const StudioMenus& menus) {
     diagnose();
   });
   again->setShortcut(QKeySequence("Ctrl+L"));
-  menus.file->addAction(tr("&Report of the session …"), this, &RealityPanel::saveReport)->setShortcut(QKeySequence("Ctrl+P"));
+  menus.file->addAction(tr("&Report of the session …"), this, &RealityPanel::saveReport)
+      ->setShortcut(QKeySequence("Ctrl+P"));
   QAction* riddle = menus.practice->addAction(tr("&A recording with a hidden fault"), this,
                                               [this] { practise(QRandomGenerator::global()->bounded(1u, 1000000u)); });
   riddle->setShortcut(QKeySequence("Ctrl+Shift+P"));
@@ -522,19 +535,22 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
     if (cause == causes.end() || !canApply(*found()->report, *cause)) {
       QStringList names;
       for (const auto& c : causes) names << QString::fromStdString(c.id);
-      return refusal(tr("%1 cannot be applied here; found were: %2.").arg(words[1], names.isEmpty() ? tr("none") : names.join(", ")));
+      return refusal(tr("%1 cannot be applied here; found were: %2.")
+                         .arg(words[1], names.isEmpty() ? tr("none") : names.join(", ")));
     }
     apply(id);
     return Result<bool>(true);
   }
   if (verb == "look" && arguments >= 1) {
     using View = DifferencePane::View;
-    const std::pair<const char*, View> views[] = {{"time", View::time}, {"frequency", View::frequency}, {"motion", View::motion}};
+    const std::pair<const char*, View> views[] = {
+        {"time", View::time}, {"frequency", View::frequency}, {"motion", View::motion}};
     if (words[1] == "plots") return look(false), Result<bool>(true);
     for (const auto& [name, view] : views)
       if (words[1] == name) {
         pane_->setView(view);
-        if (arguments >= 2 && !pane_->setWitness(words[2])) return refusal(tr("There is nothing called %1 to look against.").arg(words[2]));
+        if (arguments >= 2 && !pane_->setWitness(words[2]))
+          return refusal(tr("There is nothing called %1 to look against.").arg(words[2]));
         look(true);
         return Result<bool>(true);
       }
@@ -548,8 +564,10 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
         return checkOnOther(static_cast<int>(k)), Result<bool>(true);
     return refusal(tr("%1 is not open beside the shown recording.").arg(words[1]));
   }
-  if (verb == "meta" && (arguments == 1 || (arguments == 2 && words[2] == "replace"))) return writeMeta(words[1], arguments == 2);
-  if (verb == "report" && (arguments == 1 || (arguments == 2 && words[2] == "replace"))) return writeReport(words[1], arguments == 2);
+  if (verb == "meta" && (arguments == 1 || (arguments == 2 && words[2] == "replace")))
+    return writeMeta(words[1], arguments == 2);
+  if (verb == "report" && (arguments == 1 || (arguments == 2 && words[2] == "replace")))
+    return writeReport(words[1], arguments == 2);
   if (verb == "practice" && arguments == 1) {
     bool ok = false;
     const auto seed = words[1].toULongLong(&ok);
@@ -559,8 +577,10 @@ std::optional<Result<bool>> RealityPanel::obey(const QStringList& words) {
   }
   if (verb == "guess" && arguments == 1) {
     const auto& kinds = practiceKinds();
-    if (!workspace().opened() || !practiceSeed(workspace().opened()->path)) return refusal(tr("guess needs a recording to practise on."));
-    if (std::find(kinds.begin(), kinds.end(), words[1].toStdString()) == kinds.end()) return refusal(tr("%1 is none of the faults to guess.").arg(words[1]));
+    if (!workspace().opened() || !practiceSeed(workspace().opened()->path))
+      return refusal(tr("guess needs a recording to practise on."));
+    if (std::find(kinds.begin(), kinds.end(), words[1].toStdString()) == kinds.end())
+      return refusal(tr("%1 is none of the faults to guess.").arg(words[1]));
     guess(words[1].toStdString());
     return Result<bool>(true);
   }

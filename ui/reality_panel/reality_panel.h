@@ -82,7 +82,7 @@ class RealityPanel : public StepPanel {
   JobRunner jobs_;
   DifferencePane* pane_;
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
-  QProgressBar* bar_ = nullptr;  ///< While looking; of the page.
+  QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
   QMap<QString, Found>& found_;
   QString failure_;
   bool details_ = false, looking_ = false, wanted_ = false, shown_ = false;

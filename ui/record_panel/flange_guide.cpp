@@ -9,11 +9,11 @@
 namespace heft {
 namespace {
 
-constexpr int kMove = 0, kTurnX = 1;    ///< Handles; turns about x, y, z follow one another.
-constexpr double kRing = 0.13;          ///< [m]
-constexpr double kKeyStep = 0.02;       ///< [m]
-constexpr double kKeyTurn = 0.10;       ///< [rad]
-constexpr double kToolReach = 0.11;     ///< [m] The tool is grabbed anywhere this near to its middle.
+constexpr int kMove = 0, kTurnX = 1;     ///< Handles; turns about x, y, z follow one another.
+constexpr double kRing = 0.13;           ///< [m]
+constexpr double kKeyStep = 0.02;        ///< [m]
+constexpr double kKeyTurn = 0.10;        ///< [rad]
+constexpr double kToolReach = 0.11;      ///< [m] The tool is grabbed anywhere this near to its middle.
 const Vector3d kMiddle(0.0, 0.0, 0.05);  ///< Of a tool, S axes [m]
 
 }  // namespace

@@ -27,10 +27,10 @@ LiveBoard::LiveBoard(LiveRun* run, QWidget* parent) : QWidget(parent), run_(run)
   }
   if (run_->virtualArm()) buildVirtual(column);
   auto* other = new QHBoxLayout;
-  other->addWidget(wrappedLabel(run_->poses() ? tr("Rather move the arm freely?")
-                                              : tr("Rather hold still in several poses?"),
-                                "answer", this),
-                   1);
+  other->addWidget(
+      wrappedLabel(run_->poses() ? tr("Rather move the arm freely?") : tr("Rather hold still in several poses?"),
+                   "answer", this),
+      1);
   auto* change = new QPushButton(run_->poses() ? tr("Free motion") : tr("Standing poses"), this);
   change->setObjectName("posesButton");
   change->setToolTip(run_->poses() ? tr("Starts again; mass, centre and inertia from free motion")
@@ -168,7 +168,9 @@ void LiveBoard::refresh() {
     lines << line;
   }
   lines << tr("%1 Hz, %2").arg(numberText(run_->view().rateHz, 0), countersText(status));
-  if (status.unmatched > 0) lines << tr("%n part(s) without a partner", "", static_cast<int>(std::min<std::uint64_t>(status.unmatched, 2000000000)));
+  if (status.unmatched > 0)
+    lines << tr("%n part(s) without a partner", "",
+                static_cast<int>(std::min<std::uint64_t>(status.unmatched, 2000000000)));
   if (!status.recordingProblem.empty()) lines << QString::fromStdString(status.recordingProblem);
   sources_->setText(lines.join('\n'));
 }
@@ -182,14 +184,14 @@ void LiveBoard::refreshCard() {
   const auto gone = std::find_if(status.sources.begin(), status.sources.end(), [](const SourceStatus& source) {
     return source.state == LinkState::lost || (source.state == LinkState::connecting && !source.text.empty());
   });
-  kicker_->setText(gone != status.sources.end()                 ? tr("NO DATA")
-                   : !view.any                                  ? tr("ONE MOMENT")
-                   : run_->poses()                              ? tr("NEXT POSE")
+  kicker_->setText(gone != status.sources.end()                ? tr("NO DATA")
+                   : !view.any                                 ? tr("ONE MOMENT")
+                   : run_->poses()                             ? tr("NEXT POSE")
                    : run_->advice() && !run_->advice()->needed ? tr("YOU CAN STOP")
-                                                                : tr("DO THIS NOW"));
+                                                               : tr("DO THIS NOW"));
   if (gone != status.sources.end()) {
     sentence_->setText(view.any ? tr("The connection is lost. Heft tries again by itself.")
-                                                      : tr("Nothing answers yet. Heft goes on trying."));
+                                : tr("Nothing answers yet. Heft goes on trying."));
     gain_->setText(view.any ? tr("What came so far is kept. Look at cable, network and the program at the other end.")
                             : tr("Is it switched on, and is its address right?"));
     return;
@@ -270,7 +272,8 @@ void LiveBoard::refreshKnown() {
 
 void LiveBoard::refreshPoses() {
   const LiveView& view = run_->view();
-  const std::size_t shown = std::max<std::size_t>(view.poses.size(), static_cast<std::size_t>(std::max(view.posesWanted, 8)));
+  const std::size_t shown =
+      std::max<std::size_t>(view.poses.size(), static_cast<std::size_t>(std::max(view.posesWanted, 8)));
   auto* row = static_cast<QHBoxLayout*>(lights_->layout());
   constexpr std::size_t kMost = 12;  // More do not fit; the newest ones are shown.
   while (poseLights_.size() < std::min(shown, kMost)) {

@@ -44,13 +44,15 @@ void LiveStage::refresh() {
   if (!entered_ || !run_->running()) return;
   const LiveView& now = run_->view();
   view_->setStepNote(run_->paused() ? tr("Paused at %1 s").arg(numberText(now.time, 1))
-                     : run_->poses() ? tr("● Standing poses  %1 s").arg(numberText(now.time, 1))
-                                     : tr("● Recording %1 s   %2 Hz").arg(numberText(now.time, 1), numberText(now.rateHz, 0)));
+                     : run_->poses()
+                         ? tr("● Standing poses  %1 s").arg(numberText(now.time, 1))
+                         : tr("● Recording %1 s   %2 Hz").arg(numberText(now.time, 1), numberText(now.rateHz, 0)));
   if (!now.any) return;
   if (!begun_) {
     if (now.q && !look_) return;  // It is being loaded.
     begun_ = true;
-    view_->beginLive(now.q ? run_->robot() : nullptr, now.q ? look_ : nullptr, run_->meta().mount, run_->meta().gravity);
+    view_->beginLive(now.q ? run_->robot() : nullptr, now.q ? look_ : nullptr, run_->meta().mount,
+                     run_->meta().gravity);
     showAdvice();
   }
   LiveMoment moment;

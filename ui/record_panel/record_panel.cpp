@@ -64,9 +64,8 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
   connect(run_, &LiveRun::adviceChanged, this, [this] {
     if (board_) board_->refresh();
   });
-  connect(run_, &LiveRun::toolChanged, this, [this] {
-    this->parts().say(Severity::info, tr("The tool was changed. Heft now learns the new one."));
-  });
+  connect(run_, &LiveRun::toolChanged, this,
+          [this] { this->parts().say(Severity::info, tr("The tool was changed. Heft now learns the new one.")); });
   connect(run_, &LiveRun::failed, this, &RecordPanel::fail);
   for (JobRunner* runner : run_->runners()) parts.followJobs(runner);
   parts.followJobs(&looking_);
@@ -100,8 +99,9 @@ StepState RecordPanel::state() const {
   if (!opened) return {P::ready, Light::measured, workspace().busy() ? tr("opening …") : tr("nothing open yet")};
   const Recording& recording = opened->recording;
   return {P::done, Light::measured,
-          recording.meta.kind == RecordingKind::poses ? tr("%n pose(s) recorded", "", static_cast<int>(recording.rows()))
-                                                      : tr("%1 s recorded").arg(numberText(recording.duration(), 1))};
+          recording.meta.kind == RecordingKind::poses
+              ? tr("%n pose(s) recorded", "", static_cast<int>(recording.rows()))
+              : tr("%1 s recorded").arg(numberText(recording.duration(), 1))};
 }
 
 QString RecordPanel::hint() const {
@@ -133,7 +133,9 @@ void RecordPanel::left() {
   if (guide_) guide_->detach();
 }
 
-bool RecordPanel::keyPressed(QKeyEvent* event) { return guide_ && run_->running() && virtualRun() && guide_->key(event); }
+bool RecordPanel::keyPressed(QKeyEvent* event) {
+  return guide_ && run_->running() && virtualRun() && guide_->key(event);
+}
 
 void RecordPanel::setWay(Way way) {
   if (way == way_ && (way != Way::live || form_)) return;
@@ -172,7 +174,8 @@ void RecordPanel::refresh() {
       addFiles(column);
       break;
     case Way::live: {
-      column = page()->restart(tr("Listen to your robot"), tr("Heft only listens: it moves nothing and changes nothing."));
+      column =
+          page()->restart(tr("Listen to your robot"), tr("Heft only listens: it moves nothing and changes nothing."));
       addWays(column);
       form_ = new SourceForm(page()->content());
       column->addWidget(form_);
@@ -195,7 +198,8 @@ void RecordPanel::refresh() {
       page()->setMainButton(tr("See the result"), [this] { parts().goTo(Step::result); });
     } else {
       page()->setSecondButton({});
-      page()->setMainButton(tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
+      page()->setMainButton(
+          tr("Open a recording …"), [this] { parts().chooseFiles(); }, "open");
     }
   }
   emit stateChanged();
@@ -256,7 +260,8 @@ void RecordPanel::addVirtual(QVBoxLayout* column) {
     card.layout->addWidget(wrappedLabel(line, "caption", content));
   column->addWidget(card.frame);
   page()->setSecondButton(tr("Standing poses"), [this] { startVirtual(tool_, true, true); });
-  page()->setMainButton(tr("Start guiding"), [this] { startVirtual(tool_, false, true); }, "hand");
+  page()->setMainButton(
+      tr("Start guiding"), [this] { startVirtual(tool_, false, true); }, "hand");
 }
 
 void RecordPanel::addOpened(QVBoxLayout* column) {
@@ -373,7 +378,8 @@ void RecordPanel::follow() {
     if (here_ && virtualRun() && guide_) guide_->attach();
     looking_.start(
         QString(),
-        [robot = run_->robot(), virtualRun = virtualRun()](const Progress& progress) -> Result<std::shared_ptr<const RobotLook>> {
+        [robot = run_->robot(),
+         virtualRun = virtualRun()](const Progress& progress) -> Result<std::shared_ptr<const RobotLook>> {
           Findings findings;
           if (!robot || virtualRun) return pandaLook(findings, progress);
           return std::make_shared<const RobotLook>(heft::loadLook(*robot, findings, progress));
@@ -409,7 +415,8 @@ void RecordPanel::showLive() {
         },
         "pause");
   }
-  page()->setMainButton(tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
+  page()->setMainButton(
+      tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
   page()->setMainEnabled(false, tr("Nothing has come yet."));
 }
 
@@ -477,7 +484,8 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
   };
   if (what == "virtual" || what == "poses") {
     const double seconds = number(2, 0.0), seed = number(3, 1.0);
-    if (!numbers || seconds < 0 || seconds > 7200 || seed < 0) return wrong(tr("live %1 expects seconds and a tool's number.").arg(what));
+    if (!numbers || seconds < 0 || seconds > 7200 || seed < 0)
+      return wrong(tr("live %1 expects seconds and a tool's number.").arg(what));
     startVirtual(static_cast<std::uint64_t>(seed), what == "poses", false);
     if (!run_->running()) return wrong(tr("The virtual arm did not start."));
     if (what == "virtual") run_->virtualArm()->guide([](GuidedArm& arm) { arm.wander(); });
@@ -506,7 +514,9 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
     waiting_.start(
         QString(),
         [session = run_->session()](const Progress& progress) -> Result<bool> {
-          const auto under = [&](LinkState state) { return state == LinkState::connecting || state == LinkState::live; };
+          const auto under = [&](LinkState state) {
+            return state == LinkState::connecting || state == LinkState::live;
+          };
           while (!progress.cancelled() && under(session->status().sources.front().state))
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
           std::this_thread::sleep_for(std::chrono::milliseconds(300));

@@ -1,5 +1,6 @@
 #pragma once
-// The step "Record": where the motion and the forces come from - files, a robot that is listened to, or the virtual arm.
+// The step "Record": where the motion and the forces come from - files, a robot that is listened to, or the virtual
+// arm.
 #include <QPointer>
 #include <memory>
 
@@ -67,9 +68,9 @@ class RecordPanel : public StepPanel {
   void fail(const QString& sentence);
 
   QPointer<RecordingPane> ownPane_;  ///< Plots of the live run; the window places it.
-  LiveRun* run_;  ///< The workspace's: it goes on when the window is replaced.
-  JobRunner looking_;  ///< Loads what the robot looks like.
-  JobRunner waiting_;  ///< In scripts: until a replay has come to its end.
+  LiveRun* run_;                     ///< The workspace's: it goes on when the window is replaced.
+  JobRunner looking_;                ///< Loads what the robot looks like.
+  JobRunner waiting_;                ///< In scripts: until a replay has come to its end.
   Way way_ = Way::files;
   bool here_ = false;
   std::uint64_t tool_ = 0;  ///< Seed of the virtual tool that is offered

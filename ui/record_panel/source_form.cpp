@@ -140,10 +140,10 @@ void SourceForm::rebuild() {
                   tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
   rig_->setText(lastRig_);
   addWithChooser(rig_, tr("Choose a rig file"), tr("Rig files (*.json)"));
-  column->addWidget(wrappedLabel(kind_ == Kind::replay
-                                     ? tr("Without it the recording's own is used.")
-                                     : tr("Without it the arm is taken for a Franka Panda with the sensor at its flange."),
-                                 "caption", fields_));
+  column->addWidget(wrappedLabel(
+      kind_ == Kind::replay ? tr("Without it the recording's own is used.")
+                            : tr("Without it the arm is taken for a Franka Panda with the sensor at its flange."),
+      "caption", fields_));
 }
 
 QString SourceForm::rigFile() const { return rig_->text().trimmed(); }
@@ -183,15 +183,15 @@ Result<RecordingMeta> SourceForm::meta() const {
   Findings findings;
   std::filesystem::path file = rigFile().toStdString();
   const std::filesystem::path replayed = address_->text().trimmed().toStdString();
-  if (file.empty() && kind_ == Kind::replay && std::filesystem::exists(metaFileOf(replayed))) file = metaFileOf(replayed);
+  if (file.empty() && kind_ == Kind::replay && std::filesystem::exists(metaFileOf(replayed)))
+    file = metaFileOf(replayed);
   RecordingMeta meta;
   if (!file.empty()) {
     auto read = readMeta(file, findings);
     if (!read) return read.error();
     meta = std::move(*read);
   }
-  if (meta.kind == RecordingKind::poses)
-    return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
+  if (meta.kind == RecordingKind::poses) return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
   // A replayed recording was brought to one sign when it was read.
   if (kind_ == Kind::replay) meta.wrenchSign = WrenchSign::sensorOnPayload;
   meta.marks.clear();

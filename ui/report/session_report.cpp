@@ -50,16 +50,20 @@ QString paragraph(const QString& text) { return QStringLiteral("<p>%1</p>\n").ar
 QString row(const QStringList& cells, bool head = false) {
   QString out = QStringLiteral("<tr>");
   for (const QString& cell : cells)
-    out += head ? QStringLiteral("<th align=\"left\">%1</th>").arg(escaped(cell)) : QStringLiteral("<td>%1</td>").arg(escaped(cell));
+    out += head ? QStringLiteral("<th align=\"left\">%1</th>").arg(escaped(cell))
+                : QStringLiteral("<td>%1</td>").arg(escaped(cell));
   return out + QStringLiteral("</tr>\n");
 }
-QString table(const QString& rows) { return QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">\n%1</table>\n").arg(rows); }
+QString table(const QString& rows) {
+  return QStringLiteral("<table cellspacing=\"0\" cellpadding=\"3\">\n%1</table>\n").arg(rows);
+}
 
 /// Three channels of the recording against the simulation, or their difference, thinned to what a page can show.
 Chart wrenchChart(const EstimateReport& report, bool torque, bool difference) {
   Chart chart;
   const auto& s = report.series;
-  chart.yTitle = difference ? (torque ? Words::tr("Torque, measured less simulated [N m]") : Words::tr("Force, measured less simulated [N]"))
+  chart.yTitle = difference ? (torque ? Words::tr("Torque, measured less simulated [N m]")
+                                      : Words::tr("Force, measured less simulated [N]"))
                             : (torque ? Words::tr("Torque [N m]") : Words::tr("Force [N]"));
   chart.xTitle = Words::tr("Time [s]");
   const int first = torque ? 3 : 0;
@@ -75,13 +79,16 @@ Chart wrenchChart(const EstimateReport& report, bool torque, bool difference) {
       simulated.push_back({s.time(n), b});
     }
     chart.curves.push_back({QString(QChar('x' + c)), colours[c], measured, false});
-    if (!difference) chart.curves.push_back({c == 2 ? Words::tr("dashed: simulated") : QString(), C::text, simulated, true});
+    if (!difference)
+      chart.curves.push_back({c == 2 ? Words::tr("dashed: simulated") : QString(), C::text, simulated, true});
   }
   return chart;
 }
 
 QString labelWord(MarkLabel label) {
-  return label == MarkLabel::free ? Words::tr("free") : label == MarkLabel::contact ? Words::tr("contact") : Words::tr("ignored");
+  return label == MarkLabel::free      ? Words::tr("free")
+         : label == MarkLabel::contact ? Words::tr("contact")
+                                       : Words::tr("ignored");
 }
 
 QString recordingPart(const OpenRecording& opened) {
@@ -90,7 +97,9 @@ QString recordingPart(const OpenRecording& opened) {
   if (r.meta.kind == RecordingKind::poses)
     rows += row({Words::tr("Standing poses"), QString::number(r.rows())});
   else
-    rows += row({Words::tr("Length"), Words::tr("%1 s at %2 Hz, %3 samples").arg(numberText(r.duration(), 1), numberText(r.rateHz(), 0)).arg(r.rows())});
+    rows += row({Words::tr("Length"), Words::tr("%1 s at %2 Hz, %3 samples")
+                                          .arg(numberText(r.duration(), 1), numberText(r.rateHz(), 0))
+                                          .arg(r.rows())});
   if (r.meta.robot) rows += row({Words::tr("Robot"), QString::fromStdString(*r.meta.robot)});
   if (!r.meta.sensorModel.empty()) rows += row({Words::tr("Sensor"), QString::fromStdString(r.meta.sensorModel)});
   if (!r.meta.note.empty()) rows += row({Words::tr("Note"), QString::fromStdString(r.meta.note)});
@@ -105,11 +114,15 @@ QString resultPart(const Workspace& workspace, const EstimateReport& report) {
   if (said.inertiaCom) known.inertiaCom = said.inertiaCom;
   const ResultText text = describeResult(report, known);
   QString out = heading(text.question) + paragraph(text.answer);
-  QString rows = row({Words::tr("Number"), Words::tr("Value"), Words::tr("95 %"), Words::tr("Unit"), Words::tr("Known from")}, true);
+  QString rows = row(
+      {Words::tr("Number"), Words::tr("Value"), Words::tr("95 %"), Words::tr("Unit"), Words::tr("Known from")}, true);
   // The interval's own text holds the unit where it stands beside the number.
   rows += row({Words::tr("Mass"), text.mass.value, text.mass.plusMinus, {}, sourceWord(text.mass.source)});
-  for (const NumberText& n : text.com) rows += row({Words::tr("Centre %1").arg(n.name), n.value, n.plusMinus, n.plusMinus.contains("mm") ? QString() : QStringLiteral("mm"), sourceWord(n.source)});
-  for (const NumberText& n : text.inertia) rows += row({n.name, n.value, n.plusMinus, text.inertiaUnit, sourceWord(n.source)});
+  for (const NumberText& n : text.com)
+    rows += row({Words::tr("Centre %1").arg(n.name), n.value, n.plusMinus,
+                 n.plusMinus.contains("mm") ? QString() : QStringLiteral("mm"), sourceWord(n.source)});
+  for (const NumberText& n : text.inertia)
+    rows += row({n.name, n.value, n.plusMinus, text.inertiaUnit, sourceWord(n.source)});
   out += table(rows);
   if (!text.known.empty()) {
     QString compared;
@@ -121,7 +134,8 @@ QString resultPart(const Workspace& workspace, const EstimateReport& report) {
   out += QStringLiteral("<h3>%1</h3>\n").arg(escaped(Words::tr("Details"))) + table(details);
   if (!text.findings.empty()) {
     out += QStringLiteral("<h3>%1</h3>\n<ul>").arg(escaped(Words::tr("To be noted")));
-    for (const FindingText& f : text.findings) out += QStringLiteral("<li>%1</li>\n").arg(escaped((f.text + " " + f.remedy).trimmed()));
+    for (const FindingText& f : text.findings)
+      out += QStringLiteral("<li>%1</li>\n").arg(escaped((f.text + " " + f.remedy).trimmed()));
     out += QStringLiteral("</ul>\n");
   }
   return out;
@@ -143,7 +157,8 @@ QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bo
   if (cause.before.cols() > 0) out += pictureOf(errorChart(report, cause), 150);
   if (cause.gain.forceBefore > 0.0)
     out += paragraph(Words::tr("Unseen error %1 → %2; noise floor %3.")
-                         .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter), newtonText(report.noise.force)));
+                         .arg(newtonText(cause.gain.forceBefore), newtonText(cause.gain.forceAfter),
+                              newtonText(report.noise.force)));
   if (isTied(cause)) {
     QStringList names;
     for (const auto& id : cause.alternatives) names << titleOf(id);
@@ -155,17 +170,21 @@ QString causePart(const DiagnosisReport& report, const DiagnosedCause& cause, bo
   out += table(rows);
   out += paragraph(Words::tr("Check on the rig: %1").arg(checkOf(cause, report)));
   const StrengthText strength = strengthOf(cause, report);
-  return out + paragraph(QStringLiteral("%1: %2").arg(strength.word.left(1).toUpper() + strength.word.mid(1), strength.meaning));
+  return out + paragraph(QStringLiteral("%1: %2").arg(strength.word.left(1).toUpper() + strength.word.mid(1),
+                                                      strength.meaning));
 }
 
 QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report) {
   const auto& applied = workspace.corrections().causes;
   const VerdictText verdict = verdictText(report, static_cast<int>(applied.size()));
   QString out = heading(Words::tr("Reality check: %1").arg(verdict.question));
-  if (report.verdict == Verdict::clean) out += paragraph(Words::tr("Only the sensor’s noise is left: %1.").arg(newtonText(report.noise.force)));
-  for (const auto& cause : report.causes) out += causePart(report, cause, std::find(applied.begin(), applied.end(), cause.id) != applied.end());
+  if (report.verdict == Verdict::clean)
+    out += paragraph(Words::tr("Only the sensor’s noise is left: %1.").arg(newtonText(report.noise.force)));
+  for (const auto& cause : report.causes)
+    out += causePart(report, cause, std::find(applied.begin(), applied.end(), cause.id) != applied.end());
   if (report.verdict == Verdict::unexplained)
-    out += paragraph(Words::tr("Something is left that goes with %1; no known cause accounts for it.").arg(goesWithText(report.remaining.goesWith)));
+    out += paragraph(Words::tr("Something is left that goes with %1; no known cause accounts for it.")
+                         .arg(goesWithText(report.remaining.goesWith)));
   if (!report.causes.empty()) {
     const ChangeText change = payloadChange(report);
     out += paragraph(change.text.isEmpty()
@@ -177,14 +196,17 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
     const auto spectrum = diagnosis::spectrumOf(report.series, torque);
     if (spectrum.frequency.size() == 0) continue;
     Chart chart;
-    chart.yTitle = torque ? Words::tr("Torque difference by frequency [N m/√Hz]") : Words::tr("Force difference by frequency [N/√Hz]");
+    chart.yTitle = torque ? Words::tr("Torque difference by frequency [N m/√Hz]")
+                          : Words::tr("Force difference by frequency [N/√Hz]");
     chart.xTitle = Words::tr("Frequency [Hz]");
     chart.logX = chart.logY = true;
     chart.band = spectrum.floor;
     for (const bool after : {false, true}) {
       QVector<QPointF> points;
-      for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i) points.push_back({spectrum.frequency(i), (after ? spectrum.after : spectrum.before)(i)});
-      chart.curves.push_back({after ? Words::tr("with the causes") : Words::tr("without"), after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
+      for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
+        points.push_back({spectrum.frequency(i), (after ? spectrum.after : spectrum.before)(i)});
+      chart.curves.push_back({after ? Words::tr("with the causes") : Words::tr("without"),
+                              after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
     }
     out += pictureOf(chart, 170);
   }
@@ -199,13 +221,17 @@ QString sessionReportHtml(const ReportParts& parts) {
   const Workspace& workspace = *parts.workspace;
   const auto opened = workspace.opened();
   const QString title = Words::tr("Heft report: %1").arg(opened ? QFileInfo(opened->path).fileName() : QString());
-  QString out = QStringLiteral(
-                    "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><title>%2</title>\n<style>"
-                    "body{font-family:Inter,'Noto Sans',sans-serif;font-size:14px;color:#1C2630;background:#fff;max-width:720px;margin:24px auto}"
-                    "h1{font-size:24px}h2{font-size:18px;margin-top:24px}h3{font-size:14px}"
-                    "td,th{padding:3px 16px 3px 0;vertical-align:top}th{color:#4C5966}</style></head><body>\n<h1>%2</h1>\n")
-                    .arg(QLocale().name().left(2), escaped(title));
-  out += paragraph(Words::tr("Heft Studio %1, %2").arg(QCoreApplication::applicationVersion(), QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
+  QString out =
+      QStringLiteral(
+          "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><title>%2</title>\n<style>"
+          "body{font-family:Inter,'Noto "
+          "Sans',sans-serif;font-size:14px;color:#1C2630;background:#fff;max-width:720px;margin:24px auto}"
+          "h1{font-size:24px}h2{font-size:18px;margin-top:24px}h3{font-size:14px}"
+          "td,th{padding:3px 16px 3px 0;vertical-align:top}th{color:#4C5966}</style></head><body>\n<h1>%2</h1>\n")
+          .arg(QLocale().name().left(2), escaped(title));
+  out += paragraph(Words::tr("Heft Studio %1, %2")
+                       .arg(QCoreApplication::applicationVersion(),
+                            QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
   if (!opened) return out + paragraph(Words::tr("Nothing is open.")) + QStringLiteral("</body></html>\n");
   const auto report = workspace.report();
   if (report) out += resultPart(workspace, *report);
@@ -213,7 +239,8 @@ QString sessionReportHtml(const ReportParts& parts) {
   out += recordingPart(*opened);
   if (report && report->series.time.size() > 2)
     for (const bool torque : {false, true})
-      for (const bool difference : {false, true}) out += pictureOf(wrenchChart(*report, torque, difference), difference ? 140 : 190);
+      for (const bool difference : {false, true})
+        out += pictureOf(wrenchChart(*report, torque, difference), difference ? 140 : 190);
   out += marksPart(workspace);
   if (parts.diagnosis) out += diagnosisPart(workspace, *parts.diagnosis);
   return out + QStringLiteral("</body></html>\n");
@@ -223,11 +250,14 @@ Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, b
   const bool pdf = file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
   if (!pdf && !file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive))
     return Error{Words::tr("%1: a report ends in .html or .pdf.").arg(file).toStdString()};
-  if (!replace && QFileInfo::exists(file)) return Error{Words::tr("%1 exists already and was not replaced.").arg(file).toStdString()};
+  if (!replace && QFileInfo::exists(file))
+    return Error{Words::tr("%1 exists already and was not replaced.").arg(file).toStdString()};
   const QString html = sessionReportHtml(parts);
   if (!pdf) return writeTextFile(file.toStdString(), html.toStdString());
   if (!QFileInfo(QFileInfo(file).absolutePath()).isWritable())
-    return Error{Words::tr("%1 could not be written: check that the folder exists and may be written to.").arg(file).toStdString()};
+    return Error{Words::tr("%1 could not be written: check that the folder exists and may be written to.")
+                     .arg(file)
+                     .toStdString()};
   QPdfWriter writer(file);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins(QMarginsF(16, 16, 16, 16), QPageLayout::Millimeter);

@@ -41,9 +41,10 @@ KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* paren
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 18, 20, 16);
   form->setSpacing(10);
-  form->addRow(wrappedLabel(tr("From a scale or from CAD. Heft compares with it and changes nothing; leave empty what you "
-                               "do not know."),
-                            "answer", this));
+  form->addRow(
+      wrappedLabel(tr("From a scale or from CAD. Heft compares with it and changes nothing; leave empty what you "
+                      "do not know."),
+                   "answer", this));
   const auto field = [&](const char* name, const QString& accessible) {
     auto* edit = new QLineEdit(this);
     edit->setObjectName(name);
@@ -71,9 +72,10 @@ KnownValuesDialog::KnownValuesDialog(const PartialPayload& known, QWidget* paren
   }
   form->addRow(tr("Ixx, Iyy, Izz [kg cm²]"), main);
   form->addRow(tr("Ixy, Ixz, Iyz [kg cm²]"), products);
-  form->addRow(wrappedLabel(tr("Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s axes. "
-                               "Products as in the inertia matrix."),
-                            "caption", this));
+  form->addRow(
+      wrappedLabel(tr("Centre from the sensor’s origin, inertia about the centre of mass, along the sensor’s axes. "
+                      "Products as in the inertia matrix."),
+                   "caption", this));
   problem_ = wrappedLabel({}, "body", this);
   form->addRow(problem_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);

@@ -10,8 +10,8 @@ class QLineEdit;
 
 namespace heft {
 
-/// Empty fields are not known. Weight in kg, centre in mm from the sensor's origin, inertia in kg cm² about the centre of
-/// mass, sensor axes.
+/// Empty fields are not known. Weight in kg, centre in mm from the sensor's origin, inertia in kg cm² about the centre
+/// of mass, sensor axes.
 class KnownValuesDialog : public QDialog {
   Q_OBJECT
  public:

@@ -109,7 +109,8 @@ void ResultPanel::showResult(const ResultText& result) {
   }
   addKnown(column, result.known);
   column->addStretch(1);
-  setSecondButton(tr("All methods"), [this] { emit methodsWanted(); }, "table");
+  setSecondButton(
+      tr("All methods"), [this] { emit methodsWanted(); }, "table");
   setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
 }
 
@@ -158,7 +159,8 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   card.layout->addLayout(row);
 
   // Side by side, or below each other where the numbers are long.
-  constexpr int kSpacing = 4, kAround = 2 * 20 + 2 * 16 + 12 + 2 * 16;  // margins of page and card, scroll bar, gaps between the three
+  constexpr int kSpacing = 4, kAround = 2 * 20 + 2 * 16 + 12 +
+                                        2 * 16;  // margins of page and card, scroll bar, gaps between the three
   std::vector<QWidget*> parts;
   for (int i = 0; i < static_cast<int>(result.com.size()); ++i) {
     const NumberText& n = result.com[i];
@@ -320,7 +322,8 @@ void ResultPanel::addKnown(QVBoxLayout* column, const std::vector<DetailText>& k
     column->addWidget(styledLabel(tr("Compared with what you know"), "sectionTitle", content));
     addRows(column, known);
   }
-  auto* enter = new QPushButton(known.empty() ? tr("Compare with a scale or CAD …") : tr("Change what you know …"), content);
+  auto* enter =
+      new QPushButton(known.empty() ? tr("Compare with a scale or CAD …") : tr("Change what you know …"), content);
   enter->setObjectName("linkButton");
   enter->setProperty("role", "known");
   connect(enter, &QPushButton::clicked, this, &ResultPanel::knownWanted);

@@ -10,7 +10,11 @@
 namespace heft {
 
 DimensionEditor::DimensionEditor(QWidget* view, Placed placed, Current current)
-    : QObject(view), view_(view), placed_(std::move(placed)), current_(std::move(current)), field_(new QLineEdit(view)) {
+    : QObject(view),
+      view_(view),
+      placed_(std::move(placed)),
+      current_(std::move(current)),
+      field_(new QLineEdit(view)) {
   field_->setObjectName("dimensionField");
   field_->setAccessibleName(tr("Length"));
   field_->setToolTip(tr("A length in mm, or with its unit: 64, 6.4 cm. Enter takes it, Esc leaves it as it was."));
@@ -75,7 +79,8 @@ bool DimensionEditor::viewEvent(QEvent* event) {
     case QEvent::MouseMove: {
       auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->buttons() != Qt::NoButton) {
-        if (pressed_ && (mouse->pos() - *pressed_).manhattanLength() >= QApplication::startDragDistance()) pressed_.reset();
+        if (pressed_ && (mouse->pos() - *pressed_).manhattanLength() >= QApplication::startDragDistance())
+          pressed_.reset();
         return false;
       }
       const bool over = labelAt(mouse->pos()).has_value();
@@ -98,7 +103,9 @@ bool DimensionEditor::viewEvent(QEvent* event) {
       if (!pressed_) return false;
       pressed_.reset();
       // After the view has let the handle go.
-      if (const auto id = current_()) QMetaObject::invokeMethod(this, [this, id] { open(*id); }, Qt::QueuedConnection);
+      if (const auto id = current_())
+        QMetaObject::invokeMethod(
+            this, [this, id] { open(*id); }, Qt::QueuedConnection);
       return false;
     }
     case QEvent::Wheel:

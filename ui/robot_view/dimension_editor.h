@@ -19,7 +19,8 @@ class DimensionEditor : public QObject {
  public:
   using Placed = std::function<std::vector<PlacedDimension>()>;
   using Current = std::function<std::optional<int>()>;
-  /// Watches the mouse over `view`. `placed`: the lengths as they lie there now; `current`: the handle under the pointer.
+  /// Watches the mouse over `view`. `placed`: the lengths as they lie there now; `current`: the handle under the
+  /// pointer.
   DimensionEditor(QWidget* view, Placed placed, Current current);
 
   void open(int id);

@@ -14,10 +14,10 @@ namespace heft {
 struct DimensionLine {
   /// Edges of this length, S axes [m]; the one that lies freest in the picture is taken.
   std::vector<std::pair<Vector3d, Vector3d>> edges;
-  QString text;       ///< "64 mm"
-  int tone = -1;      ///< 0, 1, 2: colour of an axis
+  QString text;   ///< "64 mm"
+  int tone = -1;  ///< 0, 1, 2: colour of an axis
   bool strong = false;
-  int id = -1;        ///< Of the handle that changes this length; the number can then be typed in the picture.
+  int id = -1;  ///< Of the handle that changes this length; the number can then be typed in the picture.
 };
 
 /// Where a line lies in the picture [px].

@@ -6,8 +6,8 @@
 
 namespace heft {
 
-/// How far along the line from `point` in direction `axis` (unit) the ray comes nearest [m]; nothing where they run almost
-/// alongside each other.
+/// How far along the line from `point` in direction `axis` (unit) the ray comes nearest [m]; nothing where they run
+/// almost alongside each other.
 std::optional<double> alongLine(const Ray& ray, const Vector3d& point, const Vector3d& axis);
 
 /// Where the ray meets the plane through `point`; nothing if it runs along it or away from it.

@@ -33,8 +33,7 @@ void GhostArm::setPoses(const std::vector<Isometry3d>& X_BL, const std::vector<I
     return X.translation().norm() > 0.012 || std::acos(std::clamp((X.linear().trace() - 1) / 2, -1.0, 1.0)) > 0.06;
   };
   for (Link& link : links_) {
-    const bool shown =
-        link.link < static_cast<int>(X_BL.size()) && apart(static_cast<std::size_t>(link.link));
+    const bool shown = link.link < static_cast<int>(X_BL.size()) && apart(static_cast<std::size_t>(link.link));
     link.piece.actor->SetVisibility(shown);
     if (shown) setPose(link.piece.actor, X_BL[static_cast<std::size_t>(link.link)].matrix() * link.X_LV);
   }

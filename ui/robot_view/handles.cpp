@@ -11,10 +11,10 @@
 namespace heft {
 namespace {
 
-constexpr double kReach = 14;       ///< [px] about a knob
-constexpr double kKnob = 6.5;       ///< [px]
-constexpr double kArrow = 40;       ///< [px] seen from the side
-constexpr double kLeastArrow = 0.3; ///< Seen more from its end than this share of its length it is not offered.
+constexpr double kReach = 14;        ///< [px] about a knob
+constexpr double kKnob = 6.5;        ///< [px]
+constexpr double kArrow = 40;        ///< [px] seen from the side
+constexpr double kLeastArrow = 0.3;  ///< Seen more from its end than this share of its length it is not offered.
 constexpr double kFine = 0.1;
 constexpr int kCircleSteps = 72;
 constexpr double kTurn = 6.283185307179586;

@@ -1,7 +1,7 @@
 #pragma once
 // Things that can be grabbed in the 3D view and dragged along a line, in a plane or round a circle. A step makes a set,
-// gives it to RobotView::setHandles while it is shown, and listens: grabbed, dragged (again and again), then released or
-// cancelled. Every drag is told from where it began, so the listener may move the handles meanwhile.
+// gives it to RobotView::setHandles while it is shown, and listens: grabbed, dragged (again and again), then released
+// or cancelled. Every drag is told from where it began, so the listener may move the handles meanwhile.
 #include <QObject>
 #include <QPointF>
 #include <QSizeF>
@@ -24,14 +24,14 @@ struct Handle {
   };
   int id = 0;
   Way way = Way::line;
-  Vector3d point = Vector3d::Zero();  ///< Where its knob is [m]
-  Vector3d axis = Vector3d::Zero();   ///< Unit vector, or zero with Way::plane
-  Vector3d centre = Vector3d::Zero(); ///< With Way::circle [m]
-  int tone = -1;                      ///< 0, 1, 2: colour and letter of an axis; else neutral
-  double grabRadius = 0.0;            ///< Can be grabbed anywhere this near to `point` [m], besides its knob.
-  bool shown = true;                  ///< Draws knob and arrow or circle; else only the pointer tells that it is there.
-  bool arrow = true;                  ///< With Way::line: an arrow with the axis' letter besides the knob.
-  QString tip;                        ///< What it does: "height 64 mm"
+  Vector3d point = Vector3d::Zero();   ///< Where its knob is [m]
+  Vector3d axis = Vector3d::Zero();    ///< Unit vector, or zero with Way::plane
+  Vector3d centre = Vector3d::Zero();  ///< With Way::circle [m]
+  int tone = -1;                       ///< 0, 1, 2: colour and letter of an axis; else neutral
+  double grabRadius = 0.0;             ///< Can be grabbed anywhere this near to `point` [m], besides its knob.
+  bool shown = true;  ///< Draws knob and arrow or circle; else only the pointer tells that it is there.
+  bool arrow = true;  ///< With Way::line: an arrow with the axis' letter besides the knob.
+  QString tip;        ///< What it does: "height 64 mm"
 };
 
 struct HandleDrag {
@@ -88,12 +88,12 @@ class HandleSet : public QObject {
 
  private:
   struct Grab {
-    Handle handle;          ///< In F axes.
-    Isometry3d X_BF;        ///< At the time of grabbing.
-    double along = 0.0;     ///< At the time of grabbing.
-    Vector3d point;         ///< On the plane, B axes.
+    Handle handle;       ///< In F axes.
+    Isometry3d X_BF;     ///< At the time of grabbing.
+    double along = 0.0;  ///< At the time of grabbing.
+    Vector3d point;      ///< On the plane, B axes.
     double lastAngle = 0.0, angle = 0.0;
-    Vector3d from;          ///< From the circle's centre to the pointer, B axes.
+    Vector3d from;  ///< From the circle's centre to the pointer, B axes.
   };
   const Handle* find(QPointF pixel, const View& view) const;
   std::optional<QPointF> knobOf(const Handle& handle, const View& view) const;

@@ -7,13 +7,14 @@
 namespace heft {
 namespace {
 
-constexpr double kGap = 10, kEdge = 16, kBeside = 60;                              // [px]
-constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400;    // Costs, beside pixels of way
-constexpr double kLeftCosts = 60, kChangeCosts = 15;  // A label
+constexpr double kGap = 10, kEdge = 16, kBeside = 60;                            // [px]
+constexpr double kNoRoom = 1e6, kHides = 4e4, kOutside = 5e3, kUnderNote = 400;  // Costs, beside pixels of way
+constexpr double kLeftCosts = 60, kChangeCosts = 15;                             // A label
 
 const QRectF* firstHit(const QRectF& place, const std::vector<QRectF>& obstacles) {
   const QRectF wide = place.adjusted(-kGap / 2, -kGap / 2, kGap / 2, kGap / 2);
-  const auto hit = std::find_if(obstacles.begin(), obstacles.end(), [&](const QRectF& each) { return each.intersects(wide); });
+  const auto hit =
+      std::find_if(obstacles.begin(), obstacles.end(), [&](const QRectF& each) { return each.intersects(wide); });
   return hit == obstacles.end() ? nullptr : &*hit;
 }
 
@@ -62,7 +63,8 @@ double cost(const std::vector<LabelToPlace>& labels, const std::vector<QRectF>& 
       if (crosses(leader, each)) sum += kUnderNote;
     for (const QRectF& each : room.subjects) {
       const QRectF common = each.intersected(places[i]);
-      if (!common.isEmpty()) sum += kHides * common.width() * common.height() / (places[i].width() * places[i].height());
+      if (!common.isEmpty())
+        sum += kHides * common.width() * common.height() / (places[i].width() * places[i].height());
     }
   }
   return sum;
@@ -89,11 +91,14 @@ std::vector<QRectF> placeLabels(const std::vector<LabelToPlace>& labels, const L
     leftmost = std::min(leftmost, each.left());
     rightmost = std::max(rightmost, each.right());
   }
-  const double atRight = std::max(kEdge, room.picture.width() - kEdge - widest), atLeft = std::min(atRight, kEdge) + widest;
+  const double atRight = std::max(kEdge, room.picture.width() - kEdge - widest),
+               atLeft = std::min(atRight, kEdge) + widest;
   const double besideRight = std::clamp(rightmost + kBeside, kEdge, atRight);
   const double besideLeft = std::clamp(leftmost - kBeside, atLeft, std::max(atLeft, room.picture.width() - kEdge));
-  const Column columns[] = {{LabelSide::right, besideRight}, {LabelSide::right, atRight},
-                            {LabelSide::left, besideLeft}, {LabelSide::left, atLeft}};
+  const Column columns[] = {{LabelSide::right, besideRight},
+                            {LabelSide::right, atRight},
+                            {LabelSide::left, besideLeft},
+                            {LabelSide::left, atLeft}};
   std::vector<QRectF> all = room.taken;
   all.insert(all.end(), room.subjects.begin(), room.subjects.end());
   std::vector<QRectF> best;

@@ -8,7 +8,7 @@ namespace heft {
 
 /// A half line in B.
 struct Ray {
-  Vector3d origin = Vector3d::Zero();     ///< [m]
+  Vector3d origin = Vector3d::Zero();      ///< [m]
   Vector3d direction = Vector3d::UnitX();  ///< Unit vector
 };
 
@@ -42,8 +42,8 @@ struct OrbitCamera {
   void fit(const std::vector<Vector3d>& points, double aspect, double margin, double marginRight);
 };
 
-/// Turns the camera as little as is needed for none of the axes to point at the viewer: what is dragged along them must be
-/// seen from the side.
+/// Turns the camera as little as is needed for none of the axes to point at the viewer: what is dragged along them must
+/// be seen from the side.
 void turnToAxes(OrbitCamera& camera, const Matrix3d& axes);
 
 }  // namespace heft

@@ -33,7 +33,8 @@ void paintPull(QPainter& painter, const PullMark& mark, const Vector3d& tool, co
   spring.lineTo(from + lead * along);
   for (int i = 0; i < 16 * turns; ++i) {
     const double u = (i + 1.0) / (16.0 * turns), phase = 2.0 * M_PI * turns * u;
-    spring.lineTo(from + (lead + coil * u) * along + 6.0 * std::sin(phase) * across + 3.0 * (1.0 - std::cos(phase)) * along);
+    spring.lineTo(from + (lead + coil * u) * along + 6.0 * std::sin(phase) * across +
+                  3.0 * (1.0 - std::cos(phase)) * along);
   }
   spring.lineTo(to);
   painter.setPen(QPen(t.accent, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

@@ -74,7 +74,10 @@ struct RobotView::Kept {
 };
 
 RobotView::RobotView(QWidget* parent)
-    : QWidget(parent), viewport_(new Viewport(this)), scene_(viewport_->scene()), parts_(std::make_unique<SceneParts>()) {
+    : QWidget(parent),
+      viewport_(new Viewport(this)),
+      scene_(viewport_->scene()),
+      parts_(std::make_unique<SceneParts>()) {
   setObjectName("robotView");
   setMinimumSize(240, 180);
   auto* layout = new QVBoxLayout(this);

@@ -31,7 +31,7 @@ struct SceneState;
 
 /// An arm that is being listened to, at one instant.
 struct LiveMoment {
-  std::optional<VectorXd> q;                     ///< [rad]; absent: the sensor alone
+  std::optional<VectorXd> q;  ///< [rad]; absent: the sensor alone
   Isometry3d X_BS = Isometry3d::Identity();
   Vector6d wrench = Vector6d::Zero();            ///< F_PSo_S as measured
   std::shared_ptr<const EstimateReport> report;  ///< What is known of the tool so far; null at first. No series needed.
@@ -77,8 +77,8 @@ class RobotView : public QWidget {
 
   /// Shows a moving arm instead of a recording, which comes back with endLive(). Robot and look are null where only the
   /// sensor's pose is known.
-  void beginLive(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look, const SensorMount& mount,
-                 const Vector3d& gravity);
+  void beginLive(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look,
+                 const SensorMount& mount, const Vector3d& gravity);
   void showLive(const LiveMoment& moment);
   /// The way of the sensor so far, B axes [m].
   void showLivePath(const std::vector<Vector3d>& path);

@@ -280,7 +280,8 @@ struct Scene3d::Impl {
     setColour(force.actor, theme->wrench);
     setColour(torque.actor, theme->wrench);
     setColour(gravity.actor, theme->gravity);
-    for (int a = 0; a < 3; ++a) setColour(axes[static_cast<std::size_t>(a)].actor, theme->axis[static_cast<std::size_t>(a)]);
+    for (int a = 0; a < 3; ++a)
+      setColour(axes[static_cast<std::size_t>(a)].actor, theme->axis[static_cast<std::size_t>(a)]);
     for (auto& piece : linkPieces)
       if (piece.ghost) makeTranslucent(piece.piece.actor, theme->tool, 0.26);
     tool.restyle(*theme);

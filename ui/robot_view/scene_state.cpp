@@ -77,7 +77,8 @@ void SceneState::setTool(const std::vector<ShapeBody>& bodies, int selected) {
 
 void SceneState::addTool(std::vector<Vector3d>& points) const {
   for (const ToolBody& body : tool_)
-    for (const Vector3d& p : someOf(body.solid->faces.vertices, 200, X_BS * body.X_SB, Vector3d::Ones())) points.push_back(p);
+    for (const Vector3d& p : someOf(body.solid->faces.vertices, 200, X_BS * body.X_SB, Vector3d::Ones()))
+      points.push_back(p);
 }
 
 std::vector<Vector3d> SceneState::outline() const {
@@ -107,7 +108,8 @@ std::vector<Vector3d> SceneState::toolOutline(bool alone) const {
     // A hand's breadth of the arm tells where the tool is.
     for (const double z : {-0.10, 0.09})
       for (int a = 0; a < 2; ++a)
-        for (const double side : {-0.08, 0.08}) points.push_back(X_BS * Vector3d(side * Vector3d::Unit(a) + Vector3d(0, 0, z)));
+        for (const double side : {-0.08, 0.08})
+          points.push_back(X_BS * Vector3d(side * Vector3d::Unit(a) + Vector3d(0, 0, z)));
   } else {
     const Vector3d at = X_BS.translation();
     const Vector3d centre = payload ? Vector3d(X_BS * payload->com) : at;
@@ -129,7 +131,8 @@ std::vector<Vector3d> SceneState::surface() const {
   }
   if (sensorShown) {
     for (int i = 0; i < 24; ++i)
-      points.push_back(X_BS * Vector3d(kSensorRadius * std::cos(i * kPi / 12), kSensorRadius * std::sin(i * kPi / 12), -0.02));
+      points.push_back(X_BS *
+                       Vector3d(kSensorRadius * std::cos(i * kPi / 12), kSensorRadius * std::sin(i * kPi / 12), -0.02));
   }
   addTool(points);
   return points;
@@ -158,7 +161,8 @@ std::vector<std::vector<Vector3d>> SceneState::namedPieces() const {
     std::vector<Vector3d> region;
     for (int a = 0; a < 3; ++a)
       for (const double side : {-1.0, 1.0})
-        region.push_back(centre + X_BS.linear() * (side * payload->enlargement * payload->region(a) * Vector3d::Unit(a)));
+        region.push_back(centre +
+                         X_BS.linear() * (side * payload->enlargement * payload->region(a) * Vector3d::Unit(a)));
     pieces.push_back(std::move(region));
   }
   if (parts.arrows) addArrow(centre, centre + kGravityArrow * down);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 constexpr int kSides = 64, kArcs = 12;
-constexpr double kSharp = 0.86;                  ///< Cosine of 30 degrees: edges of a mesh that are drawn
+constexpr double kSharp = 0.86;                 ///< Cosine of 30 degrees: edges of a mesh that are drawn
 constexpr std::size_t kMostTriangles = 400000;  ///< Beyond that a mesh is drawn without edges.
 
 struct Outline {
@@ -41,7 +41,9 @@ void sweep(MeshPart& part, Outline a, Outline b, double normalA, double normalB)
   // normalA, normalB: angle of the normal above the xy plane at both ends.
   for (int s = 0; s < kSides; ++s) {
     const double from = kTurn * s / kSides, to = kTurn * (s + 1) / kSides;
-    const auto normal = [&](double angle, double tilt) { return Vector3d(around(angle, std::cos(tilt), std::sin(tilt))); };
+    const auto normal = [&](double angle, double tilt) {
+      return Vector3d(around(angle, std::cos(tilt), std::sin(tilt)));
+    };
     quad(part, {around(from, a.r, a.z), around(to, a.r, a.z), around(to, b.r, b.z), around(from, b.r, b.z)},
          {normal(from, normalA), normal(to, normalA), normal(to, normalB), normal(from, normalB)});
   }

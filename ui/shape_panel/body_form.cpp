@@ -107,7 +107,8 @@ PlaceForm::PlaceForm(QWidget* parent) : QWidget(parent) {
   column->addWidget(error_);
   for (int a = 0; a < 3; ++a) {
     const QString axis(QChar("xyz"[a]));
-    auto* shift = new Stepper(tr("Place along %1").arg(axis), QStringLiteral("mm"), {-kMostLength, kMostLength, 1.0, 1}, this);
+    auto* shift =
+        new Stepper(tr("Place along %1").arg(axis), QStringLiteral("mm"), {-kMostLength, kMostLength, 1.0, 1}, this);
     shift->setObjectName(QStringLiteral("place_") + axis);
     addColumn(place, a, a, axis, shift, this);
     auto* turn = new Stepper(tr("Tilt about %1").arg(axis), QString(QChar(0xb0)), {-180.0, 180.0, 1.0, 1}, this);
@@ -119,12 +120,10 @@ PlaceForm::PlaceForm(QWidget* parent) : QWidget(parent) {
       connect(stepper, &Stepper::begun, this, &PlaceForm::begun);
       connect(stepper, &Stepper::refused, this, [this](const QString& why) { showFieldError(error_, why); });
     }
-    connect(shift, &Stepper::changed, this, [this] {
-      emit moved(1e-3 * Vector3d(place_[0]->value(), place_[1]->value(), place_[2]->value()));
-    });
-    connect(turn, &Stepper::changed, this, [this] {
-      emit tilted(kDegree * Vector3d(tilt_[0]->value(), tilt_[1]->value(), tilt_[2]->value()));
-    });
+    connect(shift, &Stepper::changed, this,
+            [this] { emit moved(1e-3 * Vector3d(place_[0]->value(), place_[1]->value(), place_[2]->value())); });
+    connect(turn, &Stepper::changed, this,
+            [this] { emit tilted(kDegree * Vector3d(tilt_[0]->value(), tilt_[1]->value(), tilt_[2]->value())); });
   }
 }
 

@@ -42,7 +42,8 @@ QString unitName(int index) {
 QString droppedMesh(const QMimeData* data) {
   static const QStringList endings{"stl", "obj", "ply", "dae", "glb", "gltf", "3mf", "off", "fbx", "x3d"};
   for (const QUrl& url : data->urls())
-    if (url.isLocalFile() && endings.contains(QFileInfo(url.toLocalFile()).suffix().toLower())) return url.toLocalFile();
+    if (url.isLocalFile() && endings.contains(QFileInfo(url.toLocalFile()).suffix().toLower()))
+      return url.toLocalFile();
   return {};
 }
 
@@ -76,8 +77,8 @@ void MeshForm::addProblem(const QString& text, const QString& remedy, bool grave
 void MeshForm::showNothing(const QString& problem) {
   clear();
   if (!problem.isEmpty()) addProblem(problem, {}, true);
-  column_->addWidget(wrappedLabel(tr("Drop the file here, or choose it. Closed solids work best (STL, OBJ, PLY, DAE, glTF)."),
-                                  "answer", this));
+  column_->addWidget(wrappedLabel(
+      tr("Drop the file here, or choose it. Closed solids work best (STL, OBJ, PLY, DAE, glTF)."), "answer", this));
   auto* choose = new QPushButton(tr("Choose a file …"), this);
   choose->setObjectName("chooseMesh");
   connect(choose, &QPushButton::clicked, this, &MeshForm::chooseWanted);
@@ -104,18 +105,19 @@ void MeshForm::showMesh(const LoadedMesh& mesh) {
   column_->addLayout(head);
 
   column_->addWidget(styledLabel(tr("Unit of the file"), "caption", this));
-  auto* units = new Segments({tr("mm"), tr("cm"), tr("m"), tr("inch")}, {"unit_mm", "unit_cm", "unit_m", "unit_in"}, this);
+  auto* units =
+      new Segments({tr("mm"), tr("cm"), tr("m"), tr("inch")}, {"unit_mm", "unit_cm", "unit_m", "unit_in"}, this);
   const int index = unitIndex(mesh.body.unit);
   units->setChosen(index);
   connect(units, &Segments::picked, this, [this](int i) { emit unitPicked(kUnits[i]); });
   column_->addWidget(units);
   const double longest = mesh.longest * mesh.body.unit;
-  const QString size = longest < 1.0 ? tr("%1 cm").arg(numberText(100 * longest, 1)) : tr("%1 m").arg(numberText(longest, 2));
+  const QString size =
+      longest < 1.0 ? tr("%1 cm").arg(numberText(100 * longest, 1)) : tr("%1 m").arg(numberText(longest, 2));
   column_->addWidget(wrappedLabel(
-      mesh.unitGuessed
-          ? tr("The longest side is %1 in the file. Heft guessed %2, because that makes a tool of %3.")
-                .arg(numberText(mesh.longest, mesh.longest < 10 ? 3 : 0), unitName(index), size)
-          : tr("The longest side is then %1.").arg(size),
+      mesh.unitGuessed ? tr("The longest side is %1 in the file. Heft guessed %2, because that makes a tool of %3.")
+                             .arg(numberText(mesh.longest, mesh.longest < 10 ? 3 : 0), unitName(index), size)
+                       : tr("The longest side is then %1.").arg(size),
       "caption", this));
   if (mesh.unusable) {
     addProblem(QString::fromStdString(mesh.unusable->message), {}, true);
@@ -134,7 +136,8 @@ void MeshForm::showMesh(const LoadedMesh& mesh) {
   if (mesh.unusable) return;
   auto* place = new QPushButton(tr("Put it on the sensor’s face"), this);
   place->setObjectName("meshPlace");
-  place->setToolTip(tr("Its box then begins at the sensor, in the middle. Without it, the file’s own origin is the sensor’s."));
+  place->setToolTip(
+      tr("Its box then begins at the sensor, in the middle. Without it, the file’s own origin is the sensor’s."));
   connect(place, &QPushButton::clicked, this, &MeshForm::placeWanted);
   column_->addWidget(place);
 }

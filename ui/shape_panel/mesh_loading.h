@@ -1,6 +1,6 @@
 #pragma once
-// A CAD file as the tool's body: read, measured, its unit guessed, and tried whether a volume can be had. Free of Qt, for
-// a job.
+// A CAD file as the tool's body: read, measured, its unit guessed, and tried whether a volume can be had. Free of Qt,
+// for a job.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,10 +12,10 @@
 namespace heft {
 
 struct LoadedMesh {
-  ShapeBody body;           ///< With mesh and unit.
-  double longest = 0.0;     ///< Side of the bounding box, in the file's numbers.
+  ShapeBody body;        ///< With mesh and unit.
+  double longest = 0.0;  ///< Side of the bounding box, in the file's numbers.
   bool unitGuessed = false;
-  Findings findings;        ///< What was repaired or looks odd.
+  Findings findings;              ///< What was repaired or looks odd.
   std::optional<Error> unusable;  ///< No volume, or an impossible size: the body cannot be a shape like this.
 };
 

@@ -54,8 +54,7 @@ void ShapePanel::addMeshPart(const QString& file) {
         // Its box begins where the other parts end, in the middle.
         const auto box = extentOf(part), taken = extentOf(next);
         const double end = taken.isEmpty() ? 0.0 : taken.max().z();
-        if (!box.isEmpty())
-          part.X_SB.pretranslate(Vector3d(-box.center().x(), -box.center().y(), end - box.min().z()));
+        if (!box.isEmpty()) part.X_SB.pretranslate(Vector3d(-box.center().x(), -box.center().y(), end - box.min().z()));
         mode_ = ToolMode::move;
         const QString why = addPart(next, part);
         if (!why.isEmpty()) parts().say(Severity::error, why);

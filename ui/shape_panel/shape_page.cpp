@@ -78,15 +78,16 @@ void ShapePanel::rebuild() {
     addPlace(column);
   } else if (!given) {
     column->addSpacing(6);
-    column->addWidget(wrappedLabel(
-        tr("A shape tells Heft how the weight is spread where the motion did not show it. The result says how much each "
-           "number owes to it."),
-        "answer", page()->content()));
+    column->addWidget(wrappedLabel(tr("A shape tells Heft how the weight is spread where the motion did not show it. "
+                                      "The result says how much each "
+                                      "number owes to it."),
+                                   "answer", page()->content()));
   }
   column->addStretch(1);
   page()->setSecondButton(tr("Back"), [this] { parts().goTo(Step::mark); });
   if (described) {
-    page()->setMainButton(tr("Use this shape"), [this] { parts().goTo(Step::result); }, "check");
+    page()->setMainButton(
+        tr("Use this shape"), [this] { parts().goTo(Step::result); }, "check");
   } else {
     page()->setMainButton(choice().answer == Answer::unknown ? tr("Go on without a shape") : tr("I don’t know, go on"),
                           [this] {
@@ -154,7 +155,8 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
   const auto addForm = [&](const QString& title, int index) {
     auto* form = new BodyForm(title, bodies[static_cast<std::size_t>(index)], index, content);
     connect(form, &BodyForm::begun, this, [this] { editKey_ = workspace().newMergeKey(); });
-    connect(form, &BodyForm::changed, this, [this, index](int measure, double metres) { setLength(index, measure, metres); });
+    connect(form, &BodyForm::changed, this,
+            [this, index](int measure, double metres) { setLength(index, measure, metres); });
     column->addWidget(form);
     bodies_[index] = form;
   };
@@ -172,9 +174,8 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
       if (selected_ > 0 && selected_ >= index) --selected_;
       change(next, tr("take a part away"), 0);
     });
-    connect(partsList_, &PartsList::addWanted, this, [this](BodyKind kind) {
-      addPart(choice().shape, nextBody(kind, choice().shape));
-    });
+    connect(partsList_, &PartsList::addWanted, this,
+            [this](BodyKind kind) { addPart(choice().shape, nextBody(kind, choice().shape)); });
     connect(partsList_, &PartsList::addMeshWanted, this, &ShapePanel::chooseMesh);
     column->addWidget(partsList_);
     if (bodies[static_cast<std::size_t>(selected_)].kind != BodyKind::mesh)
@@ -268,7 +269,8 @@ void ShapePanel::addPlace(QVBoxLayout* column) {
   connect(place_, &PlaceForm::tilted, this, [this](const Vector3d& rpy) {
     const Shape& shape = choice().shape;
     const ShapeBody& first = shape.bodies[static_cast<std::size_t>(std::max(0, movedNow()))];
-    change(turned(shape, movedNow(), rotationFromRpy(rpy) * first.X_SB.linear().transpose()), tr("tilt the tool"), editKey_);
+    change(turned(shape, movedNow(), rotationFromRpy(rpy) * first.X_SB.linear().transpose()), tr("tilt the tool"),
+           editKey_);
   });
   column->addWidget(place_);
 }
@@ -313,9 +315,13 @@ void ShapePanel::showValues() {
   if (place_) place_->showPlace(at, rpy);
   if (placeButton_) {
     const bool usual = at.norm() < 5e-5 && rpy.norm() < 1e-3;
-    const auto number = [](double value) { return numberText(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1); };
-    QString where = usual ? tr("Where it sits: in the sensor’s middle, straight")
-                          : tr("Where it sits: %1, %2, %3 mm").arg(number(1e3 * at.x()), number(1e3 * at.y()), number(1e3 * at.z()));
+    const auto number = [](double value) {
+      return numberText(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
+    };
+    QString where =
+        usual
+            ? tr("Where it sits: in the sensor’s middle, straight")
+            : tr("Where it sits: %1, %2, %3 mm").arg(number(1e3 * at.x()), number(1e3 * at.y()), number(1e3 * at.z()));
     if (rpy.norm() >= 1e-3)
       where += tr(", tilted by %1°").arg(number(vectorFromRotation(moved.X_SB.linear()).norm() / kDegree));
     placeButton_->setText((placeShown_ ? QString::fromUtf8("▾  ") : QString::fromUtf8("▸  ")) + where);
@@ -344,10 +350,11 @@ void ShapePanel::showView() {
   modes_->button(0)->setEnabled(picture() != ToolPicture::mesh);
   modes_->setChosen(static_cast<int>(mode_));
   parts().view->setStepTools(given ? modes_ : nullptr);
-  parts().view->setStepNote(!given                      ? tr("Pick a picture, and the tool stands here")
+  parts().view->setStepNote(!given                    ? tr("Pick a picture, and the tool stands here")
                             : mode_ == ToolMode::size ? tr("Drag a white handle to change the size")
-                            : mode_ == ToolMode::move ? tr("Drag an arrow to move the tool, its middle to move it freely")
-                                                      : tr("Drag a ring to tilt the tool"));
+                            : mode_ == ToolMode::move
+                                ? tr("Drag an arrow to move the tool, its middle to move it freely")
+                                : tr("Drag a ring to tilt the tool"));
   if (given) {
     Shape shown = choice().shape;
     shown.bodies = bodiesWithMeshes();

@@ -221,7 +221,8 @@ QString ShapePanel::addPart(Shape shape, const ShapeBody& part) {
 }
 
 void ShapePanel::setLength(int body, int measure, double metres) {
-  const Shape next = resized(choice().shape, picture(), static_cast<std::size_t>(body), static_cast<std::size_t>(measure), metres);
+  const Shape next =
+      resized(choice().shape, picture(), static_cast<std::size_t>(body), static_cast<std::size_t>(measure), metres);
   const QString why = change(next, tr("change a length"), editKey_);
   if (!why.isEmpty() && bodies_.count(body)) bodies_[body]->setProblem(measure, why);
 }
@@ -231,10 +232,9 @@ void ShapePanel::typeLength(int handle, const QString& text) {
   if (!here_ || measure < 0 || body >= static_cast<int>(choice().shape.bodies.size())) return;
   const auto millimetres = parseMeasure(text, QStringLiteral("mm"));
   if (!millimetres || *millimetres < kLeastLength || *millimetres > kMostLength) {
-    return parts().say(Severity::warning, tr("\"%1\" is no length here: a number from %2 to %3 mm is.")
-                                              .arg(text)
-                                              .arg(kLeastLength)
-                                              .arg(kMostLength));
+    return parts().say(
+        Severity::warning,
+        tr("\"%1\" is no length here: a number from %2 to %3 mm is.").arg(text).arg(kLeastLength).arg(kMostLength));
   }
   editKey_ = workspace().newMergeKey();
   setLength(body, measure, 1e-3 * *millimetres);

@@ -1,6 +1,6 @@
 #pragma once
-// The step Shape: "What does your tool look like?" A picture, a few lengths, how sure one is; the tool stands on the arm
-// at once, with handles.
+// The step Shape: "What does your tool look like?" A picture, a few lengths, how sure one is; the tool stands on the
+// arm at once, with handles.
 #include <map>
 #include <string>
 

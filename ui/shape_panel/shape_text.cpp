@@ -162,7 +162,8 @@ QString shapeLine(const ShapeChoice& choice) {
 QString certaintyNote(Certainty certainty, bool mesh) {
   switch (certainty) {
     case Certainty::rough:
-      return mesh ? ShapeText::tr("Rough: the drawing is right to about 10 %, and the material may differ from part to part.")
+      return mesh ? ShapeText::tr(
+                        "Rough: the drawing is right to about 10 %, and the material may differ from part to part.")
                   : ShapeText::tr("Rough: each length is right to about 20 %, by eye.");
     case Certainty::good:
       return mesh ? ShapeText::tr("Good: this very tool, right to about 2 %.")
@@ -225,8 +226,9 @@ QString shapeProblem(const Shape& shape) {
   if (shape.totalMass && known > 1.02 * *shape.totalMass) {
     return heavy.isEmpty() ? ShapeText::tr("The parts weigh %1 together, more than the whole tool with %2.")
                                  .arg(kilograms(known), kilograms(*shape.totalMass))
-                           : ShapeText::tr("In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or take "
-                                           "another material.")
+                           : ShapeText::tr(
+                                 "In %1 it would weigh %2, more than the scale shows (%3): make it hollow, or take "
+                                 "another material.")
                                  .arg(heavy, kilograms(known), kilograms(*shape.totalMass));
   }
   const std::string why = whyInvalid(shape);
@@ -236,9 +238,10 @@ QString shapeProblem(const Shape& shape) {
 Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& now) {
   const auto picture = toolPictureFromString(words.value(0).toStdString());
   if (!picture)
-    return wrong(ShapeText::tr("shape expects box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh or "
-                               "unknown, not “%1”.")
-                     .arg(words.value(0)));
+    return wrong(
+        ShapeText::tr("shape expects box, cylinder, tube, sphere, cone, capsule, plate, gripper, several, mesh or "
+                      "unknown, not “%1”.")
+            .arg(words.value(0)));
   ShapeChoice next = now;
   next.answer = ShapeChoice::Answer::given;
   next.picture = words[0].toStdString();
@@ -260,14 +263,16 @@ Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& 
     next.shape.bodies = {body};
   } else {
     next.shape.bodies = sketch(*picture);
-    for (std::size_t b = 0; i < words.size() && words[i].contains(QRegularExpression("^[\\d.]+(x[\\d.]+)*$")); ++i, ++b) {
+    for (std::size_t b = 0; i < words.size() && words[i].contains(QRegularExpression("^[\\d.]+(x[\\d.]+)*$"));
+         ++i, ++b) {
       const auto lengths = lengthsFrom(words[i]);
       if (!lengths || b >= next.shape.bodies.size())
         return wrong(ShapeText::tr("“%1” are no sizes that fit: lengths in mm with x between them.").arg(words[i]));
       auto body = measured(next.shape.bodies[b].kind, *lengths);
       if (!body) return body.error();
       if (b > 0) {
-        const double from = extentOf(next.shape.bodies[b - 1]).max().z() + next.shape.bodies[b - 1].X_SB.translation().z();
+        const double from =
+            extentOf(next.shape.bodies[b - 1]).max().z() + next.shape.bodies[b - 1].X_SB.translation().z();
         body->X_SB.translation().z() = from - extentOf(*body).min().z();
       }
       next.shape.bodies[b] = *body;
@@ -287,7 +292,8 @@ Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& 
       if (pose.size() != 3 && pose.size() != 6)
         return wrong(ShapeText::tr("“at” expects x,y,z in mm, or with roll, pitch and yaw in degrees: at 0,0,60"));
       const Vector3d xyz = 1e-3 * Vector3d(pose[0], pose[1], pose[2]);
-      const Vector3d rpy = pose.size() == 6 ? Vector3d(kDegree * Vector3d(pose[3], pose[4], pose[5])) : Vector3d::Zero();
+      const Vector3d rpy =
+          pose.size() == 6 ? Vector3d(kDegree * Vector3d(pose[3], pose[4], pose[5])) : Vector3d::Zero();
       const Isometry3d to = poseFromXyzRpy(xyz, rpy), from = next.shape.bodies.front().X_SB;
       // The first body stands there, the others as they do beside it.
       for (ShapeBody& body : next.shape.bodies) body.X_SB = to * from.inverse() * body.X_SB;

@@ -45,9 +45,9 @@ std::optional<double> parseWeight(const QString& text, bool grams);
 /// What is wrong with a shape, in the user's words; empty if nothing is.
 QString shapeProblem(const Shape& shape);
 
-/// The words of a script after "shape": PICTURE [SIZES ...] [at X,Y,Z[,ROLL,PITCH,YAW]] [wall MM] [weighs KG] [of MATERIAL]
-/// [rough|good|exact], lengths in mm as in the panel (diameters, whole lengths), angles in degrees, the place that of the
-/// body's middle; "mesh FILE [mm|cm|m]" leaves the mesh to be loaded. `now` keeps what is not said.
+/// The words of a script after "shape": PICTURE [SIZES ...] [at X,Y,Z[,ROLL,PITCH,YAW]] [wall MM] [weighs KG] [of
+/// MATERIAL] [rough|good|exact], lengths in mm as in the panel (diameters, whole lengths), angles in degrees, the place
+/// that of the body's middle; "mesh FILE [mm|cm|m]" leaves the mesh to be loaded. `now` keeps what is not said.
 Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& now);
 
 }  // namespace heft

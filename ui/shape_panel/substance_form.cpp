@@ -111,7 +111,8 @@ SubstanceForm::SubstanceForm(const ShapeBody& body, bool part, QWidget* parent) 
 
   const QString weightName = part ? tr("Weight of this part") : tr("Weight from a scale, if known");
   grid->addWidget(styledLabel(weightName, "caption", this), 0, 0);
-  weight_ = new WeightField(weightName, part ? "partWeight" : "weight", part ? tr("found out") : tr("not weighed"), this);
+  weight_ =
+      new WeightField(weightName, part ? "partWeight" : "weight", part ? tr("found out") : tr("not weighed"), this);
   grid->addWidget(weight_, 1, 0);
   connect(weight_, &WeightField::changed, this, &SubstanceForm::weightChanged);
 
@@ -167,8 +168,7 @@ void SubstanceForm::showSubstance(const ShapeBody& body, std::optional<double> w
   const int known = body.density ? materialOf(*body.density) : -1;
   // A density from elsewhere (a shape file) has its own line.
   while (material_->count() > static_cast<int>(materials().size()) + 1) material_->removeItem(material_->count() - 1);
-  if (body.density && known < 0)
-    material_->addItem(tr("%1 kg/m³").arg(numberText(*body.density, 0)), *body.density);
+  if (body.density && known < 0) material_->addItem(tr("%1 kg/m³").arg(numberText(*body.density, 0)), *body.density);
   material_->setCurrentIndex(!body.density ? 0 : known >= 0 ? known + 1 : material_->count() - 1);
   const auto volume = body.density ? materialVolume(body) : std::nullopt;
   note_->setVisible(volume.has_value());

@@ -1,6 +1,6 @@
 #pragma once
-// The tool in the 3D view while it is edited: what can be grabbed, what a drag makes of the shape, and which lengths are
-// written beside it. Handles are in S axes.
+// The tool in the 3D view while it is edited: what can be grabbed, what a drag makes of the shape, and which lengths
+// are written beside it. Handles are in S axes.
 #include <vector>
 
 #include "core/payload/tool_sketch.h"

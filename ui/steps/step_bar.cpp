@@ -8,8 +8,7 @@
 
 namespace heft {
 
-StepButton::StepButton(Step step, int number, QWidget* parent)
-    : QAbstractButton(parent), step_(step), number_(number) {
+StepButton::StepButton(Step step, int number, QWidget* parent) : QAbstractButton(parent), step_(step), number_(number) {
   setObjectName(QStringLiteral("step_") + QString::fromUtf8(stepId(step).data()));
   setFocusPolicy(Qt::TabFocus);
   setCursor(Qt::PointingHandCursor);
@@ -111,7 +110,7 @@ void StepBar::refresh() {
     }
   }
   for (auto it = buttons_.constBegin(); it != buttons_.constEnd(); ++it) {
-    it.value()->show(states_[it.key()], it.key() == now_  ? StepButton::Place::now
+    it.value()->show(states_[it.key()], it.key() == now_   ? StepButton::Place::now
                                         : it.key() == next ? StepButton::Place::next
                                                            : StepButton::Place::other);
   }

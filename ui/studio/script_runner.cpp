@@ -106,9 +106,10 @@ Result<bool> ScriptRunner::takePicture(const QStringList& words) {
   if (words.size() < 2 || words.size() > 3 || image.isNull())
     return wrong(tr("picture expects a file and perhaps window, view, plots or panel."));
   if (!image.save(words[1]))
-    return wrong(tr("%1 could not be written: check that the folder exists, may be written to, and that the name ends in "
-                    ".png.")
-                     .arg(words[1]));
+    return wrong(
+        tr("%1 could not be written: check that the folder exists, may be written to, and that the name ends in "
+           ".png.")
+            .arg(words[1]));
   return true;
 }
 
@@ -190,15 +191,13 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     if (!size) return wrong(tr("size expects WIDTHxHEIGHT between 640x400 and 7680x4320."));
     return studio_->setSize(*size), Result<bool>(true);
   }
-  if (verb == "manual" && words.size() == 1)
-    return window.showManual(!window.manualShown()), Result<bool>(true);
+  if (verb == "manual" && words.size() == 1) return window.showManual(!window.manualShown()), Result<bool>(true);
   if (verb == "click") {
     // Several pages have a button of the same name; the one shown is meant.
     QAbstractButton* button = nullptr;
     for (auto* each : window.findChildren<QAbstractButton*>(words.value(1)))
       if (each->isVisible() && each->isEnabled()) button = each;
-    if (!button)
-      return wrong(tr("There is no button %1 that could be clicked now.").arg(words.value(1)));
+    if (!button) return wrong(tr("There is no button %1 that could be clicked now.").arg(words.value(1)));
     return button->click(), Result<bool>(true);
   }
   if (verb == "wait" && number(1) && *number(1) >= 0 && *number(1) <= 3600) {
@@ -211,7 +210,8 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     if (!panel) continue;
     if (auto obeyed = panel->obey(words)) return *obeyed;
   }
-  return wrong(tr("\"%1\" is no command of a script, or its words are wrong; see heft-studio --help.").arg(words.join(' ')));
+  return wrong(
+      tr("\"%1\" is no command of a script, or its words are wrong; see heft-studio --help.").arg(words.join(' ')));
 }
 
 }  // namespace heft

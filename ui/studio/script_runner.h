@@ -21,8 +21,8 @@ class ScriptRunner : public QObject {
   /// `studio` must outlive the runner; `name` stands in messages ("walk.txt:3: ..."), empty: no place in them.
   ScriptRunner(Studio* studio, std::vector<ScriptLine> lines, const std::string& name);
 
-  /// With `goOn` what failed inside the window (an estimate) still lets the lines after it run, as long as a recording is
-  /// open; the outcome is a failure all the same.
+  /// With `goOn` what failed inside the window (an estimate) still lets the lines after it run, as long as a recording
+  /// is open; the outcome is a failure all the same.
   void start(bool goOn = false);
 
   /// The verbs that the runner itself knows, for --help; the steps' panels add theirs.

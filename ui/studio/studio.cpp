@@ -27,8 +27,7 @@ QString themeName(ThemeKind kind) { return kind == ThemeKind::dark ? QStringLite
 
 QStringList Studio::languages() { return {QStringLiteral("en"), QStringLiteral("de")}; }
 
-Studio::Studio(QApplication& application, const StudioOptions& options)
-    : application_(application), options_(options) {
+Studio::Studio(QApplication& application, const StudioOptions& options) : application_(application), options_(options) {
   initialiseTexts();
   setRemedyWords(windowRemedy);
   QString theme = options_.theme, language = options_.language;
@@ -78,8 +77,9 @@ void Studio::buildWindow() {
   window->setLanguages(languages(), language_);
   connect(window, &MainWindow::themeWanted, this, &Studio::setTheme);
   // The window that asks is replaced: after it has returned from its menu.
-  connect(window, &MainWindow::languageWanted, this, [this](const QString& language) { setLanguage(language); },
-          Qt::QueuedConnection);
+  connect(
+      window, &MainWindow::languageWanted, this, [this](const QString& language) { setLanguage(language); },
+      Qt::QueuedConnection);
   if (options_.offscreen) {
     window->setWindowFlag(Qt::FramelessWindowHint);
     window->setGeometry(QRect(QPoint(0, 0), options_.size));

@@ -26,7 +26,8 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::nameRobot:
       return Words::tr("Choose it under Tools, “Robot and sensor”.");
     case Remedy::mountSensor:
-      return Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.").arg(subject);
+      return Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.")
+          .arg(subject);
     case Remedy::turnWrench:
       return Words::tr("Under Tools, “Robot and sensor”, say that forces point the other way.");
     case Remedy::turnGravity:
@@ -34,8 +35,9 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::correctMount:
       return Words::tr("Correct how the sensor is turned under Tools, “Robot and sensor”.");
     case Remedy::sayStandingPoses:
-      return Words::tr("If the rows are standing poses, say so under Tools, “Robot and sensor”; for another unit, “Where the "
-                       "numbers come from”.");
+      return Words::tr(
+          "If the rows are standing poses, say so under Tools, “Robot and sensor”; for another unit, “Where the "
+          "numbers come from”.");
     case Remedy::keepEndsOut:
       return Words::tr("To keep them out, paint them as ignored in Mark.");
     case Remedy::giveCentre:

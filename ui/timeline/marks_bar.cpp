@@ -175,7 +175,8 @@ void MarksBar::paintEvent(QPaintEvent*) {
       painter.setBrush(Qt::NoBrush);
       painter.drawRoundedRect(QRectF(left - 1, bar.top() - 2, right - left + 2, bar.height() + 4), 5, 5);
       painter.setBrush(t.panel);
-      for (const double x : {left, right}) painter.drawRoundedRect(QRectF(x - 4, bar.top() + 3, 7, bar.height() - 6), 3, 3);
+      for (const double x : {left, right})
+        painter.drawRoundedRect(QRectF(x - 4, bar.top() + 3, 7, bar.height() - 6), 3, 3);
     }
   }
   if (hasFocus()) {
@@ -217,7 +218,9 @@ void MarksBar::paintSegment(QPainter& painter, const QRectF& bar, std::size_t in
   const QRectF shown = block.intersected(bar);
   const QString word = suggested ? markWord(segment.label) + QLatin1Char('?') : markWord(segment.label);
   const double wide = painter.fontMetrics().horizontalAdvance(word);
-  const QString text = wide + 10 < shown.width() ? word : suggested && shown.width() > 14 ? QStringLiteral("?") : QString();
+  const QString text = wide + 10 < shown.width()         ? word
+                       : suggested && shown.width() > 14 ? QStringLiteral("?")
+                                                         : QString();
   if (text.isEmpty()) return;
   if (suggested) {
     const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0 + 4;

@@ -22,7 +22,10 @@ void ChoiceCard::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const bool chosen = isChecked();
-  painter.setPen(QPen(chosen || hasFocus() ? t.accent : underMouse() ? t.fieldEdge : t.line, chosen || hasFocus() ? 2 : 1));
+  painter.setPen(QPen(chosen || hasFocus() ? t.accent
+                      : underMouse()       ? t.fieldEdge
+                                           : t.line,
+                      chosen || hasFocus() ? 2 : 1));
   painter.setBrush(chosen ? t.accentTint : t.panel);
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 7, 7);
   // The chosen one has its edge anyway: an inner line tells that the keyboard is here.

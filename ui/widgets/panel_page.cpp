@@ -132,7 +132,8 @@ QVBoxLayout* PanelPage::restart(const QString& question, const QString& answer) 
 void PanelPage::keepFocus() {
   QWidget* const focus = QApplication::focusWidget();
   QWidget* const before = content();
-  const bool inside = focus && before && before->isAncestorOf(focus), atFoot = focus && (focus == main_ || focus == second_);
+  const bool inside = focus && before && before->isAncestorOf(focus),
+             atFoot = focus && (focus == main_ || focus == second_);
   if (!inside && !atFoot) return;
   const QString name = focus->objectName();
   const int place = inside && !name.isEmpty() ? before->findChildren<QWidget*>(name).indexOf(focus) : 0;

@@ -1,5 +1,6 @@
 #pragma once
-// A page of the panel at the right: one question, what answers it (scrolling), and at the foot the one thing to do next.
+// A page of the panel at the right: one question, what answers it (scrolling), and at the foot the one thing to do
+// next.
 #include <QWidget>
 #include <functional>
 
@@ -36,7 +37,8 @@ class PanelPage : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  /// The keyboard stays where it is while the page is built anew: on the control of the same name, else what to do next.
+  /// The keyboard stays where it is while the page is built anew: on the control of the same name, else what to do
+  /// next.
   void keepFocus();
   void showFoot();
   void refreshIcons();

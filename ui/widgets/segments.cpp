@@ -25,7 +25,8 @@ Segments::Segments(const QStringList& texts, const QStringList& names, QWidget* 
 
 void Segments::setChosen(int index) {
   chosen_ = index;
-  for (int i = 0; i < static_cast<int>(buttons_.size()); ++i) buttons_[static_cast<std::size_t>(i)]->setChecked(i == index);
+  for (int i = 0; i < static_cast<int>(buttons_.size()); ++i)
+    buttons_[static_cast<std::size_t>(i)]->setChecked(i == index);
 }
 
 }  // namespace heft

@@ -25,7 +25,8 @@ QString shortNumber(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
   const double rounded = std::round(value * scale) / scale;
   int needed = 0;
-  while (needed < decimals && std::abs(rounded * std::pow(10.0, needed) - std::round(rounded * std::pow(10.0, needed))) > 1e-6)
+  while (needed < decimals &&
+         std::abs(rounded * std::pow(10.0, needed) - std::round(rounded * std::pow(10.0, needed))) > 1e-6)
     ++needed;
   const QString text = locale.toString(std::abs(rounded), 'f', needed);
   return rounded < 0 ? QChar(0x2212) + text : text;
@@ -34,7 +35,8 @@ QString shortNumber(double value, int decimals) {
 }  // namespace
 
 std::optional<double> parseMeasure(const QString& text, const QString& unit) {
-  static const QRegularExpression form(QStringLiteral("^\\s*([-+\u2212]?)\\s*(\\d+(?:[.,]\\d*)?|[.,]\\d+)\\s*([a-zA-Z\u00b0]*)\\s*$"));
+  static const QRegularExpression form(
+      QStringLiteral("^\\s*([-+\u2212]?)\\s*(\\d+(?:[.,]\\d*)?|[.,]\\d+)\\s*([a-zA-Z\u00b0]*)\\s*$"));
   const auto match = form.match(text);
   if (!match.hasMatch()) return std::nullopt;
   bool ok = false;
@@ -122,8 +124,9 @@ void Stepper::take() {
   const auto typed = parseMeasure(field_->text(), unit_);
   if (!typed || *typed < range_.least || *typed > range_.most) {
     field_->setModified(true);
-    const QString range = tr("between %1 and %2 %3")
-                              .arg(shortNumber(range_.least, range_.decimals), shortNumber(range_.most, range_.decimals), unit_);
+    const QString range =
+        tr("between %1 and %2 %3")
+            .arg(shortNumber(range_.least, range_.decimals), shortNumber(range_.most, range_.decimals), unit_);
     return setProblem(typed ? tr("%1 must be %2.").arg(name_, range)
                             : tr("“%1” is no number: %2 must be %3.").arg(field_->text(), name_, range));
   }
@@ -155,8 +158,8 @@ bool Stepper::eventFilter(QObject* watched, QEvent* event) {
       mark("focused", event->type() == QEvent::FocusIn);
     if (event->type() == QEvent::KeyPress) {
       auto* key = static_cast<QKeyEvent*>(event);
-      const int direction = key->key() == Qt::Key_Up     ? 1
-                            : key->key() == Qt::Key_Down ? -1
+      const int direction = key->key() == Qt::Key_Up         ? 1
+                            : key->key() == Qt::Key_Down     ? -1
                             : key->key() == Qt::Key_PageUp   ? kPage
                             : key->key() == Qt::Key_PageDown ? -kPage
                                                              : 0;

@@ -162,9 +162,7 @@ void RecordingPane::setMeasuring(bool on) {
   plots_->setSecondCursor(on ? difference_->second() : std::numeric_limits<double>::quiet_NaN());
 }
 
-std::string RecordingPane::visibleText() const {
-  return visibleCsv(*plots_->traces(), axis_.lower(), axis_.upper());
-}
+std::string RecordingPane::visibleText() const { return visibleCsv(*plots_->traces(), axis_.lower(), axis_.upper()); }
 
 void RecordingPane::setFolded(bool folded) {
   folded_ = folded;
@@ -184,7 +182,9 @@ void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
   const bool present = recording_ && recording_->rows() > 0;
   const bool poses = present && recording_->meta.kind == RecordingKind::poses;
   const double first = poses ? 1.0 : present ? recording_->time(0) : 0.0;
-  const double last = poses ? static_cast<double>(recording_->rows()) : present ? recording_->time(recording_->rows() - 1) : 1.0;
+  const double last = poses     ? static_cast<double>(recording_->rows())
+                      : present ? recording_->time(recording_->rows() - 1)
+                                : 1.0;
   playback_->setRange(first, last, poses);
   axis_.setFull(first, last, poses);
   setTraces(nullptr);

@@ -28,8 +28,8 @@ class RecordingPane : public QWidget {
  public:
   explicit RecordingPane(Playback* playback, QWidget* parent = nullptr);
 
-  /// A new recording, or none, with the estimate on it, or null: shows all of it from its beginning. The curves follow as
-  /// soon as they are made, which a long recording takes a moment for.
+  /// A new recording, or none, with the estimate on it, or null: shows all of it from its beginning. The curves follow
+  /// as soon as they are made, which a long recording takes a moment for.
   void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report);
   /// What has come so far of something live, up to `now` [s]; the view goes along. Ends with setRecording().
   void showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched, double now);
@@ -40,7 +40,8 @@ class RecordingPane : public QWidget {
   /// What plots and marks bar tint; `suggested` ones are drawn as proposals.
   void setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested);
 
-  /// Shows a stretch with something on both sides of it, and frames it under this word. An empty one: no frame any more.
+  /// Shows a stretch with something on both sides of it, and frames it under this word. An empty one: no frame any
+  /// more.
   void highlight(double from, double to, const QString& word);
 
   /// With a brush the marks bar is painted by dragging, and the plots while "Paint" is pressed. Nothing: no painting.

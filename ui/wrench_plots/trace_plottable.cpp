@@ -48,8 +48,10 @@ QCPRange TracePlottable::getKeyRange(bool& found, QCP::SignDomain) const {
   for (const Trace& trace : traces_) {
     if (trace.curve.x.isEmpty()) continue;
     const QCPRange range(trace.curve.x.front(), trace.curve.x.back());
-    if (found) all.expand(range);
-    else all = range;
+    if (found)
+      all.expand(range);
+    else
+      all = range;
     found = true;
   }
   return all;
@@ -62,8 +64,10 @@ QCPRange TracePlottable::getValueRange(bool& found, QCP::SignDomain, const QCPRa
     for (int i = 0; i < trace.curve.x.size(); ++i) {
       if (!std::isfinite(trace.curve.low[i])) continue;
       const QCPRange range(trace.curve.low[i], trace.curve.high[i]);
-      if (found) all.expand(range);
-      else all = range;
+      if (found)
+        all.expand(range);
+      else
+        all = range;
       found = true;
     }
   }
@@ -94,7 +98,9 @@ void TracePlottable::draw(QCPPainter* painter) {
     painter->setBrush(trace.colour);
     for (int i = 0; i < trace.curve.x.size(); ++i)
       if (std::isfinite(trace.curve.low[i]))
-        painter->drawEllipse(QPointF(keyAxis()->coordToPixel(trace.curve.x[i]), valueAxis()->coordToPixel(trace.curve.low[i])), 2.4, 2.4);
+        painter->drawEllipse(
+            QPointF(keyAxis()->coordToPixel(trace.curve.x[i]), valueAxis()->coordToPixel(trace.curve.low[i])), 2.4,
+            2.4);
   }
 }
 

@@ -67,7 +67,8 @@ void TraceColumns::paint(QImage& picture, const QColor& colour, double thickness
   std::vector<float> top(top_.size(), kFar), bottom(top_.size(), -kFar);
   const int reach = static_cast<int>(std::floor(radius * kPerPixel));
   for (int k = -reach; k <= reach; ++k) {
-    const auto more = static_cast<float>(std::sqrt(std::max(0.0, radius * radius - static_cast<double>(k * k) / (kPerPixel * kPerPixel))));
+    const auto more = static_cast<float>(
+        std::sqrt(std::max(0.0, radius * radius - static_cast<double>(k * k) / (kPerPixel * kPerPixel))));
     const int from = std::max(0, -k), to = slices - std::max(0, k);
     const float *above = top_.data(), *below = bottom_.data();
     float *highest = top.data(), *lowest = bottom.data();
@@ -86,7 +87,8 @@ void TraceColumns::paint(QImage& picture, const QColor& colour, double thickness
   for (int column = 0; column < std::min(width(), picture.width()); ++column) {
     int from = height, to = -1;
     for (int s = column * kPerPixel; s < (column + 1) * kPerPixel; ++s) {
-      const float begin = std::max(top[static_cast<std::size_t>(s)], 0.0f), end = std::min(bottom[static_cast<std::size_t>(s)], lower);
+      const float begin = std::max(top[static_cast<std::size_t>(s)], 0.0f),
+                  end = std::min(bottom[static_cast<std::size_t>(s)], lower);
       if (!(end > begin)) continue;
       const int first = static_cast<int>(begin), last = std::min(height - 1, static_cast<int>(end));
       from = std::min(from, first);
@@ -103,8 +105,11 @@ void TraceColumns::paint(QImage& picture, const QColor& colour, double thickness
       const int share = std::min(kFull, static_cast<int>(covered[static_cast<std::size_t>(y)] * opaque + 0.5f));
       covered[static_cast<std::size_t>(y)] = 0.0f;
       auto* pixel = reinterpret_cast<QRgb*>(bits + y * stride) + column;
-      const auto over = [share](int under, int ink) { return (under * (kFull - share) + ink * share + kFull / 2) / kFull; };
-      *pixel = qRgba(over(qRed(*pixel), red), over(qGreen(*pixel), green), over(qBlue(*pixel), blue), over(qAlpha(*pixel), 255));
+      const auto over = [share](int under, int ink) {
+        return (under * (kFull - share) + ink * share + kFull / 2) / kFull;
+      };
+      *pixel = qRgba(over(qRed(*pixel), red), over(qGreen(*pixel), green), over(qBlue(*pixel), blue),
+                     over(qAlpha(*pixel), 255));
     }
   }
 }

@@ -456,12 +456,13 @@ void WrenchPlots::refresh() {
     for (auto* line : {rect->axis(QCPAxis::atLeft), rect->axis(QCPAxis::atRight)}) line->setRange(lower, upper);
 
     std::vector<TracePlottable::Trace> traces;
-    const auto add = [&](WrenchTraces::Kind kind, Shown shownAs, const std::array<QColor, 3>& colours, double thickness) {
+    const auto add = [&](WrenchTraces::Kind kind, Shown shownAs, const std::array<QColor, 3>& colours,
+                         double thickness) {
       for (int c = 0; c < 3; ++c) {
         if (!isShown(static_cast<Shown>(c)) || !isShown(shownAs)) continue;
         const bool simulated = kind == WrenchTraces::Kind::simulated;
-        traces.push_back({traces_->thinned(kind, first + c, from, to, pixels), colours[static_cast<std::size_t>(c)], thickness,
-                          simulated, traces_->poses() && !simulated});
+        traces.push_back({traces_->thinned(kind, first + c, from, to, pixels), colours[static_cast<std::size_t>(c)],
+                          thickness, simulated, traces_->poses() && !simulated});
         p.points += traces.back().curve.x.size();
       }
     };

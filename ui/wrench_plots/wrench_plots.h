@@ -30,7 +30,8 @@ class WrenchPlots : public QWidget {
   /// With a brush dragging paints in its colour and gives stroked() instead of zooming.
   void setBrush(std::optional<MarkLabel> brush);
 
-  /// Where a second cursor stands, which is dragged by the mouse and put down with Ctrl and a click; NaN: there is none.
+  /// Where a second cursor stands, which is dragged by the mouse and put down with Ctrl and a click; NaN: there is
+  /// none.
   void setSecondCursor(double time);
 
   enum class Shown { x, y, z, measured, simulated, difference };

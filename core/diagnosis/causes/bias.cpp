@@ -33,7 +33,8 @@ class BiasDrift final : public Cause {
     out.back().subset = true;
     out.back().choice = {kSteady};
     std::vector<Parameter> levels;  // How far it goes in all
-    for (int c = 0; c < 6; ++c) levels.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
+    for (int c = 0; c < 6; ++c)
+      levels.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
     for (const double part : {0.12, 0.35}) {
       std::vector<Parameter> parameters = levels;
       parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 3.0 * T});
@@ -136,7 +137,8 @@ class Wandering final : public Cause {
     std::vector<Parameter> parameters;
     for (int k = 1; k <= kHalfWaves; ++k)
       for (int c = 0; c < 6; ++c)
-        parameters.push_back({fmt::format("{}_wave_{}", channelName(c), k), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
+        parameters.push_back({fmt::format("{}_wave_{}", channelName(c), k), unitOf(c), 1.0, sizeOf(c),
+                              -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
     Form form = formOf(this, "", std::move(parameters));
     form.walk = true;
     return {form};
@@ -155,15 +157,16 @@ class Wandering final : public Cause {
   static constexpr int kHalfWaves = 10;
   using Waves = Eigen::Matrix<double, kHalfWaves, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// k half waves over so many instants, k = 1 .. kHalfWaves. Those of the last number asked for are kept: a fit needs the
-  /// same ones all the time.
+  /// k half waves over so many instants, k = 1 .. kHalfWaves. Those of the last number asked for are kept: a fit needs
+  /// the same ones all the time.
   std::shared_ptr<const Waves> wavesOver(Eigen::Index instants) const {
     const std::lock_guard lock(mutex_);
     if (latest_ && latest_->cols() == instants) return latest_;
     Waves waves(kHalfWaves, instants);
     for (Eigen::Index i = 0; i < instants; ++i)
       for (int k = 0; k < kHalfWaves; ++k)
-        waves(k, i) = std::cos(std::numbers::pi * (k + 1) * (static_cast<double>(i) + 0.5) / static_cast<double>(instants));
+        waves(k, i) =
+            std::cos(std::numbers::pi * (k + 1) * (static_cast<double>(i) + 0.5) / static_cast<double>(instants));
     latest_ = std::make_shared<const Waves>(std::move(waves));
     return latest_;
   }

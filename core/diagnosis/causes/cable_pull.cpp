@@ -21,7 +21,8 @@ std::vector<Vector3d> places(const Signals& signals) {
   return out;
 }
 
-/// Forms of one that has a length: fixed to each side of the tool's places, taut at a quarter of them, at half, or at all.
+/// Forms of one that has a length: fixed to each side of the tool's places, taut at a quarter of them, at half, or at
+/// all.
 std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
   constexpr double kReach = 0.7, kFarthest = 4.0;  // [m]
   const std::vector<Vector3d> all = places(signals);
@@ -37,13 +38,18 @@ std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
         for (const Vector3d& p : all) far.push_back((p - anchor).norm());
         std::ranges::sort(far);
         for (const double slack : {0.75, 0.5, 0.0}) {
-          const double length = slack > 0.0 ? far[static_cast<std::size_t>(slack * static_cast<double>(far.size()))] : 0.5 * far.front();
+          const double length =
+              slack > 0.0 ? far[static_cast<std::size_t>(slack * static_cast<double>(far.size()))] : 0.5 * far.front();
           std::vector<Parameter> parameters{{"stiffness", "N/m", 1.0, 3.0, 0.0, 400.0}};
           for (int axis = 0; axis < 3; ++axis)
-            parameters.push_back({fmt::format("anchor_{}", "xyz"[axis]), "mm", kMilli, 0.1, centre(axis) - kFarthest, centre(axis) + kFarthest});
+            parameters.push_back({fmt::format("anchor_{}", "xyz"[axis]), "mm", kMilli, 0.1, centre(axis) - kFarthest,
+                                  centre(axis) + kFarthest});
           parameters.push_back({"length", "mm", kMilli, 0.05, 0.0, kFarthest, true});
-          Form form = formOf(cause, fmt::format("{} from {:+d}{:+d}{:+d}", slack > 0.0 ? fmt::format("slack for {:.0f} %", 100.0 * slack) : "taut", x, y, z),
-                             withPlace(std::move(parameters)));
+          Form form =
+              formOf(cause,
+                     fmt::format("{} from {:+d}{:+d}{:+d}",
+                                 slack > 0.0 ? fmt::format("slack for {:.0f} %", 100.0 * slack) : "taut", x, y, z),
+                     withPlace(std::move(parameters)));
           form.start.segment<3>(1) = anchor;
           form.start(4) = length;
           form.scan = {0};
@@ -86,29 +92,37 @@ class CablePull final : public Cause {
       out.back().scan = {0, 1, 2, 3, 4, 5};
       // Stiffest along a line that is none of the base's axes.
       std::vector<Parameter> six(three.begin(), three.begin() + 3);
-      for (const char* pair : {"xy", "xz", "yz"}) six.push_back({fmt::format("stiffness_{}", pair), "N/m", 1.0, 1.0, -200.0, 200.0});
+      for (const char* pair : {"xy", "xz", "yz"})
+        six.push_back({fmt::format("stiffness_{}", pair), "N/m", 1.0, 1.0, -200.0, 200.0});
       six.insert(six.end(), pull.begin(), pull.end());
       add(kAllWays, "stiffest along any line", six, place);
       out.back().scan = {0, 1, 2, 3, 4, 5, 6, 7, 8};
       std::ranges::move(tautForms(this, signals), std::back_inserter(out));
     }
     add(kTwist, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, 0.0, 20.0}},
-        {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_y", "N m", 1.0, 0.02, -5.0, 5.0}, {"torque_z", "N m", 1.0, 0.02, -5.0, 5.0}});
+        {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0},
+         {"torque_y", "N m", 1.0, 0.02, -5.0, 5.0},
+         {"torque_z", "N m", 1.0, 0.02, -5.0, 5.0}});
     return out;
   }
-  /// What holds a cable does not stretch for a thumb's width, which takes its share off the stiffness and is not told by itself.
+  /// What holds a cable does not stretch for a thumb's width, which takes its share off the stiffness and is not told
+  /// by itself.
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
     constexpr double kHolder = 0.02;  // [m]
     const int kind = form.choice[0];
     if (kind == kTaut || kind == kTwist) return {};
-    const Eigen::Index at = kind == kAllWays ? 6 : kind == kPerAxis ? 3 : 1, axes = kind == kSpring || kind == kAway ? 1 : 3;
+    const Eigen::Index at = kind == kAllWays   ? 6
+                            : kind == kPerAxis ? 3
+                                               : 1,
+                       axes = kind == kSpring || kind == kAway ? 1 : 3;
     const double stiffest = v.head(axes).maxCoeff(), far = v.segment<3>(at).norm() / std::max(1e-9, stiffest);
     VectorXd out = VectorXd::Zero(v.size());
     out.head(axes) = v.head(axes) * std::min(1.0, kHolder / std::max(1e-9, far));
     return out;
   }
   /// A spring towards one spot is a cable of some length.
-  std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v, const Signals& signals) const override {
+  std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v,
+                                               const Signals& signals) const override {
     constexpr double kShort = 0.02;  // [m]
     if ((form.choice[0] != kSpring && form.choice[0] != kAway) || !(v(0) > 0.0)) return {};
     const Vector3d away = v.segment<3>(1) / v(0);
@@ -120,7 +134,8 @@ class CablePull final : public Cause {
     start << v(0), centre + away, kShort, form.choice[0] == kAway ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
     return {{*std::ranges::max_element(taut, {}, along), start}};
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     if (form.choice[0] == kTaut) {
       const Vector3d anchor = v.segment<3>(1), r = v.segment<3>(5);
@@ -143,13 +158,16 @@ class CablePull final : public Cause {
     }
     const bool allWays = form.choice[0] == kAllWays, alike = !allWays && form.choice[0] != kPerAxis;
     const Eigen::Index at = allWays ? 6 : alike ? 1 : 3;
-    const Matrix3d stiffness = allWays ? acrossAxes(v) : Matrix3d((alike ? Vector3d(Vector3d::Constant(v(0))) : Vector3d(v.head<3>())).asDiagonal());
+    const Matrix3d stiffness =
+        allWays ? acrossAxes(v)
+                : Matrix3d((alike ? Vector3d(Vector3d::Constant(v(0))) : Vector3d(v.head<3>())).asDiagonal());
     const Vector3d pull = v.segment<3>(at);
     const Vector3d r = v.size() > at + 3 ? Vector3d(v.segment<3>(at + 3)) : Vector3d(Vector3d::Zero());
     const Vector3d centre = middle(signals);
     Eigen::Matrix3Xd held(3, w.cols());
     for (Eigen::Index k = 0; k < w.cols(); ++k)
-      held.col(k) = stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
+      held.col(k) =
+          stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
   }
   /// Springs pull back, whichever way the tool goes; what hardly does along any line is a constant pull.

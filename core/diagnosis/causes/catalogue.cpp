@@ -1,4 +1,5 @@
-// Every cause that is fitted to the residual. What a single sample shows is in sample_tests.h; strong contact in events.h.
+// Every cause that is fitted to the residual. What a single sample shows is in sample_tests.h; strong contact in
+// events.h.
 #include <cmath>
 
 #include "core/diagnosis/causes/causes.h"
@@ -10,10 +11,11 @@ const std::vector<std::unique_ptr<Cause>>& catalogue() {
   static const std::vector<std::unique_ptr<Cause>> kAll = [] {
     std::vector<std::unique_ptr<Cause>> all;
     for (const auto make :
-         {makeSensorBias, makeBiasDrift, makeTimeOffset, makeLowPassLag, makeSensorRotation, makeGravityTilt, makeGainError,
-          makeCrosstalk, makeCablePull, makeViscousDrag, makeCoulombFriction, makeLooseMass, makePayloadChange, makeTouch, makeJointOffset,
-          makeMotionLag, makeLeverArm, makeConstantPull, makeFlexibleMount, makeDerivativeNoise, makeHysteresis, makeSaturation,
-          makeWandering})
+         {makeSensorBias,      makeBiasDrift,  makeTimeOffset,    makeLowPassLag,    makeSensorRotation,
+          makeGravityTilt,     makeGainError,  makeCrosstalk,     makeCablePull,     makeViscousDrag,
+          makeCoulombFriction, makeLooseMass,  makePayloadChange, makeTouch,         makeJointOffset,
+          makeMotionLag,       makeLeverArm,   makeConstantPull,  makeFlexibleMount, makeDerivativeNoise,
+          makeHysteresis,      makeSaturation, makeWandering})
       all.push_back(make());
     return all;
   }();

@@ -19,8 +19,8 @@ inline const char* channelName(Eigen::Index c) {
   return kNames[c];
 }
 
-/// A time over how far resampling and its stamps may put a row from where it belongs. Two of 90 clean recordings had 0.02 and 0.07 ms at
-/// a gain next to nothing; of 60 that are late, none had less than 0.14 ms.
+/// A time over how far resampling and its stamps may put a row from where it belongs. Two of 90 clean recordings had
+/// 0.02 and 0.07 ms at a gain next to nothing; of 60 that are late, none had less than 0.14 ms.
 inline double overOwnTimes(double time) {
   constexpr double kOwn = 2e-5;  // [s]
   return std::abs(time) / kOwn;
@@ -44,7 +44,8 @@ inline std::vector<Parameter> withPlace(std::vector<Parameter> parameters) {
 }
 
 /// Adds world-fixed forces (B axes, a column an instant) that act at r from S's origin (S axes). `R_BS`: axesOf().
-inline void addWorldForce(const std::vector<Matrix3d>& R_BS, const Eigen::Matrix3Xd& force_B, const Vector3d& r, Wrenches& w) {
+inline void addWorldForce(const std::vector<Matrix3d>& R_BS, const Eigen::Matrix3Xd& force_B, const Vector3d& r,
+                          Wrenches& w) {
   for (Eigen::Index k = 0; k < w.cols(); ++k) {
     const Vector3d f = R_BS[static_cast<std::size_t>(k)].transpose() * force_B.col(k);
     w.col(k).head<3>() += f;
@@ -66,11 +67,13 @@ inline void addMove(const Signals& signals, Kinematics& kinematics, const Kinema
   kinematics.turned = std::move(axes);
 }
 
-/// Changes velocity and acceleration by `change`, which takes and returns one of them in B axes, and leaves gravity as it is.
+/// Changes velocity and acceleration by `change`, which takes and returns one of them in B axes, and leaves gravity as
+/// it is.
 template <class Change>
 void changeMotion(const Signals& signals, Kinematics& kinematics, Change change) {
   const auto changed = [&](Eigen::Matrix3Xd value) {
-    for (Eigen::Index k = 0; k < value.cols(); ++k) value.col(k) = (signals.R_BS[static_cast<std::size_t>(k)] * value.col(k)).eval();
+    for (Eigen::Index k = 0; k < value.cols(); ++k)
+      value.col(k) = (signals.R_BS[static_cast<std::size_t>(k)] * value.col(k)).eval();
     Eigen::Matrix3Xd out = change(value);
     for (Eigen::Index k = 0; k < out.cols(); ++k)
       out.col(k) = (signals.R_BS[static_cast<std::size_t>(k)].transpose() * out.col(k)).eval();
@@ -87,7 +90,8 @@ void changeMotion(const Signals& signals, Kinematics& kinematics, Change change)
 /// Two unit vectors across gravity, B axes.
 inline std::pair<Vector3d, Vector3d> acrossGravity(const Vector3d& gravity) {
   const Vector3d g = gravity.norm() > 1e-6 ? Vector3d(gravity.normalized()) : Vector3d(-Vector3d::UnitZ());
-  const Vector3d x = std::abs(g.x()) < 0.9 ? Vector3d(Vector3d::UnitX() - g.x() * g).normalized() : Vector3d(Vector3d::UnitY() - g.y() * g).normalized();
+  const Vector3d x = std::abs(g.x()) < 0.9 ? Vector3d(Vector3d::UnitX() - g.x() * g).normalized()
+                                           : Vector3d(Vector3d::UnitY() - g.y() * g).normalized();
   return {x, g.cross(x)};
 }
 

@@ -1,6 +1,7 @@
-// Everything inertial looks smaller than it is: by one share, inertial part x (1 - loss), where accelerations are noisy; the
-// faster the more where the motion was smoothed before it was recorded, inertial part x exp(-(T omega)^2 / 2) as a bell of width T
-// does, or 1 / (1 + (T omega)^4) as a Butterworth filter of order 2 that ran forward and backward.
+// Everything inertial looks smaller than it is: by one share, inertial part x (1 - loss), where accelerations are
+// noisy; the faster the more where the motion was smoothed before it was recorded, inertial part x exp(-(T omega)^2 /
+// 2) as a bell of width T does, or 1 / (1 + (T omega)^4) as a Butterworth filter of order 2 that ran forward and
+// backward.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -13,18 +14,22 @@ double bellWidth(double square) { return kMilli * std::sqrt(std::max(0.0, square
 double butterworthWidth(double fourthPower) { return kMilli * std::pow(std::max(0.0, fourthPower), 0.25); }
 
 /// Share of the inertial part that a form of smoothing takes at an angular frequency, while it is small.
-double lostAt(double omega, int kind, double size) { return kind == kBell ? 0.5 * size * omega * omega : size * std::pow(omega, 4); }
+double lostAt(double omega, int kind, double size) {
+  return kind == kBell ? 0.5 * size * omega * omega : size * std::pow(omega, 4);
+}
 
 /// value - weight * second difference of its rows.
 MatrixXd lessBent(const MatrixXd& value, double weight) {
   MatrixXd out = value;
   const Eigen::Index n = value.cols();
-  if (n > 2) out.middleCols(1, n - 2) -= weight * (value.leftCols(n - 2) - 2.0 * value.middleCols(1, n - 2) + value.rightCols(n - 2));
+  if (n > 2)
+    out.middleCols(1, n - 2) -=
+        weight * (value.leftCols(n - 2) - 2.0 * value.middleCols(1, n - 2) + value.rightCols(n - 2));
   return out;
 }
 
-/// Undoes a smoothing of one kind and size, T^2 or T^4. Of the bell, exp(x) with x = (T omega)^2 / 2, only (1 + x / 3)^3 is
-/// undone: what it left of fast noise stays small.
+/// Undoes a smoothing of one kind and size, T^2 or T^4. Of the bell, exp(x) with x = (T omega)^2 / 2, only (1 + x /
+/// 3)^3 is undone: what it left of fast noise stays small.
 MatrixXd sharpened(const MatrixXd& value, int kind, double size, double rateHz) {
   if (kind == kButterworth) {
     const MatrixXd fourth = lessBent(value, 1.0) - value;
@@ -59,13 +64,15 @@ class DerivativeNoise final : public Cause {
     const double lost = lostAt(kTremor, form.choice[0], v(0));
     return (form.choice[0] == kBell ? 1.0 : 2.0) * v * (0.15 + 0.25 * std::min(1.0, lost));
   }
-  /// Where smoothing takes 1.5 % of what moves, it takes several times that of what is a little faster. A motion that needs no
-  /// more smoothing than usual has most there: 0.03 to 0.11 in eight recordings that a fine tremor of 1e-5 rad shook.
+  /// Where smoothing takes 1.5 % of what moves, it takes several times that of what is a little faster. A motion that
+  /// needs no more smoothing than usual has most there: 0.03 to 0.11 in eight recordings that a fine tremor of 1e-5 rad
+  /// shook.
   double overOwnErrors(const Form& form, const VectorXd& v, const Signals& signals) const override {
     constexpr double kOwn = 0.06, kOwnAsUsual = 0.2, kOwnLoss = 0.005, kUsual = kKeptTwiced * kDefaultCutoffHz;
     if (form.choice.empty()) return std::abs(v(0)) / kOwnLoss;
     const bool usual = signals.keptHz <= 0.0;
-    return lostAt(2.0 * std::numbers::pi * (usual ? kUsual : signals.keptHz), form.choice[0], v(0)) / (usual ? kOwnAsUsual : kOwn);
+    return lostAt(2.0 * std::numbers::pi * (usual ? kUsual : signals.keptHz), form.choice[0], v(0)) /
+           (usual ? kOwnAsUsual : kOwn);
   }
   int order() const override { return 14; }
   bool bendsGeometry() const override { return true; }

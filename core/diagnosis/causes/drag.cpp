@@ -9,13 +9,14 @@ constexpr double kStick = 0.003;        ///< [m/s] below which friction fades
 constexpr double kStickAngular = 0.02;  ///< [rad/s]
 
 /// Velocity of the point r (S axes), B axes.
-Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index k, const Matrix3d& R_BS, const Vector3d& r) {
+Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index k, const Matrix3d& R_BS,
+                    const Vector3d& r) {
   return signals.velocity.col(k) + R_BS * Vector3d(kin.omega.col(k)).cross(r);
 }
 
-/// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a place
-/// away from the sensor, 4 and 5 the cause's own richer forms, 6 different along each axis at a place away from the sensor,
-/// 7 a place away from the sensor and turning.
+/// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a
+/// place away from the sensor, 4 and 5 the cause's own richer forms, 6 different along each axis at a place away from
+/// the sensor, 7 a place away from the sensor and turning.
 class Resistance : public Cause {
  protected:
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
@@ -55,14 +56,17 @@ class ViscousDrag final : public Resistance {
     add(out, 7, "away from the sensor and turning", withPlace({linear, angular}));
     out.back().scan = {0, 1};
     add(out, 4, "different along each axis",
-        {{"drag_x", "N s/m", 1.0, 0.3, 0.0, 200.0, true}, {"drag_y", "N s/m", 1.0, 0.3, 0.0, 200.0, true}, {"drag_z", "N s/m", 1.0, 0.3, 0.0, 200.0, true}});
+        {{"drag_x", "N s/m", 1.0, 0.3, 0.0, 200.0, true},
+         {"drag_y", "N s/m", 1.0, 0.3, 0.0, 200.0, true},
+         {"drag_z", "N s/m", 1.0, 0.3, 0.0, 200.0, true}});
     std::vector<Parameter> all = out.back().parameters;
     all.push_back(angular);
     add(out, 6, "different along each axis, away from the sensor", withPlace(std::move(all)));
     out.back().scan = {0, 1, 2, 3};
     return onlyOne(std::move(out));
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     const int kind = form.choice[0];
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
@@ -90,7 +94,9 @@ class CoulombFriction final : public Resistance {
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
     if (!signals.positionKnown) return out;
     add(out, 5, "different along each axis",
-        {{"friction_x", "N", 1.0, 0.1, 0.0, 60.0, true}, {"friction_y", "N", 1.0, 0.1, 0.0, 60.0, true}, {"friction_z", "N", 1.0, 0.1, 0.0, 60.0, true}});
+        {{"friction_x", "N", 1.0, 0.1, 0.0, 60.0, true},
+         {"friction_y", "N", 1.0, 0.1, 0.0, 60.0, true},
+         {"friction_z", "N", 1.0, 0.1, 0.0, 60.0, true}});
     // How slow it must be for friction to fade is nobody's constant.
     const Parameter stick{"stick_speed", "mm/s", kMilli, 0.002, 0.0002, 0.05, true};
     auto all = withPlace(out.back().parameters), away = withPlace({linear});
@@ -108,7 +114,8 @@ class CoulombFriction final : public Resistance {
     }
     return onlyOne(std::move(out));
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     const int kind = form.choice[0];
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     const double dt = 1.0 / signals.rateHz;

@@ -1,6 +1,6 @@
-// One channel of the sensor reads too much or too little: either way, or more to one side and less to the other. Or all forces do
-// against the torques: with the payload free, that is the sensor's place shifted along the way to the centre of mass. Or gains
-// change while the sensor warms up.
+// One channel of the sensor reads too much or too little: either way, or more to one side and less to the other. Or all
+// forces do against the torques: with the payload free, that is the sensor's place shifted along the way to the centre
+// of mass. Or gains change while the sensor warms up.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -14,7 +14,8 @@ class GainError final : public Cause {
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (int c = 0; c < 6; ++c) {
-      out.push_back(formOf(this, channelName(c), {{fmt::format("gain_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7}}));
+      out.push_back(
+          formOf(this, channelName(c), {{fmt::format("gain_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7}}));
       out.back().choice = {c};
     }
     for (int c = 0; c < 6; ++c) {
@@ -29,7 +30,8 @@ class GainError final : public Cause {
     // A sensor that warms up.
     for (const double time : {3.0, 8.0, 25.0}) {
       std::vector<Parameter> parameters;
-      for (int c = 0; c < 6; ++c) parameters.push_back({fmt::format("growth_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7});
+      for (int c = 0; c < 6; ++c)
+        parameters.push_back({fmt::format("growth_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7});
       parameters.push_back({"warm_up", "s", 1.0, 0.3 * time, 1.0, 200.0, false, false});
       out.push_back(formOf(this, "growing", std::move(parameters)));
       Form& form = out.back();
@@ -43,8 +45,11 @@ class GainError final : public Cause {
   int order() const override { return 30; }
   bool changesSensor(const Form&) const override { return true; }
   bool isMatrix(const Form& form) const override { return !bySign(form) && form.choice[0] != kGrowing; }
-  /// Whoever bolts a sensor on is more often wrong about its place than its maker is about newtons, and loads change more often than gains.
-  double doubt(const Form& form, const VectorXd&, const Signals&) const override { return form.choice[0] >= kForces ? 20.0 : 0.0; }
+  /// Whoever bolts a sensor on is more often wrong about its place than its maker is about newtons, and loads change
+  /// more often than gains.
+  double doubt(const Form& form, const VectorXd&, const Signals&) const override {
+    return form.choice[0] >= kForces ? 20.0 : 0.0;
+  }
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     if (form.choice[0] == kGrowing) {
       const double all = 1.0 - std::exp(-signals.duration() / v(kGrowthTime));
@@ -69,7 +74,7 @@ class GainError final : public Cause {
  private:
   static constexpr int kForces = 6, kGrowing = 7;  ///< form.choice: instead of a channel
   static constexpr Eigen::Index kGrowthTime = 6;   ///< Parameter
-  static constexpr int kBySign = 1;  ///< Second in form.choice, after the channel
+  static constexpr int kBySign = 1;                ///< Second in form.choice, after the channel
 
   static bool bySign(const Form& form) { return form.choice.size() > 1; }
 };

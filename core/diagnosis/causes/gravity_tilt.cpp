@@ -12,7 +12,8 @@ class GravityTilt final : public Cause {
   std::vector<Form> forms(const Signals&) const override {
     const double size = 1.0 / kDegrees;
     // acrossGravity()'s second axis points against the base's y where gravity points down.
-    return {formOf(this, "", {{"tilt_x", "deg", kDegrees, size, -3.0, 3.0}, {"tilt_y", "deg", -kDegrees, size, -3.0, 3.0}})};
+    return {formOf(this, "",
+                   {{"tilt_x", "deg", kDegrees, size, -3.0, 3.0}, {"tilt_y", "deg", -kDegrees, size, -3.0, 3.0}})};
   }
   int order() const override { return 10; }
   bool bendsGeometry() const override { return true; }

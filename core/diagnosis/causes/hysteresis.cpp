@@ -29,7 +29,8 @@ class Hysteresis final : public Cause {
     };
     for (const int percent : {5, 20, 60}) add("play of {} % of the range", percent, kPlay);
     // A loop of one height that turns at once, such as friction inside the sensor makes.
-    Form loop = formOf(this, "loop", {{"loop", "%", 100.0, 0.003, -0.1, 0.1}, {"turning_way", "%", 100.0, 0.005, 0.0005, 0.3}});
+    Form loop =
+        formOf(this, "loop", {{"loop", "%", 100.0, 0.003, -0.1, 0.1}, {"turning_way", "%", 100.0, 0.005, 0.0005, 0.3}});
     loop.start(1) = 0.01;
     loop.scan = {0};
     loop.choice = {1, kPlay, kLoop};

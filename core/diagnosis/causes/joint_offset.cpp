@@ -22,7 +22,8 @@ class JointOffset final : public Cause {
     for (const int joint : joints) {
       const std::string name = fmt::format("q{}_once", joint + 1);
       out.push_back(formOf(this, fmt::format("joint {} once a turn", joint + 1),
-                           {{name + "_sine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}, {name + "_cosine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}}));
+                           {{name + "_sine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2},
+                            {name + "_cosine", "deg", kDegrees, 1.0 / kDegrees, -0.2, 0.2}}));
       out.back().choice = {joint, kOnceATurn};
       out.back().rare = true;
     }
@@ -30,7 +31,9 @@ class JointOffset final : public Cause {
   }
   bool bendsGeometry() const override { return true; }
   /// Somebody sets a joint's zero wrong more often than a ring is mounted off its axis.
-  double doubt(const Form& form, const VectorXd&, const Signals&) const override { return onceATurn(form) ? 20.0 : 0.0; }
+  double doubt(const Form& form, const VectorXd&, const Signals&) const override {
+    return onceATurn(form) ? 20.0 : 0.0;
+  }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kin) const override {
     if (v.isZero(0.0)) return;
     JointTurn turn{form.choice[0]};

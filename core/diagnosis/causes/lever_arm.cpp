@@ -11,9 +11,10 @@ class LeverArm final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (!signals.positionKnown) return {};
-    Form form = formOf(this, "", {{"dx", "mm", kMilli, 0.01, -0.5, 0.5},
-                                  {"dy", "mm", kMilli, 0.01, -0.5, 0.5},
-                                  {"dz", "mm", kMilli, 0.01, -0.5, 0.5}});
+    Form form = formOf(this, "",
+                       {{"dx", "mm", kMilli, 0.01, -0.5, 0.5},
+                        {"dy", "mm", kMilli, 0.01, -0.5, 0.5},
+                        {"dz", "mm", kMilli, 0.01, -0.5, 0.5}});
     form.subset = true;
     return {form};
   }

@@ -13,7 +13,10 @@ class LowPassLag final : public Cause {
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (const int filter : {kOne, kTwo, kMean}) {
-      out.push_back(formOf(this, filter == kOne ? "" : filter == kTwo ? "two stages" : "mean",
+      out.push_back(formOf(this,
+                           filter == kOne   ? ""
+                           : filter == kTwo ? "two stages"
+                                            : "mean",
                            {{"time_constant", "ms", kMilli, 0.005, 0.0, 0.8}}));
       out.back().choice = {filter};
     }

@@ -12,8 +12,8 @@ class MotionLag final : public Cause {
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
     for (const int kind : {0, 1}) {
-      out.push_back(formOf(this, kind == 0 ? "" : "pure delay",
-                           {{"lag", "ms", kMilli, 0.01, kind == 0 ? 0.0 : -0.3, 0.3}}));
+      out.push_back(
+          formOf(this, kind == 0 ? "" : "pure delay", {{"lag", "ms", kMilli, 0.01, kind == 0 ? 0.0 : -0.3, 0.3}}));
       out.back().choice = {kind};
     }
     return out;

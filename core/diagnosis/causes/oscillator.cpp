@@ -15,15 +15,18 @@ struct Swing {
   Vector3d extra;  ///< What the spring gives it beyond `pull`, along `way` where it moves one way only [N/kg]
 };
 
-/// Calls each(k, Swing) for each instant. Started in balance. Each step is exact for a pull that is linear in time; what turning
-/// adds (Coriolis) is taken from half a step ahead. `way`: unit vector, or zero where the mass moves all ways.
+/// Calls each(k, Swing) for each instant. Started in balance. Each step is exact for a pull that is linear in time;
+/// what turning adds (Coriolis) is taken from half a step ahead. `way`: unit vector, or zero where the mass moves all
+/// ways.
 template <class Each>
-void swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping, double rateHz, Each each) {
+void swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping,
+           double rateHz, Each each) {
   // Close to critical damping both ways of writing the answer divide by next to nothing.
   const double w = 2.0 * std::numbers::pi * frequency, dt = 1.0 / rateHz;
   const double z = std::abs(damping - 1.0) < 0.02 ? (damping < 1.0 ? 0.98 : 1.02) : damping;
   const double wd = w * std::sqrt(std::abs(1.0 - z * z)), decay = std::exp(-z * w * dt);
-  const double c = z < 1.0 ? std::cos(wd * dt) : std::cosh(wd * dt), s = z < 1.0 ? std::sin(wd * dt) : std::sinh(wd * dt);
+  const double c = z < 1.0 ? std::cos(wd * dt) : std::cosh(wd * dt),
+               s = z < 1.0 ? std::sin(wd * dt) : std::sinh(wd * dt);
   // Homogeneous solution over a step: [x; x'] = Phi [x; x'].
   const double p11 = decay * (c + z * w / wd * s), p12 = decay * s / wd, p21 = -decay * w * w / wd * s,
                p22 = decay * (c - z * w / wd * s);
@@ -61,7 +64,8 @@ void swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, dou
 
 class Oscillator : public Cause {
  public:
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     const double mass = v(0);
     const Vector3d moment = v.segment<3>(1);
     // Where it sits; nowhere in particular as long as there is hardly any mass.
@@ -75,8 +79,9 @@ class Oscillator : public Cause {
     });
   }
 
-  /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look smaller:
-  /// either looks like something that rings above. What rolls to its place comes late, as do readings: those are more common.
+  /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look
+  /// smaller: either looks like something that rings above. What rolls to its place comes late, as do readings: those
+  /// are more common.
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
     constexpr double kRolling = 20.0;
     return form.choice[0] == kRolls ? kRolling : doubtAt(v(4), signals);
@@ -110,7 +115,8 @@ class Oscillator : public Cause {
         // How much of the next axis, and of the one after that, there is for one of this.
         for (int i = 1; i < 3 && axis < 3; ++i)
           all.push_back({fmt::format("slope_{}", "xyz"[(axis + i) % 3]), "", 1.0, 0.2, -1.5, 1.5});
-        Form form = formOf(this, fmt::format("{:.1f} Hz{}", frequency, kAxis[static_cast<std::size_t>(axis)]), std::move(all));
+        Form form =
+            formOf(this, fmt::format("{:.1f} Hz{}", frequency, kAxis[static_cast<std::size_t>(axis)]), std::move(all));
         form.start(4) = frequency;
         form.start(5) = 0.06;
         form.scan = {0, 1, 2, 3};
@@ -151,7 +157,8 @@ class LooseMass final : public Oscillator {
     for (const double frequency : {1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5}) {
       std::vector<Parameter> own;
       for (const char* phase : {"start", "quarter"})
-        for (const char axis : {'x', 'y', 'z'}) own.push_back({fmt::format("{}_{}", phase, axis), "N", 1.0, 0.2, -50.0, 50.0});
+        for (const char axis : {'x', 'y', 'z'})
+          own.push_back({fmt::format("{}_{}", phase, axis), "N", 1.0, 0.2, -50.0, 50.0});
       own.push_back({"frequency", "Hz", 1.0, 0.3, 0.4, 13.0});
       // What hardly dies away is a rhythm of something that runs.
       own.push_back({"damping", "", 1.0, 0.05, 0.03, kMostDamped});
@@ -164,7 +171,8 @@ class LooseMass final : public Oscillator {
     }
     return out;
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     if (form.choice[0] != kFromStart) {
       Oscillator::force(form, v, signals, kin, w);
       return;
@@ -185,7 +193,7 @@ class LooseMass final : public Oscillator {
   }
 
  private:
-  static constexpr int kFromStart = 5;     ///< form.choice
+  static constexpr int kFromStart = 5;  ///< form.choice
 };
 
 class FlexibleMount final : public Oscillator {
@@ -208,7 +216,8 @@ class FlexibleMount final : public Oscillator {
     return out;
   }
   bool changesSensor(const Form& form) const override { return form.choice[0] == kWhole; }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     if (form.choice[0] != kWhole) Oscillator::force(form, v, signals, kin, w);
   }
   /// What comes through the mount before it reaches the gauges.
@@ -218,8 +227,9 @@ class FlexibleMount final : public Oscillator {
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
     return form.choice[0] == kWhole ? doubtAt(frequencyAt(v(0)), signals) : Oscillator::doubt(form, v, signals);
   }
-  /// A hand hardly shakes a tool that fast: what shows is how far the mount gives, which is mass over frequency squared, and
-  /// how that splits is guessed from the little that is left of the resonance below the smoothing's corner.
+  /// A hand hardly shakes a tool that fast: what shows is how far the mount gives, which is mass over frequency
+  /// squared, and how that splits is guessed from the little that is left of the resonance below the smoothing's
+  /// corner.
   VectorXd modelStd(const Form&, const VectorXd& v) const override {
     constexpr double kShare = 0.12, kGuessed = 20.0;  // [Hz]
     constexpr double kUneven = 0.06;  // That the tool gives alike to all sides, and how it turns, are guessed, too

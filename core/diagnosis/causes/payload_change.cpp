@@ -15,12 +15,13 @@ class PayloadChange final : public Cause {
     const auto [from, to] = timesForChange(signals);
     const double T = signals.duration();
     const auto change = [&, from = from, to = to](const char* name, double t, double duration, double longest) {
-      Form form = formOf(this, name, {{"time", "s", 1.0, 0.1, from, to},
-                                      {"mass", "g", kMilli, 0.03, -20.0, 20.0},
-                                      {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                      {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                      {"moment_z", "kg m", 1.0, 0.003, -5.0, 5.0},
-                                      {"duration", "s", 1.0, 0.1, 0.0, longest, true}});
+      Form form = formOf(this, name,
+                         {{"time", "s", 1.0, 0.1, from, to},
+                          {"mass", "g", kMilli, 0.03, -20.0, 20.0},
+                          {"moment_x", "kg m", 1.0, 0.003, -5.0, 5.0},
+                          {"moment_y", "kg m", 1.0, 0.003, -5.0, 5.0},
+                          {"moment_z", "kg m", 1.0, 0.003, -5.0, 5.0},
+                          {"duration", "s", 1.0, 0.1, 0.0, longest, true}});
       form.start(0) = t;
       form.start(5) = duration;
       form.scan = {1, 2, 3, 4};
@@ -32,18 +33,22 @@ class PayloadChange final : public Cause {
     }
     // As in pouring: its middle and how long it takes move with the rest.
     for (const double part : {0.15, 0.35, 0.7})
-      for (const double middle : {0.3, 0.5, 0.7}) out.push_back(change("by and by", signals.startTime + middle * T, part * T, 2.0 * T));
+      for (const double middle : {0.3, 0.5, 0.7})
+        out.push_back(change("by and by", signals.startTime + middle * T, part * T, 2.0 * T));
     return out;
   }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     const double m = v(1);
     const Vector3d h = v.segment<3>(2);
-    // What was picked up is small: its inertia is that of a point where its weight acts, h / m, as long as that is near.
+    // What was picked up is small: its inertia is that of a point where its weight acts, h / m, as long as that is
+    // near.
     constexpr double kFar = 0.5;  // [m]
     const double size = m * m + h.squaredNorm() / (kFar * kFar);
     const Vector3d place = size > 0.0 ? Vector3d(m / size * h) : Vector3d(Vector3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      const double gone = stepAt(signals.time(k), v(0), v(5)), share = form.atOnce ? gone * gone * (3.0 - 2.0 * gone) : gone;
+      const double gone = stepAt(signals.time(k), v(0), v(5)),
+                   share = form.atOnce ? gone * gone * (3.0 - 2.0 * gone) : gone;
       if (share <= 0.0) continue;
       const Vector3d s = kin.specificForce.col(k), o = kin.omega.col(k), a = kin.alpha.col(k);
       w.col(k).head<3>() += share * (m * s + a.cross(h) + o.cross(o.cross(h)));

@@ -11,9 +11,10 @@ class SensorRotation final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"joint_offset", "crosstalk"}; }
   std::vector<Form> forms(const Signals&) const override {
     const double size = 1.0 / kDegrees;
-    Form form = formOf(this, "", {{"rx", "deg", kDegrees, size, -3.2, 3.2},
-                                  {"ry", "deg", kDegrees, size, -3.2, 3.2},
-                                  {"rz", "deg", kDegrees, size, -3.2, 3.2}});
+    Form form = formOf(this, "",
+                       {{"rx", "deg", kDegrees, size, -3.2, 3.2},
+                        {"ry", "deg", kDegrees, size, -3.2, 3.2},
+                        {"rz", "deg", kDegrees, size, -3.2, 3.2}});
     form.subset = true;
     return {form};
   }

@@ -1,4 +1,5 @@
-// The wrench arrives later (or earlier) than the motion: y(t) = w(t - delay), by more and more where two clocks run apart.
+// The wrench arrives later (or earlier) than the motion: y(t) = w(t - delay), by more and more where two clocks run
+// apart.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 

@@ -16,8 +16,10 @@ class Touch final : public Cause {
     for (const double lasts : {0.5, 1.2})
       for (double t = from + 0.5 * lasts; t < to - 0.5 * lasts; t += 0.5 * lasts) {
         std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, from, to}};
-        for (const char* axis : {"force_x", "force_y", "force_z"}) parameters.push_back({axis, "N", 1.0, 0.3, -100.0, 100.0});
-        for (const char* axis : {"torque_x", "torque_y", "torque_z"}) parameters.push_back({axis, "N m", 1.0, 0.02, -20.0, 20.0});
+        for (const char* axis : {"force_x", "force_y", "force_z"})
+          parameters.push_back({axis, "N", 1.0, 0.3, -100.0, 100.0});
+        for (const char* axis : {"torque_x", "torque_y", "torque_z"})
+          parameters.push_back({axis, "N m", 1.0, 0.02, -20.0, 20.0});
         parameters.push_back({"duration", "s", 1.0, 0.1, kShortest, kLongest});
         Form form = formOf(this, "", std::move(parameters));
         form.start(0) = t;
@@ -28,10 +30,12 @@ class Touch final : public Cause {
       }
     return out;
   }
-  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin, Wrenches& w) const override {
+  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+             Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     const auto [from, to] = stretch(v);
-    const auto first = std::max<Eigen::Index>(0, static_cast<Eigen::Index>((from - signals.startTime) * signals.rateHz));
+    const auto first =
+        std::max<Eigen::Index>(0, static_cast<Eigen::Index>((from - signals.startTime) * signals.rateHz));
     for (Eigen::Index k = first; k < w.cols() && signals.time(k) < to; ++k) {
       if (signals.time(k) < from) continue;
       const double level = std::pow(std::sin(std::numbers::pi * (signals.time(k) - from) / (to - from)), 2);

@@ -73,15 +73,15 @@ class FrameError final : public Effect {
 }  // namespace
 
 void addFrameKinds(std::vector<EffectKind>& kinds) {
-  kinds.push_back(
-      {"frame_error",
-       "(1 is present)",
-       "a mistake with frames or signs",
-       1.0,
-       1.0,
-       false,
-       {"mount-180", "upside-down", "mount-90", "mount-45", "transposed", "w-first", "gravity-sign", "wrench-sign", "swapped-xy"},
-       making<FrameError>()});
+  kinds.push_back({"frame_error",
+                   "(1 is present)",
+                   "a mistake with frames or signs",
+                   1.0,
+                   1.0,
+                   false,
+                   {"mount-180", "upside-down", "mount-90", "mount-45", "transposed", "w-first", "gravity-sign",
+                    "wrench-sign", "swapped-xy"},
+                   making<FrameError>()});
 }
 
 }  // namespace heft

@@ -1,4 +1,5 @@
-// What a controller reports as velocity: late, smoothed, scaled or noisy; or a whole motion smoothed before it was written.
+// What a controller reports as velocity: late, smoothed, scaled or noisy; or a whole motion smoothed before it was
+// written.
 #include <algorithm>
 #include <cmath>
 

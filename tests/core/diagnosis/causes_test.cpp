@@ -54,7 +54,9 @@ TEST(Words, EachTermIsSaidOnce) {
   DiagnosedCause gains;
   gains.id = "gain_error";
   gains.parameters = {{"gain_fx", "%", 5.0, 0.1}, {"gain_ty_2", "%", -3.0, 0.1}};
-  EXPECT_EQ(causeSentence(gains, {}), "The channel force x reads 5.0 \u00b1 0.2 % too much. The channel torque y reads 3.0 \u00b1 0.2 % too little.");
+  EXPECT_EQ(
+      causeSentence(gains, {}),
+      "The channel force x reads 5.0 \u00b1 0.2 % too much. The channel torque y reads 3.0 \u00b1 0.2 % too little.");
   gains.parameters[1] = {"gain_fx_2", "%", 5.0, 0.1};
   EXPECT_EQ(causeSentence(gains, {}), "The channel force x reads 5.0 \u00b1 0.2 % too much.");
   DiagnosedCause jump;
@@ -70,7 +72,8 @@ TEST(Catalogue, OwnSmoothingIsNoCause) {
   for (const Form& form : cause.forms(signals)) {
     if (form.choice.empty()) continue;
     const auto over = [&](double width) {
-      return cause.overOwnErrors(form, VectorXd::Constant(1, std::pow(width, form.name == "smoothed" ? 2.0 : 4.0)), signals);
+      return cause.overOwnErrors(form, VectorXd::Constant(1, std::pow(width, form.name == "smoothed" ? 2.0 : 4.0)),
+                                 signals);
     };
     signals.keptHz = 0.0;
     EXPECT_LT(over(0.004), 1.0) << form.name;
@@ -86,7 +89,8 @@ TEST(Catalogue, WhatResamplingMayLeaveIsNoCause) {
   const Signals& signals = prepared().signals;
   const auto over = [&](std::string_view cause, std::size_t form, std::vector<double> v) {
     const auto forms = findCause(cause)->forms(signals);
-    return findCause(cause)->overOwnErrors(forms.at(form), Eigen::Map<const VectorXd>(v.data(), std::ssize(v)), signals);
+    return findCause(cause)->overOwnErrors(forms.at(form), Eigen::Map<const VectorXd>(v.data(), std::ssize(v)),
+                                           signals);
   };
   for (const char* cause : {"time_offset", "low_pass_lag", "motion_lag"}) {
     EXPECT_LT(over(cause, 0, {1e-5}), 1.0) << cause;
@@ -135,7 +139,8 @@ TEST(Catalogue, WhatTheModelPutsInTheFitFindsAgain) {
     const Fit fit = fitModel(signals, stretches, start, 20);
     const VectorXd std = fit.std();
     for (const int i : form.scan)
-      EXPECT_NEAR(fit.model.terms[0].v(i), v(i), 4.5 * std(kLinear + i) + 1e-9) << id << " " << form.parameters[static_cast<std::size_t>(i)].name;
+      EXPECT_NEAR(fit.model.terms[0].v(i), v(i), 4.5 * std(kLinear + i) + 1e-9)
+          << id << " " << form.parameters[static_cast<std::size_t>(i)].name;
   }
 }
 
@@ -153,8 +158,8 @@ TEST(Fit, PriceRisesWithCountAndGainAndIsNeverAboveBic) {
   EXPECT_EQ(priceOf(100.0, 0.0, kLnN), 0.0);
 }
 
-/// A mass on a spring is heavy after a stop as before it, and carries its weight: over a slow motion nothing shows but the
-/// sag, which moves the weight by g / w^2.
+/// A mass on a spring is heavy after a stop as before it, and carries its weight: over a slow motion nothing shows but
+/// the sag, which moves the weight by g / w^2.
 TEST(Catalogue, ASlowlyTurnedLooseMassOnlySags) {
   constexpr double kMass = 0.1, kHz = 8.0, kRate = 200.0;
   Signals signals;
@@ -193,7 +198,8 @@ TEST(Scan, JacobianIsTheDerivative) {
     std::vector<const char*> causes;
     bool payload;  ///< Whether bias and payload move, too: a sensor with a memory is linearised without it for these
   };
-  for (const Case& c : {Case{{"cable_pull", "time_offset", "gravity_tilt"}, true}, Case{{"cable_pull", "bias_drift", "wandering"}, true},
+  for (const Case& c : {Case{{"cable_pull", "time_offset", "gravity_tilt"}, true},
+                        Case{{"cable_pull", "bias_drift", "wandering"}, true},
                         Case{{"hysteresis", "cable_pull", "bias_drift", "wandering", "lever_arm"}, false}}) {
     Model model = p.model;
     for (const char* id : c.causes) {
@@ -204,12 +210,14 @@ TEST(Scan, JacobianIsTheDerivative) {
     }
     const Linearised at = linearised(p.signals, model);
     VectorXd step = VectorXd::Zero(model.size());
-    for (Eigen::Index i = c.payload ? 0 : kLinear; i < step.size(); ++i) step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
+    for (Eigen::Index i = c.payload ? 0 : kLinear; i < step.size(); ++i)
+      step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
     Model moved = model;
     moved.unpack(model.packed() + step);
     const Wrenches change = valueOf(p.signals, moved) - at.value;
     const VectorXd expected = at.jacobian * step;
-    EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm()) << c.causes.front();
+    EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm())
+        << c.causes.front();
   }
 }
 

@@ -53,7 +53,8 @@ TEST(Corrected, WhatWasNotFoundCannotBeApplied) {
 TEST(Corrected, OlderFormsAreReadAndStrangeOnesStayOut) {
   const auto& p = pulled();
   auto found = p.found;
-  found["model"]["terms"] = {{{"cause", "coulomb_friction"}, {"form", "giving way"}, {"choice", {4}}, {"values_si", {0.3, 0.01}}}};
+  found["model"]["terms"] = {
+      {{"cause", "coulomb_friction"}, {"form", "giving way"}, {"choice", {4}}, {"values_si", {0.3, 0.01}}}};
   found["causes"] = {{{"cause", "coulomb_friction"}}};
   // Friction that gives way acted at the sensor's origin before it had a place.
   const auto model = modelFromJson(found["model"], p.recording, &RobotModel::panda());
@@ -63,7 +64,8 @@ TEST(Corrected, OlderFormsAreReadAndStrangeOnesStayOut) {
   EXPECT_EQ(model->terms[0].v.tail(model->terms[0].v.size() - 2).norm(), 0.0);
 
   // Nobody knows this one any more: the estimate is what it is without it, and says so in one sentence.
-  for (const char* broken : {R"({"cause":"coulomb_friction","choice":[99],"values_si":[1]})", R"({"cause":"aether_wind","choice":[],"values_si":[1]})"}) {
+  for (const char* broken : {R"({"cause":"coulomb_friction","choice":[99],"values_si":[1]})",
+                             R"({"cause":"aether_wind","choice":[],"values_si":[1]})"}) {
     found["model"]["terms"] = {nlohmann::json::parse(broken)};
     const std::string id = found["model"]["terms"][0]["cause"];
     found["causes"] = {{{"cause", id}}};
@@ -72,8 +74,12 @@ TEST(Corrected, OlderFormsAreReadAndStrangeOnesStayOut) {
     const auto plain = estimate(p.recording, &RobotModel::panda(), {});
     ASSERT_TRUE(with.ok() && plain.ok());
     EXPECT_EQ(with->payload.mass, plain->payload.mass);
-    EXPECT_EQ(std::count_if(with->findings.begin(), with->findings.end(), [](const auto& f) { return f.code == "causes_unknown"; }), 1);
-    EXPECT_EQ(std::count_if(with->findings.begin(), with->findings.end(), [](const auto& f) { return f.code == "causes_taken_out"; }), 0);
+    EXPECT_EQ(std::count_if(with->findings.begin(), with->findings.end(),
+                            [](const auto& f) { return f.code == "causes_unknown"; }),
+              1);
+    EXPECT_EQ(std::count_if(with->findings.begin(), with->findings.end(),
+                            [](const auto& f) { return f.code == "causes_taken_out"; }),
+              0);
   }
 }
 

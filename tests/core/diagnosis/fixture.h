@@ -36,7 +36,8 @@ inline DiagnosisReport diagnosed(const Recording& recording, std::vector<std::st
 
 /// The motion's sample at a time [s].
 inline Eigen::Index sampleAt(const Motion& motion, double t) {
-  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((t - motion.startTime) * motion.rateHz)), 0, motion.size() - 1);
+  return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((t - motion.startTime) * motion.rateHz)), 0,
+                                  motion.size() - 1);
 }
 
 /// Only the rows `kept` of a recording of joints.

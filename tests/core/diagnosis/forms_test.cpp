@@ -1,4 +1,5 @@
-// Causes whose form is richer than the plainest one: loops, friction and cables along any axis, and what no motion can tell apart.
+// Causes whose form is richer than the plainest one: loops, friction and cables along any axis, and what no motion can
+// tell apart.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +34,8 @@ void addAtTip(Recording& recording, Eigen::Index row, const Vector3d& force, con
   recording.wrench.row(row).tail<3>() += tip.cross(force).transpose();
 }
 
-/// A part inside the sensor bends with the load and slips early: a loop of 3 % of each channel's range. It looked like a delay.
+/// A part inside the sensor bends with the load and slips early: a loop of 3 % of each channel's range. It looked like
+/// a delay.
 TEST(Diagnose, ALoopThatTurnsAtOnceIsHysteresis) {
   const Recording still = aRecording(MotionKind::excitation, 261);
   Recording recording = still;
@@ -64,7 +66,9 @@ TEST(Diagnose, ALoopThatTurnsAtOnceIsHysteresis) {
 TEST(Diagnose, FrictionMayDifferAlongEachAxis) {
   Recording recording = aRecording(MotionKind::excitation, 262);
   const Vector3d friction(0.2, 1.0, 0.4);  // [N]
-  holdBack(recording, [&](const Vector3d&, const Vector3d& v) { return Vector3d(friction.cwiseProduct(v / std::max(v.norm(), 0.002))); });
+  holdBack(recording, [&](const Vector3d&, const Vector3d& v) {
+    return Vector3d(friction.cwiseProduct(v / std::max(v.norm(), 0.002)));
+  });
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "coulomb_friction") << said(report);
@@ -101,7 +105,8 @@ TEST(Diagnose, ADragMayDifferAlongEachAxisAndActAtTheTip) {
   }
 }
 
-/// A hose that hangs across the base's axes: stiff along a line that is none of them. Nothing was named, since a drift took the rest.
+/// A hose that hangs across the base's axes: stiff along a line that is none of them. Nothing was named, since a drift
+/// took the rest.
 TEST(Diagnose, ACableMayBeStiffestAlongAnyLine) {
   Recording recording = aRecording(MotionKind::free, 264);
   Matrix3d stiffness;  // [N/m]
@@ -131,9 +136,13 @@ TEST(Diagnose, ACableMayBeStiffestAlongAnyLine) {
 /// Told as one stiffness to all sides with the force in the middle of the motion, as a taut cable is.
 TEST(Pull, IsWhereTheForceWouldBeNone) {
   DiagnosedCause cable;
-  cable.parameters = {{"stiffness", "N/m", 5.0, 0.1}, {"force_x", "N", 1.0, 0.05}, {"force_y", "N", -2.0, 0.05}, {"force_z", "N", 0.5, 0.05}};
+  cable.parameters = {{"stiffness", "N/m", 5.0, 0.1},
+                      {"force_x", "N", 1.0, 0.05},
+                      {"force_y", "N", -2.0, 0.05},
+                      {"force_z", "N", 0.5, 0.05}};
   std::vector<Witness> tool;
-  for (int i = 0; i < 3; ++i) tool.push_back({std::string("position_") + "xyz"[i], "m", VectorXd::LinSpaced(11, 0.1 * i - 0.2, 0.1 * i + 0.2)});
+  for (int i = 0; i < 3; ++i)
+    tool.push_back({std::string("position_") + "xyz"[i], "m", VectorXd::LinSpaced(11, 0.1 * i - 0.2, 0.1 * i + 0.2)});
   const auto pull = pullOf(cable, tool);
   ASSERT_TRUE(pull);
   EXPECT_TRUE(pull->anchor.isApprox(Vector3d(0.2, -0.3, 0.3), 1e-12)) << pull->anchor.transpose();
@@ -170,14 +179,15 @@ TEST(Diagnose, APullMayBeginAtSomeMoment) {
   }
 }
 
-/// A controller that takes a part of the weight out of the readings, but nothing of what moves, does what a balancer does that holds the
-/// tool where its weight acts: the size of gravity is another.
+/// A controller that takes a part of the weight out of the readings, but nothing of what moves, does what a balancer
+/// does that holds the tool where its weight acts: the size of gravity is another.
 TEST(Diagnose, APullWhereTheWeightActsIsTiedWithGravity) {
   Recording recording = aRecording(MotionKind::excitation, 273);
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
     const auto k = sampleAt(motion, recording.time(i));
-    addAtTip(recording, i, motion.R_BS[static_cast<std::size_t>(k)].transpose() * Vector3d(0.0, 0.0, -4.0), aTool().com);
+    addAtTip(recording, i, motion.R_BS[static_cast<std::size_t>(k)].transpose() * Vector3d(0.0, 0.0, -4.0),
+             aTool().com);
   }
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
@@ -196,7 +206,8 @@ TEST(Diagnose, GainsMayChangeWhileTheSensorWarmsUp) {
   const double all = 1.0 - std::exp(-recording.duration() / kWarm);
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
     const auto k = sampleAt(motion, recording.time(i));
-    const Vector6d load = predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
+    const Vector6d load =
+        predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
     const double gone = (1.0 - std::exp((recording.time(0) - recording.time(i)) / kWarm)) / all;
     recording.wrench.row(i) += gone * growth.cwiseProduct(load).transpose();
   }
@@ -235,7 +246,8 @@ TEST(Diagnose, AWeightThatSlidesToAndFroIsNoWalk) {
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
   const Vector3d moment(-2.4e-3, 0.8e-3, -1.1e-3);  // [kg m]
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const double t = recording.time(i) - recording.time(0), there = 0.5 * (std::tanh((t - 4.0) / 0.1) - std::tanh((t - 8.0) / 0.15));
+    const double t = recording.time(i) - recording.time(0),
+                 there = 0.5 * (std::tanh((t - 4.0) / 0.1) - std::tanh((t - 8.0) / 0.15));
     const auto k = sampleAt(motion, recording.time(i));
     recording.wrench.row(i).tail<3>() += there * moment.cross(Vector3d(motion.specificForce.col(k))).transpose();
   }
@@ -251,7 +263,8 @@ TEST(Diagnose, ATurnedLastJointIsTiedWithATurnedSensor) {
   Recording recording = aRecording(MotionKind::excitation, 263, {{"viscous_drag", "", 3.0}});
   recording.q.col(6).array() -= 0.03;
   const auto report = diagnosed(recording);
-  const auto turned = std::ranges::find_if(report.causes, [](const auto& c) { return c.id == "sensor_rotation" || c.id == "joint_offset"; });
+  const auto turned = std::ranges::find_if(
+      report.causes, [](const auto& c) { return c.id == "sensor_rotation" || c.id == "joint_offset"; });
   ASSERT_NE(turned, report.causes.end()) << said(report);
   const std::string other = turned->id == "joint_offset" ? "sensor_rotation" : "joint_offset";
   EXPECT_NE(std::ranges::find(turned->alternatives, other), turned->alternatives.end()) << said(report);

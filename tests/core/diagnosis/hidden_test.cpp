@@ -1,5 +1,5 @@
-// Effects hidden in simulated recordings must be named; clean recordings must not raise an alarm. The effects come from the
-// simulator, which knows nothing of the catalogue. A larger run is tests/benchmarks/diagnosis_study.
+// Effects hidden in simulated recordings must be named; clean recordings must not raise an alarm. The effects come from
+// the simulator, which knows nothing of the catalogue. A larger run is tests/benchmarks/diagnosis_study.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace {
 bool namedFirstOrTied(const DiagnosisReport& report, const std::string& id) {
   if (report.causes.empty()) return false;
   const auto& first = report.causes.front();
-  return first.id == id || std::find(first.alternatives.begin(), first.alternatives.end(), id) != first.alternatives.end();
+  return first.id == id ||
+         std::find(first.alternatives.begin(), first.alternatives.end(), id) != first.alternatives.end();
 }
 
 TEST(Diagnose, CleanIsClean) {
@@ -30,15 +31,16 @@ TEST(Diagnose, CleanIsClean) {
     }
 }
 
-/// Each of these once raised an alarm: a tremor close to the smoothing's corner, gaps where the task touches, a noise with a
-/// long memory, motion smoothed to a thousandth, and zeros that walk.
+/// Each of these once raised an alarm: a tremor close to the smoothing's corner, gaps where the task touches, a noise
+/// with a long memory, motion smoothed to a thousandth, and zeros that walk.
 TEST(Diagnose, NothingIsMadeOfNoise) {
   struct Case {
     HiddenCase kind;
     std::uint64_t seed;
   };
-  for (const Case& c : {Case{HiddenCase::clean, 770002100037}, Case{HiddenCase::clean, 770002100002}, Case{HiddenCase::clean, 770002100014},
-                        Case{HiddenCase::clean, 55127300012}, Case{HiddenCase::walking, 55127300008}}) {
+  for (const Case& c : {Case{HiddenCase::clean, 770002100037}, Case{HiddenCase::clean, 770002100002},
+                        Case{HiddenCase::clean, 770002100014}, Case{HiddenCase::clean, 55127300012},
+                        Case{HiddenCase::walking, 55127300008}}) {
     const auto report = diagnosed(drawHidden(c.kind, c.seed).recording);
     EXPECT_NE(report.verdict, Verdict::unexplained) << c.seed << ": " << said(report);
     for (const auto& cause : report.causes) EXPECT_EQ(cause.id, "contact") << c.seed << ": " << said(report);
@@ -46,10 +48,11 @@ TEST(Diagnose, NothingIsMadeOfNoise) {
 }
 
 TEST(Diagnose, NamesWhatIsHidden) {
-  const std::vector<EffectRequest> effects{
-      {"time_offset", "", 15.0},  {"cable_pull", "", 4.0},     {"gravity_tilt", "", 2.0},   {"bias_drift", "", 0.6},
-      {"loose_mass", "", 60.0},   {"payload_change", "", 60.0}, {"coulomb_friction", "", 0.4}, {"sensor_rotation", "", 2.0},
-      {"gain_error", "", 8.0},    {"lever_arm", "", 20.0}};
+  const std::vector<EffectRequest> effects{{"time_offset", "", 15.0},     {"cable_pull", "", 4.0},
+                                           {"gravity_tilt", "", 2.0},     {"bias_drift", "", 0.6},
+                                           {"loose_mass", "", 60.0},      {"payload_change", "", 60.0},
+                                           {"coulomb_friction", "", 0.4}, {"sensor_rotation", "", 2.0},
+                                           {"gain_error", "", 8.0},       {"lever_arm", "", 20.0}};
   std::uint64_t seed = 100;
   for (const auto& effect : effects) {
     const auto report = diagnosed(aRecording(MotionKind::free, ++seed, {effect}));
@@ -126,7 +129,8 @@ TEST(Diagnose, ALargeJumpOfTheZeroIsNoContact) {
     const auto report = diagnosed(recording);
     ASSERT_TRUE(namedFirstOrTied(report, "sensor_bias")) << at << ": " << said(report);
     const auto& parameters = report.causes.front().parameters;
-    const auto time = std::ranges::find(parameters, "time", &CauseParameter::name), jump = std::ranges::find(parameters, "fx", &CauseParameter::name);
+    const auto time = std::ranges::find(parameters, "time", &CauseParameter::name),
+               jump = std::ranges::find(parameters, "fx", &CauseParameter::name);
     ASSERT_TRUE(time != parameters.end() && jump != parameters.end());
     EXPECT_NEAR(time->value, at, 0.03);
     EXPECT_NEAR(jump->value, 1.5, 0.15);
@@ -172,13 +176,16 @@ TEST(Diagnose, WhatWasHeldBrieflyIsNotLate) {
     const auto report = diagnosed(aRecording(motion, 245, {{"dropouts", "", 20.0}}));
     ASSERT_FALSE(report.causes.empty());
     EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
-    for (const auto& cause : report.causes) EXPECT_TRUE(cause.id == "dropouts" || cause.id == "contact") << said(report);
+    for (const auto& cause : report.causes)
+      EXPECT_TRUE(cause.id == "dropouts" || cause.id == "contact") << said(report);
   }
   const auto polled = diagnosed(aRecording(MotionKind::excitation, 246, {{"repeats", "polling", 90.0}}));
   for (const auto& cause : polled.causes) EXPECT_EQ(cause.id, "dropouts") << said(polled);
   // A delay of the fresh readings is still seen.
-  const auto late = diagnosed(aRecording(MotionKind::excitation, 247, {{"dropouts", "", 20.0}, {"time_offset", "", 8.0}}));
-  const auto delay = std::ranges::find_if(late.causes, [](const auto& c) { return c.id == "time_offset" || c.id == "low_pass_lag"; });
+  const auto late =
+      diagnosed(aRecording(MotionKind::excitation, 247, {{"dropouts", "", 20.0}, {"time_offset", "", 8.0}}));
+  const auto delay =
+      std::ranges::find_if(late.causes, [](const auto& c) { return c.id == "time_offset" || c.id == "low_pass_lag"; });
   ASSERT_NE(delay, late.causes.end()) << said(late);
   EXPECT_NEAR(delay->parameters.front().value, 8.0, 4.0 * delay->parameters.front().std) << said(late);
 }
@@ -208,7 +215,8 @@ TEST(Diagnose, ARhythmThatStaysInTheRoomIsUnexplained) {
     for (Eigen::Index i = 0; i < recording.rows(); ++i) {
       const double t = recording.time(i) - signals.startTime;
       const auto k = std::clamp<Eigen::Index>(std::lround(t * signals.rateHz), 0, signals.size() - 1);
-      recording.wrench.row(i).head<3>() += amplitude * std::sin(37.0 * t) * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * along).transpose();
+      recording.wrench.row(i).head<3>() +=
+          amplitude * std::sin(37.0 * t) * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * along).transpose();
     }
     const auto report = diagnosed(recording);
     EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report) << " " << amplitude;
@@ -216,15 +224,18 @@ TEST(Diagnose, ARhythmThatStaysInTheRoomIsUnexplained) {
   }
 }
 
-/// Whatever the filter, its time constant is how late it makes the readings; and the memory of a sensor is the share it forgets late.
+/// Whatever the filter, its time constant is how late it makes the readings; and the memory of a sensor is the share it
+/// forgets late.
 TEST(Diagnose, NumbersMeanTheSameInEveryForm) {
   struct Case {
     EffectRequest effect;
     const char* parameter;
     double value;
   };
-  for (const Case& c : {Case{{"low_pass_lag", "one-pole", 15.0}, "time_constant", 15.0}, Case{{"low_pass_lag", "average", 15.0}, "time_constant", 15.0},
-                        Case{{"low_pass_lag", "second-order", 15.0}, "time_constant", 15.0}, Case{{"hysteresis", "", 3.0}, "memory", -3.0}}) {
+  for (const Case& c : {Case{{"low_pass_lag", "one-pole", 15.0}, "time_constant", 15.0},
+                        Case{{"low_pass_lag", "average", 15.0}, "time_constant", 15.0},
+                        Case{{"low_pass_lag", "second-order", 15.0}, "time_constant", 15.0},
+                        Case{{"hysteresis", "", 3.0}, "memory", -3.0}}) {
     const auto report = diagnosed(aRecording(MotionKind::excitation, 248, {c.effect}));
     ASSERT_FALSE(report.causes.empty());
     const auto& found = report.causes.front();
@@ -250,9 +261,11 @@ TEST(Diagnose, WhatWasNotRecordedIsNoContact) {
 
 /// Waves of a zero that wanders could stand for both together, but not as well.
 TEST(Diagnose, TwoSlowCausesAreNoWalk) {
-  const auto report = diagnosed(aRecording(MotionKind::excitation, 188, {{"payload_change", "", 12.0}, {"bias_drift", "linear", 0.3}}));
+  const auto report =
+      diagnosed(aRecording(MotionKind::excitation, 188, {{"payload_change", "", 12.0}, {"bias_drift", "linear", 0.3}}));
   for (const char* id : {"payload_change", "bias_drift"})
-    EXPECT_TRUE(std::ranges::any_of(report.causes, [&](const auto& c) { return c.id == id; })) << id << ": " << said(report);
+    EXPECT_TRUE(std::ranges::any_of(report.causes, [&](const auto& c) { return c.id == id; }))
+        << id << ": " << said(report);
 }
 
 /// Joints that all stand a little wrong: a walk of the zero explains as much, but no walk looks so much like a joint.
@@ -265,19 +278,21 @@ TEST(Diagnose, ReadingsThatComeTooEarlyAreAMotionThatComesLate) {
   const Recording on = aRecording(MotionKind::excitation, 189);
   Recording recording = on;
   const auto early = static_cast<Eigen::Index>(0.01 * on.rateHz());
-  for (Eigen::Index i = 0; i < on.rows(); ++i) recording.wrench.row(i) = on.wrench.row(std::min(on.rows() - 1, i + early));
+  for (Eigen::Index i = 0; i < on.rows(); ++i)
+    recording.wrench.row(i) = on.wrench.row(std::min(on.rows() - 1, i + early));
   const auto report = diagnosed(recording);
   EXPECT_TRUE(namedFirstOrTied(report, "motion_lag")) << said(report);
 }
 
-/// What is fast was made smaller and nothing came late, by a filter of another form: a loose mass rings, this does not. A stiff
-/// mount may be tied with it.
+/// What is fast was made smaller and nothing came late, by a filter of another form: a loose mass rings, this does not.
+/// A stiff mount may be tied with it.
 TEST(Diagnose, MotionThatWasSmoothedBeforeItWasRecorded) {
   struct Case {
     MotionKind motion;
     double lost, width_ms;
   };
-  for (const Case& c : {Case{MotionKind::excitation, 60.0, 35.5}, Case{MotionKind::free, 4.0, 9.4}, Case{MotionKind::pickAndPlace, 10.0, 14.3}}) {
+  for (const Case& c : {Case{MotionKind::excitation, 60.0, 35.5}, Case{MotionKind::free, 4.0, 9.4},
+                        Case{MotionKind::pickAndPlace, 10.0, 14.3}}) {
     const auto report = diagnosed(aRecording(c.motion, 191, {{"derivative_noise", "recorded", c.lost}}));
     EXPECT_NE(report.verdict, Verdict::unexplained) << toString(c.motion) << ": " << said(report);
     ASSERT_FALSE(report.causes.empty());
@@ -310,13 +325,15 @@ TEST(Diagnose, WhatNoCauseCanBeIsUnexplained) {
   for (const auto& kind : {"temperature_wave", "backlash_torque", "angle_ripple"}) {
     const auto hidden = drawHidden(HiddenCase::unlisted, 7, 2.0, kind);
     const auto report = diagnosed(hidden.recording);
-    const bool relative = !report.causes.empty() && std::ranges::find(hidden.truth.relatives, report.causes.front().id) != hidden.truth.relatives.end();
+    const bool relative =
+        !report.causes.empty() &&
+        std::ranges::find(hidden.truth.relatives, report.causes.front().id) != hidden.truth.relatives.end();
     EXPECT_TRUE(report.verdict == Verdict::unexplained || relative) << kind << ": " << said(report);
   }
 }
 
-/// A conveyor beside the robot shakes its base while it speeds up from 8 to 14 Hz: the memory of a noise learned from that explains
-/// it all, and no single wave does.
+/// A conveyor beside the robot shakes its base while it speeds up from 8 to 14 Hz: the memory of a noise learned from
+/// that explains it all, and no single wave does.
 TEST(Diagnose, AShakingOfChangingFrequencyIsUnexplained) {
   Recording recording = aRecording(MotionKind::free, 262);
   const double T = recording.time(recording.rows() - 1);
@@ -343,7 +360,8 @@ TEST(Diagnose, ClocksThatRunApart) {
     const double at = std::max(0.0, static_cast<double>(i) - late * rate);
     const auto before = static_cast<Eigen::Index>(at);
     const double share = at - static_cast<double>(before);
-    recording.wrench.row(i) = (1.0 - share) * given.row(before) + share * given.row(std::min(before + 1, recording.rows() - 1));
+    recording.wrench.row(i) =
+        (1.0 - share) * given.row(before) + share * given.row(std::min(before + 1, recording.rows() - 1));
   }
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
@@ -367,19 +385,25 @@ TEST(Diagnose, AZeroThatCreepsForAWhile) {
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "bias_drift") << said(report);
   for (const CauseParameter& p : report.causes.front().parameters) {
-    const double truth = p.name == "fx" ? 0.3 : p.name == "ty" ? -0.01 : p.name == "duration" ? 3.0 : p.name == "time" ? 4.0 : 0.0;
+    const double truth = p.name == "fx"         ? 0.3
+                         : p.name == "ty"       ? -0.01
+                         : p.name == "duration" ? 3.0
+                         : p.name == "time"     ? 4.0
+                                                : 0.0;
     EXPECT_NEAR(p.value, truth, 4.0 * p.std) << p.name;
   }
 }
 
 /// A random walk of the zero has waves for anything that is slow: beside touches it explained all of these.
 TEST(Diagnose, AWalkOfTheZeroHidesNothingUnknown) {
-  for (const auto& [kind, seed] : {std::pair{"backlash_torque", 2026112300002u}, {"temperature_wave", 2026112300001u}}) {
+  for (const auto& [kind, seed] :
+       {std::pair{"backlash_torque", 2026112300002u}, {"temperature_wave", 2026112300001u}}) {
     const auto hidden = drawHidden(HiddenCase::unlisted, seed, 2.0, kind);
     ASSERT_TRUE(hidden.truth.touches) << kind;
     const auto report = diagnosed(hidden.recording);
     EXPECT_EQ(report.verdict, Verdict::unexplained) << kind << ": " << said(report);
-    EXPECT_FALSE(std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })) << kind;
+    EXPECT_FALSE(std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; }))
+        << kind;
   }
 }
 
@@ -392,7 +416,8 @@ TEST(Diagnose, AnglesAreNoisy) {
     for (Eigen::Index i = 0; i < recording.rows(); ++i)
       for (Eigen::Index j = 0; j < recording.q.cols(); ++j) recording.q(i, j) += noise * random.normal();
     const auto report = diagnosed(recording);
-    const auto named = std::ranges::count_if(report.causes, [](const DiagnosedCause& c) { return c.id == "derivative_noise"; });
+    const auto named =
+        std::ranges::count_if(report.causes, [](const DiagnosedCause& c) { return c.id == "derivative_noise"; });
     EXPECT_EQ(named, noisy ? 1 : 0) << said(report);
     if (!noisy) continue;
     EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
@@ -455,7 +480,8 @@ TEST(Diagnose, FrameMistakes) {
   EXPECT_FALSE(report.metaChanges().empty());
 }
 
-/// With their twist recorded as it was: what was told about velocities is not at odds with orientations that were put right.
+/// With their twist recorded as it was: what was told about velocities is not at odds with orientations that were put
+/// right.
 TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
   const Recording joints = aRecording(MotionKind::free, 502);
   const auto motion = motionOf(joints, &RobotModel::panda(), {}).value();
@@ -471,7 +497,8 @@ TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
       const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
       const Quaterniond q(R);
       recording.position.row(i) = motion.position.col(k).transpose();
-      recording.quaternion.row(i) = wFirst ? Eigen::RowVector4d(q.w(), q.x(), q.y(), q.z()) : Eigen::RowVector4d(-q.x(), -q.y(), -q.z(), q.w());
+      recording.quaternion.row(i) =
+          wFirst ? Eigen::RowVector4d(q.w(), q.x(), q.y(), q.z()) : Eigen::RowVector4d(-q.x(), -q.y(), -q.z(), q.w());
       recording.twist.row(i) << motion.velocity.col(k).transpose(), (R * motion.omega.col(k)).transpose();
     }
     const auto report = diagnosed(recording);
@@ -479,12 +506,14 @@ TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
     EXPECT_EQ(report.causes.front().id, "frame_error") << said(report);
     EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
     ASSERT_TRUE(report.mistake.has_value());
-    EXPECT_EQ(report.mistake->kind, wFirst ? diagnosis::FrameMistake::Kind::quaternionOrder : diagnosis::FrameMistake::Kind::transposed);
+    EXPECT_EQ(report.mistake->kind,
+              wFirst ? diagnosis::FrameMistake::Kind::quaternionOrder : diagnosis::FrameMistake::Kind::transposed);
     EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01);
   }
 }
 
-/// What pulls harder than the tool weighs makes masses below zero and turns that fit better; none of these is the cause.
+/// What pulls harder than the tool weighs makes masses below zero and turns that fit better; none of these is the
+/// cause.
 TEST(Diagnose, AHardPullIsNoMixedUpFrame) {
   Payload light = aTool();
   light.mass = 0.25;
@@ -519,7 +548,8 @@ TEST(Diagnose, ThresholdFromSurrogatesIsReproducible) {
   const Recording recording = aRecording(MotionKind::excitation, 61, {{"time_offset", "", 10.0}});
   DiagnoseOptions options;
   options.surrogates = 60;
-  const auto a = diagnose(recording, &RobotModel::panda(), options), b = diagnose(recording, &RobotModel::panda(), options);
+  const auto a = diagnose(recording, &RobotModel::panda(), options),
+             b = diagnose(recording, &RobotModel::panda(), options);
   ASSERT_TRUE(a.ok() && b.ok());
   EXPECT_EQ(a->threshold, b->threshold);
   EXPECT_EQ(a->surrogates, 60);
@@ -528,8 +558,8 @@ TEST(Diagnose, ThresholdFromSurrogatesIsReproducible) {
 }
 
 }  // namespace
-/// With frames mixed up, nothing of what moves can be told from noise: how much the motion must be smoothed is asked once they are
-/// put right. It was told of noisy accelerations twice.
+/// With frames mixed up, nothing of what moves can be told from noise: how much the motion must be smoothed is asked
+/// once they are put right. It was told of noisy accelerations twice.
 TEST(Diagnose, FramesArePutRightBeforeSmoothingIsChosen) {
   const auto report = diagnosed(drawHidden(HiddenCase::pair, 444112300002).recording);
   for (const char* id : {"frame_error", "derivative_noise"})

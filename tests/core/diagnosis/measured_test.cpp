@@ -75,12 +75,14 @@ TEST_F(Measured, WhatIsPutInIsFoundOrLeftOpen) {
   payload.com = {0.001, 0.003, 0.107};
   payload.inertiaCom = Vector3d(5e-3, 5e-3, 2e-3).asDiagonal();
   const Vector6d bias = Vector6d::Zero();
-  for (const EffectRequest& request : {EffectRequest{"sensor_rotation", "", 12.0}, EffectRequest{"payload_change", "", 400.0}}) {
+  for (const EffectRequest& request :
+       {EffectRequest{"sensor_rotation", "", 12.0}, EffectRequest{"payload_change", "", 400.0}}) {
     const auto injected = inject(recording, robot(), payload, bias, {request}, 4);
     ASSERT_TRUE(injected.ok()) << injected.error().message;
     const auto report = diagnosed(injected->recording);
     EXPECT_NE(report.verdict, Verdict::clean);
-    EXPECT_TRUE(causeIn(report, request.id) != nullptr || report.verdict == Verdict::unexplained) << request.id << ": " << said(report);
+    EXPECT_TRUE(causeIn(report, request.id) != nullptr || report.verdict == Verdict::unexplained)
+        << request.id << ": " << said(report);
     EXPECT_GT(report.after.payload.mass, 0.7) << request.id;
     EXPECT_LT(report.after.payload.mass, 1.7) << request.id;
     std::printf("%s: %s, %.3f kg\n", request.id.c_str(), said(report).c_str(), report.after.payload.mass);

@@ -20,11 +20,13 @@ TEST(JointTurns, AreWhatTheArmDoesWithOtherAngles) {
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
   const Signals signals = signalsOf(recording, motion, &RobotModel::panda());
   for (int joint = 0; joint < 7; ++joint)
-    for (const JointTurn& turn : {JointTurn{joint, 0.1}, JointTurn{joint, 0.0, 0.05, -0.03}, JointTurn{joint, -0.02, 0.0, 0.04}}) {
+    for (const JointTurn& turn :
+         {JointTurn{joint, 0.1}, JointTurn{joint, 0.0, 0.05, -0.03}, JointTurn{joint, -0.02, 0.0, 0.04}}) {
       ASSERT_TRUE(signals.joints->turnsAlone(joint));
       MatrixXd q = signals.q, dq = signals.dq, ddq = signals.ddq;
       for (Eigen::Index k = 0; k < signals.size(); ++k) {
-        const double s = std::sin(q(joint, k)), c = std::cos(q(joint, k)), off = turn.sine * s + turn.cosine * c, slope = turn.sine * c - turn.cosine * s;
+        const double s = std::sin(q(joint, k)), c = std::cos(q(joint, k)), off = turn.sine * s + turn.cosine * c,
+                     slope = turn.sine * c - turn.cosine * s;
         ddq(joint, k) += slope * ddq(joint, k) - off * dq(joint, k) * dq(joint, k);
         dq(joint, k) += slope * dq(joint, k);
         q(joint, k) += turn.constant + off;
@@ -34,7 +36,8 @@ TEST(JointTurns, AreWhatTheArmDoesWithOtherAngles) {
       EXPECT_LT((found->specificForce - expected.specificForce).cwiseAbs().maxCoeff(), 1e-9) << joint;
       EXPECT_LT((found->omega - expected.omega).cwiseAbs().maxCoeff(), 1e-9) << joint;
       EXPECT_LT((found->alpha - expected.alpha).cwiseAbs().maxCoeff(), 1e-9) << joint;
-      for (std::size_t k = 0; k < expected.turned->size(); k += 100) EXPECT_TRUE((*found->turned)[k].isApprox((*expected.turned)[k], 1e-9)) << joint;
+      for (std::size_t k = 0; k < expected.turned->size(); k += 100)
+        EXPECT_TRUE((*found->turned)[k].isApprox((*expected.turned)[k], 1e-9)) << joint;
       EXPECT_EQ(found, signals.joints->with(turn, signals.gravity)) << "kept";
     }
 }
@@ -62,8 +65,9 @@ TEST(Noise, IsLouderWhereTheMotionIsLessWellKnown) {
   EXPECT_LT(e.cwiseAbs().maxCoeff(), 5.0);
 }
 
-/// A robot that goes from place to place along quintics, whose third derivative jumps at either end, with a heavy tool and a quiet sensor.
-/// What no smoothing of 100 readings a second follows there was a loop of the sensor, 0.06 % of its load, and a delay of nothing.
+/// A robot that goes from place to place along quintics, whose third derivative jumps at either end, with a heavy tool
+/// and a quiet sensor. What no smoothing of 100 readings a second follows there was a loop of the sensor, 0.06 % of its
+/// load, and a delay of nothing.
 TEST(Diagnose, CornersOfTheMotionAreNoCause) {
   const RobotModel& robot = RobotModel::panda();
   Payload tool = aTool();
@@ -96,7 +100,8 @@ TEST(Diagnose, CornersOfTheMotionAreNoCause) {
       const VectorXd ddq = 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (kMove * kMove) * way;
       const FrameMotion S = robot.frameMotion(link, X_LS, q, dq, ddq);
       const Matrix3d back = S.X_BS.linear().transpose();
-      const Vector6d load = predictWrench(tool, {back * (S.a_BSo_B - recording.meta.gravity), back * S.w_BS_B, back * S.alpha_BS_B});
+      const Vector6d load =
+          predictWrench(tool, {back * (S.a_BSo_B - recording.meta.gravity), back * S.w_BS_B, back * S.alpha_BS_B});
       for (Eigen::Index c = 0; c < 6; ++c) recording.wrench(i, c) = load(c) + (c < 3 ? 0.03 : 0.001) * random.normal();
       for (Eigen::Index j = 0; j < 7; ++j) {
         recording.q(i, j) = q(j) + 1e-5 * random.normal();

@@ -52,7 +52,8 @@ TEST(NoContact, ASlackHoseIsOne) {
     const double stretch = far[static_cast<std::size_t>(k)] - length;
     if (stretch <= 0.0) continue;
     const Vector3d way = (motion.position.col(k) - anchor).normalized();
-    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * (12.0 * stretch * way)).transpose();
+    recording.wrench.row(i).head<3>() +=
+        (motion.R_BS[static_cast<std::size_t>(k)].transpose() * (12.0 * stretch * way)).transpose();
   }
   const auto report = diagnosed(recording);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
@@ -103,8 +104,8 @@ TEST(NoContact, BurstsOfInterferenceAreUnknown) {
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 
-/// The current of a motor disturbs the sensor's cable while it speeds up and slows down; the arm goes from place to place and touches
-/// nothing.
+/// The current of a motor disturbs the sensor's cable while it speeds up and slows down; the arm goes from place to
+/// place and touches nothing.
 TEST(NoContact, AMotorThatDisturbsIsUnknown) {
   Recording recording = aRecording(MotionKind::pickAndPlace, 309);
   const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
@@ -116,8 +117,10 @@ TEST(NoContact, AMotorThatDisturbsIsUnknown) {
   std::normal_distribution<double> normal;
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
     const auto k = sampleAt(motion, recording.time(i));
-    const Vector6d load = predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
-    recording.wrench.row(i) = (load + hard(k) * size + noise.cwiseProduct(Vector6d::NullaryExpr([&] { return normal(random); }))).transpose();
+    const Vector6d load =
+        predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
+    recording.wrench.row(i) =
+        (load + hard(k) * size + noise.cwiseProduct(Vector6d::NullaryExpr([&] { return normal(random); }))).transpose();
   }
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
@@ -125,7 +128,8 @@ TEST(NoContact, AMotorThatDisturbsIsUnknown) {
   EXPECT_EQ(report.remaining.goesWith, "what the motor of joint 5 does") << said(report);
 }
 
-/// Strain wave gears let two joints lead and lag by 0.007 degrees, 50 times a turn: too fast to look like anything but noise.
+/// Strain wave gears let two joints lead and lag by 0.007 degrees, 50 times a turn: too fast to look like anything but
+/// noise.
 TEST(NoContact, GearsThatTurnUnevenlyAreUnknown) {
   Recording recording = aRecording(MotionKind::excitation, 307);
   for (const Eigen::Index joint : {3, 5}) {
@@ -139,12 +143,14 @@ TEST(NoContact, GearsThatTurnUnevenlyAreUnknown) {
   EXPECT_TRUE(report.causes.empty()) << said(report);
 }
 
-/// A part with play knocks at its place whenever the tool has turned far enough. It was clean, or a load that changes by nothing.
+/// A part with play knocks at its place whenever the tool has turned far enough. It was clean, or a load that changes
+/// by nothing.
 TEST(NoContact, APartThatKnocksIsUnknown) {
   Recording recording = aRecording(MotionKind::free, 310);
   push(recording, [](double t) {
     for (const double at : {2.1, 4.3, 6.0, 8.2, 10.4})
-      if (t > at && t < at + 0.05) return 1.2 * std::exp((at - t) / 0.01) * std::sin(2.0 * std::numbers::pi * 55.0 * (t - at));
+      if (t > at && t < at + 0.05)
+        return 1.2 * std::exp((at - t) / 0.01) * std::sin(2.0 * std::numbers::pi * 55.0 * (t - at));
     return 0.0;
   });
   const auto report = diagnosed(recording);
@@ -177,7 +183,8 @@ TEST(NoContact, ABrakeInPartOfTheSpaceIsUnknown) {
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
     const Eigen::Index k = sampleAt(motion, recording.time(i));
     const double inside = 0.5 * (1.0 + std::tanh((normal.dot(motion.position.col(k)) - level) / 0.005));
-    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * (6.0 * inside * motion.velocity.col(k))).transpose();
+    recording.wrench.row(i).head<3>() +=
+        (motion.R_BS[static_cast<std::size_t>(k)].transpose() * (6.0 * inside * motion.velocity.col(k))).transpose();
   }
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
@@ -217,8 +224,10 @@ TEST(NoContact, AllThreeAnglesOfATurnedSensor) {
   const Vector3d turned = Vector3d(-1.0, 1.1, 2.0) * std::numbers::pi / 180.0;
   const Matrix3d R = Eigen::AngleAxisd(turned.norm(), turned.normalized()).toRotationMatrix();
   for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    recording.wrench.row(i).head<3>() = (R.transpose() * recording.wrench.row(i).head<3>().transpose()).transpose().eval();
-    recording.wrench.row(i).tail<3>() = (R.transpose() * recording.wrench.row(i).tail<3>().transpose()).transpose().eval();
+    recording.wrench.row(i).head<3>() =
+        (R.transpose() * recording.wrench.row(i).head<3>().transpose()).transpose().eval();
+    recording.wrench.row(i).tail<3>() =
+        (R.transpose() * recording.wrench.row(i).tail<3>().transpose()).transpose().eval();
   }
   const auto report = diagnosed(recording);
   const DiagnosedCause* rotation = named(report, "sensor_rotation");
@@ -234,12 +243,14 @@ TEST(NoContact, AllThreeAnglesOfATurnedSensor) {
 /// What turns round from block to block: the end of what a smoothed motion shows.
 TEST(NoContact, WhatRingsIsNone) {
   Recording recording = aRecording(MotionKind::free, 311);
-  push(recording, [](double t) { return t > 6.0 && t < 6.12 ? 0.8 * std::sin(2.0 * std::numbers::pi * 24.0 * (t - 6.0)) : 0.0; });
+  push(recording,
+       [](double t) { return t > 6.0 && t < 6.12 ? 0.8 * std::sin(2.0 * std::numbers::pi * 24.0 * (t - 6.0)) : 0.0; });
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::clean) << said(report);
 }
 
-/// A valve that opens and closes nine times presses each time in the same way. Any one of these explains less than a walk of the zero.
+/// A valve that opens and closes nine times presses each time in the same way. Any one of these explains less than a
+/// walk of the zero.
 TEST(NoContact, WhatSwitchesAgainAndAgainIsUnknown) {
   Recording recording = aRecording(MotionKind::pickAndPlace, 312);
   push(recording, [](double t) {

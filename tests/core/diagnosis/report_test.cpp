@@ -34,7 +34,8 @@ TEST(DiagnosisReport, HasTheContractsKeys) {
     EXPECT_TRUE(cause["gain"][key].is_number()) << key;
   EXPECT_TRUE(cause["when"].is_array() && cause["alternatives"].is_array() && cause["tell_apart"].is_string());
   for (const char* payload : {"payload_before", "payload_after"})
-    for (const char* key : {"mass_kg", "com_m", "inertia_com_kgm2", "std"}) EXPECT_TRUE(j[payload].contains(key)) << key;
+    for (const char* key : {"mass_kg", "com_m", "inertia_com_kgm2", "std"})
+      EXPECT_TRUE(j[payload].contains(key)) << key;
   EXPECT_TRUE(j["findings"].is_array());
 }
 

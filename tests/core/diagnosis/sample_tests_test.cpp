@@ -21,7 +21,10 @@ std::vector<std::string> directCauses(const Recording& recording) {
   options.cutoffHz = 25.0;
   const auto motion = motionOf(recording, &RobotModel::panda(), options);
   std::vector<std::string> out;
-  diagnosis::RowFacts facts{diagnosis::unevenStamps(recording), flatTops(recording.wrench), {}, diagnosis::heldRows(recording),
+  diagnosis::RowFacts facts{diagnosis::unevenStamps(recording),
+                            flatTops(recording.wrench),
+                            {},
+                            diagnosis::heldRows(recording),
                             diagnosis::staleRuns(recording)};
   facts.lost = diagnosis::unclipped(recording.wrench, facts.tops, recording.rateHz()).lost;
   for (const auto& direct : diagnosis::sampleTests(recording, *motion, facts)) out.push_back(direct.cause);
@@ -34,16 +37,16 @@ TEST(SampleTests, SilentOnCleanRecordings) {
 }
 
 TEST(SampleTests, EachNamesItsOwn) {
-  for (const auto& [effect, cause] : std::vector<std::pair<EffectRequest, std::string>>{
-           {{"saturation", "", 6.0}, "saturation"},
-           {{"spikes", "", 0.5}, "spikes"},
-           {{"spikes", "all-axes", 2.5}, "spikes"},
-           {{"derivative_noise", "noisy", 20.0}, "derivative_noise"},
-           {{"dropouts", "", 6.0}, "dropouts"},
-           {{"dropouts", "zeros", 4.0}, "dropouts"},
-           {{"jitter", "", 0.8}, "jitter"},
-           {{"quantisation", "", 0.5}, "quantisation"},
-           {{"motion_lag", "", 30.0}, "motion_lag"}}) {
+  for (const auto& [effect, cause] :
+       std::vector<std::pair<EffectRequest, std::string>>{{{"saturation", "", 6.0}, "saturation"},
+                                                          {{"spikes", "", 0.5}, "spikes"},
+                                                          {{"spikes", "all-axes", 2.5}, "spikes"},
+                                                          {{"derivative_noise", "noisy", 20.0}, "derivative_noise"},
+                                                          {{"dropouts", "", 6.0}, "dropouts"},
+                                                          {{"dropouts", "zeros", 4.0}, "dropouts"},
+                                                          {{"jitter", "", 0.8}, "jitter"},
+                                                          {{"quantisation", "", 0.5}, "quantisation"},
+                                                          {{"motion_lag", "", 30.0}, "motion_lag"}}) {
     const auto found = directCauses(aRecording(MotionKind::free, 12, {effect}));
     EXPECT_NE(std::find(found.begin(), found.end(), cause), found.end()) << effect.id << "/" << effect.form;
   }
@@ -63,7 +66,9 @@ TEST(SampleTests, SpikesThatHideOneAnotherAreFound) {
   const Recording clean = aRecording(MotionKind::pickAndPlace, 24);
   WrenchSamples wrench = clean.wrench;
   std::uint64_t state = 7;
-  const auto drawn = [&] { return static_cast<double>((state = state * 6364136223846793005u + 1442695040888963407u) >> 33) / 2147483648.0; };
+  const auto drawn = [&] {
+    return static_cast<double>((state = state * 6364136223846793005u + 1442695040888963407u) >> 33) / 2147483648.0;
+  };
   Eigen::Index spikes = 0;
   for (Eigen::Index i = 10; i + 10 < wrench.rows(); ++i)
     for (int c = 0; c < 6; ++c) {
@@ -93,7 +98,8 @@ TEST(SampleTests, AFewReadingsAtTheEndOfTheRangeAreSeen) {
 }
 
 TEST(SampleTests, ReadingsCutOffNowAndThenAreGivenBackOnAverage) {
-  const Recording whole = aRecording(MotionKind::free, 21), cut = aRecording(MotionKind::free, 21, {{"saturation", "hard", 8.0}});
+  const Recording whole = aRecording(MotionKind::free, 21),
+                  cut = aRecording(MotionKind::free, 21, {{"saturation", "hard", 8.0}});
   const auto tops = flatTops(cut.wrench);
   ASSERT_EQ(tops.size(), 1u);
   const int c = tops.front().channel;
@@ -175,7 +181,8 @@ TEST(SampleTests, NoiseThatIsLouderForAWhileIsNoSpike) {
     for (Eigen::Index c = 0; c < 6; ++c) recording.wrench(i, c) += (c < 3 ? 0.25 : 0.008) * random.normal();
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{});
   // Single readings far off are spikes there, too.
-  for (const double share : {0.2, 0.4, 0.45, 0.7}) recording.wrench(static_cast<Eigen::Index>(share * static_cast<double>(recording.rows())), 2) += 8.0;
+  for (const double share : {0.2, 0.4, 0.45, 0.7})
+    recording.wrench(static_cast<Eigen::Index>(share * static_cast<double>(recording.rows())), 2) += 8.0;
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
 }
 
@@ -183,7 +190,8 @@ TEST(SampleTests, NoiseThatIsLouderForAWhileIsNoSpike) {
 TEST(SampleTests, SpikesAreFoundWhereTheLoadMovesFast) {
   const Recording whole = aRecording(MotionKind::excitation, 254);
   std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < whole.rows(); i += static_cast<Eigen::Index>(std::lround(whole.rateHz() / 125.0))) kept.push_back(i);
+  for (Eigen::Index i = 0; i < whole.rows(); i += static_cast<Eigen::Index>(std::lround(whole.rateHz() / 125.0)))
+    kept.push_back(i);
   Recording recording = withRows(whole, kept);
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{});
   Eigen::Index replaced = 0;
@@ -193,7 +201,8 @@ TEST(SampleTests, SpikesAreFoundWhereTheLoadMovesFast) {
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"spikes"});
 }
 
-/// A file with five digits holds 0.01563 and 0.03125 for one and two steps: many of them are off by more than one digit.
+/// A file with five digits holds 0.01563 and 0.03125 for one and two steps: many of them are off by more than one
+/// digit.
 TEST(SampleTests, CoarseStepsAreSeenThroughTheDigitsOfTheFile) {
   Recording recording = aRecording(MotionKind::free, 255);
   constexpr double kStep = 1.0 / 96.0, kDigit = 1e-5;
@@ -229,7 +238,8 @@ Recording withLeaps(Recording recording, std::uint64_t seed, int count, const st
   for (int k = 0; k < count; ++k) {
     const auto at = static_cast<Eigen::Index>(random.uniform(0.1, 0.9) * static_cast<double>(recording.rows()));
     for (Eigen::Index i = at; i < at + 30; ++i)
-      for (const Eigen::Index c : channels) recording.wrench(i, c) += (c < 3 ? 6.0 : 0.4) * std::exp(-static_cast<double>(i - at) / 3.0);
+      for (const Eigen::Index c : channels)
+        recording.wrench(i, c) += (c < 3 ? 6.0 : 0.4) * std::exp(-static_cast<double>(i - at) / 3.0);
   }
   return recording;
 }

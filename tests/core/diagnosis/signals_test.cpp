@@ -58,9 +58,11 @@ TEST(ThroughSpring, HasTheResponseOfTheEquation) {
       MatrixXd u(1, 1200);
       for (Eigen::Index k = 0; k < u.cols(); ++k) u(0, k) = std::sin(w * static_cast<double>(k) / kRate);
       const MatrixXd y = diagnosis::throughSpring(u, rings, damping, kRate);
-      const std::complex<double> s(0.0, w), gain = (2.0 * damping * omega * s + omega * omega) / (s * s + 2.0 * damping * omega * s + omega * omega);
+      const std::complex<double> s(0.0, w),
+          gain = (2.0 * damping * omega * s + omega * omega) / (s * s + 2.0 * damping * omega * s + omega * omega);
       for (Eigen::Index k = 1000; k < 1150; ++k)
-        EXPECT_NEAR(y(0, k), (gain * std::polar(1.0, w * static_cast<double>(k) / kRate)).imag(), 0.03 * std::abs(gain - 1.0) + 1e-5)
+        EXPECT_NEAR(y(0, k), (gain * std::polar(1.0, w * static_cast<double>(k) / kRate)).imag(),
+                    0.03 * std::abs(gain - 1.0) + 1e-5)
             << rings << " Hz, " << f << " Hz";
     }
 }
@@ -73,7 +75,8 @@ TEST(OnePole, KeepsAConstant) {
 TEST(RateOf, IsTheSlope) {
   const MatrixXd slope = rateOf(wave(1.0), kRate);
   const double w = 2.0 * std::numbers::pi;
-  for (Eigen::Index k = 5; k < 790; ++k) EXPECT_NEAR(slope(0, k), w * std::cos(w * static_cast<double>(k) / kRate), 2e-3);
+  for (Eigen::Index k = 5; k < 790; ++k)
+    EXPECT_NEAR(slope(0, k), w * std::cos(w * static_cast<double>(k) / kRate), 2e-3);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 
 using namespace diagnosis;
 
-/// 20 s at 50 Hz: noise of 0.02, a walk of `walk` per root second, a wave at 0.3 Hz of `wave` on one channel, or of as much
-/// altogether on all of them.
+/// 20 s at 50 Hz: noise of 0.02, a walk of `walk` per root second, a wave at 0.3 Hz of `wave` on one channel, or of as
+/// much altogether on all of them.
 double judged(std::uint64_t seed, double walk, double wave, bool everywhere = false,
               const std::vector<Stretch>& stretches = {{20, 400}, {460, 980}}) {
   Signals signals;
@@ -28,7 +28,10 @@ double judged(std::uint64_t seed, double walk, double wave, bool everywhere = fa
     double zero = 0.0;
     for (Eigen::Index n = 0; n < 1000; ++n) {
       zero += walk * random.normal() / std::sqrt(50.0);
-      const double swing = (everywhere ? wave / std::sqrt(6.0) : c == 1 ? wave : 0.0) * std::sin(2.0 * std::numbers::pi * 0.3 * signals.blockTime(n));
+      const double swing = (everywhere ? wave / std::sqrt(6.0)
+                            : c == 1   ? wave
+                                       : 0.0) *
+                           std::sin(2.0 * std::numbers::pi * 0.3 * signals.blockTime(n));
       residual(c, n) = zero + swing + 0.02 * random.normal();
     }
   }

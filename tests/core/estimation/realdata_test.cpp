@@ -80,7 +80,8 @@ TEST_F(RealData, IcubFootIsNotTrusted) {
   double free = 0.0, onFloor = 0.0;
   for (const auto& segment : report.segments) {
     const double middle = std::max(0.0, std::min(segment.to, 60.0) - std::max(segment.from, 16.0));
-    const double floor = segment.to - segment.from - std::max(0.0, std::min(segment.to, 62.0) - std::max(segment.from, 14.0));
+    const double floor =
+        segment.to - segment.from - std::max(0.0, std::min(segment.to, 62.0) - std::max(segment.from, 14.0));
     if (segment.label == MarkLabel::free) free += middle;
     if (segment.label == MarkLabel::contact) onFloor += floor;
   }

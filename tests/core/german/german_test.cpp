@@ -1,5 +1,5 @@
-// Broken files are told of in German where the program speaks German: whole sentences, with file, line and column as they
-// are in English, and with a decimal comma.
+// Broken files are told of in German where the program speaks German: whole sentences, with file, line and column as
+// they are in English, and with a decimal comma.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 std::string unescaped(std::string text) {
-  for (const auto& [from, to] : {std::pair{"&quot;", "\""}, {"&apos;", "'"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
+  for (const auto& [from, to] :
+       {std::pair{"&quot;", "\""}, {"&apos;", "'"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + std::string(to).size()))
       text.replace(at, std::string(from).size(), to);
   return text;
@@ -110,14 +111,17 @@ TEST_F(German, MetaFiles) {
   EXPECT_THAT(aboutRecording(row, "{\"robot\": "), HasSubstr("kein gültiges JSON"));
   EXPECT_THAT(aboutRecording(row, "[]"), HasSubstr("eine Meta-Datei muss ein JSON-Objekt {...} sein"));
   EXPECT_THAT(aboutRecording(row, "{\"kind\": \"dance\"}"), HasSubstr("kind: muss \"motion\" oder \"poses\" sein"));
-  EXPECT_THAT(aboutRecording(row, "{\"robot\": \"panda\", \"sensor\": {\"mount\": {\"xyz_m\": [0, 0, 107.5]}}}"),
-              HasSubstr("der Sensor kann nicht 107,5 m von seinem Glied entfernt sitzen. Geben Sie Meter an, nicht Millimeter."));
+  EXPECT_THAT(
+      aboutRecording(row, "{\"robot\": \"panda\", \"sensor\": {\"mount\": {\"xyz_m\": [0, 0, 107.5]}}}"),
+      HasSubstr(
+          "der Sensor kann nicht 107,5 m von seinem Glied entfernt sitzen. Geben Sie Meter an, nicht Millimeter."));
   EXPECT_THAT(aboutRecording(row, "{\"gravity_m_s2\": [0, 0, -981]}"), HasSubstr("auf keinem Planeten"));
 }
 
 TEST_F(German, RobotsMeshesShapesAndSessions) {
   Findings findings;
-  EXPECT_THAT(sentence(RobotModel::fromUrdfFile(write("a.urdf", "<robot name=\"a\"><link>"), findings)), HasSubstr("nie geschlossen"));
+  EXPECT_THAT(sentence(RobotModel::fromUrdfFile(write("a.urdf", "<robot name=\"a\"><link>"), findings)),
+              HasSubstr("nie geschlossen"));
   EXPECT_THAT(sentence(RobotModel::fromUrdfFile(write("b.urdf", "PK\x03"), findings)), HasSubstr("b.urdf"));
   EXPECT_THAT(sentence(loadMesh(folder / "none.stl")), HasSubstr("Diese Netz-Datei gibt es nicht."));
   EXPECT_THAT(sentence(loadMesh(write("a.stl", ""))),
@@ -126,8 +130,10 @@ TEST_F(German, RobotsMeshesShapesAndSessions) {
               HasSubstr("Netze der Art „.drawing“ sind nicht bekannt."));
   EXPECT_THAT(sentence(readShapeFile(write("s.json", R"({"bodies": [{"kind": "box", "dims_m": [0.1, 0.1]}]})"))),
               HasSubstr("Quader braucht 3 Maße in Metern (x, y, z), angegeben sind aber 2."));
-  EXPECT_THAT(sentence(readSession(write("a.heft", "{\"schema\": \"another/1\"}"))), HasSubstr("ist keine Sitzung von Heft Studio"));
-  EXPECT_THAT(sentence(readSession(write("b.heft", "{\"schema\": \"heft.session/99999\"}"))), HasSubstr("Aktualisieren Sie Heft"));
+  EXPECT_THAT(sentence(readSession(write("a.heft", "{\"schema\": \"another/1\"}"))),
+              HasSubstr("ist keine Sitzung von Heft Studio"));
+  EXPECT_THAT(sentence(readSession(write("b.heft", "{\"schema\": \"heft.session/99999\"}"))),
+              HasSubstr("Aktualisieren Sie Heft"));
   EXPECT_THAT(sentence(readSession(folder / "none.heft")), HasSubstr("Diese Datei gibt es nicht."));
 }
 

@@ -11,7 +11,8 @@ namespace {
 using namespace testing_support;
 using OddHdf5 = InFolder;
 
-void writeNumbers(hid_t file, const char* name, int rank, const hsize_t* sizes, const std::function<double(hsize_t)>& at) {
+void writeNumbers(hid_t file, const char* name, int rank, const hsize_t* sizes,
+                  const std::function<double(hsize_t)>& at) {
   hsize_t count = 1;
   for (int d = 0; d < rank; ++d) count *= sizes[d];
   std::vector<double> values;
@@ -77,8 +78,10 @@ TEST_F(OddHdf5, BesideNumbersTheyAreNamed) {
   writeOddOnes(file);
   const hsize_t rows = 100, joints[2] = {100, 7}, wrench[2] = {100, 6};
   writeNumbers(file, "time", 1, &rows, [](hsize_t k) { return 0.01 * static_cast<double>(k); });
-  writeNumbers(file, "q", 2, joints, [](hsize_t k) { return jointAt(0.01 * static_cast<double>(k / 7), static_cast<int>(k % 7)); });
-  writeNumbers(file, "wrench", 2, wrench, [](hsize_t k) { return wrenchAt(0.01 * static_cast<double>(k / 6), static_cast<int>(k % 6)); });
+  writeNumbers(file, "q", 2, joints,
+               [](hsize_t k) { return jointAt(0.01 * static_cast<double>(k / 7), static_cast<int>(k % 7)); });
+  writeNumbers(file, "wrench", 2, wrench,
+               [](hsize_t k) { return wrenchAt(0.01 * static_cast<double>(k / 6), static_cast<int>(k % 6)); });
   H5Fclose(file);
   const auto read = openRecording(path);
   ASSERT_TRUE(read.ok()) << read.error().message;

@@ -59,8 +59,8 @@ TEST(Statistics, OneOrderMoreThanBicGivesSlowNoiseItsStrength) {
   const double truth = std::sqrt(0.8 + 1.0 / (0.35 * 0.35));  // of the sum's long-run deviation
   for (int set = 0; set < sets; ++set) {
     const auto seed = static_cast<unsigned>(100 + 2 * set);
-    const Eigen::VectorXd e =
-        autoregressive(Eigen::VectorXd::Constant(1, 0.65), 1.0, 800, seed) + autoregressive({}, std::sqrt(0.8), 800, seed + 1);
+    const Eigen::VectorXd e = autoregressive(Eigen::VectorXd::Constant(1, 0.65), 1.0, 800, seed) +
+                              autoregressive({}, std::sqrt(0.8), 800, seed + 1);
     AutoCovariance sums(8);
     sums.add(e, Eigen::VectorXd::Ones(e.size()));
     const ArModel one = sums.fit(), more = sums.fit(1);

@@ -132,7 +132,8 @@ TEST(Resample, AGapIsBridged) {
     const UniformGrid grid = gridFor(time);
     const Channels out = onGrid(grid, time, time.unaryExpr(wave), false);
     double error = 0.0;
-    for (Eigen::Index k = 0; k < grid.size; ++k) error = std::max(error, std::abs(out(k, 0) - wave(grid.start + static_cast<double>(k) / grid.rateHz)));
+    for (Eigen::Index k = 0; k < grid.size; ++k)
+      error = std::max(error, std::abs(out(k, 0) - wave(grid.start + static_cast<double>(k) / grid.rateHz)));
     return error;
   };
   EXPECT_LT(worst(0.2), 0.005);

@@ -131,7 +131,8 @@ TEST(Motion, TwicingGivesBackWhatTheFilterTakes) {
     const auto motion = motionOf(recording, nullptr, options);
     ASSERT_TRUE(motion.ok());
     double largest = 0.0;
-    for (Eigen::Index k = motion->size() / 4; k < motion->size() * 3 / 4; ++k) largest = std::max(largest, std::abs(motion->alpha(2, k)));
+    for (Eigen::Index k = motion->size() / 4; k < motion->size() * 3 / 4; ++k)
+      largest = std::max(largest, std::abs(motion->alpha(2, k)));
     const double left = largest / (kTurn * std::pow(2.0 * kPi * kHz, 2));
     // Averages over an output interval of 5 ms, and peaks between two of them, take 0.4 % themselves.
     EXPECT_NEAR(1.0 - left, (twicing ? taken * taken : taken) + 0.002, 0.0025) << twicing;

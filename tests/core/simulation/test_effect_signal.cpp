@@ -249,7 +249,8 @@ TEST(EffectSignal, AMotionSmoothedBeforeItWasWrittenLosesWhatIsFast) {
   const double across = static_cast<double>(far) * step;
   double largest = 0.0, off = 0.0;
   for (Eigen::Index k = 500; k + 500 < q.rows(); k += 7) {
-    const VectorXd lost = (0.5 * width * width / (across * across)) * (q.row(k + far) - 2.0 * q.row(k) + q.row(k - far));
+    const VectorXd lost =
+        (0.5 * width * width / (across * across)) * (q.row(k + far) - 2.0 * q.row(k) + q.row(k - far));
     const VectorXd change = smoothed.recording.q.row(k) - q.row(k);
     largest = std::max(largest, change.norm());
     off = std::max(off, (change - lost).norm());

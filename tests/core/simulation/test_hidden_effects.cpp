@@ -103,7 +103,7 @@ TEST(Injection, DoesToARecordingWhatTheSimulatorDoes) {
     // The scene's path is sampled otherwise, so anchors may lie a little elsewhere.
     const Eigen::Index n = plain.recording.rows();
     const SampledWrench a = injected->recording.wrench - plain.recording.wrench,
-                       b = whole.recording.wrench - plain.recording.wrench;
+                        b = whole.recording.wrench - plain.recording.wrench;
     double worst = 0.0;
     for (Eigen::Index k = 100; k < n - 100; ++k) worst = std::max(worst, (a.row(k) - b.row(k)).norm());
     EXPECT_LT(worst, tolerance + 0.02 * b.cwiseAbs().maxCoeff());

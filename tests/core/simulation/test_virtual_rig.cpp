@@ -75,8 +75,8 @@ TEST(GuidedArm, AWildHandBreaksNoLimit) {
     for (int tug = 0; tug < 25; ++tug) {
       Isometry3d goal = home;
       for (int a = 0; a < 3; ++a) goal.translation()(a) += random.uniform(-0.9, 0.9);
-      goal.linear() = home.linear() * rotationFromVector({random.uniform(-3, 3), random.uniform(-3, 3),
-                                                          random.uniform(-3, 3)});
+      goal.linear() =
+          home.linear() * rotationFromVector({random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)});
       arm.pullTo(goal);
       ASSERT_NO_FATAL_FAILURE(Watched(arm).run(random.uniform(0.05, 1.5)));
     }

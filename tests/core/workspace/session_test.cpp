@@ -24,7 +24,8 @@ class SessionTest : public testing::Test {
 
   Session example() const {
     Session session;
-    session.recordings.push_back({folder / "data" / "a.csv", {{1.5, 2.5, MarkLabel::contact}}, R"({"schema":"x"})", "", {}});
+    session.recordings.push_back(
+        {folder / "data" / "a.csv", {{1.5, 2.5, MarkLabel::contact}}, R"({"schema":"x"})", "", {}});
     session.recordings.push_back({folder / "b.csv", {}, "", "", {}});
     session.recordings.back().corrections = {{"cable_pull", "contact"}, R"({"schema":"heft.diagnose/1"})"};
     session.active = 1;
