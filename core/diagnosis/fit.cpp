@@ -193,14 +193,14 @@ MatrixXd ChannelColumns::gram() const {
   return out;
 }
 
-MatrixXd ChannelColumns::transposeTimes(const MatrixXd& C) const {
+MatrixXd ChannelColumns::transposeTimes(const MatrixXd& C, Eigen::Index from) const {
   MatrixXd out = MatrixXd::Zero(columns_, C.cols());
   const Eigen::Index n = C.rows() / 6;
   MatrixXd part(n, C.cols());
   for (std::size_t c = 0; c < 6; ++c) {
     for (Eigen::Index i = 0; i < C.cols(); ++i)
       part.col(i) = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(C.col(i).data() + c, n);
-    out(which_[c], Eigen::all) += parts_[c].transpose() * part;
+    out(which_[c], Eigen::all) += parts_[c].middleRows(from, n).transpose() * part;
   }
   return out;
 }
@@ -261,6 +261,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   const bool learnsWalk = walks(fit.model);
   VectorXd sd = whisper(fit.model);
   Linearised at = linearised(signals, fit.model);
+  Model around = fit.model;  // Where its columns are from
   fit.residual = signals.measured - at.value;
   fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.louder)
                                            : white(fit.residual, stretches, signals.louder);
@@ -322,7 +323,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
       was.jacobian = at.jacobian;
       best = std::move(was);
     }
-    at = linearisedAgain(signals, fit.model, std::move(value), std::move(at.jacobian));
+    at = linearisedAgain(signals, fit.model, std::move(value), std::move(at.jacobian), around);
     if (rests) break;
   }
   if (falls > 0) {

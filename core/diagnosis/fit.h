@@ -34,8 +34,9 @@ double priceOf(double gain, double count, double lnN);
 class ChannelColumns {
  public:
   explicit ChannelColumns(const MatrixXd& J);
-  MatrixXd gram() const;                             ///< J^T J
-  MatrixXd transposeTimes(const MatrixXd& C) const;  ///< J^T C
+  MatrixXd gram() const;  ///< J^T J
+  /// J^T C, where C has the rows from block `from` on and what J has beyond its end is left out.
+  MatrixXd transposeTimes(const MatrixXd& C, Eigen::Index from = 0) const;
 
  private:
   Eigen::Index columns_ = 0;

@@ -227,6 +227,15 @@ class Moving {
   bool linear_ = true;
 };
 
+/// Whether what bends a motion or changes a sensor does clearly another thing to this payload than to that one.
+bool otherLoad(const Vector10d& payload, const Vector10d& than) {
+  constexpr double kReach = 0.1;  // [m]
+  const double mass = kStep * std::max(0.02, std::abs(than(0)));
+  const Vector10d off = (payload - than).cwiseAbs();
+  return off(0) > mass || off.segment<3>(1).maxCoeff() > kReach * mass ||
+         off.tail<6>().maxCoeff() > kReach * kReach * mass;
+}
+
 /// Whether the columns of the term's parameters are the same wherever these are, as long as nothing bends or changes
 /// what it adds.
 bool addsLinearly(const Term& term) {
@@ -249,16 +258,36 @@ Linearised linearised(const Signals& signals, const Model& model) {
   return out;
 }
 
-Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian) {
-  const bool same = std::ranges::none_of(model.terms, bendsOrChanges);
-  if (same && std::ranges::all_of(model.terms, addsLinearly)) return {std::move(value), std::move(jacobian)};
+Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian,
+                           Model& around) {
+  const bool bends = std::ranges::any_of(model.terms, bendsOrChanges);
+  // Differences say nothing of what moves by less than their step.
+  const auto moved = [&](std::size_t i) {
+    const Term& term = model.terms[i];
+    for (Eigen::Index p = 0; p < term.v.size(); ++p) {
+      const double step = kStep * term.form->parameters[static_cast<std::size_t>(p)].size;
+      if (std::abs(term.v(p) - around.terms[i].v(p)) > step) return true;
+    }
+    return false;
+  };
+  bool everything = bends && otherLoad(model.x.tail<10>(), around.x.tail<10>());
+  std::vector<bool> again(model.terms.size());
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    again[i] = moved(i) && (bends || !addsLinearly(model.terms[i]));
+    everything = everything || (again[i] && bendsOrChanges(model.terms[i]));
+  }
+  if (!everything && std::ranges::find(again, true) == again.end()) return {std::move(value), std::move(jacobian)};
   Moving moving(signals, model);
-  if (!same) moving.fillPayload(jacobian);
+  if (everything) moving.fillPayload(jacobian);
   Eigen::Index at = kLinear;
-  for (std::size_t i = 0; i < model.terms.size(); ++i) {
-    if (!same || !addsLinearly(model.terms[i])) moving.fill(i, jacobian, at);
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    if (everything || again[i]) {
+      moving.fill(i, jacobian, at);
+      around.terms[i].v = model.terms[i].v;
+    }
     at += model.terms[i].v.size();
   }
+  if (everything) around.x = model.x;
   return {std::move(value), std::move(jacobian)};
 }
 

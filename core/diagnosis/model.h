@@ -46,9 +46,10 @@ struct Linearised {
 };
 Linearised linearised(const Signals& signals, const Model& model);
 
-/// The same where `value` is known and `jacobian` is of a model with the same terms that differs in parameters only:
-/// columns that do not depend on these are kept.
-Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian);
+/// The same where `value` is known and `jacobian` is of `around`, a model with the same terms: columns that do not
+/// depend on what moved since, or hardly, are kept. `around` is then where the columns are from.
+Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian,
+                           Model& around);
 
 /// A model that a form may be added to; neither it nor the signals may go before this.
 class Surroundings {

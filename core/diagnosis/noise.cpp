@@ -50,7 +50,9 @@ Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches
 }
 
 /// 1 over how loud each block is.
-Wrenches evenness(const Wrenches& louder, double share) { return (1.0 + share * louder.array()).rsqrt().matrix(); }
+Wrenches evenness(const Eigen::Ref<const Wrenches>& louder, double share) {
+  return (1.0 + share * louder.array()).rsqrt().matrix();
+}
 
 /// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
 double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
@@ -154,14 +156,26 @@ constexpr auto innovators(std::integer_sequence<int, Orders...>) {
 
 }  // namespace
 
+Stretch reachOf(Stretch acts, Eigen::Index blocks) {
+  return {std::max<Eigen::Index>(0, acts.from - kMaxOrder), std::min(blocks, acts.to + kMaxOrder)};
+}
+
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
+  return whitened(columns, noise, stretches, {0, columns.rows() / 6});
+}
+
+MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches, Stretch reach) {
+  const Eigen::Index first = 6 * reach.from, blocks = std::max<Eigen::Index>(0, reach.to - reach.from);
   if (noise.louder && noise.share > 0.0) {
     Noise same = noise;
     same.louder = nullptr;
-    return whitened(even(columns, noise), same, stretches);
+    const Wrenches by = evenness(noise.louder->middleCols(reach.from, blocks), noise.share);
+    MatrixXd sized = MatrixXd::Zero(columns.rows(), columns.cols());
+    sized.middleRows(first, 6 * blocks) = flat(by).asDiagonal() * columns.middleRows(first, 6 * blocks);
+    return whitened(sized, same, stretches, reach);
   }
   static constexpr auto kInnovate = innovators(std::make_integer_sequence<int, kMaxOrder + 1>{});
-  MatrixXd out(columns.rows(), columns.cols());
+  MatrixXd out(6 * blocks, columns.cols());
   // All six channels at once; coefficients that a channel does not have are zero.
   Eigen::Index longest = 0;
   Vector6d scale;
@@ -177,10 +191,12 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
       out.col(j).setZero();
       continue;
     }
-    const Eigen::Map<const Wrenches> x(columns.col(j).data(), 6, columns.rows() / 6);
-    Eigen::Map<Wrenches> e(out.col(j).data(), 6, columns.rows() / 6);
+    const Eigen::Map<const Wrenches> x(columns.col(j).data() + first, 6, blocks);
+    Eigen::Map<Wrenches> e(out.col(j).data(), 6, blocks);
     Eigen::Index done = 0;
-    for (const auto& s : stretches) {
+    for (const auto& judged : stretches) {
+      const Stretch s{std::max(judged.from, reach.from) - reach.from, std::min(judged.to, reach.to) - reach.from};
+      if (s.from >= s.to) continue;
       const Eigen::Index starts = std::min(s.to, s.from + longest);
       e.middleCols(done, starts - done).setZero();
       done = s.to;

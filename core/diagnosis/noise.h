@@ -41,4 +41,9 @@ Wrenches evenWrench(const Wrenches& wrench, const Noise& noise);
 /// Columns of 6N rows (row 6 n + channel) turned into unit innovations; rows that are not judged become zero.
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches);
 
+/// The blocks where innovations of columns that are zero outside of `acts` may differ from zero.
+Stretch reachOf(Stretch acts, Eigen::Index blocks);
+/// The rows of whitened() of these blocks alone: all that there is of such columns.
+MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches, Stretch reach);
+
 }  // namespace heft::diagnosis

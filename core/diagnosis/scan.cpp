@@ -63,9 +63,10 @@ class Weighting {
   };
 
   /// Standard deviation of each scanned parameter if it were the only one.
-  VectorXd deviations(const MatrixXd& columns) const {
-    const MatrixXd C = whitened(columns, noise_, stretches_);
-    const MatrixXd JC = J_.transposeTimes(C);
+  VectorXd deviations(const Signature& signature) const {
+    const Stretch reach = reachOf(signature);
+    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, reach);
+    const MatrixXd JC = J_.transposeTimes(C, reach.from);
     VectorXd out(C.cols());
     for (Eigen::Index i = 0; i < C.cols(); ++i) {
       const double own = C.col(i).squaredNorm(), left = own - JC.col(i).dot(inverse_ * JC.col(i));
@@ -76,11 +77,12 @@ class Weighting {
 
   /// Gain and score as the squares tell them, which is close where they are few.
   Answer firstGuess(const Signature& signature, double lnN) const {
-    const MatrixXd C = whitened(*signature.columns, noise_, stretches_);
-    const MatrixXd JC = J_.transposeTimes(C);
+    const Stretch reach = reachOf(signature);
+    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, reach);
+    const MatrixXd JC = J_.transposeTimes(C, reach.from);
     const MatrixXd own = C.transpose() * C;
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
-    const VectorXd g = C.transpose() * r_ - JC.transpose() * (inverse_ * Jr_);
+    const VectorXd g = C.transpose() * r_.segment(6 * reach.from, C.rows()) - JC.transpose() * (inverse_ * Jr_);
     const Eigen::Index d = C.cols();
     Answer out;
     out.kept.assign(static_cast<std::size_t>(d), true);
@@ -135,8 +137,10 @@ class Weighting {
   void learnNoise(Answer& answer, const Signature& signature, double lnN) const {
     if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
-    Eigen::Map<VectorXd>(residual.data(), residual.size()) -=
-        *signature.columns * answer.gamma + fit_.jacobian * answer.others;
+    Eigen::Map<VectorXd> left(residual.data(), residual.size());
+    const Eigen::Index first = 6 * signature.acts.from, rows = 6 * (signature.acts.to - signature.acts.from);
+    left -= fit_.jacobian * answer.others;
+    left.segment(first, rows) -= signature.columns->middleRows(first, rows) * answer.gamma;
     score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence,
           lnN);
   }
@@ -148,6 +152,7 @@ class Weighting {
   }
 
  private:
+  Stretch reachOf(const Signature& signature) const { return diagnosis::reachOf(signature.acts, fit_.residual.cols()); }
   static void score(Answer& answer, const Form& form, double gain, double lnN) {
     const auto count = static_cast<double>(std::count(answer.kept.begin(), answer.kept.end(), true));
     answer.gain = gain;
@@ -164,10 +169,18 @@ class Weighting {
 
 }  // namespace
 
+void Signature::fill(MatrixXd all) {
+  const auto isNothing = [&](Eigen::Index block) { return all.middleRows(6 * block, 6).isZero(0.0); };
+  acts = {0, all.rows() / 6};
+  while (acts.to > 0 && isNothing(acts.to - 1)) --acts.to;
+  while (acts.from < acts.to && isNothing(acts.from)) ++acts.from;
+  columns = std::make_shared<const MatrixXd>(std::move(all));
+}
+
 SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
   for (const auto& cause : catalogue()) {
     if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
-    for (auto& form : cause->forms(signals)) plain_.push_back({std::move(form), {}});
+    for (auto& form : cause->forms(signals)) plain_.push_back({std::move(form), {}, {}});
   }
 }
 
@@ -190,13 +203,14 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   onTwoThreads(out.size(), [&](std::size_t i) {
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
-    out[i] = known;
-    if (!matrixOnly || cause.bendsGeometry() || cause.changesSensor(known.form)) {
-      out[i].columns = std::make_shared<const MatrixXd>(surroundings.signatures(known.form));
+    out[i].form = known.form;
+    const bool moves = !matrixOnly && !cause.addsToReadings();
+    if (moves || cause.bendsGeometry() || cause.changesSensor(known.form)) {
+      out[i].fill(surroundings.signatures(known.form));
       return;
     }
-    if (!known.columns) known.columns = std::make_shared<const MatrixXd>(bare.signatures(known.form));
-    out[i].columns = known.columns;
+    if (!known.columns) known.fill(bare.signatures(known.form));
+    out[i] = known;
     if (cause.addsToReadings() || map.isIdentity(0.0)) return;
     const MatrixXd& columns = *known.columns;
     MatrixXd mapped(columns.rows(), columns.cols());
@@ -214,7 +228,7 @@ std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const 
   const Weighting weighting(fit.noise, stretches, fit);
   std::vector<VectorXd> out(bank.size());
   onTwoThreads(bank.size(),
-               [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(*bank[i].columns); });
+               [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i]); });
   return out;
 }
 
@@ -284,35 +298,47 @@ std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fi
   return out;
 }
 
-Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
-                  const Candidate& candidate) {
+struct Placing::Around {
+  Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit)
+      : lnN(std::log(std::max(2.0, fit.noise.samples))),
+        flat(white(fit.residual, stretches, fit.noise.louder)),
+        coloured(fit.noise, stretches, fit),
+        plain(flat, stretches, fit),
+        surroundings(signals, fit.model) {}
+
+  double lnN;
+  Noise flat;
+  Weighting coloured, plain;
+  Surroundings surroundings;
+};
+
+Placing::Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit)
+    : block_(1.0 / signals.blockRate()), around_(std::make_unique<const Around>(signals, stretches, fit)) {}
+Placing::~Placing() = default;
+
+Candidate Placing::placed(const Candidate& candidate) const {
   constexpr double kNear = 0.3, kStep = 0.1;  // [s]
-  const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
-  const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
-  const Surroundings surroundings(signals, fit.model);
   const auto at = [&](double time) {
-    Signature out{candidate.form, {}};
+    Signature out{candidate.form, {}, {}};
     out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
-    out.columns = std::make_shared<const MatrixXd>(surroundings.signatures(out.form));
+    out.fill(around_->surroundings.signatures(out.form));
     return out;
   };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
   double about = candidate.v(0), most = -1e300;
   for (double off = -kNear; off < kNear + 0.5 * kStep; off += kStep) {
-    const double squares = plain.judge(at(candidate.v(0) + off), lnN).squares;
+    const double squares = around_->plain.firstGuess(at(candidate.v(0) + off), around_->lnN).squares;
     if (squares <= most) continue;
     most = squares;
     about = candidate.v(0) + off;
   }
   Candidate best = candidate;
-  const double block = 1.0 / signals.blockRate();
-  for (double off = -kStep; off < kStep + 0.5 * block; off += block) {
+  for (double off = -kStep; off < kStep + 0.5 * block_; off += block_) {
     const Signature signature = at(about + off);
-    for (const Weighting* weighting : {&coloured, &plain}) {
+    for (const Weighting* weighting : {&around_->coloured, &around_->plain}) {
       Candidate trial = candidate;
       trial.form = signature.form;
-      take(trial, weighting->judge(signature, lnN));
+      take(trial, weighting->judge(signature, around_->lnN));
       if (trial.score > best.score) best = std::move(trial);
     }
   }

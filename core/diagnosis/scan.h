@@ -19,6 +19,9 @@ struct Candidate {
 struct Signature {
   Form form;
   std::shared_ptr<const MatrixXd> columns;  ///< 6N x form.scan.size()
+  Stretch acts;                             ///< Blocks outside of which they are zero
+
+  void fill(MatrixXd all);
 };
 
 /// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
@@ -41,10 +44,23 @@ class SignatureBank {
 /// misfit hides behind a long memory; the noise is refitted to what the form leaves over.
 std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank);
 
-/// A candidate with a place in time, moved to the block where it gains most: what changes at once is seen for what it
-/// is only where it is put within a block or so, closer than the first look goes.
-Candidate retimed(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
-                  const Candidate& candidate);
+/// Puts candidates with a place in time where they gain most around a fit: what changes at once is seen for what it is
+/// only where it is put within a block or so, closer than the first look goes. Safe to share between threads; signals,
+/// stretches and fit must outlive it.
+class Placing {
+ public:
+  Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+  ~Placing();
+  Placing(const Placing&) = delete;
+  Placing& operator=(const Placing&) = delete;
+
+  Candidate placed(const Candidate& candidate) const;
+
+ private:
+  struct Around;
+  double block_;  ///< [s]
+  std::unique_ptr<const Around> around_;
+};
 
 /// For each signature the size of each scanned parameter, alone, at which it would gain `threshold` with the fit's
 /// noise; infinite for what the motion cannot show.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "core/diagnosis/search.h"
@@ -19,12 +20,15 @@ constexpr std::size_t kTried = 8;       ///< Causes that get a fit in a step
 constexpr double kHopeful = 0.25;       ///< Of the evidence to beat: what a first look must promise
 constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 
-Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+/// Whether the first look found only roughly where the candidate gains most.
+bool wantsPlace(const Candidate& candidate) { return candidate.form.atOnce && candidate.score > 0.0; }
+
+/// `placing`: around `base`; null where the candidate wants no place.
+Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Placing* placing,
             const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
-  const Candidate& placed =
-      candidate.form.atOnce && candidate.score > 0.0 ? retimed(signals, stretches, base, candidate) : candidate;
+  const Candidate& placed = wantsPlace(candidate) ? placing->placed(candidate) : candidate;
   Model model = base.model;
   model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;
@@ -122,7 +126,11 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
 std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                             const std::vector<const Candidate*>& chosen) {
   std::vector<Trial> all(chosen.size());
-  onTwoThreads(chosen.size(), [&](std::size_t i) { all[i] = tried(signals, stretches, base, *chosen[i]); });
+  std::unique_ptr<const Placing> placing;
+  if (std::ranges::any_of(chosen, [](const Candidate* c) { return wantsPlace(*c); }))
+    placing = std::make_unique<const Placing>(signals, stretches, base);
+  onTwoThreads(chosen.size(),
+               [&](std::size_t i) { all[i] = tried(signals, stretches, base, placing.get(), *chosen[i]); });
   sortByGain(all);
   // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those
   // that promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned
