@@ -12,6 +12,8 @@
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/held_rows.h"
+#include "core/diagnosis/look_back.h"
+#include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"
@@ -142,7 +144,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     at = leastSmoothed(plain);
     if (!contains(options.hidden, "derivative_noise"))
       out.noisy = noisyMotion(readings.cleaned, ways.front(), ways[at], plain[at] - plain.front());
-    for (Way& way : ways) way.signals.noisyMotion = out.noisy.has_value();
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      ways[i].signals.noisyMotion = out.noisy.has_value();
+      ways[i].signals.smoothedAway = std::max(0.0, plain[i] - plain.front());
+    }
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
@@ -259,6 +264,10 @@ struct Judged {
 bool ownErrors(const Work& work, const Found& found) {
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
+  // Smoothing takes noise and a little of the motion, and leaves a little of the noise.
+  constexpr double kShareOfNoise = 0.08, kMost = 300.0;
+  const double noise = std::min(kMost, kShareOfNoise * work.signals.smoothedAway);
+  if ((lags(cause) || enlarges(cause)) && found.gain < noise) return true;
   double over = 0.0;
   bool swings = false;
   for (const Term& term : work.search.final.model.terms) {

@@ -85,8 +85,8 @@ struct Law {
   std::string name;
   MatrixXd motion;  ///< F x N
   double follows;   ///< Share of what is left in the contacts that it must tell where it holds at all times
-  std::optional<double> followsInZone =
-      {};  ///< The same of one that may act in a zone only; of pushes 0.2 at most went with either
+  /// The same of one that may act in a zone only; of pushes 0.2 at most went with either
+  std::optional<double> followsInZone = {};
 };
 
 /// Whether each joint turns and how hard it speeds up or slows down, as its motor and what that disturbs do.

@@ -105,8 +105,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
 }
 
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {
-  constexpr double kLongest =
-      0.02;  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
+  // [s] Across more than that, a hand's tremor is guessed: then readings had better be late
+  constexpr double kLongest = 0.02;
   std::erase_if(stale, [&](const auto& run) {
     return stoodStill(recording, {run.first, run.second}) ||
            std::ranges::any_of(notJudged, [&](const Held& held) { return held.from == run.first; });

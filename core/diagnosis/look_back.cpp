@@ -30,8 +30,8 @@ constexpr double kChance = 3.0;  ///< Twice the log-likelihood that an idle para
 /// and together they may still reach `goal`.
 Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, Trial trial,
             std::span<const std::string_view> causes, std::size_t terms, double goal) {
-  constexpr double kMore =
-      1.5;  ///< Times what a first look promises, and a tie more: no fit in a hundred has gained that
+  /// Times what a first look promises, and a tie more: no fit in a hundred has gained that
+  constexpr double kMore = 1.5;
   for (std::size_t i = 1; i < terms; ++i) {
     const auto ranked = promises(signals, stretches, bank, trial.fit, causes);
     if (ranked.empty()) break;

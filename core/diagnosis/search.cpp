@@ -15,8 +15,8 @@ constexpr double kShareOfWandering = 0.2;  ///< And of what they explain: the fu
 /// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero
 /// that walks.
 double neededBeside(const Model& model, double explained, double wanders, const Trial& trial) {
-  constexpr double kShareOfFast =
-      0.02;  ///< What the form of one thing that changes fast forces leaves, another of them takes
+  /// What the form of one thing that changes fast forces leaves, another of them takes
+  constexpr double kShareOfFast = 0.02;
   constexpr double kEvent = 20.0,
                    kShareOfEvents = 0.02;  ///< And an event at the right moment takes a little of anything
   const std::string_view cause = trial.cause;

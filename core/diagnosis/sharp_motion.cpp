@@ -20,8 +20,8 @@ Wrenches blurred(const Wrenches& of, Eigen::Index reach) {
 }  // namespace
 
 void weighSharpMotion(std::vector<Way>& ways) {
-  constexpr double kNoticed =
-      1.0;  // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
+  // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
+  constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   Signals& least = ways.front().signals;
   const auto stretches = untouched(least, ways.front());

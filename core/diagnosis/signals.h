@@ -38,8 +38,11 @@ struct Signals {
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
   bool positionKnown = true;
   bool noisyMotion = false;  ///< Accelerations are noise not only above `keptHz`, but clearly so below, too
-  double keptHz =
-      0.0;  ///< Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
+  /// Evidence for a motion smoothed this much, over one as usual, of bias and payload alone: how much of the misfit is
+  /// noise of the motion. 0: smoothed as usual.
+  double smoothedAway = 0.0;
+  /// Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
+  double keptHz = 0.0;
 
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
   int link = 0;

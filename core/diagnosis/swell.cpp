@@ -85,9 +85,16 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
     for (Eigen::Index b = from; b < to; ++b) all.push_back(density(channel, b));
     return median(all);
   };
+  // Just above what smoothing keeps, the sensor still has a part of what it took from the motion.
+  constexpr double kCorner = 1.6;
+  const auto atCorner = [&](Eigen::Index bin) {
+    const double low = static_cast<double>(bin) + 0.5, high = low + 1.0;
+    return signals.keptHz > 0.0 && high > signals.keptHz && low < kCorner * signals.keptHz;
+  };
   Swell out;
   for (Eigen::Index c = 0; c < 6; ++c)
     for (Eigen::Index b = kSlowest - 1; b < kFastest; ++b) {
+      if (atCorner(b)) continue;
       const double floor = std::max(usual(c, 0, b - kBeside + 1), usual(c, std::min(b + kBeside, kBins - 1), kBins));
       const double excess = density(c, b) / std::max(1e-300, floor) / kLimit;
       if (excess <= out.excess) continue;

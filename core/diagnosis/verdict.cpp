@@ -51,8 +51,8 @@ Verdict verdictOf(const DiagnosisReport& report) {
 
 void giveVerdict(const Work& work, DiagnosisReport& out) {
   constexpr std::ptrdiff_t kSeveral = 3;
-  constexpr double kAsMuch =
-      0.9;  ///< Share of what several causes explain together; of right answers 0.72 was the most
+  /// Share of what several causes explain together; of right answers 0.72 was the most
+  constexpr double kAsMuch = 0.9;
   out.verdict = verdictOf(out);
   if (out.remaining.gain > kUnexplained) return;
   // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.

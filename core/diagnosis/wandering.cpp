@@ -79,8 +79,8 @@ bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches
 
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
   constexpr double kBelow = 0.6;  // [Hz]; faster ones are looked for elsewhere
-  constexpr double kLimit =
-      70.0;  // Of 120 recordings with and without a walk the highest was 48; waves of 20 deviations began at 71
+  // Of 120 recordings with and without a walk the highest was 48; waves of 20 deviations began at 71
+  constexpr double kLimit = 70.0;
   constexpr double kMostParts = 400.0;
   const double part = std::max(0.2, signals.duration() / kMostParts);
   const Turned at = turned(signals, stretches, residual, part);

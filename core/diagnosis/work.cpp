@@ -193,8 +193,8 @@ void setTouchesAside(Work& work) {
 /// Nobody touches a tool again and again for no longer than it takes to knock at it.
 void setKnocksAside(Work& work) {
   constexpr double kKnock = 0.25;  ///< [s]
-  constexpr std::ptrdiff_t kKnocks =
-      3;  ///< Of five recordings with two or more, and nothing longer, none had been touched
+  /// Of five recordings with two or more, and nothing longer, none had been touched
+  constexpr std::ptrdiff_t kKnocks = 3;
   if (std::ssize(work.contacts) < kKnocks ||
       std::ranges::any_of(work.contacts, [](const Contact& c) { return c.to - c.from > kKnock; }))
     return;
