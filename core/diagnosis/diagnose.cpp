@@ -13,7 +13,6 @@
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/look_back.h"
-#include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"
@@ -464,7 +463,10 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   }
   if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
   for (const auto& direct : readings->directs) out.causes.push_back(fromDirect(direct));
-  if (!work.contacts.empty()) out.causes.push_back(fromContacts(work.contacts, out.noise.force));
+  if (!work.contacts.empty()) {
+    const bool named = contains(final.model, work.touchedOr);
+    out.causes.push_back(fromContacts(work.contacts, named ? std::string() : work.touchedOr, out.noise.force));
+  }
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
   sortByStrength(out.causes);
   giveVerdict(work, out);

@@ -107,7 +107,7 @@ DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy) {
   return out;
 }
 
-DiagnosedCause fromContacts(const std::vector<Contact>& contacts, double noise) {
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const std::string& touchedOr, double noise) {
   DiagnosedCause out;
   out.id = "contact";
   double peak = 0.0;
@@ -119,6 +119,7 @@ DiagnosedCause fromContacts(const std::vector<Contact>& contacts, double noise) 
   out.parameters = {{"peak_force", "N", peak, noise}};
   out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
   out.direct = true;
+  if (!touchedOr.empty()) out.alternatives = {touchedOr};
   return out;
 }
 

@@ -17,6 +17,7 @@ DiagnosedCause fromDirect(const Direct& direct);
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
 DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy);
 /// `contacts` must not be empty; `noise` [N] is how well the peak is known.
-DiagnosedCause fromContacts(const std::vector<Contact>& contacts, double noise);
+/// `touchedOr`: a cause that may be meant instead, or none; `noise` [N].
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const std::string& touchedOr, double noise);
 
 }  // namespace heft::diagnosis

@@ -99,10 +99,10 @@ bool isFolded(const Hum& hum, double blockRate, const Structure& remaining) {
   return remaining.highHz > 0.0 && folded > remaining.lowHz - 1.0 && folded < remaining.highHz + 1.0;
 }
 
-/// A line in the spectrum is said; one that makes up much of what is fast and is not the mains' is unknown.
+/// A line in the spectrum is said; one that makes up much of what is fast is unknown to the catalogue.
 void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
   constexpr double kMuch = 0.2;
-  const bool unknown = !hum.mains && hum.share > kMuch;
+  const bool unknown = hum.share > kMuch;
   out.findings.push_back(
       {unknown ? Severity::warning : Severity::info,
        "readings_hum",

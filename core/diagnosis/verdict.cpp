@@ -42,8 +42,9 @@ Verdict verdictOf(const DiagnosisReport& report) {
   for (const auto& cause : report.causes) total += cause.id == "contact" ? 0.0 : cause.deltaBic;
   if (report.remaining.gain > std::max(kUnexplained, 0.03 * total)) return Verdict::unexplained;
   if (report.causes.empty()) return Verdict::clean;
-  const bool tied =
-      std::ranges::any_of(report.causes, [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
+  const bool tied = std::ranges::any_of(report.causes, [](const DiagnosedCause& c) {
+    return (!c.direct || c.id == "contact") && !c.alternatives.empty();
+  });
   return tied ? Verdict::ambiguous : Verdict::explained;
 }
 

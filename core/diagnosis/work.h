@@ -45,6 +45,7 @@ struct Work {
   Signals signals;
   std::vector<Stretch> stretches;
   std::vector<Contact> contacts;
+  std::string touchedOr;     ///< A cause that takes the place of most of the contacts, or none
   std::vector<Contact> odd;  ///< Set aside like contact, but no push
   std::string oddGoesWith;   ///< Not translated
   std::optional<FrameMistake> mistake;

@@ -191,7 +191,7 @@ TEST(NoContact, ABrakeInPartOfTheSpaceIsUnknown) {
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 
-TEST(NoContact, AFanIsHeardAndTheMainsAreNoCause) {
+TEST(NoContact, AFanIsHeardAndSoAreTheMains) {
   const auto with = [](double frequency) {
     Recording recording = aRecording(MotionKind::free, 304);
     push(recording, [&](double t) { return 0.3 * std::sin(2.0 * std::numbers::pi * frequency * t); });
@@ -201,7 +201,8 @@ TEST(NoContact, AFanIsHeardAndTheMainsAreNoCause) {
   EXPECT_EQ(fan.verdict, Verdict::unexplained) << said(fan);
   EXPECT_EQ(fan.remaining.goesWith, "a rhythm of 31 Hz");
   const auto mains = with(50.0);
-  EXPECT_EQ(mains.verdict, Verdict::clean) << said(mains);
+  EXPECT_EQ(mains.verdict, Verdict::unexplained) << said(mains);
+  EXPECT_EQ(mains.remaining.goesWith, "a rhythm of 50 Hz");
   EXPECT_TRUE(finds(mains, "readings_hum"));
   EXPECT_FALSE(finds(diagnosed(aRecording(MotionKind::free, 304)), "readings_hum"));
 }
@@ -263,10 +264,11 @@ TEST(NoContact, WhatSwitchesAgainAndAgainIsUnknown) {
   EXPECT_TRUE(finds(report, "switches")) << said(report);
 }
 
-/// An amplifier whose charge leaks away forgets a load within a minute: that was a zero that walks, and so clean.
+/// An amplifier whose charge leaks away forgets a load within half a minute: that was a zero that walks, and so clean.
+/// Where it takes a minute, a walk does as well.
 TEST(NoContact, AChargeThatLeaksIsUnknown) {
   Recording recording = aRecording(MotionKind::free, 314);
-  constexpr double kForgets = 60.0;  // [s]
+  constexpr double kForgets = 30.0;  // [s]
   for (Eigen::Index c = 0; c < 6; ++c) {
     double remembered = recording.wrench(0, c);
     for (Eigen::Index i = 1; i < recording.rows(); ++i) {
