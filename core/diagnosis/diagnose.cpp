@@ -11,6 +11,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/corrected.h"
+#include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
@@ -48,8 +49,20 @@ struct Readings {
   Recording cleaned;
   Motion motion;
   std::vector<Direct> directs;
+  std::vector<DeadBand> deadBands;
   std::vector<bool> bad;  ///< Rows that are not judged: one a row, or none
 };
+
+/// Marks the rows that dead bands leave nothing of as bad, unless hardly any others are left.
+void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen::Index rows) {
+  constexpr double kMost = 0.6;
+  if (bands.empty()) return;
+  std::vector<bool> all = bad;
+  all.resize(static_cast<std::size_t>(rows), false);
+  for (const DeadBand& band : bands)
+    for (const auto& [from, to] : band.runs) std::fill(all.begin() + from, all.begin() + to, true);
+  if (static_cast<double>(std::ranges::count(all, true)) < kMost * static_cast<double>(rows)) bad = std::move(all);
+}
 
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
   Readings out;
@@ -90,6 +103,8 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
       out.bad[i] = out.bad[i] || direct.rows[i];
     }
   }
+  out.deadBands = deadBands(recording);
+  setAside(out.deadBands, out.bad, recording.rows());
   return out;
 }
 
@@ -453,6 +468,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
   sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
+  sayDeadBands(readings->deadBands, out);
 
   out.mistake = readings->mistake ? readings->mistake : work.mistake;
   if (out.mistake) {

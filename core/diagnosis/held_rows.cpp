@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/diagnosis/dead_band.h"
 #include "core/motion/resample.h"
 #include "core/segmentation/wrench_runs.h"
 
@@ -23,7 +24,8 @@ void fill(Series& series, const VectorXd& time, const Held& rows, const std::arr
 }
 
 /// Straight lines from the row before each run to the row behind it.
-void straightOver(const Runs& runs, const VectorXd& time, Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+template <class Readings>
+void straightOver(const Runs& runs, const VectorXd& time, Readings&& wrench) {
   for (const auto& [from, to] : runs) {
     if (from == 0 || to == wrench.rows()) continue;
     const double start = time(from - 1), lasts = time(to) - start;
@@ -101,6 +103,7 @@ Runs zeroRuns(const Recording& recording) {
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
   straightOver(zeroRuns(recording), recording.time, out);
+  for (const DeadBand& band : deadBands(recording)) straightOver(band.runs, recording.time, out.col(band.channel));
   return out;
 }
 

@@ -28,7 +28,7 @@ Runs staleRuns(const Recording& recording);
 /// fewer than three such rows.
 Runs zeroRuns(const Recording& recording);
 
-/// The wrench with straight lines in their place.
+/// The wrench with straight lines in their place, and in that of what a driver gives for small readings (dead_band.h).
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
 
 /// Cubics through fresh readings in `cleaned`, where those of `recording` are `stale`. Not where the motion was held

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/hum.h"
 #include "core/diagnosis/knocks.h"
 #include "core/diagnosis/moments.h"
@@ -146,6 +147,23 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
   if (known) return;
   if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);
   sayKnocks(work, out);
+}
+
+void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out) {
+  for (const DeadBand& band : bands)
+    out.findings.push_back(
+        {Severity::warning,
+         "dead_band",
+         heft::say("{} reads exactly {:.4g} {} wherever it would be less than {:.2g} away from that: {:.0f} % of its "
+                   "readings.",
+                   channelName(band.channel), band.reads, band.channel < 3 ? "N" : "N m", band.width,
+                   100.0 * band.share),
+         heft::say("Switch off the threshold or dead band in the sensor's driver and record once more."),
+         {}});
+  if (bands.empty()) return;
+  out.remaining.goesWith = heft::toSay("readings that stick at one value");
+  out.remaining.gain = 1e3;
+  out.remaining.share = 0.0;
 }
 
 }  // namespace heft::diagnosis

@@ -1,5 +1,6 @@
 #pragma once
 // What no cause of the catalogue accounts for, beside what goes with the motion (structure.h).
+#include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/work.h"
 
@@ -12,5 +13,8 @@ constexpr double kUnexplained = 16.5;
 /// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings
 /// and makes it what remains, unless something else does. `known`: single readings tell of something wrong with them.
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out);
+
+/// Says which channels give one value for all that is small: the catalogue has no such cause, so that is what remains.
+void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out);
 
 }  // namespace heft::diagnosis

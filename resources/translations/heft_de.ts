@@ -6614,6 +6614,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>what the load was while the tool stood still</source>
         <translation>der Last, während das Werkzeug stillstand</translation>
     </message>
+    <message>
+        <source>{} reads exactly {:.4g} {} wherever it would be less than {:.2g} away from that: {:.0f} % of its readings.</source>
+        <translation>{} zeigt genau {:.4g} {}, wo immer es weniger als {:.2g} davon entfernt wäre: {:.0f} % der Messwerte.</translation>
+    </message>
+    <message>
+        <source>Switch off the threshold or dead band in the sensor&apos;s driver and record once more.</source>
+        <translation>Schalten Sie die Schwelle (Totzone) im Treiber des Sensors ab und nehmen Sie noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>readings that stick at one value</source>
+        <translation>Messwerten, die an einem Wert hängen bleiben</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -207,6 +207,27 @@ TEST(NoContact, AFanIsHeardAndSoAreTheMains) {
   EXPECT_FALSE(finds(diagnosed(aRecording(MotionKind::free, 304)), "readings_hum"));
 }
 
+/// A driver that gives zero for what is small made spikes and touches; a coarse converter's zero is a step like others.
+TEST(NoContact, ADeadBandIsUnknownAndACoarseZeroIsNone) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  auto fx = recording.wrench.col(0);
+  const double width = 0.1 * fx.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < fx.size(); ++i)
+    fx(i) = (std::abs(fx(i)) < width ? 0.0 : fx(i)) - 0.7;  // The zero was set afterwards
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "readings that stick at one value") << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+  EXPECT_TRUE(finds(report, "dead_band"));
+
+  Recording coarse = aRecording(MotionKind::free, 304);
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const double step = 0.02 * coarse.wrench.col(c).cwiseAbs().maxCoeff();
+    coarse.wrench.col(c) = (coarse.wrench.col(c) / step).array().round().matrix() * step;
+  }
+  EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
+}
+
 /// Somebody pressed "record" while it swung: what it does before it has come to rest is no touch.
 TEST(NoContact, AMassThatSwingsFromTheStart) {
   const Recording whole = aRecording(MotionKind::free, 305, {{"loose_mass", "sprung", 120.0}});

@@ -1,0 +1,64 @@
+#include "core/diagnosis/dead_band.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr std::ptrdiff_t kFewest = 10;  ///< Equal readings; readings just beyond the band; different ones among these
+
+/// The value that comes most often, of readings in order.
+double commonest(const std::vector<double>& ordered) {
+  double out = 0.0;
+  std::ptrdiff_t most = 0;
+  for (auto from = ordered.begin(); from != ordered.end();) {
+    const auto to = std::upper_bound(from, ordered.end(), *from);
+    if (to - from > most) {
+      most = to - from;
+      out = *from;
+    }
+    from = to;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<DeadBand> deadBands(const Recording& recording) {
+  constexpr double kLeastShare = 0.005;
+  const Eigen::Index rows = recording.rows();
+  std::vector<DeadBand> out;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const auto y = recording.wrench.col(c);
+    std::ptrdiff_t repeats = 0;
+    for (Eigen::Index i = 1; i < rows; ++i) repeats += y(i) == y(i - 1) ? 1 : 0;
+    if (repeats < kFewest) continue;
+    std::vector<double> readings;
+    for (Eigen::Index i = 0; i < rows; ++i)
+      if (!recording.wrench.row(i).isZero(0.0)) readings.push_back(y(i));
+    std::ranges::sort(readings);
+    DeadBand band{c, commonest(readings), 0.0, 0.0, {}};
+    const auto count = std::ranges::count(readings, band.reads);
+    band.share = static_cast<double>(count) / static_cast<double>(rows);
+    if (count < kFewest || band.share < kLeastShare) continue;
+    // A gap to either side, and readings as close to one another as ever just beyond it.
+    readings.erase(std::ranges::unique(readings).begin(), readings.end());
+    const auto at = std::ranges::lower_bound(readings, band.reads);
+    if (at == readings.begin() || at + 1 == readings.end()) continue;
+    band.width = std::min(*at - *(at - 1), *(at + 1) - *at);
+    const auto beyond = std::ranges::count_if(
+        readings, [&](double r) { return r != band.reads && std::abs(r - band.reads) < 2.0 * band.width; });
+    if (beyond < kFewest) continue;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      if (y(i) != band.reads) continue;
+      if (band.runs.empty() || band.runs.back().second < i) band.runs.emplace_back(i, i);
+      band.runs.back().second = i + 1;
+    }
+    out.push_back(std::move(band));
+  }
+  return out;
+}
+
+}  // namespace heft::diagnosis
