@@ -154,28 +154,12 @@ constexpr auto innovators(std::integer_sequence<int, Orders...>) {
   return std::array{&innovate<Orders>...};
 }
 
-}  // namespace
-
-Stretch reachOf(Stretch acts, Eigen::Index blocks) {
-  return {std::max<Eigen::Index>(0, acts.from - kMaxOrder), std::min(blocks, acts.to + kMaxOrder)};
-}
-
-MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
-  return whitened(columns, noise, stretches, {0, columns.rows() / 6});
-}
-
-MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches, Stretch reach) {
-  const Eigen::Index first = 6 * reach.from, blocks = std::max<Eigen::Index>(0, reach.to - reach.from);
-  if (noise.louder && noise.share > 0.0) {
-    Noise same = noise;
-    same.louder = nullptr;
-    const Wrenches by = evenness(noise.louder->middleCols(reach.from, blocks), noise.share);
-    MatrixXd sized = MatrixXd::Zero(columns.rows(), columns.cols());
-    sized.middleRows(first, 6 * blocks) = flat(by).asDiagonal() * columns.middleRows(first, 6 * blocks);
-    return whitened(sized, same, stretches, reach);
-  }
+/// whitened() for the columns' rows of the blocks from `first` on; all blocks equally loud.
+MatrixXd innovations(const Eigen::Ref<const MatrixXd>& columns, const Noise& noise,
+                     const std::vector<Stretch>& stretches, Eigen::Index first) {
   static constexpr auto kInnovate = innovators(std::make_integer_sequence<int, kMaxOrder + 1>{});
-  MatrixXd out(6 * blocks, columns.cols());
+  const Eigen::Index blocks = columns.rows() / 6;
+  MatrixXd out(columns.rows(), columns.cols());
   // All six channels at once; coefficients that a channel does not have are zero.
   Eigen::Index longest = 0;
   Vector6d scale;
@@ -191,11 +175,11 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
       out.col(j).setZero();
       continue;
     }
-    const Eigen::Map<const Wrenches> x(columns.col(j).data() + first, 6, blocks);
+    const Eigen::Map<const Wrenches> x(columns.col(j).data(), 6, blocks);
     Eigen::Map<Wrenches> e(out.col(j).data(), 6, blocks);
     Eigen::Index done = 0;
     for (const auto& judged : stretches) {
-      const Stretch s{std::max(judged.from, reach.from) - reach.from, std::min(judged.to, reach.to) - reach.from};
+      const Stretch s{std::max<Eigen::Index>(0, judged.from - first), std::min(blocks, judged.to - first)};
       if (s.from >= s.to) continue;
       const Eigen::Index starts = std::min(s.to, s.from + longest);
       e.middleCols(done, starts - done).setZero();
@@ -213,6 +197,24 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
     e.rightCols(e.cols() - done).setZero();
   }
   return out;
+}
+
+}  // namespace
+
+Stretch reachOf(Stretch acts, Eigen::Index blocks) {
+  return {std::max<Eigen::Index>(0, acts.from - kMaxOrder), std::min(blocks, acts.to + kMaxOrder)};
+}
+
+MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
+  return whitened(columns, noise, stretches, {0, columns.rows() / 6});
+}
+
+MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches, Stretch reach) {
+  const Eigen::Index blocks = std::max<Eigen::Index>(0, reach.to - reach.from);
+  const auto rows = columns.middleRows(6 * reach.from, 6 * blocks);
+  if (!noise.louder || noise.share <= 0.0) return innovations(rows, noise, stretches, reach.from);
+  const Wrenches by = evenness(noise.louder->middleCols(reach.from, blocks), noise.share);
+  return innovations(flat(by).asDiagonal() * rows, noise, stretches, reach.from);
 }
 
 }  // namespace heft::diagnosis

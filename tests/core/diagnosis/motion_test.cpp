@@ -65,6 +65,33 @@ TEST(Noise, IsLouderWhereTheMotionIsLessWellKnown) {
   EXPECT_LT(e.cwiseAbs().maxCoeff(), 5.0);
 }
 
+/// Columns that act for a while only: their innovations there are all of them, across the edges of stretches, too.
+TEST(Noise, IsTheSameOfAShortEventAlone) {
+  constexpr Eigen::Index kBlocks = 300;
+  Wrenches loud = Wrenches::Zero(6, kBlocks), residual(6, kBlocks);
+  RandomStream random(8, RandomPurpose::effect);
+  Vector6d last = Vector6d::Zero();
+  for (Eigen::Index n = 0; n < kBlocks; ++n)
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      if (n % 50 < 10) loud(c, n) = 64.0;
+      last(c) = 0.6 * last(c) + std::sqrt(1.0 + 0.25 * loud(c, n)) * random.normal();
+      residual(c, n) = last(c);
+    }
+  const std::vector<Stretch> stretches{{0, 90}, {100, 180}, {195, kBlocks}};
+  const Noise noise = fitNoise(residual, stretches, std::make_shared<const Wrenches>(loud));
+  ASSERT_GT(noise.share, 0.0);
+  for (const Stretch acts : {Stretch{2, 12}, Stretch{85, 110}, Stretch{182, 190}, Stretch{120, kBlocks}, Stretch{}}) {
+    MatrixXd columns = MatrixXd::Zero(6 * kBlocks, 2);
+    for (Eigen::Index i = 6 * acts.from; i < 6 * acts.to; ++i)
+      for (Eigen::Index j = 0; j < 2; ++j) columns(i, j) = random.normal();
+    const Stretch reach = reachOf(acts, kBlocks);
+    const MatrixXd whole = whitened(columns, noise, stretches), alone = whitened(columns, noise, stretches, reach);
+    MatrixXd put = MatrixXd::Zero(6 * kBlocks, 2);
+    put.middleRows(6 * reach.from, alone.rows()) = alone;
+    EXPECT_LT((put - whole).cwiseAbs().maxCoeff(), 1e-12) << acts.from;
+  }
+}
+
 /// A robot that goes from place to place along quintics, whose third derivative jumps at either end, with a heavy tool
 /// and a quiet sensor. What no smoothing of 100 readings a second follows there was a loop of the sensor, 0.06 % of its
 /// load, and a delay of nothing.

@@ -228,6 +228,26 @@ TEST(NoContact, ADeadBandIsUnknownAndACoarseZeroIsNone) {
   EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
 }
 
+/// Two gauges at their end bend the torques that they are a part of, too: what is set aside as contact explains
+/// nothing, and was contact and nothing else.
+TEST(NoContact, GaugesAtTheirEndAreNotSurelyATouch) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  for (const Eigen::Index c : {0, 2}) {
+    const double low = recording.wrench.col(c).minCoeff(), end = low + 0.7 * (recording.wrench.col(c).maxCoeff() - low);
+    for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+      const double cut = std::max(0.0, recording.wrench(i, c) - end);
+      recording.wrench(i, c) -= cut;
+      recording.wrench(i, 3 + c) -= 0.03 * cut;
+    }
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_NE(named(report, "saturation"), nullptr) << said(report);
+  if (const auto* contact = named(report, "contact")) {
+    EXPECT_FALSE(contact->alternatives.empty()) << said(report);
+    EXPECT_EQ(report.verdict, Verdict::ambiguous) << said(report);
+  }
+}
+
 /// Somebody pressed "record" while it swung: what it does before it has come to rest is no touch.
 TEST(NoContact, AMassThatSwingsFromTheStart) {
   const Recording whole = aRecording(MotionKind::free, 305, {{"loose_mass", "sprung", 120.0}});
