@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/base/say.h"
+#include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/dead_band.h"
@@ -64,7 +65,24 @@ void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen:
   if (static_cast<double>(std::ranges::count(all, true)) < kMost * static_cast<double>(rows)) bad = std::move(all);
 }
 
+/// A channel that hardly ever reads anything else.
+std::optional<Eigen::Index> stuckChannel(const Recording& recording) {
+  constexpr double kHardlyElse = 0.9;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const VectorXd y = recording.wrench.col(c);
+    const double middle = median({y.begin(), y.end()});
+    if (static_cast<double>((y.array() == middle).count()) > kHardlyElse * static_cast<double>(y.size())) return c;
+  }
+  return std::nullopt;
+}
+
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
+  if (const auto channel = stuckChannel(recording))
+    return Error{
+        heft::say("{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor's driver "
+                  "hides what is "
+                  "small. Mend that and record once more.",
+                  channelName(*channel))};
   Readings out;
   out.cleaned = recording;
   Eigen::Index spikes = 0;

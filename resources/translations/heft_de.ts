@@ -6626,6 +6626,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>readings that stick at one value</source>
         <translation>Messwerten, die an einem Wert hängen bleiben</translation>
     </message>
+    <message>
+        <source>{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor&apos;s driver hides what is small. Mend that and record once more.</source>
+        <translation>{} bleibt in fast allen Zeilen gleich: Der Kanal wurde nicht gemessen, oder eine Schwelle im Treiber des Sensors verbirgt, was klein ist. Beheben Sie das und nehmen Sie noch einmal auf.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

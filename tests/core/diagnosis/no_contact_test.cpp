@@ -228,6 +228,15 @@ TEST(NoContact, ADeadBandIsUnknownAndACoarseZeroIsNone) {
   EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
 }
 
+TEST(NoContact, AChannelThatNeverChangesIsSaid) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  recording.wrench.col(5).setConstant(0.012);
+  const auto report = diagnose(recording, &RobotModel::panda(), {});
+  ASSERT_FALSE(report);
+  EXPECT_NE(report.error().message.find("tz stays the same in nearly all rows"), std::string::npos)
+      << report.error().message;
+}
+
 /// Two gauges at their end bend the torques that they are a part of, too: what is set aside as contact explains
 /// nothing, and was contact and nothing else.
 TEST(NoContact, GaugesAtTheirEndAreNotSurelyATouch) {
