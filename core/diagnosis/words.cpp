@@ -255,6 +255,9 @@ std::string driftSentence(const Values& v) {
   if (p->unit.ends_with("/s"))
     return heft::say("The sensor's zero drifts: {} by {} {} per second.", channel, size,
                      p->unit.substr(0, p->unit.size() - 2));
+  if (v.find("time_constant") && v.find("time"))
+    return heft::say("From {} s on the sensor's zero creeps: {} by {} {} before it settles.",
+                     number(v.value("time"), 1), channel, size, p->unit);
   return heft::say("The sensor's zero creeps: {} by {} {} before it settles.", channel, size, p->unit);
 }
 

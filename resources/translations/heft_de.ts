@@ -6630,6 +6630,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor&apos;s driver hides what is small. Mend that and record once more.</source>
         <translation>{} bleibt in fast allen Zeilen gleich: Der Kanal wurde nicht gemessen, oder eine Schwelle im Treiber des Sensors verbirgt, was klein ist. Beheben Sie das und nehmen Sie noch einmal auf.</translation>
     </message>
+    <message>
+        <source>From {} s on the sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
+        <translation>Ab {} s kriecht die Null des Sensors: {} um {} {}, bis sie sich beruhigt.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

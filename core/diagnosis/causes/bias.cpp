@@ -14,7 +14,7 @@ double sizeOf(int channel) { return channel < 3 ? 0.1 : 0.005; }
 const char* unitOf(int channel) { return channel < 3 ? "N" : "N m"; }
 
 class BiasDrift final : public Cause {
-  enum Course { kSteady, kSettling, kCurved, kRamp, kBoth };  // form.choice
+  enum Course { kSteady, kSettling, kCurved, kRamp, kBoth, kSetsIn };  // form.choice
 
  public:
   std::string_view id() const override { return "bias_drift"; }
@@ -70,6 +70,19 @@ class BiasDrift final : public Cause {
       form.choice = {kRamp};
       out.push_back(form);
     }
+    // From a moment on, such as that at which something was switched on that warms the sensor.
+    for (const double from : {0.2, 0.4, 0.6}) {
+      std::vector<Parameter> parameters = levels;
+      parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.03 * T, 0.5 * T});
+      parameters.push_back({"time", "s", 1.0, 0.1 * T, 0.05 * T, 0.9 * T});
+      Form form = formOf(this, "from a moment on", parameters);
+      form.start(6) = 0.15 * T;
+      form.start(7) = from * T;
+      form.scan = {0, 1, 2, 3, 4, 5};
+      form.subset = true;
+      form.choice = {kSetsIn};
+      out.push_back(form);
+    }
     auto curved = drift("", 1.0);
     for (const auto& p : drift("_bend", 1.0)) curved.push_back(p);
     out.push_back(formOf(this, "curved", curved));
@@ -86,6 +99,10 @@ class BiasDrift final : public Cause {
       if (form.choice[0] == kSettling || form.choice[0] == kBoth) {
         w.col(k) -= std::expm1(-t / v(6)) * v.head<6>();
         if (form.choice[0] == kBoth) w.col(k) += t * v.tail<6>();
+        continue;
+      }
+      if (form.choice[0] == kSetsIn) {
+        w.col(k) -= std::expm1(-std::max(0.0, t - v(7)) / v(6)) * v.head<6>();
         continue;
       }
       if (form.choice[0] == kRamp) {

@@ -344,5 +344,21 @@ TEST(NoContact, ADriftThatIsFastAtFirstIsOne) {
   EXPECT_NEAR(constant->value, 1.2, 4.0 * constant->std);
 }
 
+/// Something is switched on that warms the sensor: it was a walk, and so clean.
+TEST(NoContact, ADriftThatBeginsAtSomeMomentIsOne) {
+  constexpr double kBegins = 6.0, kSettles = 4.0;  // [s]
+  Recording recording = aRecording(MotionKind::excitation, 315);
+  push(recording, [](double t) { return t < kBegins ? 0.0 : 0.8 * (1.0 - std::exp(-(t - kBegins) / kSettles)); });
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "bias_drift") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  for (const auto& [name, truth] : {std::pair{"time", kBegins}, {"time_constant", kSettles}}) {
+    const auto* found = parameter(report.causes.front(), name);
+    ASSERT_NE(found, nullptr) << name << ": " << said(report);
+    EXPECT_NEAR(found->value, truth, 4.0 * found->std) << name;
+  }
+}
+
 }  // namespace
 }  // namespace heft::test
