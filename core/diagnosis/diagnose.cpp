@@ -296,10 +296,7 @@ struct Judged {
 bool ownErrors(const Work& work, const Found& found) {
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
-  // Smoothing takes noise and a little of the motion, and leaves a little of the noise.
-  constexpr double kShareOfNoise = 0.08, kMost = 300.0;
-  const double noise = std::min(kMost, kShareOfNoise * work.signals.smoothedAway);
-  if ((lags(cause) || enlarges(cause)) && found.gain < noise) return true;
+  if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(work.signals)) return true;
   double over = 0.0;
   bool swings = false;
   for (const Term& term : work.search.final.model.terms) {

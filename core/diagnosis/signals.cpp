@@ -9,6 +9,11 @@
 
 namespace heft::diagnosis {
 
+double leftByNoise(const Signals& signals) {
+  constexpr double kShare = 0.08, kMost = 300.0;
+  return std::min(kMost, kShare * signals.smoothedAway);
+}
+
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
   Signals out;
   out.startTime = motion.startTime;

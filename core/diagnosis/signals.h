@@ -66,6 +66,11 @@ struct Signals {
   double duration() const { return static_cast<double>(size()) / rateHz; }
 };
 
+/// Evidence that anything fast may gain of what a smoothed motion leaves: smoothing takes noise and a little of the
+/// motion, and leaves a little of the noise. Of 45 recordings, what was false had 2 to 5 % of what smoothing gained,
+/// what was true 35 % and more, one 4 % at 611.
+double leftByNoise(const Signals& signals);
+
 /// Signals of a recording whose motion has been worked out. `robot` must outlive them; null without joints.
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot);
 

@@ -125,8 +125,10 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
                            stacked(aheadOfPlay(signals.q, 0.04), aheadOfPlay(signals.q, 0.12)))});
     out.push_back({heft::toSay("how hard the joints speed up and slow down"), signals.ddq.cwiseAbs()});
     if (signals.robot != nullptr)
-      out.push_back(
-          {heft::toSay("the joint angles, several times a turn"), {}, ripplesOfGears(signals, payload), kManyWaves});
+      out.push_back({heft::toSay("the joint angles, several times a turn"),
+                     {},
+                     ripplesOfGears(signals, payload),
+                     std::max(kManyWaves, leftByNoise(signals))});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);

@@ -87,7 +87,7 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
   };
   // Just above what smoothing keeps, the sensor still has a part of what it took from the motion: up to 15 times what
   // is beside it in three clean recordings; what did shake there had 180 and more.
-  constexpr double kCorner = 1.6, kLimitAtCorner = 40.0;
+  constexpr double kCorner = 1.8, kLimitAtCorner = 40.0;
   const auto atCorner = [&](Eigen::Index bin) {
     const double low = static_cast<double>(bin) + 0.5, high = low + 1.0;
     return signals.keptHz > 0.0 && high > signals.keptHz && low < kCorner * signals.keptHz;
