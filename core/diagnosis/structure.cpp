@@ -43,6 +43,8 @@ constexpr double kShareOfWalk = 0.03;  ///< Of what a walk explains: what its wa
 /// Beyond the usual, for waves of many angles. Of 90 recordings without any, chance gave one 20, the next 13, and no
 /// other kind of structure more than 7; those with some had 290 and more.
 constexpr double kManyWaves = 10.0;
+/// At most, of accelerations where the motion is noisy: one clean recording had 34.
+constexpr double kManyNoisyWaves = 20.0;
 
 /// All rows and the products of each pair of them.
 MatrixXd withProducts(const MatrixXd& rows) {
@@ -128,7 +130,7 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
       out.push_back({heft::toSay("the joint angles, several times a turn"),
                      {},
                      ripplesOfGears(signals, payload),
-                     std::max(kManyWaves, leftByNoise(signals))});
+                     std::clamp(leftByNoise(signals), kManyWaves, kManyNoisyWaves)});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
   MatrixXd cubes = normalised(kin.specificForce);
