@@ -80,8 +80,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   if (const auto channel = stuckChannel(recording))
     return Error{
         heft::say("{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor's driver "
-                  "hides what is "
-                  "small. Mend that and record once more.",
+                  "hides what is small. Mend that and record once more.",
                   channelName(*channel))};
   Readings out;
   out.cleaned = recording;
