@@ -301,5 +301,24 @@ TEST(CauseCards, ATieShowsTheMotionThatDecidesAndLeadsToRecordingIt) {
   EXPECT_NE(heavier->findChild<QPushButton*>("recordIt"), nullptr);
 }
 
+/// Where single readings tell what is wrong, the card of something unknown says that and what to do about it.
+TEST(CauseCards, SayWhatSingleReadingsTellOfSomethingUnknown) {
+  DiagnosisReport report;
+  report.verdict = Verdict::unexplained;
+  report.remaining.goesWith = "readings that stick at one value";
+  const auto textOf = [&] {
+    QWidget parent;
+    QString all;
+    for (const QLabel* label : makeUnknownCard(report, {}, &parent)->findChildren<QLabel*>())
+      all += label->text() + "\n";
+    return all;
+  };
+  EXPECT_TRUE(textOf().contains("record the same motion once more"));
+  report.findings.push_back({Severity::warning, "dead_band", "fx reads exactly 0 N.", "Switch off the threshold.", {}});
+  EXPECT_TRUE(textOf().contains("fx reads exactly 0 N."));
+  EXPECT_TRUE(textOf().contains("Switch off the threshold."));
+  EXPECT_FALSE(textOf().contains("record the same motion once more"));
+}
+
 }  // namespace
 }  // namespace heft

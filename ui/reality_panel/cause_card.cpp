@@ -8,7 +8,9 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "ui/controller/diagnosis.h"
 #include "ui/models/numbers.h"
@@ -457,6 +459,19 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   return card.frame;
 }
 
+namespace {
+
+/// What single readings tell of something that has no name, if anything: more than what it goes with.
+const Finding* seenInReadings(const DiagnosisReport& report) {
+  constexpr std::array<std::string_view, 4> kTelling{"dead_band", "readings_hum", "switches", "knocks"};
+  const auto found = std::ranges::find_if(report.findings, [&](const Finding& finding) {
+    return finding.severity == Severity::warning && std::ranges::find(kTelling, finding.code) != kTelling.end();
+  });
+  return found == report.findings.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actions, QWidget* parent) {
   const Card card = makeCard("card", parent);
   card.frame->setProperty("role", "unknown");
@@ -498,11 +513,13 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
       (part + band + Say::tr(" No known cause accounts for it, so Heft gives it no name and corrects nothing."))
           .trimmed(),
       "caption", card.frame));
+  QString helps = Say::tr("record the same motion once more, without touching anything, and compare.");
+  if (const Finding* seen = seenInReadings(report)) {
+    card.layout->addWidget(wrappedLabel(QString::fromStdString(seen->text), "caption", card.frame));
+    helps = QString::fromStdString(seen->remedy);
+  }
   auto* row = new QHBoxLayout;
-  row->addWidget(
-      boldFirst(Say::tr("What helps:"),
-                Say::tr("record the same motion once more, without touching anything, and compare."), card.frame),
-      1);
+  row->addWidget(boldFirst(Say::tr("What helps:"), helps, card.frame), 1);
   auto* record = makeButton(Say::tr("Record it"), "plainButton", card.frame);
   QObject::connect(record, &QPushButton::clicked, card.frame, [actions] { actions.record({}); });
   row->addWidget(record);
