@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/statistics.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -59,6 +61,23 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     out.push_back(std::move(band));
   }
   return out;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording, const std::vector<DeadBand>& bands) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
+  straightOver(zeroRuns(recording), recording.time, out);
+  for (const DeadBand& band : bands) straightOver(band.runs, recording.time, out.col(band.channel));
+  return out;
+}
+
+std::optional<Eigen::Index> stuckChannel(const Recording& recording) {
+  constexpr double kHardlyElse = 0.9;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const VectorXd y = recording.wrench.col(c);
+    const double middle = median({y.begin(), y.end()});
+    if (static_cast<double>((y.array() == middle).count()) > kHardlyElse * static_cast<double>(y.size())) return c;
+  }
+  return std::nullopt;
 }
 
 }  // namespace heft::diagnosis

@@ -1,5 +1,6 @@
 #pragma once
-// Drivers that give zero for what is small.
+// Drivers that give zero for what is small, or for everything.
+#include <optional>
 #include <vector>
 
 #include "core/diagnosis/held_rows.h"
@@ -18,5 +19,11 @@ struct DeadBand {
 /// The steps of a coarse converter leave no more of a gap here than elsewhere; a row that is zero on all channels is a
 /// lost one.
 std::vector<DeadBand> deadBands(const Recording& recording);
+
+/// The wrench with straight lines in the place of rows that are zero (zeroRuns()) and of what `bands` hide.
+Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording, const std::vector<DeadBand>& bands);
+
+/// A channel that hardly ever reads anything else than one value.
+std::optional<Eigen::Index> stuckChannel(const Recording& recording);
 
 }  // namespace heft::diagnosis

@@ -10,10 +10,8 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/clipping.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/dead_band.h"
-#include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
@@ -26,7 +24,6 @@
 #include "core/diagnosis/velocities.h"
 #include "core/diagnosis/verdict.h"
 #include "core/diagnosis/words.h"
-#include "core/estimation/spikes.h"
 
 namespace heft {
 
@@ -65,17 +62,6 @@ void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen:
   if (static_cast<double>(std::ranges::count(all, true)) < kMost * static_cast<double>(rows)) bad = std::move(all);
 }
 
-/// A channel that hardly ever reads anything else.
-std::optional<Eigen::Index> stuckChannel(const Recording& recording) {
-  constexpr double kHardlyElse = 0.9;
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const VectorXd y = recording.wrench.col(c);
-    const double middle = median({y.begin(), y.end()});
-    if (static_cast<double>((y.array() == middle).count()) > kHardlyElse * static_cast<double>(y.size())) return c;
-  }
-  return std::nullopt;
-}
-
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
   if (const auto channel = stuckChannel(recording))
     return Error{
@@ -84,11 +70,8 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
                   channelName(*channel))};
   Readings out;
   out.cleaned = recording;
-  Eigen::Index spikes = 0;
-  RowFacts facts{unevenStamps(recording), flatTops(recording.wrench), {}, heldRows(recording), staleRuns(recording)};
-  Unclipped clipping = unclipped(withoutSpikes(withoutZeros(recording), spikes), facts.tops, recording.rateHz());
-  out.cleaned.wrench = std::move(clipping.wrench);
-  facts.lost = std::move(clipping.lost);
+  RowFacts facts = rowFactsOf(recording);
+  out.cleaned.wrench = std::move(facts.restored);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
   refresh(out.cleaned, recording, facts.stale, facts.held);
   bridge(out.cleaned, facts.held);
@@ -120,7 +103,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
       out.bad[i] = out.bad[i] || direct.rows[i];
     }
   }
-  out.deadBands = deadBands(recording);
+  out.deadBands = std::move(facts.deadBands);
   setAside(out.deadBands, out.bad, recording.rows());
   return out;
 }

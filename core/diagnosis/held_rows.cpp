@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/diagnosis/dead_band.h"
 #include "core/motion/resample.h"
 #include "core/segmentation/wrench_runs.h"
 
@@ -21,19 +20,6 @@ template <class Series>
 void fill(Series& series, const VectorXd& time, const Held& rows, const std::array<Eigen::Index, 4>& at) {
   if (series.rows() == 0) return;
   for (Eigen::Index i = rows.from; i < rows.to; ++i) interpolate(at, time(i), time, series, series.row(i));
-}
-
-/// Straight lines from the row before each run to the row behind it.
-template <class Readings>
-void straightOver(const Runs& runs, const VectorXd& time, Readings&& wrench) {
-  for (const auto& [from, to] : runs) {
-    if (from == 0 || to == wrench.rows()) continue;
-    const double start = time(from - 1), lasts = time(to) - start;
-    for (Eigen::Index i = from; i < to; ++i) {
-      const double share = (time(i) - start) / lasts;
-      wrench.row(i) = (1.0 - share) * wrench.row(from - 1) + share * wrench.row(to);
-    }
-  }
 }
 
 bool stoodStill(const Recording& recording, const Held& rows) {
@@ -100,11 +86,15 @@ Runs zeroRuns(const Recording& recording) {
   return out;
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording) {
-  Eigen::Matrix<double, Eigen::Dynamic, 6> out = recording.wrench;
-  straightOver(zeroRuns(recording), recording.time, out);
-  for (const DeadBand& band : deadBands(recording)) straightOver(band.runs, recording.time, out.col(band.channel));
-  return out;
+void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> readings) {
+  for (const auto& [from, to] : runs) {
+    if (from == 0 || to == readings.rows()) continue;
+    const double start = time(from - 1), lasts = time(to) - start;
+    for (Eigen::Index i = from; i < to; ++i) {
+      const double share = (time(i) - start) / lasts;
+      readings.row(i) = (1.0 - share) * readings.row(from - 1) + share * readings.row(to);
+    }
+  }
 }
 
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged) {

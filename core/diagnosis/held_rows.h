@@ -28,8 +28,8 @@ Runs staleRuns(const Recording& recording);
 /// fewer than three such rows.
 Runs zeroRuns(const Recording& recording);
 
-/// The wrench with straight lines in their place, and in that of what a driver gives for small readings (dead_band.h).
-Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording);
+/// Straight lines from the row before each run to the row behind it, in every column of `readings`.
+void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> readings);
 
 /// Cubics through fresh readings in `cleaned`, where those of `recording` are `stale`. Not where the motion was held
 /// with them: then both are equally old; and not where most are held for long.

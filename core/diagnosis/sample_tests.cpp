@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/diagnosis/clipping.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
 
@@ -37,12 +38,10 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
   return out;
 }
 
-std::optional<Direct> spikes(const Recording& recording) {
-  Eigen::Index replaced = 0;
-  withoutSpikes(withoutZeros(recording), replaced);
+std::optional<Direct> spikes(Eigen::Index replaced, Eigen::Index rows) {
   if (replaced < 3) return std::nullopt;
   Direct out;
-  const double share = 100.0 * static_cast<double>(replaced) / static_cast<double>(recording.rows());
+  const double share = 100.0 * static_cast<double>(replaced) / static_cast<double>(rows);
   out.cause = "spikes";
   out.parameters = {{"count", "", static_cast<double>(replaced), 0.0}, {"share", "%", share, 0.0}};
   return out;
@@ -135,13 +134,27 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
 
 }  // namespace
 
+RowFacts rowFactsOf(const Recording& recording) {
+  RowFacts out;
+  out.stamps = unevenStamps(recording);
+  out.tops = flatTops(recording.wrench);
+  out.deadBands = deadBands(recording);
+  out.held = heldRows(recording);
+  out.stale = staleRuns(recording);
+  Unclipped clipping =
+      unclipped(withoutSpikes(withoutZeros(recording, out.deadBands), out.spikes), out.tops, recording.rateHz());
+  out.lost = std::move(clipping.lost);
+  out.restored = std::move(clipping.wrench);
+  return out;
+}
+
 std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const RowFacts& facts) {
   std::vector<Direct> out;
   if (auto found = saturation(recording, facts.tops, facts.lost)) out.push_back(std::move(*found));
   if (facts.stamps) out.push_back(jitter(*facts.stamps));
   if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));
-  if (auto found = spikes(recording)) out.push_back(std::move(*found));
+  if (auto found = spikes(facts.spikes, recording.rows())) out.push_back(std::move(*found));
   for (auto& found : reportedVelocities(recording, motion)) out.push_back(std::move(found));
   return out;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/diagnosis/cause.h"
+#include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/motion/motion.h"
@@ -31,9 +32,16 @@ struct RowFacts {
   std::optional<UnevenStamps> stamps;  ///< As of unevenStamps(recording)
   std::vector<FlatTop> tops;           ///< As of flatTops(its wrench)
   std::vector<bool> lost;              ///< To these: as of unclipped()
+  std::vector<DeadBand> deadBands;     ///< As of deadBands(recording)
+  Eigen::Index spikes = 0;             ///< Readings that were replaced: as of withoutSpikes()
   std::vector<Held> held;              ///< As of heldRows(recording)
   Runs stale;                          ///< As of staleRuns(recording)
+  /// The wrench with what zeros, spikes and flat tops hide put in again, as far as that can be told
+  Eigen::Matrix<double, Eigen::Dynamic, 6> restored;
 };
+
+/// Of a recording as it was read.
+RowFacts rowFactsOf(const Recording& recording);
 
 /// Tests on a recording as it was read; `motion` as worked out from it.
 std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion, const RowFacts& facts);

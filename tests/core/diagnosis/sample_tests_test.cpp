@@ -21,13 +21,8 @@ std::vector<std::string> directCauses(const Recording& recording) {
   options.cutoffHz = 25.0;
   const auto motion = motionOf(recording, &RobotModel::panda(), options);
   std::vector<std::string> out;
-  diagnosis::RowFacts facts{diagnosis::unevenStamps(recording),
-                            flatTops(recording.wrench),
-                            {},
-                            diagnosis::heldRows(recording),
-                            diagnosis::staleRuns(recording)};
-  facts.lost = diagnosis::unclipped(recording.wrench, facts.tops, recording.rateHz()).lost;
-  for (const auto& direct : diagnosis::sampleTests(recording, *motion, facts)) out.push_back(direct.cause);
+  for (const auto& direct : diagnosis::sampleTests(recording, *motion, diagnosis::rowFactsOf(recording)))
+    out.push_back(direct.cause);
   return out;
 }
 
