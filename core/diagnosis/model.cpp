@@ -278,16 +278,19 @@ Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches 
   }
   if (!everything && std::ranges::find(again, true) == again.end()) return {std::move(value), std::move(jacobian)};
   Moving moving(signals, model);
-  if (everything) moving.fillPayload(jacobian);
+  if (everything) {
+    again.assign(again.size(), true);
+    moving.fillPayload(jacobian);
+    around.x = model.x;
+  }
   Eigen::Index at = kLinear;
   for (std::size_t i = 0; i < again.size(); ++i) {
-    if (everything || again[i]) {
+    if (again[i]) {
       moving.fill(i, jacobian, at);
       around.terms[i].v = model.terms[i].v;
     }
     at += model.terms[i].v.size();
   }
-  if (everything) around.x = model.x;
   return {std::move(value), std::move(jacobian)};
 }
 

@@ -1,5 +1,6 @@
 // The sensor's zero moves: slowly, or at once.
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -35,54 +36,42 @@ class BiasDrift final : public Cause {
     std::vector<Parameter> levels;  // How far it goes in all
     for (int c = 0; c < 6; ++c)
       levels.push_back({channelName(c), unitOf(c), 1.0, sizeOf(c), -200.0 * sizeOf(c), 200.0 * sizeOf(c)});
-    for (const double part : {0.12, 0.35}) {
+    // `beside` stand behind the levels: what bends them, with where its search starts, and then what scales them, too.
+    const auto add = [&](const char* name, Course course, std::vector<Parameter> beside,
+                         const std::vector<double>& starts) {
       std::vector<Parameter> parameters = levels;
-      parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 3.0 * T});
-      Form form = formOf(this, "settling", parameters);
-      form.start(6) = part * T;
+      std::ranges::move(beside, std::back_inserter(parameters));
+      Form form = formOf(this, name, parameters);
       form.scan = {0, 1, 2, 3, 4, 5};
+      for (std::size_t i = 6; i < parameters.size(); ++i) {
+        if (i < 6 + starts.size())
+          form.start(static_cast<Eigen::Index>(i)) = starts[i - 6];
+        else
+          form.scan.push_back(static_cast<int>(i));
+      }
       form.subset = true;
-      form.choice = {kSettling};
-      out.push_back(form);
-    }
+      form.choice = {course};
+      out.push_back(std::move(form));
+    };
+    for (const double part : {0.12, 0.35})
+      add("settling", kSettling, {{"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 3.0 * T}}, {part * T});
     // Fast at first and slowly for the rest of the time, as where both a gauge and the tool around it warm up.
     for (const double part : {0.05, 0.15}) {
-      std::vector<Parameter> parameters = levels;
-      parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 0.5 * T});
-      for (auto& slope : drift("_slope", 1.0)) parameters.push_back(std::move(slope));
-      Form form = formOf(this, "settling and steady", parameters);
-      form.start(6) = part * T;
-      form.scan = {0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12};
-      form.subset = true;
-      form.choice = {kBoth};
-      out.push_back(form);
+      std::vector<Parameter> beside{{"time_constant", "s", 1.0, 0.1 * T, 0.01 * T, 0.5 * T}};
+      std::ranges::move(drift("_slope", 1.0), std::back_inserter(beside));
+      add("settling and steady", kBoth, std::move(beside), {part * T});
     }
     // From one level to another, such as that of a sensor that warms up for a while.
-    for (const auto& [from, lasts] : {std::pair{0.0, 0.3}, {0.0, 0.6}, {0.3, 0.3}, {0.3, 0.6}, {0.6, 0.3}}) {
-      std::vector<Parameter> parameters = levels;
-      parameters.push_back({"duration", "s", 1.0, 0.1 * T, 0.03 * T, T, false, false});
-      parameters.push_back({"time", "s", 1.0, 0.1 * T, 0.0, 0.95 * T, true, false});
-      Form form = formOf(this, "from one level to another", parameters);
-      form.start(6) = lasts * T;
-      form.start(7) = from * T;
-      form.scan = {0, 1, 2, 3, 4, 5};
-      form.subset = true;
-      form.choice = {kRamp};
-      out.push_back(form);
-    }
+    for (const auto& [from, lasts] : {std::pair{0.0, 0.3}, {0.0, 0.6}, {0.3, 0.3}, {0.3, 0.6}, {0.6, 0.3}})
+      add("from one level to another", kRamp,
+          {{"duration", "s", 1.0, 0.1 * T, 0.03 * T, T, false, false},
+           {"time", "s", 1.0, 0.1 * T, 0.0, 0.95 * T, true, false}},
+          {lasts * T, from * T});
     // From a moment on, such as that at which something was switched on that warms the sensor.
-    for (const double from : {0.2, 0.4, 0.6}) {
-      std::vector<Parameter> parameters = levels;
-      parameters.push_back({"time_constant", "s", 1.0, 0.1 * T, 0.03 * T, 0.5 * T});
-      parameters.push_back({"time", "s", 1.0, 0.1 * T, 0.05 * T, 0.9 * T});
-      Form form = formOf(this, "from a moment on", parameters);
-      form.start(6) = 0.15 * T;
-      form.start(7) = from * T;
-      form.scan = {0, 1, 2, 3, 4, 5};
-      form.subset = true;
-      form.choice = {kSetsIn};
-      out.push_back(form);
-    }
+    for (const double from : {0.2, 0.4, 0.6})
+      add("from a moment on", kSetsIn,
+          {{"time_constant", "s", 1.0, 0.1 * T, 0.03 * T, 0.5 * T}, {"time", "s", 1.0, 0.1 * T, 0.05 * T, 0.9 * T}},
+          {0.15 * T, from * T});
     auto curved = drift("", 1.0);
     for (const auto& p : drift("_bend", 1.0)) curved.push_back(p);
     out.push_back(formOf(this, "curved", curved));
