@@ -478,7 +478,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   for (const auto& direct : readings->directs) out.causes.push_back(fromDirect(direct));
   if (!work.contacts.empty()) {
     const bool named = contains(final.model, work.touchedOr);
-    out.causes.push_back(fromContacts(work.contacts, named ? std::string() : work.touchedOr, out.noise.force));
+    out.causes.push_back(
+        fromContacts(work.contacts, final.residual, named ? std::string() : work.touchedOr, out.noise.force));
   }
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
   sortByStrength(out.causes);

@@ -134,11 +134,9 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
   std::vector<Contact> out;
   const Wrenches scaled = usualSize(signals, fit).cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
-    Contact contact{signals.blockTime(stretch.from), signals.blockTime(stretch.to - 1), 0.0,
+    Contact contact{signals.blockTime(stretch.from), signals.blockTime(stretch.to - 1),
                     evidenceForLeavingOut(signals, fit, stretch.from, stretch.to), stretch};
     if (contact.evidence < kThreshold) continue;
-    for (Eigen::Index n = stretch.from; n < stretch.to; ++n)
-      contact.peakForce = std::max(contact.peakForce, fit.residual.col(n).head<3>().norm());
     contact.steady = contact.to - contact.from < kBounce || steadiness(scaled, stretch, signals.blockRate()) > kSteady;
     contact.rings = contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch);
     out.push_back(contact);

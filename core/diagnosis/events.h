@@ -6,7 +6,6 @@ namespace heft::diagnosis {
 
 struct Contact {
   double from = 0, to = 0;  ///< [s]
-  double peakForce = 0;     ///< [N] that the rest of the model leaves
   double evidence = 0;      ///< Gained by leaving the stretch out
   Stretch blocks;           ///< The same in blocks
   bool steady = true;       ///< It pushes for a tenth of a second at least; if not, it shakes or is noise

@@ -107,13 +107,17 @@ DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy) {
   return out;
 }
 
-DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const std::string& touchedOr, double noise) {
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left, const std::string& touchedOr,
+                            double noise) {
   DiagnosedCause out;
   out.id = "contact";
   double peak = 0.0;
   for (const auto& contact : contacts) {
     out.when.push_back({contact.from, contact.to});
-    peak = std::max(peak, contact.peakForce);
+    const auto& [from, to] = contact.blocks;
+    const Eigen::Index width = std::min<Eigen::Index>(3, to - from);
+    for (Eigen::Index n = from; n + width <= to; ++n)
+      peak = std::max(peak, left.middleCols(n, width).topRows<3>().rowwise().mean().norm());
     out.deltaBic += contact.evidence;
   }
   out.parameters = {{"peak_force", "N", peak, noise}};

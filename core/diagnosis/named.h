@@ -16,8 +16,10 @@ DiagnosedCause fromDirect(const Direct& direct);
 /// `before` and `after` undoing the mistake.
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
 DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy);
-/// `contacts` must not be empty; `noise` [N] is how well the peak is known.
-/// `touchedOr`: a cause that may be meant instead, or none; `noise` [N].
-DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const std::string& touchedOr, double noise);
+/// `contacts` must not be empty. `left`, 6 x blocks, is what all causes together leave: its mean over three blocks is
+/// at its greatest the force, known to `noise` [N] (one block by itself adds the most that the noise does in any).
+/// `touchedOr`: a cause that may be meant instead, or none.
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left, const std::string& touchedOr,
+                            double noise);
 
 }  // namespace heft::diagnosis

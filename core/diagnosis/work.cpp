@@ -117,17 +117,16 @@ double loudnessBeside(const Contact& touch, const Work& work, const Eigen::Map<c
   return count > 0.0 && !usual.empty() ? std::max(1.0, near / count / std::max(1e-12, median(usual))) : 1.0;
 }
 
-/// Whether so much speaks for `touches`, beside what else the search found, that something was touched. What other
-/// causes leave when their form is not quite right looks like a touch now and then, often one of a torque without a
-/// force.
-bool wereTouches(const std::vector<Contact>& touches, double evidence, const Work& work) {
+/// Whether so much speaks for touches with the greatest force of `peak` [N], beside what else the search found, that
+/// something was touched. What other causes leave when their form is not quite right looks like a touch now and then,
+/// often one of a torque without a force.
+bool wereTouches(double peak, double evidence, const Work& work) {
   // Of 30 faint ones in 560 recordings, real touches had 32 or more, and more than 1.3 times the noise below 100.
   // Nobody touches with a torque and no force: one of 408 others, over 1.2 s, had 433 and 0.4 times the noise.
   constexpr double kLeast = 30.0, kShareOfOthers = 0.03, kFaintTouch = 100.0, kOfNoise = 0.7;
-  double others = 0.0, peak = 0.0;
+  double others = 0.0;
   for (const Found& found : work.search.found)
     if (found.cause != "contact") others += found.gain;
-  for (const Contact& touch : touches) peak = std::max(peak, touch.peakForce);
   if (evidence < kLeast + kShareOfOthers * others) return false;
   return peak > (evidence > kFaintTouch ? kOfNoise : 1.0) * rmsOf(work.stretches, work.search.final.residual).force;
 }
@@ -143,11 +142,12 @@ void setTouchesAside(Work& work) {
   if (found == search.found.end()) return;
   Signals& signals = work.signals;
   std::vector<Contact> touches;
-  double lasts = 0.0;
+  double lasts = 0.0, peak = 0.0;
   for (const auto& term : search.final.model.terms) {
     if (term.form->cause->id() != "contact") continue;
     for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) {
-      Contact touch{from, to, term.v.segment<3>(1).norm(), 0.0, {signals.blocks(), 0}};
+      Contact touch{from, to, 0.0, {signals.blocks(), 0}};
+      peak = std::max(peak, term.v.segment<3>(1).norm());
       for (Eigen::Index n = 0; n < signals.blocks(); ++n)
         if (signals.blockTime(n) >= from && signals.blockTime(n) <= to) {
           touch.blocks.from = std::min(touch.blocks.from, n);
@@ -167,7 +167,6 @@ void setTouchesAside(Work& work) {
     }
     Contact& same = apart.back();
     same.to = std::max(same.to, touch.to);
-    same.peakForce = std::max(same.peakForce, touch.peakForce);
     same.blocks.to = std::max(same.blocks.to, touch.blocks.to);
   }
   touches = std::move(apart);
@@ -179,7 +178,7 @@ void setTouchesAside(Work& work) {
   double evidence = 0.0;
   for (const auto& touch : touches)
     evidence += touch.evidence / loudnessBeside(touch, work, {innovations.data(), 6, residual.cols()});
-  const bool touched = wereTouches(touches, evidence, work);
+  const bool touched = wereTouches(peak, evidence, work);
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
   if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && touched) {

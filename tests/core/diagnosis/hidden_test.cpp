@@ -105,6 +105,20 @@ TEST(Diagnose, ALightTouchIsContact) {
   EXPECT_TRUE(canApply(report, report.causes.front()));
 }
 
+/// What the load alone leaves in a contact is mostly the drag's: its peak was that, with the noise for its deviation.
+TEST(Diagnose, AContactsForceIsWhatTheOtherCausesLeave) {
+  for (const double force : {0.5, 2.0}) {
+    const auto report =
+        diagnosed(aRecording(MotionKind::excitation, 183, {{"viscous_drag", "", 10.0}, {"contact", "bump", force}}));
+    const auto contact = std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return c.id == "contact"; });
+    ASSERT_NE(contact, report.causes.end()) << said(report);
+    ASSERT_EQ(contact->parameters.size(), 1u);
+    const auto& peak = contact->parameters.front();
+    EXPECT_NEAR(peak.value, force, 3.0 * peak.std) << said(report);
+    EXPECT_LT(peak.std, 0.3 * force) << said(report);
+  }
+}
+
 TEST(Diagnose, WhatIsPouredInIsAChangeOfLoad) {
   const auto report = diagnosed(aRecording(MotionKind::free, 182, {{"payload_change", "pour", 60.0}}));
   ASSERT_TRUE(namedFirstOrTied(report, "payload_change")) << said(report);
