@@ -12,6 +12,7 @@
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/dead_band.h"
+#include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
@@ -33,8 +34,12 @@ namespace {
 
 constexpr double kGainBesideUnknown = 0.03;  ///< Share of the unseen misfit
 constexpr double kGainOfFaint = 0.012;       ///< The same for a cause that next to nothing speaks for
-constexpr double kHarm = 0.1;                ///< Share of the unseen misfit that no cause may add
-constexpr double kWholeTool = 0.5;           ///< Share of the payload that is hardly a part of the tool any more
+constexpr double kGainOfLeftover = 0.03;     ///< The same for one that is faint beside a strong one
+/// The share of that one's evidence. Of second causes in 544 recordings of two simulators, right ones had a ninth or
+/// more (but for one of two that either would do for); nine wrong ones had less and explained less than 0.03.
+constexpr double kFaintBeside = 0.12;
+constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
+constexpr double kWholeTool = 0.5;  ///< Share of the payload that is hardly a part of the tool any more
 
 bool contains(const std::vector<std::string>& list, std::string_view id) {
   return std::ranges::find(list, id) != list.end();
@@ -315,9 +320,6 @@ bool standsOut(const Fit& fit, std::string_view cause) {
 /// speaks for it.
 Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance,
               const std::vector<Direct>& directs) {
-  // Of second causes in 544 recordings of two simulators, right ones had a ninth of the strongest's evidence or more
-  // (but for one of two that either would do for); nine wrong ones had less than that and explained less than 0.03.
-  constexpr double kFaintBeside = 0.12, kGainOfLeftover = 0.03;
   Judged out;
   const bool held = std::ranges::any_of(directs, [](const Direct& d) { return d.cause == "dropouts"; });
   Search& search = work.search;

@@ -2,6 +2,7 @@
 // Recordings for tests of the diagnosis.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/diagnosis/diagnose.h"
 #include "core/motion/motion.h"
@@ -47,6 +48,12 @@ inline Recording withRows(Recording recording, const std::vector<Eigen::Index>& 
   if (recording.dq.rows() > 0) recording.dq = MatrixXd(recording.dq(kept, Eigen::all));
   recording.wrench = decltype(recording.wrench)(recording.wrench(kept, Eigen::all));
   return recording;
+}
+
+/// The cause of that name, or null.
+inline const DiagnosedCause* named(const DiagnosisReport& report, std::string_view id) {
+  const auto found = std::ranges::find_if(report.causes, [&](const auto& c) { return c.id == id; });
+  return found == report.causes.end() ? nullptr : &*found;
 }
 
 /// What a failing test shows of a report.

@@ -110,8 +110,8 @@ TEST(Diagnose, AContactsForceIsWhatTheOtherCausesLeave) {
   for (const double force : {0.5, 2.0}) {
     const auto report =
         diagnosed(aRecording(MotionKind::excitation, 183, {{"viscous_drag", "", 10.0}, {"contact", "bump", force}}));
-    const auto contact = std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return c.id == "contact"; });
-    ASSERT_NE(contact, report.causes.end()) << said(report);
+    const DiagnosedCause* contact = named(report, "contact");
+    ASSERT_NE(contact, nullptr) << said(report);
     ASSERT_EQ(contact->parameters.size(), 1u);
     const auto& peak = contact->parameters.front();
     EXPECT_NEAR(peak.value, force, 3.0 * peak.std) << said(report);

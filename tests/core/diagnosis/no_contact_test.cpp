@@ -14,11 +14,6 @@
 namespace heft::test {
 namespace {
 
-const DiagnosedCause* named(const DiagnosisReport& report, std::string_view id) {
-  const auto found = std::ranges::find_if(report.causes, [&](const auto& c) { return c.id == id; });
-  return found == report.causes.end() ? nullptr : &*found;
-}
-
 const CauseParameter* parameter(const DiagnosedCause& cause, std::string_view name) {
   const auto found = std::ranges::find_if(cause.parameters, [&](const auto& p) { return p.name == name; });
   return found == cause.parameters.end() ? nullptr : &*found;
