@@ -44,6 +44,7 @@ struct Form {
   bool alone = false;   ///< Nothing else of its cause beside it: with two of them, almost anything could be made up
   bool rare = false;  ///< Takes no place of its cause's other forms when some are chosen for a fit: the most promising
                       ///< one is added.
+  bool later = false;  ///< Never looked for first: begins where the fit of another form ended, see Cause::grown()
   bool walk = false;  ///< Waves k = 1, 2, .. of six channels in turn, whose amplitudes fall with 1/k as a walk's do
 };
 
@@ -56,8 +57,8 @@ class Cause {
   /// Every form worth looking at with these signals; none if the recording cannot show the cause.
   virtual std::vector<Form> forms(const Signals& signals) const = 0;
 
-  /// Richer forms that begin where the fit of one ended, with their first guess: such as lie too far from any of
-  /// forms() to be found.
+  /// Forms, also of other causes, that begin where the fit of one ended, with their first guess: such as lie too far
+  /// from any of forms() to be found.
   virtual std::vector<std::pair<Form, VectorXd>> grown(const Form&, const VectorXd&, const Signals&) const {
     return {};
   }

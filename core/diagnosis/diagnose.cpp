@@ -38,6 +38,7 @@ constexpr double kGainOfLeftover = 0.03;     ///< The same for one that is faint
 /// The share of that one's evidence. Of second causes in 544 recordings of two simulators, right ones had a ninth or
 /// more (but for one of two that either would do for); nine wrong ones had less and explained less than 0.03.
 constexpr double kFaintBeside = 0.12;
+constexpr double kBrief = 3.0;      ///< [s] What has its place in time and lasts no longer is hardly seen elsewhere
 constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
 constexpr double kWholeTool = 0.5;  ///< Share of the payload that is hardly a part of the tool any more
 
@@ -316,6 +317,13 @@ bool standsOut(const Fit& fit, std::string_view cause) {
          kDeviations * kDeviations * static_cast<double>(all.size());
 }
 
+/// How long a term with a place in time acts [s].
+double lasts(const Term& term, const Signals& signals) {
+  double out = 0.0;
+  for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) out += to - from;
+  return out;
+}
+
 /// `needed`: share of the unseen misfit that a cause must explain; `neededOfFaint`: the same where next to nothing
 /// speaks for it.
 Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates& chance,
@@ -338,13 +346,16 @@ Judged judged(Work& work, double needed, double neededOfFaint, const Surrogates&
     Fit rest = fitModel(work.signals, work.stretches, without(search.final.model, found->cause));
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
     const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
-    const auto anyForm = [&](const auto& is) {
+    const auto anyTerm = [&](const auto& is) {
       return std::ranges::any_of(search.final.model.terms,
-                                 [&](const Term& t) { return t.form->cause->id() == found->cause && is(*t.form); });
+                                 [&](const Term& t) { return t.form->cause->id() == found->cause && is(t); });
     };
-    const bool local = anyForm([](const Form& form) { return form.local; });
+    // What begins and stays is seen on all later blocks.
+    const bool local = anyTerm([&](const Term& term) {
+      return term.form->local && (found->gain >= kFaint || lasts(term, work.signals) < kBrief);
+    });
     // What has chosen from many frequencies or speeds explains a little of any noise.
-    const bool chose = anyForm([](const Form& form) { return form.scan.size() < form.parameters.size(); });
+    const bool chose = anyTerm([](const Term& term) { return term.form->scan.size() < term.form->parameters.size(); });
     // Faint beside a strong one, it may be no more than what that one's form does not quite have.
     const bool leftover =
         neededOfFaint > 0.0 && found->gain < std::min(2.0 * kFaint, kFaintBeside * order.back()->gain);

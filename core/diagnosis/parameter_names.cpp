@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 32> kNames = {{
+constexpr std::array<Name, 33> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -49,6 +49,7 @@ constexpr std::array<Name, 32> kNames = {{
     {"turning_way", heft::toSay("Forgotten after, of the load's range")},
     {"warm_up", heft::toSay("Time constant of warming up T")},
     {"step_force", heft::toSay("Step of the force readings")},
+    {"growth", heft::toSay("Gain of all channels changes by")},
 }};
 
 /// With an axis or a channel in place of {}.
@@ -112,6 +113,7 @@ std::string wordsOf(std::string_view name) {
     const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
     if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
   }
+  if (name.starts_with("course_w")) return heft::say("Wave {} of the course", name.substr(8));
   if (name.ends_with("_slope"))
     if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 8)
       return heft::say("Rate in {}", channelWords(*channel));

@@ -180,7 +180,8 @@ void Signature::fill(MatrixXd all) {
 SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
   for (const auto& cause : catalogue()) {
     if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
-    for (auto& form : cause->forms(signals)) plain_.push_back({std::move(form), {}, {}});
+    for (auto& form : cause->forms(signals))
+      if (!form.later) plain_.push_back({std::move(form), {}, {}});
   }
 }
 

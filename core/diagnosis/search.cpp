@@ -69,6 +69,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     Tried latest{out.final, trials(signals, stretches, out.final, ranked)};
+    addCourses(signals, stretches, out.final, latest.all);
     addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
     const auto& all = latest.all;
@@ -86,10 +87,12 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         break;
       }
     // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
+    // A course that all channels take is a drift where a walk explains less.
+    const bool together = chosen->fit.model.terms.back().form->later;
+    const double ahead = together ? 0.0 : chosen->cause == "bias_drift" ? kBesideWandering : kJump;
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
-        if (trial.cause == kWandering &&
-            trial.gain > chosen->gain - (chosen->cause == "bias_drift" ? kBesideWandering : kJump)) {
+        if (trial.cause == kWandering && trial.gain > chosen->gain - ahead) {
           chosen = &trial;
           break;
         }

@@ -176,6 +176,7 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   for (std::size_t i = 0; i < base.model.terms.size(); ++i) {
     const Term& term = base.model.terms[i];
     for (auto& [form, v] : term.form->cause->grown(*term.form, term.v, signals)) {
+      if (form.cause != term.form->cause) continue;
       Model model = base.model;
       model.terms[i] = {std::make_shared<const Form>(std::move(form)), std::move(v), {}};
       wholes.push_back({std::move(model), causeOf(term)});
@@ -193,6 +194,26 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   });
   std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
   if (more.empty()) return;
+  std::ranges::move(more, std::back_inserter(all));
+  sortByGain(all);
+}
+
+void addCourses(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                std::vector<Trial>& all) {
+  // Beside other causes, any course would be a crutch for what these leave.
+  const auto walk = std::ranges::find_if(all, [](const Trial& t) { return t.fit.model.terms.back().form->walk; });
+  if (walk == all.end() || !base.model.terms.empty()) return;
+  const Term& waves = walk->fit.model.terms.back();
+  auto forms = waves.form->cause->grown(*waves.form, waves.v, signals);
+  std::vector<Trial> more(forms.size());
+  onTwoThreads(forms.size(), [&](std::size_t i) {
+    Model model = base.model;
+    model.terms.push_back({std::make_shared<const Form>(std::move(forms[i].first)), std::move(forms[i].second), {}});
+    more[i].cause = causeOf(model.terms.back());
+    more[i].choicePenalty = 2.0 * std::log(static_cast<double>(forms.size()));
+    more[i].fit = fitModel(signals, stretches, std::move(model));
+    weigh(more[i], base, signals);
+  });
   std::ranges::move(more, std::back_inserter(all));
   sortByGain(all);
 }

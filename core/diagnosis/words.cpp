@@ -229,7 +229,7 @@ struct Values {
     for (const auto& p : cause.parameters) {
       if (occurrenceOf(p.name) != ending) continue;
       if (p.name.starts_with("time") || p.name.starts_with("turning_way") || p.name.starts_with("duration") ||
-          p.name == "warm_up")
+          p.name.starts_with("course_w") || p.name == "warm_up")
         continue;
       const double z = p.std > 0.0 ? std::abs(p.value) / p.std : 0.0;
       if (z > most) {
@@ -258,6 +258,9 @@ std::string driftSentence(const Values& v) {
   if (v.find("time_constant") && v.find("time"))
     return heft::say("From {} s on the sensor's zero creeps: {} by {} {} before it settles.",
                      number(v.value("time"), 1), channel, size, p->unit);
+  if (v.find("course_w4") || v.find("course_w5"))
+    return heft::say("The sensor's zero drifts to and fro: {} by {} {} in all.", channel,
+                     plusMinus(std::abs(p->value), p->std), p->unit);
   return heft::say("The sensor's zero creeps: {} by {} {} before it settles.", channel, size, p->unit);
 }
 
@@ -332,6 +335,9 @@ std::string readingSentence(const std::string& id, const CauseParameter& p) {
     return p.value > 0.0
                ? heft::say("All forces read {} % too much against the torques.", plusMinus(p.value, p.std))
                : heft::say("All forces read {} % too little against the torques.", plusMinus(-p.value, p.std));
+  if (p.name == "growth")
+    return heft::say("The gain of all channels changes by {:+.1f} % during the recording, as when a sensor warms up.",
+                     p.value);
   if (p.name.starts_with("growth_"))
     return heft::say("The gain of {} changes by {:+.1f} % during the recording, as when a sensor warms up.",
                      channelWords(channelOf(std::string_view(p.name).substr(7))), p.value);

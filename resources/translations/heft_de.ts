@@ -6634,6 +6634,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>From {} s on the sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
         <translation>Ab {} s kriecht die Null des Sensors: {} um {} {}, bis sie sich beruhigt.</translation>
     </message>
+    <message>
+        <source>Gain of all channels changes by</source>
+        <translation>Verstärkung aller Kanäle ändert sich um</translation>
+    </message>
+    <message>
+        <source>Wave {} of the course</source>
+        <translation>Welle {} des Verlaufs</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero drifts to and fro: {} by {} {} in all.</source>
+        <translation>Die Null des Sensors wandert hin und her: {} um insgesamt {} {}.</translation>
+    </message>
+    <message>
+        <source>The gain of all channels changes by {:+.1f} % during the recording, as when a sensor warms up.</source>
+        <translation>Die Verstärkung aller Kanäle ändert sich während der Aufnahme um {:+.1f} %, wie wenn ein Sensor warm wird.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

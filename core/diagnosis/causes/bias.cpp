@@ -1,5 +1,6 @@
 // The sensor's zero moves: slowly, or at once.
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -14,8 +15,27 @@ namespace {
 double sizeOf(int channel) { return channel < 3 ? 0.1 : 0.005; }
 const char* unitOf(int channel) { return channel < 3 ? "N" : "N m"; }
 
+constexpr int kHalfWaves = 10;
+using Waves = Eigen::Matrix<double, kHalfWaves, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// k half waves over so many instants, k = 1 .. kHalfWaves. Those of the last number asked for are kept: a fit needs
+/// the same ones all the time.
+std::shared_ptr<const Waves> wavesOver(Eigen::Index instants) {
+  static std::mutex mutex;
+  static std::shared_ptr<const Waves> latest;
+  const std::lock_guard lock(mutex);
+  if (latest && latest->cols() == instants) return latest;
+  Waves waves(kHalfWaves, instants);
+  for (Eigen::Index i = 0; i < instants; ++i)
+    for (int k = 0; k < kHalfWaves; ++k)
+      waves(k, i) =
+          std::cos(std::numbers::pi * (k + 1) * (static_cast<double>(i) + 0.5) / static_cast<double>(instants));
+  latest = std::make_shared<const Waves>(std::move(waves));
+  return latest;
+}
+
 class BiasDrift final : public Cause {
-  enum Course { kSteady, kSettling, kCurved, kRamp, kBoth, kSetsIn };  // form.choice
+  enum Course { kSteady, kSettling, kCurved, kRamp, kBoth, kSetsIn, kAnyCourse };  // form.choice
 
  public:
   std::string_view id() const override { return "bias_drift"; }
@@ -77,12 +97,19 @@ class BiasDrift final : public Cause {
     out.push_back(formOf(this, "curved", curved));
     out.back().subset = true;
     out.back().choice = {kCurved};
+    for (const int waves : kCourses)
+      for (int longest = 1; longest <= waves; ++longest) out.push_back(anyCourse(levels, waves, longest));
     return out;
   }
   int order() const override { return 80; }
   bool addsToReadings() const override { return true; }
   void readings(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     const double T = signals.duration();
+    if (form.choice[0] == kAnyCourse) {
+      const Eigen::RowVectorXd course = courseOf(form, v, signals);
+      if (const double range = course.maxCoeff() - course.minCoeff(); range > 0.0) w += v.head<6>() / range * course;
+      return;
+    }
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const double t = static_cast<double>(k) / signals.rateHz;
       if (form.choice[0] == kSettling || form.choice[0] == kBoth) {
@@ -102,6 +129,63 @@ class BiasDrift final : public Cause {
       // The bend has neither mean nor slope over the recording.
       if (form.choice[0] == kCurved) w.col(k) += (t * t / T - t + T / 6.0) * v.tail<6>();
     }
+  }
+
+  /// What one channel alone does may as well be a walk.
+  bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    constexpr double kDeviations = 5.0;
+    return form.choice[0] != kAnyCourse ||
+           (v.head<6>().array().abs() > kDeviations * std.head<6>().array()).count() > 1;
+  }
+
+  /// Where all channels of a walk go one way, and what they do is what one of them does.
+  std::vector<std::pair<Form, VectorXd>> followedBy(const Eigen::Matrix<double, 6, kHalfWaves>& walk,
+                                                    const Signals& signals) const {
+    Vector6d usual;
+    for (int c = 0; c < 6; ++c) usual(c) = sizeOf(c);
+    std::vector<std::pair<Form, VectorXd>> out;
+    std::vector<Form> all = forms(signals);
+    for (const int waves : kCourses) {
+      const Eigen::JacobiSVD<MatrixXd> svd(usual.cwiseInverse().asDiagonal() * walk.leftCols(waves),
+                                           Eigen::ComputeThinU | Eigen::ComputeThinV);
+      const VectorXd course = svd.matrixV().col(0);
+      Eigen::Index longest = 0;
+      const double size = course.cwiseAbs().maxCoeff(&longest);
+      if (!(size > 0.0) || !(svd.singularValues()(0) > 0.0)) continue;
+      const std::vector<int> choice{kAnyCourse, waves, static_cast<int>(longest) + 1};
+      const auto form = std::ranges::find(all, choice, &Form::choice);
+      VectorXd v(6 + waves - 1);
+      for (Eigen::Index k = 0, at = 6; k < waves; ++k)
+        if (k != longest) v(at++) = course(k) / course(longest);
+      const Eigen::RowVectorXd whole = courseOf(*form, v, signals);
+      v.head<6>() = usual.cwiseProduct(svd.matrixU().col(0)) *
+                    (svd.singularValues()(0) * course(longest) * (whole.maxCoeff() - whole.minCoeff()));
+      out.emplace_back(std::move(*form), std::move(v));
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::array<int, 2> kCourses{5, kHalfWaves};  ///< Of how many half waves
+
+  /// Any course that all channels take together, from its lowest to its highest so far in each: waves of which the
+  /// strongest is one, the others a share of it.
+  Form anyCourse(std::vector<Parameter> parameters, int waves, int longest) const {
+    for (int k = 1; k <= waves; ++k)
+      if (k != longest) parameters.push_back({fmt::format("course_w{}", k), "", 1.0, 0.3, -20.0, 20.0});
+    Form form = formOf(this, "to and fro", std::move(parameters));
+    form.scan = {0, 1, 2, 3, 4, 5};
+    form.choice = {kAnyCourse, waves, longest};
+    form.later = true;
+    return form;
+  }
+
+  /// That course, in units of its strongest wave.
+  static Eigen::RowVectorXd courseOf(const Form& form, const VectorXd& v, const Signals& signals) {
+    Eigen::RowVectorXd shares = Eigen::RowVectorXd::Zero(kHalfWaves);
+    Eigen::Index at = 6;
+    for (int k = 0; k < form.choice[1]; ++k) shares(k) = k + 1 == form.choice[2] ? 1.0 : v(at++);
+    return shares * *wavesOver(signals.size());
   }
 };
 
@@ -151,6 +235,12 @@ class Wandering final : public Cause {
   }
   int order() const override { return 84; }
   bool addsToReadings() const override { return true; }
+  std::vector<std::pair<Form, VectorXd>> grown(const Form&, const VectorXd& v, const Signals& signals) const override {
+    const auto* drift = dynamic_cast<const BiasDrift*>(findCause("bias_drift"));
+    return drift == nullptr
+               ? std::vector<std::pair<Form, VectorXd>>{}
+               : drift->followedBy(Eigen::Map<const Eigen::Matrix<double, 6, kHalfWaves>>(v.data()), signals);
+  }
   void readings(const Form&, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     const Eigen::Map<const Eigen::Matrix<double, 6, kHalfWaves>> amplitudes(v.data());
     if (amplitudes.isZero(0.0)) return;
@@ -158,27 +248,6 @@ class Wandering final : public Cause {
     for (int k = 0; k < kHalfWaves; ++k)
       if (!amplitudes.col(k).isZero(0.0)) w += amplitudes.col(k) * waves->row(k).head(w.cols());
   }
-
- private:
-  static constexpr int kHalfWaves = 10;
-  using Waves = Eigen::Matrix<double, kHalfWaves, Eigen::Dynamic, Eigen::RowMajor>;
-
-  /// k half waves over so many instants, k = 1 .. kHalfWaves. Those of the last number asked for are kept: a fit needs
-  /// the same ones all the time.
-  std::shared_ptr<const Waves> wavesOver(Eigen::Index instants) const {
-    const std::lock_guard lock(mutex_);
-    if (latest_ && latest_->cols() == instants) return latest_;
-    Waves waves(kHalfWaves, instants);
-    for (Eigen::Index i = 0; i < instants; ++i)
-      for (int k = 0; k < kHalfWaves; ++k)
-        waves(k, i) =
-            std::cos(std::numbers::pi * (k + 1) * (static_cast<double>(i) + 0.5) / static_cast<double>(instants));
-    latest_ = std::make_shared<const Waves>(std::move(waves));
-    return latest_;
-  }
-
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const Waves> latest_;
 };
 
 }  // namespace

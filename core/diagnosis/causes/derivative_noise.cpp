@@ -54,6 +54,7 @@ class DerivativeNoise final : public Cause {
       size.told = kind == kBell ? bellWidth : butterworthWidth;
       out.push_back(formOf(this, kind == kBell ? "smoothed" : "smoothed more sharply", {size}));
       out.back().choice = {kind};
+      out.back().alone = true;
     }
     return out;
   }

@@ -32,30 +32,35 @@ class GainError final : public Cause {
       std::vector<Parameter> parameters;
       for (int c = 0; c < 6; ++c)
         parameters.push_back({fmt::format("growth_{}", channelName(c)), "%", 100.0, 0.02, -0.7, 0.7});
-      parameters.push_back({"warm_up", "s", 1.0, 0.3 * time, 1.0, 200.0, false, false});
-      out.push_back(formOf(this, "growing", std::move(parameters)));
-      Form& form = out.back();
-      form.start(kGrowthTime) = time;
-      form.scan.pop_back();
-      form.subset = form.alone = form.rare = true;
-      form.choice = {kGrowing};
+      for (const bool alike : {false, true}) {
+        if (alike) parameters = {{"growth", "%", 100.0, 0.02, -0.7, 0.7}};
+        parameters.push_back({"warm_up", "s", 1.0, 0.3 * time, 1.0, kSteadily, false, false});
+        Form form = formOf(this, alike ? "growing alike" : "growing", parameters);
+        form.start(form.start.size() - 1) = time;
+        form.scan.pop_back();
+        form.subset = !alike;
+        form.alone = form.rare = true;
+        form.choice = {alike ? kGrowingAlike : kGrowing};
+        out.push_back(std::move(form));
+      }
     }
     return out;
   }
   int order() const override { return 30; }
   bool changesSensor(const Form&) const override { return true; }
-  bool isMatrix(const Form& form) const override { return !bySign(form) && form.choice[0] != kGrowing; }
+  bool isMatrix(const Form& form) const override { return !bySign(form) && form.choice[0] < kGrowing; }
   /// Whoever bolts a sensor on is more often wrong about its place than its maker is about newtons, and loads change
   /// more often than gains.
   double doubt(const Form& form, const VectorXd&, const Signals&) const override {
     return form.choice[0] >= kForces ? 20.0 : 0.0;
   }
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
-    if (form.choice[0] == kGrowing) {
-      const double all = 1.0 - std::exp(-signals.duration() / v(kGrowthTime));
+    if (form.choice[0] >= kGrowing) {
+      const Vector6d growth = form.choice[0] == kGrowing ? Vector6d(v.head<6>()) : Vector6d(Vector6d::Constant(v(0)));
+      const double T = v(v.size() - 1), all = -std::expm1(-signals.duration() / T);
       for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const double gone = (1.0 - std::exp((signals.startTime - signals.time(k)) / v(kGrowthTime))) / all;
-        w.col(k) += gone * v.head<6>().cwiseProduct(w.col(k));
+        const double gone = -std::expm1((signals.startTime - signals.time(k)) / T) / all;
+        w.col(k) += gone * growth.cwiseProduct(w.col(k));
       }
       return;
     }
@@ -72,9 +77,9 @@ class GainError final : public Cause {
   bool linear(const Form& form) const override { return !bySign(form); }
 
  private:
-  static constexpr int kForces = 6, kGrowing = 7;  ///< form.choice: instead of a channel
-  static constexpr Eigen::Index kGrowthTime = 6;   ///< Parameter
-  static constexpr int kBySign = 1;                ///< Second in form.choice, after the channel
+  static constexpr int kForces = 6, kGrowing = 7, kGrowingAlike = 8;  ///< form.choice: instead of a channel
+  static constexpr double kSteadily = 1e4;  ///< [s] A gain that grows as long as this grows all the time
+  static constexpr int kBySign = 1;         ///< Second in form.choice, after the channel
 
   static bool bySign(const Form& form) { return form.choice.size() > 1; }
 };

@@ -9,7 +9,7 @@ namespace {
 class PayloadChange final : public Cause {
  public:
   std::string_view id() const override { return "payload_change"; }
-  std::vector<std::string> lookAlikes() const override { return {"sensor_bias", "contact"}; }
+  std::vector<std::string> lookAlikes() const override { return {"sensor_bias", "contact", "gain_error"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
     const auto [from, to] = timesForChange(signals);
