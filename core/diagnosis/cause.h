@@ -42,10 +42,11 @@ struct Form {
   bool local = false;   ///< Has a place in time, parameter 0 [s].
   bool atOnce = false;  ///< And changes there within a block or so.
   bool alone = false;   ///< Nothing else of its cause beside it: with two of them, almost anything could be made up
-  bool rare = false;  ///< Takes no place of its cause's other forms when some are chosen for a fit: the most promising
-                      ///< one is added.
+  bool rare = false;   ///< Takes no place of its cause's other forms when some are chosen for a fit: the most promising
+                       ///< one is added.
   bool later = false;  ///< Never looked for first: begins where the fit of another form ended, see Cause::grown()
-  bool walk = false;  ///< Waves k = 1, 2, .. of six channels in turn, whose amplitudes fall with 1/k as a walk's do
+  bool guide = false;  ///< Linear in all, and only shows where the forms begin that it grows into: never named itself
+  bool walk = false;   ///< Waves k = 1, 2, .. of six channels in turn, whose amplitudes fall with 1/k as a walk's do
 };
 
 class Cause {

@@ -155,7 +155,7 @@ double leadFor(const Found& found, const Rival& rival) {
   if (walkGoes && rival.cause == "sensor_bias") return kJump;
   if (walkGoes && isMoreThanWalk(rival.cause, found.gain - rival.behind, found.gain)) return -found.gain;
   if (walkComes && isMoreThanWalk(found.cause, found.gain, found.gain - rival.behind)) return found.gain;
-  if (walkGoes && rival.later) return kUsual;
+  if (walkGoes && rival.cause == "bias_drift" && rival.later) return kUsual;
   if ((walkGoes ? rival.cause : found.cause) != "bias_drift") return walkGoes ? kFaintDrift : kUsual;
   const double drift = walkGoes ? found.gain - rival.behind : found.gain;
   const double ahead = drift < kFaint ? kFaintDrift : -kPlainWalk;  // Of the walk, for the drift to be named
@@ -237,7 +237,6 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         const auto ranked = promises(signals, stretches, bank, fresh.base);
         fresh.all = trialsOf(signals, stretches, fresh.base,
                              chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
-        addCourses(signals, stretches, fresh.base, fresh.all);
         addAtThatMoment(signals, stretches, fresh.base, ranked, fresh.all);
         addCompletions(signals, stretches, fresh.base, fresh.all);
         known = tried.insert(tried.end(), std::move(fresh));

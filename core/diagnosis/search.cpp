@@ -55,7 +55,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   out.final = out.null;
   std::vector<std::string>& order = out.order;
   if (!options.start.terms.empty()) {
-    out.final = prunedOf(signals, stretches, fitModel(signals, stretches, options.start), options.threshold);
+    const Fit begun = fitModel(signals, stretches, options.start);
+    out.final = settled(signals, stretches, prunedOf(signals, stretches, begun, options.threshold));
     if (!believable(out.final)) out.final = out.null;
     for (const Term& term : out.final.model.terms)
       if (std::find(order.begin(), order.end(), causeOf(term)) == order.end()) order.emplace_back(causeOf(term));
@@ -69,7 +70,6 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     Tried latest{out.final, trials(signals, stretches, out.final, ranked)};
-    addCourses(signals, stretches, out.final, latest.all);
     addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
     const auto& all = latest.all;

@@ -70,6 +70,39 @@ double standsOut(const Fit& fit, std::size_t at) {
   return size.dot(covariance.ldlt().solve(size));
 }
 
+/// Adds to `all` what guides grow into, which are no trials themselves, and what the channels of a zero that walks do
+/// together, where nothing else is named: beside other causes any course would be a crutch for what these leave.
+void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                std::vector<Trial>& all) {
+  struct Start {
+    std::pair<Form, VectorXd> at;
+    const Trial* guide;
+    double choice;
+  };
+  std::vector<Start> starts;
+  for (const Trial& trial : all) {
+    const Term& term = trial.fit.model.terms.back();
+    if (!term.form->guide && (!term.form->walk || !base.model.terms.empty())) continue;
+    auto grown = term.form->cause->grown(*term.form, term.v, signals);
+    const double choice =
+        trial.choicePenalty + 2.0 * std::log(static_cast<double>(std::max<std::size_t>(1, grown.size())));
+    for (auto& at : grown) starts.push_back({std::move(at), &trial, choice});
+  }
+  std::vector<Trial> more(starts.size());
+  onTwoThreads(starts.size(), [&](std::size_t i) {
+    Model model = base.model;
+    model.terms.push_back({std::make_shared<const Form>(std::move(starts[i].at.first)), starts[i].at.second, {}});
+    Trial& trial = more[i];
+    trial.cause = causeOf(model.terms.back());
+    trial.choicePenalty = starts[i].choice;
+    trial.promised = starts[i].guide->promised;
+    trial.fit = fitModel(signals, stretches, std::move(model), 3);
+    weigh(trial, base, signals);
+  });
+  std::erase_if(all, [](const Trial& trial) { return trial.fit.model.terms.back().form->guide; });
+  std::ranges::move(more, std::back_inserter(all));
+}
+
 }  // namespace
 
 bool contains(const Model& model, std::string_view cause) {
@@ -131,6 +164,7 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
     placing = std::make_unique<const Placing>(signals, stretches, base);
   onTwoThreads(chosen.size(),
                [&](std::size_t i) { all[i] = tried(signals, stretches, base, placing.get(), *chosen[i]); });
+  growGuides(signals, stretches, base, all);
   sortByGain(all);
   // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those
   // that promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned
@@ -194,26 +228,6 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   });
   std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
   if (more.empty()) return;
-  std::ranges::move(more, std::back_inserter(all));
-  sortByGain(all);
-}
-
-void addCourses(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                std::vector<Trial>& all) {
-  // Beside other causes, any course would be a crutch for what these leave.
-  const auto walk = std::ranges::find_if(all, [](const Trial& t) { return t.fit.model.terms.back().form->walk; });
-  if (walk == all.end() || !base.model.terms.empty()) return;
-  const Term& waves = walk->fit.model.terms.back();
-  auto forms = waves.form->cause->grown(*waves.form, waves.v, signals);
-  std::vector<Trial> more(forms.size());
-  onTwoThreads(forms.size(), [&](std::size_t i) {
-    Model model = base.model;
-    model.terms.push_back({std::make_shared<const Form>(std::move(forms[i].first)), std::move(forms[i].second), {}});
-    more[i].cause = causeOf(model.terms.back());
-    more[i].choicePenalty = 2.0 * std::log(static_cast<double>(forms.size()));
-    more[i].fit = fitModel(signals, stretches, std::move(model));
-    weigh(more[i], base, signals);
-  });
   std::ranges::move(more, std::back_inserter(all));
   sortByGain(all);
 }

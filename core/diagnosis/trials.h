@@ -60,11 +60,6 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                     std::vector<Trial>& all);
 
-/// What the channels of a zero that walks do together is one drift: the forms that its trial grows into, where nothing
-/// else is named. Added to `all`, best first.
-void addCourses(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                std::vector<Trial>& all);
-
 /// Where the best of `all` is an event, the other causes' events at that moment: a first look at steps half a second
 /// apart says little of them, and less where the zero wanders. Added to `all`, best first.
 void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,

@@ -1,6 +1,5 @@
 // The sensor's zero moves: slowly, or at once.
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -97,8 +96,7 @@ class BiasDrift final : public Cause {
     out.push_back(formOf(this, "curved", curved));
     out.back().subset = true;
     out.back().choice = {kCurved};
-    for (const int waves : kCourses)
-      for (int longest = 1; longest <= waves; ++longest) out.push_back(anyCourse(levels, waves, longest));
+    for (int strongest = 1; strongest <= kCourseWaves; ++strongest) out.push_back(anyCourse(levels, strongest));
     return out;
   }
   int order() const override { return 80; }
@@ -143,39 +141,35 @@ class BiasDrift final : public Cause {
                                                     const Signals& signals) const {
     Vector6d usual;
     for (int c = 0; c < 6; ++c) usual(c) = sizeOf(c);
-    std::vector<std::pair<Form, VectorXd>> out;
+    const Eigen::JacobiSVD<MatrixXd> svd(usual.cwiseInverse().asDiagonal() * walk.leftCols<kCourseWaves>(),
+                                         Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const VectorXd course = svd.matrixV().col(0);
+    Eigen::Index strongest = 0;
+    course.cwiseAbs().maxCoeff(&strongest);
+    if (!(svd.singularValues()(0) > 0.0)) return {};
     std::vector<Form> all = forms(signals);
-    for (const int waves : kCourses) {
-      const Eigen::JacobiSVD<MatrixXd> svd(usual.cwiseInverse().asDiagonal() * walk.leftCols(waves),
-                                           Eigen::ComputeThinU | Eigen::ComputeThinV);
-      const VectorXd course = svd.matrixV().col(0);
-      Eigen::Index longest = 0;
-      const double size = course.cwiseAbs().maxCoeff(&longest);
-      if (!(size > 0.0) || !(svd.singularValues()(0) > 0.0)) continue;
-      const std::vector<int> choice{kAnyCourse, waves, static_cast<int>(longest) + 1};
-      const auto form = std::ranges::find(all, choice, &Form::choice);
-      VectorXd v(6 + waves - 1);
-      for (Eigen::Index k = 0, at = 6; k < waves; ++k)
-        if (k != longest) v(at++) = course(k) / course(longest);
-      const Eigen::RowVectorXd whole = courseOf(*form, v, signals);
-      v.head<6>() = usual.cwiseProduct(svd.matrixU().col(0)) *
-                    (svd.singularValues()(0) * course(longest) * (whole.maxCoeff() - whole.minCoeff()));
-      out.emplace_back(std::move(*form), std::move(v));
-    }
-    return out;
+    const std::vector<int> choice{kAnyCourse, static_cast<int>(strongest) + 1};
+    const auto form = std::ranges::find(all, choice, &Form::choice);
+    VectorXd v(6 + kCourseWaves - 1);
+    for (Eigen::Index k = 0, at = 6; k < kCourseWaves; ++k)
+      if (k != strongest) v(at++) = course(k) / course(strongest);
+    const Eigen::RowVectorXd whole = courseOf(*form, v, signals);
+    v.head<6>() = usual.cwiseProduct(svd.matrixU().col(0)) *
+                  (svd.singularValues()(0) * course(strongest) * (whole.maxCoeff() - whole.minCoeff()));
+    return {{std::move(*form), std::move(v)}};
   }
 
  private:
-  static constexpr std::array<int, 2> kCourses{5, kHalfWaves};  ///< Of how many half waves
+  static constexpr int kCourseWaves = 5;  ///< Half waves: what goes to and fro faster is no drift
 
   /// Any course that all channels take together, from its lowest to its highest so far in each: waves of which the
   /// strongest is one, the others a share of it.
-  Form anyCourse(std::vector<Parameter> parameters, int waves, int longest) const {
-    for (int k = 1; k <= waves; ++k)
-      if (k != longest) parameters.push_back({fmt::format("course_w{}", k), "", 1.0, 0.3, -20.0, 20.0});
+  Form anyCourse(std::vector<Parameter> parameters, int strongest) const {
+    for (int k = 1; k <= kCourseWaves; ++k)
+      if (k != strongest) parameters.push_back({fmt::format("course_w{}", k), "", 1.0, 0.3, -20.0, 20.0});
     Form form = formOf(this, "to and fro", std::move(parameters));
     form.scan = {0, 1, 2, 3, 4, 5};
-    form.choice = {kAnyCourse, waves, longest};
+    form.choice = {kAnyCourse, strongest};
     form.later = true;
     return form;
   }
@@ -184,7 +178,7 @@ class BiasDrift final : public Cause {
   static Eigen::RowVectorXd courseOf(const Form& form, const VectorXd& v, const Signals& signals) {
     Eigen::RowVectorXd shares = Eigen::RowVectorXd::Zero(kHalfWaves);
     Eigen::Index at = 6;
-    for (int k = 0; k < form.choice[1]; ++k) shares(k) = k + 1 == form.choice[2] ? 1.0 : v(at++);
+    for (int k = 0; k < kCourseWaves; ++k) shares(k) = k + 1 == form.choice[1] ? 1.0 : v(at++);
     return shares * *wavesOver(signals.size());
   }
 };

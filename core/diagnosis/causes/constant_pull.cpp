@@ -1,4 +1,6 @@
 // A force that keeps its direction in the world, whatever the tool weighs: a spring balancer, a hose over a pulley.
+#include <algorithm>
+
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -14,13 +16,18 @@ class ConstantPull final : public Cause {
                                       {"force_y", "N", 1.0, 0.3, -60.0, 60.0},
                                       {"force_z", "N", 1.0, 0.3, -60.0, 60.0}};
     std::vector<Form> out{formOf(this, "", pull)};
-    // Where it acts shows only with a force there: a first look from the sensor and from the middle of a tool, to
-    // either side.
-    for (const double z : {0.0, 0.08, -0.08}) {
-      out.push_back(formOf(this, "away from the sensor", withPlace(pull)));
-      out.back().scan = {0, 1, 2};
-      out.back().start(5) = z;
-    }
+    // Where it acts shows only with a force there. What each component of the force does at each component of the place
+    // is linear, and shows both.
+    out.push_back(formOf(this, "away from the sensor", withPlace(pull)));
+    out.back().scan = {0, 1, 2};
+    out.back().later = true;
+    std::vector<Parameter> anywhere = pull;
+    for (const char at : {'x', 'y', 'z'})
+      for (const char along : {'x', 'y', 'z'})
+        anywhere.push_back({fmt::format("force_{}_at_{}", along, at), "N m", 1.0, 0.02, -30.0, 30.0, false, false});
+    out.push_back(formOf(this, "anywhere", std::move(anywhere)));
+    out.back().choice = {kAnywhere};
+    out.back().guide = true;
     // From some moment on, such as when a hose is switched on or caught.
     const auto [from, to] = timesForChange(signals);
     for (const double t : momentsForChange(signals)) {
@@ -32,14 +39,50 @@ class ConstantPull final : public Cause {
       form.start(0) = t;
       form.start(7) = 0.05;
       form.scan = {1, 2, 3};
-      form.choice = {1};
+      form.choice = {kFromThen};
       form.local = form.atOnce = true;
       out.push_back(std::move(form));
     }
     return out;
   }
+  /// A force at one place, from what it seems to do at all of them: as strong as it is seen, or as what it turns says
+  /// of one at the middle of a tool.
+  std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v,
+                                               const Signals& signals) const override {
+    constexpr double kMiddle = 0.08, kFarthest = 0.5;  // [m]
+    if (!form.guide) return {};
+    const Eigen::Map<const Matrix3d> turns(v.data() + 3);  // Force along each axis, at each place
+    const Eigen::JacobiSVD<Matrix3d> svd(turns, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double most = svd.singularValues()(0);
+    if (!(most > 0.0)) return {};
+    const Vector3d seen = v.head<3>();
+    Vector3d along = svd.matrixU().col(0);
+    if (along.dot(seen) < 0.0) along = -along;
+    const std::vector<Form> all = forms(signals);
+    const Form& away = *std::ranges::find_if(all, [](const Form& f) { return f.later; });
+    std::vector<std::pair<Form, VectorXd>> out;
+    for (const Vector3d& force : {seen, Vector3d(most / kMiddle * along)}) {
+      VectorXd start(6);
+      const Vector3d place = turns.transpose() * force / std::max(1e-9, force.squaredNorm());
+      start << force, place.cwiseMax(-kFarthest).cwiseMin(kFarthest);
+      out.emplace_back(away, std::move(start));
+    }
+    return out;
+  }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
+    if (form.guide) {
+      const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
+      const Eigen::Map<const Matrix3d> turns(v.data() + 3);
+      for (Eigen::Index k = 0; k < w.cols(); ++k) {
+        const Matrix3d R_SB = R_BS[static_cast<std::size_t>(k)].transpose();
+        w.col(k).head<3>() -= R_SB * v.head<3>();
+        const Matrix3d forces = R_SB * turns;  // At each place, S axes
+        w.col(k).tail<3>() -=
+            Vector3d(forces(2, 1) - forces(1, 2), forces(0, 2) - forces(2, 0), forces(1, 0) - forces(0, 1));
+      }
+      return;
+    }
     // The tool is pulled by F, so the sensor holds it with -F.
     const Eigen::Index first = form.local ? 1 : 0;
     const Vector3d r = v.size() > 3 ? Vector3d(v.segment<3>(first + 3)) : Vector3d(Vector3d::Zero());
@@ -61,6 +104,9 @@ class ConstantPull final : public Cause {
     if (!form.local) return {};
     return {wholeAfter(v(0) - 0.5 * v(7), signals)};
   }
+
+ private:
+  static constexpr int kFromThen = 1, kAnywhere = 2;  ///< form.choice
 };
 
 }  // namespace

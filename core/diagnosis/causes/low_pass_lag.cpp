@@ -32,6 +32,11 @@ class LowPassLag final : public Cause {
     else
       for (int stage = 0; stage < stages; ++stage) w = onePole(w, v(0) / stages, signals.rateHz);
   }
+  /// Of a filter that is none of these: how late it makes readings of a motion that is neither slow nor fast.
+  VectorXd modelStd(const Form&, const VectorXd& v) const override {
+    constexpr double kShare = 0.025;
+    return kShare * v;
+  }
   double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
 
  private:

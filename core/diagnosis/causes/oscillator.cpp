@@ -187,6 +187,16 @@ class LooseMass final : public Oscillator {
       w.col(k).tail<3>() += Vector3d(v.tail<3>()).cross(f);
     }
   }
+  /// No part hangs on a spring that is the same however far it goes, with a damper that is the same however fast.
+  VectorXd modelStd(const Form& form, const VectorXd& v) const override {
+    constexpr double kOfMass = 0.04, kOfFrequency = 0.002, kOfDamping = 0.08;
+    if (form.choice[0] == kFromStart) return {};
+    VectorXd out = VectorXd::Zero(v.size());
+    out.head<4>() = kOfMass * v.head<4>().cwiseAbs();
+    out(4) = kOfFrequency * v(4);
+    out(5) = kOfDamping * v(5);
+    return out;
+  }
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
     constexpr double kRare = 20.0;
     return form.choice[0] == kFromStart ? kRare : Oscillator::doubt(form, v, signals);

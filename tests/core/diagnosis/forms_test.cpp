@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/model.h"
 #include "core/diagnosis/pull.h"
+#include "core/simulation/random.h"
 #include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 
@@ -102,6 +104,85 @@ TEST(Diagnose, ADragMayDifferAlongEachAxisAndActAtTheTip) {
     ASSERT_TRUE(size != cause.parameters.end() && at != cause.parameters.end()) << said(report);
     EXPECT_NEAR(size->value, drag(i), 0.1) << i;
     EXPECT_NEAR(at->value, 1e3 * tip(i), 5.0) << i;
+  }
+}
+
+/// A draught warms the sensor and goes again: it was a zero that walks, and thus clean.
+TEST(Diagnose, ADriftThatAllChannelsTakeTogetherHasAnyCourse) {
+  Recording recording = aRecording(MotionKind::excitation, 271);
+  const Vector6d range = (Vector6d() << 0.3, -0.2, 0.15, 0.004, -0.003, 0.002).finished();
+  const double T = recording.time(recording.rows() - 1);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double hump = std::exp(-0.5 * std::pow((recording.time(i) / T - 0.55) / 0.13, 2));
+    recording.wrench.row(i) += hump * range.transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "bias_drift") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  EXPECT_NE(cause.sentence.find("to and fro"), std::string::npos) << cause.sentence;
+  const auto fx = std::ranges::find(cause.parameters, "fx", &CauseParameter::name);
+  ASSERT_NE(fx, cause.parameters.end()) << said(report);
+  EXPECT_NEAR(std::abs(fx->value), range(0), 0.05);
+}
+
+/// Six walks of about that size are none: each channel takes its own course.
+TEST(Diagnose, AWalkOfEachChannelIsNoDrift) {
+  for (const std::uint64_t seed : {272u, 273u, 274u}) {
+    Recording recording = aRecording(MotionKind::excitation, seed);
+    for (int c = 0; c < 6; ++c) {
+      RandomStream random(seed, RandomPurpose::walk, static_cast<std::uint64_t>(c));
+      double zero = 0.0;
+      for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+        zero += (c < 3 ? 0.15 : 0.003) / std::sqrt(static_cast<double>(recording.rows())) * random.normal();
+        recording.wrench(i, c) += zero;
+      }
+    }
+    const auto report = diagnosed(recording);
+    EXPECT_EQ(report.verdict, Verdict::clean) << seed << " " << said(report);
+  }
+}
+
+/// All gauges lose strength as the sensor warms up steadily: that was a load that becomes lighter.
+TEST(Diagnose, GainsMayGrowAlikeAllTheTime) {
+  Recording recording = aRecording(MotionKind::free, 275);
+  const double T = recording.time(recording.rows() - 1);
+  // Of the load alone: what the amplifiers are off by stays.
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector10d payload = toParameters(aTool());
+  const Wrenches load = payloadWrench({motion.specificForce, motion.omega, motion.alpha, {}}, payload);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    recording.wrench.row(i) -= 0.12 * recording.time(i) / T * load.col(sampleAt(motion, recording.time(i))).transpose();
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_TRUE(cause.id == "gain_error" ||
+              std::ranges::find(cause.alternatives, "gain_error") != cause.alternatives.end())
+      << said(report);
+}
+
+/// Something heavy hangs far out at the tip of a light tool: what it turns shows long before what it pulls.
+TEST(Diagnose, APullFarFromTheSensorIsFoundByWhatItTurns) {
+  Recording recording = aRecording(MotionKind::free, 276);
+  const Vector3d pull(0.10, -0.06, 0.0), place(0.03, -0.12, 0.22);  // [N] on the tool, B axes; [m] S axes
+  MotionOptions smoothing;
+  smoothing.cutoffHz = 25.0;
+  const auto motion = motionOf(recording, &RobotModel::panda(), smoothing).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = static_cast<std::size_t>(sampleAt(motion, recording.time(i)));
+    addAtTip(recording, i, -motion.R_BS[k].transpose() * pull, place);
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_FALSE(report.causes.empty()) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "constant_pull") << said(report);
+  for (int i = 0; i < 3; ++i) {
+    const auto force = std::ranges::find(cause.parameters, fmt::format("force_{}", "xyz"[i]), &CauseParameter::name);
+    const auto at = std::ranges::find(cause.parameters, fmt::format("at_{}", "xyz"[i]), &CauseParameter::name);
+    ASSERT_TRUE(force != cause.parameters.end() && at != cause.parameters.end()) << said(report);
+    EXPECT_NEAR(force->value, pull(i), 0.03) << i;
+    EXPECT_NEAR(at->value, 1e3 * place(i), 60.0) << i;
   }
 }
 
