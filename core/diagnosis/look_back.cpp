@@ -135,12 +135,14 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
 
 /// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger
 /// than the motion says, what swings below its resonance like motion that was smoothed; or something begins to pull
-/// where, as far as the tool turns, the zero may have jumped: how well either fits is not known better than to a share
-/// of what both explain.
+/// where, as far as the tool turns, the zero may have jumped; or all gains grow like a load: how well either fits is
+/// not known better than to a share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
-  constexpr double kShare = 0.05, kShareOfSwing = 0.07, kShareOfEvent = 0.1;
+  constexpr double kShare = 0.05, kShareOfSwing = 0.07, kShareOfEvent = 0.1, kShareOfLoad = 0.01;
   const auto begins = [](std::string_view id) { return id == "sensor_bias" || id == "constant_pull"; };
   if (begins(a) && begins(b)) return kShareOfEvent * gain;
+  const auto scales = [](std::string_view id) { return id == "payload_change" || id == "gain_error"; };
+  if (scales(a) && scales(b)) return kShareOfLoad * gain;
   return lags(a) && lags(b) ? kShare * gain : enlarges(a) && enlarges(b) ? kShareOfSwing * gain : 0.0;
 }
 
