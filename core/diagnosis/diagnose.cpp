@@ -40,7 +40,7 @@ constexpr double kGainOfLeftover = 0.03;     ///< The same for one that is faint
 constexpr double kFaintBeside = 0.12;
 constexpr double kBrief = 3.0;      ///< [s] What has its place in time and lasts no longer is hardly seen elsewhere
 constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
-constexpr double kWholeTool = 0.5;  ///< Share of the payload that is hardly a part of the tool any more
+constexpr double kWholeTool = 0.4;  ///< Share of the payload that is hardly a part of the tool any more
 
 bool contains(const std::vector<std::string>& list, std::string_view id) {
   return std::ranges::find(list, id) != list.end();
@@ -295,6 +295,33 @@ bool ownErrors(const Work& work, const Found& found) {
   return over < (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
 }
 
+/// Where our own smoothing leaves a faint cause that does what another one does nearly alone, the other is judged
+/// without it: beside it, either would be needless. The two are then rivals.
+void keepOneOfTwo(Work& work) {
+  constexpr double kTimes = 4.0;  ///< By how much more the other explains without it
+  Search& search = work.search;
+  const auto changesFast = [](const Found& f) { return lags(f.cause) || enlarges(f.cause); };
+  for (std::size_t own = 0; own < search.found.size(); ++own) {
+    if (!changesFast(search.found[own]) || search.found[own].gain > 2.0 * kFaint || !ownErrors(work, search.found[own]))
+      continue;
+    const Fit alone = fitModel(work.signals, work.stretches, without(search.final.model, search.found[own].cause));
+    for (Found& other : search.found) {
+      if (&other == &search.found[own] || !changesFast(other) || !believable(alone)) continue;
+      const Fit neither = fitModel(work.signals, work.stretches, without(alone.model, other.cause)),
+                instead = fitModel(work.signals, work.stretches, without(search.final.model, other.cause));
+      const double gain = alone.evidence - neither.evidence;
+      if (gain < kTimes * other.gain) continue;
+      other.gain = gain;
+      const Rival rival{search.found[own].cause,   alone.evidence - instead.evidence, 0.0, 0, false,
+                        instead.model.x.tail<10>()};
+      if (believable(instead) && tied(other, rival)) other.rivals.push_back(rival);
+      search.final = alone;
+      search.found.erase(search.found.begin() + static_cast<std::ptrdiff_t>(own));
+      return;
+    }
+  }
+}
+
 /// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
 bool standsOut(const Fit& fit, std::string_view cause) {
   constexpr double kDeviations = 3.0;
@@ -463,6 +490,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
 
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
+  keepOneOfTwo(work);
   out.remaining = structureIn(work.signals, work.stretches, work.search.final);
   const Structure beside = out.remaining;
   const Search before = work.search;
