@@ -251,6 +251,29 @@ bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   });
 }
 
+/// Whether jumps of the zero one after the other take back what they did: so does whoever touches the tool and lets go.
+bool comesBack(const Fit& fit) {
+  constexpr double kLeft = 0.2;  // Of the largest of them
+  std::vector<std::pair<double, Vector6d>> jumps;
+  for (const Term& term : fit.model.terms)
+    if (term.form->cause->id() == "sensor_bias") {
+      Vector6d size;
+      for (Eigen::Index c = 0; c < 6; ++c) size(c) = term.form->parameters[static_cast<std::size_t>(c + 1)].size;
+      jumps.emplace_back(term.v(0), term.v.tail<6>().cwiseQuotient(size));
+    }
+  std::ranges::sort(jumps, {}, [](const auto& jump) { return jump.first; });
+  for (std::size_t i = 0; i < jumps.size(); ++i) {
+    Vector6d all = jumps[i].second;
+    double largest = all.norm();
+    for (std::size_t j = i + 1; j < jumps.size(); ++j) {
+      all += jumps[j].second;
+      largest = std::max(largest, jumps[j].second.norm());
+      if (all.norm() < kLeft * largest) return true;
+    }
+  }
+  return false;
+}
+
 /// What could be meant instead, for whoever mends the rig. `held`: readings were repeated.
 std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held, const Vector3d& gravity) {
   std::vector<std::string> out;
@@ -261,6 +284,7 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
   // A jump is a drift that took no time.
   if (found.cause == "sensor_bias" || contains(out, "sensor_bias")) add("bias_drift");
+  if (found.cause == "sensor_bias" && comesBack(fit)) add("contact");
   // No reading comes before what it is about: then the motion is late.
   if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
   // What weighs as much as the tool is the tool on its mount.

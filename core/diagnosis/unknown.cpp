@@ -71,6 +71,16 @@ void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
   const Fit& final = work.search.final;
   Model bare = without(final.model, "bias_drift");
   if (out.remaining.gain > kUnexplained || bare.terms.size() == final.model.terms.size()) return;
+  // Of any course, it has waves for anything slow as a walk has: then what the load was before is asked for, too, and
+  // must explain as much as everything that was named.
+  if (std::ranges::any_of(final.model.terms,
+                          [](const Term& t) { return causeOf(t) == "bias_drift" && t.form->later; })) {
+    const Fit& null = work.search.null;
+    const double all = std::max(kPlain, final.evidence - null.evidence);
+    const Structure hidden = structureBehindWalk(work.signals, work.stretches, null, all);
+    if (hidden.gain > all) out.remaining = hidden;
+    return;
+  }
   const Fit fit = fitModel(work.signals, work.stretches, without(bare, kWandering));
   const double enough = std::max(kPlain, final.evidence - fit.evidence - kAsMuch);
   const Structure hidden = structureIn(work.signals, work.stretches, fit, enough);

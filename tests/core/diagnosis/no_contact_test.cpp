@@ -286,6 +286,17 @@ TEST(NoContact, AllThreeAnglesOfATurnedSensor) {
   }
 }
 
+/// Somebody leans on the tool lightly and evenly for two seconds: two jumps of the zero were all that was named.
+TEST(NoContact, ATouchThatBeginsAndEndsAtOnceIsNotSurelyTheZero) {
+  Recording recording = aRecording(MotionKind::pickAndPlace, 318);
+  push(recording, [](double t) { return t > 4.3 && t < 6.3 ? 0.3 : 0.0; });
+  const auto report = diagnosed(recording);
+  ASSERT_FALSE(report.causes.empty()) << said(report);
+  const auto& others = report.causes.front().alternatives;
+  EXPECT_TRUE(report.causes.front().id == "contact" || std::ranges::find(others, "contact") != others.end())
+      << said(report);
+}
+
 /// What turns round from block to block: the end of what a smoothed motion shows.
 TEST(NoContact, WhatRingsIsNone) {
   Recording recording = aRecording(MotionKind::free, 311);
