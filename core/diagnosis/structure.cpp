@@ -314,7 +314,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
         }
     Judged& found = judged[at][on];
     if (found.gain >= least && found.explained < kHardlyAny) {
-      found.gain = 0.0;
+      found.gain = std::min(0.0, least - 1.0);
       continue;
     }
     const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? kPlainBesideWalk : kPlain);
