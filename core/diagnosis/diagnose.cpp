@@ -513,8 +513,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.surrogates = static_cast<int>(found->chance.best.size());
 
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
-  // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   keepOneOfTwo(work);
+  // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   out.remaining = structureIn(work.signals, work.stretches, work.search.final);
   const Structure beside = out.remaining;
   const Search before = work.search;

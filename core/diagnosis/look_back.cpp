@@ -239,6 +239,7 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         const auto ranked = promises(signals, stretches, bank, fresh.base);
         fresh.all = trialsOf(signals, stretches, fresh.base,
                              chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
+        std::erase_if(fresh.all, [&](const Trial& trial) { return !bank.knows(trial.cause); });
         addAtThatMoment(signals, stretches, fresh.base, ranked, fresh.all);
         addCompletions(signals, stretches, fresh.base, fresh.all);
         known = tried.insert(tried.end(), std::move(fresh));

@@ -185,6 +185,10 @@ SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::stri
   }
 }
 
+bool SignatureBank::knows(std::string_view cause) const {
+  return std::ranges::any_of(plain_, [&](const Signature& s) { return s.form.cause->id() == cause; });
+}
+
 std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
                                              const std::function<bool(const Form&)>& wanted) {
   // What a saturated sensor or one with a memory makes of a sum is linearised without these two.

@@ -2,6 +2,7 @@
 // The first look: how much each form of each cause would explain, linearly, around what is already accepted.
 #include <functional>
 #include <memory>
+#include <string_view>
 
 #include "core/diagnosis/fit.h"
 
@@ -35,6 +36,9 @@ class SignatureBank {
   /// be judged.
   std::vector<Signature> around(const Signals& signals, const Model& model,
                                 const std::function<bool(const Form&)>& wanted = {});
+
+  /// Whether the cause is looked for at all, also by forms that others grow into.
+  bool knows(std::string_view cause) const;
 
  private:
   std::vector<Signature> plain_;  ///< Around nothing but a payload; columns once they were needed

@@ -70,6 +70,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     Tried latest{out.final, trials(signals, stretches, out.final, ranked)};
+    std::erase_if(latest.all, [&](const Trial& trial) { return !bank.knows(trial.cause); });
     addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
     const auto& all = latest.all;

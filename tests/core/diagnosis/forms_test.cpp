@@ -125,6 +125,9 @@ TEST(Diagnose, ADriftThatAllChannelsTakeTogetherHasAnyCourse) {
   const auto fx = std::ranges::find(cause.parameters, "fx", &CauseParameter::name);
   ASSERT_NE(fx, cause.parameters.end()) << said(report);
   EXPECT_NEAR(std::abs(fx->value), range(0), 0.05);
+  // Whoever leaves it out of the catalogue does not get it by way of a walk.
+  const auto without = diagnosed(recording, {"bias_drift"});
+  EXPECT_EQ(named(without, "bias_drift"), nullptr) << said(without);
 }
 
 /// Six walks of about that size are none: each channel takes its own course.
