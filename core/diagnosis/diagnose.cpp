@@ -212,7 +212,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     // Noise as the final model leaves it, around the motion and payload of the baseline.
     Fit base = found->search.null;
     base.noise = found->search.final.noise;
-    out.chance = surrogates(found->stretches, base, bank, options.surrogates, options.seed, progress);
+    out.chance = surrogates(found->signals, found->stretches, base, bank, options.surrogates, options.seed, progress);
     out.threshold = out.chance.threshold;
     if (std::ranges::any_of(found->search.found, [&](const Found& f) { return f.gain < out.threshold; })) {
       auto again = searchedOn(at, out.threshold);
@@ -458,7 +458,7 @@ void sortByStrength(std::vector<DiagnosedCause>& causes) {
 std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCause>& named, double threshold) {
   std::vector<Smallest> out;
   const auto bank = work.bank.around(work.signals, work.search.final.model);
-  const auto visible = leastVisible(work.stretches, work.search.final, bank, threshold);
+  const auto visible = leastVisible(work.signals, work.stretches, work.search.final, bank, threshold);
   for (std::size_t b = 0; b < bank.size(); ++b) {
     const Signature& signature = bank[b];
     const std::string id(signature.form.cause->id());

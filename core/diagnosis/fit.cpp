@@ -340,7 +340,6 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   fit.dimensions = price.dimensions;
   fit.price = price.price;
   fit.evidence = fit.noise.evidence - fit.price;
-  fit.jacobian = std::move(at.jacobian);
   for (const auto& term : fit.model.terms)
     for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
       const Parameter& parameter = term.form->parameters[p];
@@ -364,7 +363,8 @@ Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit f
   return other.evidence > fit.evidence ? other : fit;
 }
 
-Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+               const MatrixXd& jacobian) {
   // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say.
   constexpr double kOrder = 3.0, kLittle = 0.1;
   VectorXd sd = whisper(fit.model);
@@ -379,7 +379,7 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   Model model = fit.model;
   for (int round = 0; round < 2; ++round) {
     const Linearised around =
-        round == 0 ? Linearised{signals.measured - fit.residual, fit.jacobian} : linearised(signals, model);
+        round == 0 ? Linearised{signals.measured - fit.residual, jacobian} : linearised(signals, model);
     const Wrenches residual = signals.measured - around.value;
     const ChannelColumns J(whitened(around.jacobian, fit.noise, stretches));
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
@@ -397,8 +397,8 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   return model;
 }
 
-MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches) {
-  const MatrixXd J = whitened(fit.jacobian, fit.noise, stretches);
+MatrixXd explainedSpace(const MatrixXd& jacobian, const Noise& noise, const std::vector<Stretch>& stretches) {
+  const MatrixXd J = whitened(jacobian, noise, stretches);
   const VectorXd size = J.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(J * size.asDiagonal());
   return qr.householderQ() * MatrixXd::Identity(J.rows(), qr.rank());

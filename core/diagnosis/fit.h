@@ -12,7 +12,6 @@ struct Fit {
   Model model;
   Noise noise;
   Wrenches residual;      ///< 6 x N, all blocks, judged or not
-  MatrixXd jacobian;      ///< 6N x model.size()
   MatrixXd information;   ///< Of the whitened problem, model.size() squared, without priors
   MatrixXd covariance;    ///< Its inverse with a whisper of prior
   int dimensions = 0;     ///< Parameters of the causes that the motion can tell at all
@@ -67,10 +66,11 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
 Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit);
 
 /// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
-Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+/// `jacobian`: of the fit's model, see linearised().
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian);
 
-/// Orthonormal columns (6N rows) that span what a change of the fit's parameters can do to the whitened readings.
-MatrixXd explainedSpace(const Fit& fit, const std::vector<Stretch>& stretches);
+/// Orthonormal columns (6N rows) that span what a change of the parameters can do to the whitened readings.
+MatrixXd explainedSpace(const MatrixXd& jacobian, const Noise& noise, const std::vector<Stretch>& stretches);
 
 /// What the waves of a walk cost in one channel, which shares the walk's size with two others: amplitudes (k = 1, 2,
 /// ..), their variances from the data alone, and the variance of the longest wave that the walk is said to have.

@@ -10,12 +10,10 @@ constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
 
 }  // namespace
 
-Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits)
+Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian, const Noise& with,
+               bool refits)
     : stretches(where), fit(what), noise(with), learnsAgain(refits) {
-  Fit weighted;
-  weighted.noise = noise;
-  weighted.jacobian = fit.jacobian;
-  basis = explainedSpace(weighted, stretches);
+  basis = explainedSpace(jacobian, noise, stretches);
   take(even(flat(fit.residual), noise));
 }
 
@@ -36,6 +34,7 @@ MatrixXd Ground::freed(const MatrixXd& columns) const {
 void Ground::take(const VectorXd& residual) {
   Noise same = noise;
   same.louder = nullptr;
+  same.level = nullptr;
   before = fitNoise(Eigen::Map<const Wrenches>(residual.data(), 6, residual.size() / 6), stretches, nullptr).evidence;
   r = whitened(residual, same, stretches);
   energy = std::max(1.0, r.squaredNorm());

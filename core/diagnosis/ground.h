@@ -20,7 +20,8 @@ struct Ground {
 
   double before = 0.0;  ///< Evidence of the residual as it is, all blocks made equally loud
 
-  Ground(const std::vector<Stretch>& where, const Fit& what, const Noise& with, bool refits);
+  /// `jacobian`: of the fit's model.
+  Ground(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian, const Noise& with, bool refits);
   /// The same with another residual in its place, of the same noise with all blocks made equally loud.
   Ground(const Ground& other, const Wrenches& residual);
 

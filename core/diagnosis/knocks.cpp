@@ -31,7 +31,7 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) {
       Vector6d most = usual;  // Where the motion turns sharply, it makes knocks of its own
-      if (signals.louder) most.array() *= 1.0 + signals.louder->col(n).array();
+      if (signals.louder) most.array() *= 1.0 + signals.louder->times().col(n).array();
       const double loud = power.col(n).cwiseQuotient(most).mean(), t = signals.blockTime(n);
       if (loud > kLoud && (out.empty() || t > out.back() + kRings)) out.push_back(t);
     }

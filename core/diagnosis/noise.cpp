@@ -49,23 +49,17 @@ Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches
   return out;
 }
 
-/// 1 over how loud each block is.
-Wrenches evenness(const Eigen::Ref<const Wrenches>& louder, double share) {
-  return (1.0 + share * louder.array()).rsqrt().matrix();
-}
-
 /// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
 double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
-                      const Wrenches& louder, double share) {
+                      const Loudness::Level& level) {
   Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was,
                              logs = Eigen::Array<double, 6, 1>::Zero();
   double count = 0.0;
   for (const auto& s : stretches) {
     for (Eigen::Index n = s.from; n < s.to; ++n) {
-      const Eigen::Array<double, 6, 1> square = e.col(n).array().square(), loud = 1.0 + share * louder.col(n).array();
-      was += square;
-      is += square / loud;
-      logs += loud.log();
+      was += e.col(n).array().square();
+      is += (e.col(n).array() * level.by.col(n).array()).square();
+      logs += level.logs.col(n).array();
     }
     count += static_cast<double>(s.to - s.from);
   }
@@ -73,29 +67,27 @@ double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Str
 }
 
 Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder,
-             const std::shared_ptr<const Wrenches>& louder) {
-  // The next smoother motion may be as far from the truth as this one is from it, hardly farther.
-  constexpr std::array<double, 4> kShares{1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0};
+             const std::shared_ptr<const Loudness>& louder) {
   Noise out = fittedEven(residual, stretches, maxOrder);
   if (!louder) return out;
   const VectorXd innovations = whitened(flat(residual), out, stretches);
   out.louder = louder;
-  double share = 0.0, most = std::log(std::max(2.0, out.samples));
-  const double price = most;
-  for (const double s : kShares) {
-    const double gain = gainOfLoudness({innovations.data(), 6, residual.cols()}, stretches, *louder, s);
+  const double price = std::log(std::max(2.0, out.samples));
+  double most = price;
+  const Loudness::Level* level = nullptr;
+  for (const Loudness::Level& one : louder->levels()) {
+    const double gain = gainOfLoudness({innovations.data(), 6, residual.cols()}, stretches, one);
     if (gain <= most) continue;
     most = gain;
-    share = s;
+    level = &one;
   }
-  if (share <= 0.0) return out;
-  const Wrenches by = evenness(*louder, share);
-  Noise loud = fittedEven(residual.cwiseProduct(by), stretches, maxOrder);
-  for (const auto& s : stretches) loud.evidence += 2.0 * by.middleCols(s.from, s.to - s.from).array().log().sum();
+  if (level == nullptr) return out;
+  Noise loud = fittedEven(residual.cwiseProduct(level->by), stretches, maxOrder);
+  for (const auto& s : stretches) loud.evidence -= level->logs.middleCols(s.from, s.to - s.from).sum();
   loud.evidence -= price;
   if (loud.evidence <= out.evidence) return out;
   loud.louder = louder;
-  loud.share = share;
+  loud.level = level;
   return loud;
 }
 
@@ -114,23 +106,22 @@ std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
 }
 
 Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
-               const std::shared_ptr<const Wrenches>& louder) {
+               const std::shared_ptr<const Loudness>& louder) {
   return fitted(residual, stretches, kMaxOrder, louder);
 }
 
 Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
-            const std::shared_ptr<const Wrenches>& louder) {
+            const std::shared_ptr<const Loudness>& louder) {
   return fitted(residual, stretches, 0, louder);
 }
 
 Wrenches evenWrench(const Wrenches& wrench, const Noise& noise) {
-  return !noise.louder || noise.share <= 0.0 ? wrench : wrench.cwiseProduct(evenness(*noise.louder, noise.share));
+  return noise.level == nullptr ? wrench : wrench.cwiseProduct(noise.level->by);
 }
 
 MatrixXd even(const MatrixXd& columns, const Noise& noise) {
-  if (!noise.louder || noise.share <= 0.0) return columns;
-  const Wrenches by = evenness(*noise.louder, noise.share);
-  return flat(by).asDiagonal() * columns;
+  if (noise.level == nullptr) return columns;
+  return flat(noise.level->by).asDiagonal() * columns;
 }
 
 namespace {
@@ -206,15 +197,13 @@ Stretch reachOf(Stretch acts, Eigen::Index blocks) {
 }
 
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
-  return whitened(columns, noise, stretches, {0, columns.rows() / 6});
+  return whitened(columns, noise, stretches, 0);
 }
 
-MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches, Stretch reach) {
-  const Eigen::Index blocks = std::max<Eigen::Index>(0, reach.to - reach.from);
-  const auto rows = columns.middleRows(6 * reach.from, 6 * blocks);
-  if (!noise.louder || noise.share <= 0.0) return innovations(rows, noise, stretches, reach.from);
-  const Wrenches by = evenness(noise.louder->middleCols(reach.from, blocks), noise.share);
-  return innovations(flat(by).asDiagonal() * rows, noise, stretches, reach.from);
+MatrixXd whitened(const MatrixXd& rows, const Noise& noise, const std::vector<Stretch>& stretches, Eigen::Index first) {
+  if (noise.level == nullptr) return innovations(rows, noise, stretches, first);
+  const auto by = flat(noise.level->by).segment(6 * first, rows.rows());
+  return innovations(by.asDiagonal() * rows, noise, stretches, first);
 }
 
 }  // namespace heft::diagnosis

@@ -18,8 +18,8 @@ std::vector<Stretch> stretchesOf(const std::vector<bool>& usable);
 
 struct Noise {
   std::array<ArModel, 6> channels;         ///< Of what is left once all blocks are made equally loud
-  std::shared_ptr<const Wrenches> louder;  ///< As Signals::louder
-  double share = 0.0;                      ///< Of it that the residual shows
+  std::shared_ptr<const Loudness> louder;  ///< As Signals::louder
+  const Loudness::Level* level = nullptr;  ///< Of it that the residual shows; null: none
   /// Twice the log-likelihood of the residual it was fitted to, minus ln n for each coefficient of the noise.
   double evidence = 0.0;
   double samples = 0.0;  ///< n: numbers judged, all channels together
@@ -27,11 +27,11 @@ struct Noise {
 
 /// `louder`: as Signals::louder; how much of it there is, is learned, too.
 Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
-               const std::shared_ptr<const Wrenches>& louder);
+               const std::shared_ptr<const Loudness>& louder);
 
 /// The same sizes without memory.
 Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
-            const std::shared_ptr<const Wrenches>& louder);
+            const std::shared_ptr<const Loudness>& louder);
 
 /// Columns of 6N rows with all blocks made equally loud: what `noise.channels` are about.
 MatrixXd even(const MatrixXd& columns, const Noise& noise);
@@ -43,7 +43,7 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
 
 /// The blocks where innovations of columns that are zero outside of `acts` may differ from zero.
 Stretch reachOf(Stretch acts, Eigen::Index blocks);
-/// The rows of whitened() of these blocks alone: all that there is of such columns.
-MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches, Stretch reach);
+/// whitened() of rows of the blocks from `first` on alone: such columns' own and as many as the noise remembers.
+MatrixXd whitened(const MatrixXd& rows, const Noise& noise, const std::vector<Stretch>& stretches, Eigen::Index first);
 
 }  // namespace heft::diagnosis

@@ -45,8 +45,9 @@ double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
 /// One way of weighting the rows.
 class Weighting {
  public:
-  Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit)
-      : noise_(noise), stretches_(stretches), fit_(fit), J_(whitened(fit.jacobian, noise, stretches)) {
+  /// `jacobian`: of the fit's model; like all others it must outlive this.
+  Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian)
+      : noise_(noise), stretches_(stretches), fit_(fit), jacobian_(jacobian), J_(whitened(jacobian, noise, stretches)) {
     r_ = whitened(flat(fit.residual), noise, stretches);
     inverse_ = Normal(J_, whisper(fit.model)).inverse();
     Jr_ = J_.transposeTimes(r_);
@@ -64,9 +65,8 @@ class Weighting {
 
   /// Standard deviation of each scanned parameter if it were the only one.
   VectorXd deviations(const Signature& signature) const {
-    const Stretch reach = reachOf(signature);
-    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, reach);
-    const MatrixXd JC = J_.transposeTimes(C, reach.from);
+    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, signature.reach.from);
+    const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
     VectorXd out(C.cols());
     for (Eigen::Index i = 0; i < C.cols(); ++i) {
       const double own = C.col(i).squaredNorm(), left = own - JC.col(i).dot(inverse_ * JC.col(i));
@@ -77,12 +77,12 @@ class Weighting {
 
   /// Gain and score as the squares tell them, which is close where they are few.
   Answer firstGuess(const Signature& signature, double lnN) const {
-    const Stretch reach = reachOf(signature);
-    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, reach);
-    const MatrixXd JC = J_.transposeTimes(C, reach.from);
+    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, signature.reach.from);
+    const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
     const MatrixXd own = C.transpose() * C;
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
-    const VectorXd g = C.transpose() * r_.segment(6 * reach.from, C.rows()) - JC.transpose() * (inverse_ * Jr_);
+    const VectorXd g =
+        C.transpose() * r_.segment(6 * signature.reach.from, C.rows()) - JC.transpose() * (inverse_ * Jr_);
     const Eigen::Index d = C.cols();
     Answer out;
     out.kept.assign(static_cast<std::size_t>(d), true);
@@ -138,9 +138,8 @@ class Weighting {
     if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
     Eigen::Map<VectorXd> left(residual.data(), residual.size());
-    const Eigen::Index first = 6 * signature.acts.from, rows = 6 * (signature.acts.to - signature.acts.from);
-    left -= fit_.jacobian * answer.others;
-    left.segment(first, rows) -= signature.columns->middleRows(first, rows) * answer.gamma;
+    left -= jacobian_ * answer.others;
+    left.segment(6 * signature.reach.from, signature.columns->rows()) -= *signature.columns * answer.gamma;
     score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence,
           lnN);
   }
@@ -152,7 +151,6 @@ class Weighting {
   }
 
  private:
-  Stretch reachOf(const Signature& signature) const { return diagnosis::reachOf(signature.acts, fit_.residual.cols()); }
   static void score(Answer& answer, const Form& form, double gain, double lnN) {
     const auto count = static_cast<double>(std::count(answer.kept.begin(), answer.kept.end(), true));
     answer.gain = gain;
@@ -162,6 +160,7 @@ class Weighting {
   const Noise& noise_;
   const std::vector<Stretch>& stretches_;
   const Fit& fit_;
+  const MatrixXd& jacobian_;
   ChannelColumns J_;
   MatrixXd inverse_;
   VectorXd r_, Jr_;
@@ -169,12 +168,13 @@ class Weighting {
 
 }  // namespace
 
-void Signature::fill(MatrixXd all) {
+void Signature::fill(const MatrixXd& all) {
   const auto isNothing = [&](Eigen::Index block) { return all.middleRows(6 * block, 6).isZero(0.0); };
-  acts = {0, all.rows() / 6};
+  Stretch acts{0, all.rows() / 6};
   while (acts.to > 0 && isNothing(acts.to - 1)) --acts.to;
   while (acts.from < acts.to && isNothing(acts.from)) ++acts.from;
-  columns = std::make_shared<const MatrixXd>(std::move(all));
+  reach = reachOf(acts, all.rows() / 6);
+  columns = std::make_shared<const MatrixXd>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
 }
 
 SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
@@ -227,10 +227,11 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   return out;
 }
 
-std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit,
+std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                                    const std::vector<Signature>& bank, double threshold) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const Weighting weighting(fit.noise, stretches, fit);
+  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const Weighting weighting(fit.noise, stretches, fit, jacobian);
   std::vector<VectorXd> out(bank.size());
   onTwoThreads(bank.size(),
                [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i]); });
@@ -257,14 +258,16 @@ void take(Candidate& candidate, const Weighting::Answer& answer) {
 
 }  // namespace
 
-std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank) {
+std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                            const std::vector<Signature>& bank) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies; rare ones have
   // doubts of their own.
   std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
   for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
-  const Weighting coloured(fit.noise, stretches, fit), plain(flatNoise, stretches, fit);
+  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const Weighting coloured(fit.noise, stretches, fit, jacobian), plain(flatNoise, stretches, fit, jacobian);
   // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does
   // so the less, the fewer there are.
   constexpr double kFew = 0.1, kHardlyAny = 4.0;
@@ -307,12 +310,14 @@ struct Placing::Around {
   Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit)
       : lnN(std::log(std::max(2.0, fit.noise.samples))),
         flat(white(fit.residual, stretches, fit.noise.louder)),
-        coloured(fit.noise, stretches, fit),
-        plain(flat, stretches, fit),
+        jacobian(linearised(signals, fit.model).jacobian),
+        coloured(fit.noise, stretches, fit, jacobian),
+        plain(flat, stretches, fit, jacobian),
         surroundings(signals, fit.model) {}
 
   double lnN;
   Noise flat;
+  MatrixXd jacobian;
   Weighting coloured, plain;
   Surroundings surroundings;
 };

@@ -19,10 +19,11 @@ struct Candidate {
 /// A form's columns, ready to be tried on any residual.
 struct Signature {
   Form form;
-  std::shared_ptr<const MatrixXd> columns;  ///< 6N x form.scan.size()
-  Stretch acts;                             ///< Blocks outside of which they are zero
+  std::shared_ptr<const MatrixXd> columns;  ///< 6 (reach.to - reach.from) x form.scan.size()
+  Stretch reach;                            ///< The blocks that they are of: outside, whitened or not, they are zero
 
-  void fill(MatrixXd all);
+  /// `all`: 6N x form.scan.size()
+  void fill(const MatrixXd& all);
 };
 
 /// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
@@ -46,7 +47,8 @@ class SignatureBank {
 
 /// Gains of evidence, best first. Each form is judged under the fit's noise and under white noise, since a strong
 /// misfit hides behind a long memory; the noise is refitted to what the form leaves over.
-std::vector<Candidate> scan(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank);
+std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                            const std::vector<Signature>& bank);
 
 /// Puts candidates with a place in time where they gain most around a fit: what changes at once is seen for what it is
 /// only where it is put within a block or so, closer than the first look goes. Safe to share between threads; signals,
@@ -68,7 +70,7 @@ class Placing {
 
 /// For each signature the size of each scanned parameter, alone, at which it would gain `threshold` with the fit's
 /// noise; infinite for what the motion cannot show.
-std::vector<VectorXd> leastVisible(const std::vector<Stretch>& stretches, const Fit& fit,
+std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                                    const std::vector<Signature>& bank, double threshold);
 
 }  // namespace heft::diagnosis

@@ -35,9 +35,8 @@ void weighSharpMotion(std::vector<Way>& ways) {
     const Signals& smoother = ways[i + 1].signals;
     if (smoother.blocks() != made.cols()) return;
     Wrenches next = averaged(smoother, payloadWrench(smoother.kinematics, payload));
-    auto louder = std::make_shared<const Wrenches>(
-        blurred((noise.cwiseInverse().asDiagonal() * (made - next)).cwiseAbs2(), kReach));
-    if (louder->maxCoeff() > kNoticed) ways[i].signals.louder = std::move(louder);
+    Wrenches louder = blurred((noise.cwiseInverse().asDiagonal() * (made - next)).cwiseAbs2(), kReach);
+    if (louder.maxCoeff() > kNoticed) ways[i].signals.louder = std::make_shared<const Loudness>(std::move(louder));
     made = std::move(next);
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/joint_turns.h"
+#include "core/diagnosis/loudness.h"
 #include "core/motion/motion.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
@@ -53,9 +54,8 @@ struct Signals {
   int samplesPerBlock = 4;
   Wrenches readings;  ///< 6 x K
   Wrenches measured;  ///< 6 x N: their averages
-  /// 6 x N: by how many times its power the noise may be louder than usual where the motion is less well known, times a
-  /// share that noise tells; null: nowhere.
-  std::shared_ptr<const Wrenches> louder;
+  /// Of noise where the motion is less well known; null: nowhere.
+  std::shared_ptr<const Loudness> louder;
   std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
 
   Eigen::Index size() const { return kinematics.omega.cols(); }

@@ -268,12 +268,12 @@ class Chance {
 namespace {
 
 /// Twice the log-likelihood that the waves of a walk gain, as everything else is.
-double gainOfWalk(const Fit& fit, const std::vector<Stretch>& stretches) {
+double gainOfWalk(const Fit& fit, const MatrixXd& jacobian, const std::vector<Stretch>& stretches) {
   Wrenches without = fit.residual;
   Eigen::Index at = kLinear;
   for (const auto& term : fit.model.terms) {
     if (term.form->walk)
-      Eigen::Map<VectorXd>(without.data(), without.size()) += fit.jacobian.middleCols(at, term.v.size()) * term.v;
+      Eigen::Map<VectorXd>(without.data(), without.size()) += jacobian.middleCols(at, term.v.size()) * term.v;
     at += term.v.size();
   }
   return fit.noise.evidence - fitNoise(without, stretches, fit.noise.louder).evidence;
@@ -286,12 +286,14 @@ namespace {
 Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least,
                     const std::vector<Group>& all) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
   const bool wanders = walks(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, stretches) : 0.0;
+  const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, jacobian, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
-  const std::array<Ground, 2> grounds{Ground(stretches, fit, fit.noise, false),
-                                      Ground(stretches, fit, white(fit.residual, stretches, fit.noise.louder), true)};
+  const std::array<Ground, 2> grounds{
+      Ground(stretches, fit, jacobian, fit.noise, false),
+      Ground(stretches, fit, jacobian, white(fit.residual, stretches, fit.noise.louder), true)};
   std::vector<std::array<Judged, 2>> judged(all.size());
   onTwoThreads(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i], signals);

@@ -26,16 +26,18 @@ double Surrogates::pValue(double gain) const {
   return (static_cast<double>(above) + 1.0) / (static_cast<double>(best.size()) + 1.0);
 }
 
-Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
-                      int count, unsigned seed, const Progress& progress) {
+Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                      const std::vector<Signature>& bank, int count, unsigned seed, const Progress& progress) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];
-  const MatrixXd basis = explainedSpace(fit, stretches);
+  const MatrixXd basis = explainedSpace(linearised(signals, fit.model).jacobian, fit.noise, stretches);
   const Eigen::Index rows = basis.rows();
   std::vector<Direction> directions(bank.size());
   onTwoThreads(bank.size(), [&](std::size_t i) {
-    MatrixXd C = whitened(*bank[i].columns, fit.noise, stretches);
+    MatrixXd C = MatrixXd::Zero(rows, bank[i].columns->cols());
+    C.middleRows(6 * bank[i].reach.from, bank[i].columns->rows()) =
+        whitened(*bank[i].columns, fit.noise, stretches, bank[i].reach.from);
     const VectorXd own = C.colwise().norm().transpose();
     C -= basis * (basis.transpose() * C);
     std::vector<Eigen::Index> keep;

@@ -15,7 +15,7 @@ struct Surrogates {
 
 /// `count` recordings with the fit's motion, payload and noise and nothing else, looked through with `bank`.
 /// Deterministic for a seed.
-Surrogates surrogates(const std::vector<Stretch>& stretches, const Fit& fit, const std::vector<Signature>& bank,
-                      int count, unsigned seed, const Progress& progress);
+Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                      const std::vector<Signature>& bank, int count, unsigned seed, const Progress& progress);
 
 }  // namespace heft::diagnosis

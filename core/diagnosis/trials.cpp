@@ -260,7 +260,7 @@ void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretch
 
 std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                                 const Fit& base, std::span<const std::string_view> causes) {
-  return scan(stretches, base, bank.around(signals, base.model, [&](const Form& form) {
+  return scan(signals, stretches, base, bank.around(signals, base.model, [&](const Form& form) {
     return mayAdd(form, base.model) && (causes.empty() || std::ranges::find(causes, form.cause->id()) != causes.end());
   }));
 }

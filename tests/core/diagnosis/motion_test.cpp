@@ -52,12 +52,13 @@ TEST(Noise, IsLouderWhereTheMotionIsLessWellKnown) {
       if (n % 100 < 10) loud(c, n) = 32.0;
       plain(c, n) = 0.02 * random.normal();
     }
-  const auto louder = std::make_shared<const Wrenches>(loud);
+  const auto louder = std::make_shared<const Loudness>(loud);
   const std::vector<Stretch> stretches{{0, kBlocks}};
-  EXPECT_EQ(fitNoise(plain, stretches, louder).share, 0.0);
+  EXPECT_EQ(fitNoise(plain, stretches, louder).level, nullptr);
   const Wrenches uneven = plain.cwiseProduct((1.0 + 0.25 * loud.array()).sqrt().matrix());
   const Noise noise = fitNoise(uneven, stretches, louder);
-  EXPECT_EQ(noise.share, 0.25);
+  ASSERT_NE(noise.level, nullptr);
+  EXPECT_EQ(noise.level->share, 0.25);
   EXPECT_GT(noise.evidence, fitNoise(uneven, stretches, nullptr).evidence + 500.0);
   EXPECT_LT((evenWrench(uneven, noise) - plain).cwiseAbs().maxCoeff(), 1e-12);
   const MatrixXd e = whitened(flat(uneven), noise, stretches);
@@ -78,14 +79,16 @@ TEST(Noise, IsTheSameOfAShortEventAlone) {
       residual(c, n) = last(c);
     }
   const std::vector<Stretch> stretches{{0, 90}, {100, 180}, {195, kBlocks}};
-  const Noise noise = fitNoise(residual, stretches, std::make_shared<const Wrenches>(loud));
-  ASSERT_GT(noise.share, 0.0);
+  const Noise noise = fitNoise(residual, stretches, std::make_shared<const Loudness>(loud));
+  ASSERT_NE(noise.level, nullptr);
   for (const Stretch acts : {Stretch{2, 12}, Stretch{85, 110}, Stretch{182, 190}, Stretch{120, kBlocks}, Stretch{}}) {
     MatrixXd columns = MatrixXd::Zero(6 * kBlocks, 2);
     for (Eigen::Index i = 6 * acts.from; i < 6 * acts.to; ++i)
       for (Eigen::Index j = 0; j < 2; ++j) columns(i, j) = random.normal();
     const Stretch reach = reachOf(acts, kBlocks);
-    const MatrixXd whole = whitened(columns, noise, stretches), alone = whitened(columns, noise, stretches, reach);
+    const MatrixXd whole = whitened(columns, noise, stretches);
+    const MatrixXd rows = columns.middleRows(6 * reach.from, 6 * (reach.to - reach.from));
+    const MatrixXd alone = whitened(rows, noise, stretches, reach.from);
     MatrixXd put = MatrixXd::Zero(6 * kBlocks, 2);
     put.middleRows(6 * reach.from, alone.rows()) = alone;
     EXPECT_LT((put - whole).cwiseAbs().maxCoeff(), 1e-12) << acts.from;
