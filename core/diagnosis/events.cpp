@@ -54,6 +54,33 @@ bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch&
   return count > 0.0 && mostAveraged - usualAveraged / count < kLeft * (most - usual / count);
 }
 
+/// Whether next to all that a stretch has beyond the usual is on one channel, which jumps there between two readings:
+/// what pushes turns the sensor as well, and takes its time.
+bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where) {
+  constexpr double kAlone = 0.99;      // Share of the power, in units of the usual
+  constexpr double kPlain = 20.0;      // Of these units: what is fainter may be chance
+  constexpr double kJumps = 0.25;      // Of its most; a push that lasts 0.2 s changes by 0.1 at most
+  constexpr Eigen::Index kAround = 5;  // Blocks: where it begins is not known better
+  Vector6d inside = Vector6d::Zero(), outside = Vector6d::Constant(1e-300);
+  double count = 0.0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (n >= where.from && n < where.to) {
+      inside += fit.residual.col(n).cwiseAbs2();
+    } else if (signals.usable[static_cast<std::size_t>(n)]) {
+      outside += fit.residual.col(n).cwiseAbs2();
+      count += 1.0;
+    }
+  const double lasts = static_cast<double>(where.to - where.from);
+  const Vector6d excess = ((inside / lasts).cwiseQuotient(outside / std::max(1.0, count)).array() - 1.0).max(0.0);
+  Eigen::Index channel = 0;
+  if (excess.maxCoeff(&channel) < std::max(kPlain, kAlone * excess.sum())) return false;
+  const Eigen::Index m = signals.samplesPerBlock, from = std::max<Eigen::Index>(0, where.from - kAround) * m,
+                     to = std::min(signals.blocks(), where.to + kAround) * m;
+  const auto readings = signals.readings.row(channel).segment(from, to - from);
+  const double most = fit.residual.row(channel).segment(where.from, where.to - where.from).cwiseAbs().maxCoeff();
+  return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kJumps * most;
+}
+
 /// Share of what is left of force, or of torque, in all contacts that goes with `motion` (F x N), by the law that holds
 /// in all other places that are `known`.
 double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const std::vector<Contact>& contacts,
@@ -134,10 +161,16 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
   std::vector<Contact> out;
   const Wrenches scaled = usualSize(signals, fit).cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
-    Contact contact{signals.blockTime(stretch.from), signals.blockTime(stretch.to - 1),
-                    evidenceForLeavingOut(signals, fit, stretch.from, stretch.to), stretch};
+    Contact contact{signals.blockTime(stretch.from),
+                    signals.blockTime(stretch.to - 1),
+                    evidenceForLeavingOut(signals, fit, stretch.from, stretch.to),
+                    stretch,
+                    {}};
     if (contact.evidence < kThreshold) continue;
-    contact.steady = contact.to - contact.from < kBounce || steadiness(scaled, stretch, signals.blockRate()) > kSteady;
+    if (contact.to - contact.from >= kBounce && steadiness(scaled, stretch, signals.blockRate()) <= kSteady)
+      contact.instead = heft::toSay("noise that comes and goes");
+    else if (isOneChannel(signals, fit, stretch))
+      contact.instead = kOneChannel;
     contact.rings = contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch);
     out.push_back(contact);
   }

@@ -1,14 +1,20 @@
 #pragma once
 // Contact as a cause: stretches in which no model of the whole recording holds.
+#include <string>
+
+#include "core/base/say.h"
 #include "core/diagnosis/search.h"
 
 namespace heft::diagnosis {
+
+/// Contact::instead where all of it is on one channel of the sensor.
+inline constexpr const char* kOneChannel = heft::toSay("one channel of the sensor alone");
 
 struct Contact {
   double from = 0, to = 0;  ///< [s]
   double evidence = 0;      ///< Gained by leaving the stretch out
   Stretch blocks;           ///< The same in blocks
-  bool steady = true;       ///< It pushes for a tenth of a second at least; if not, it shakes or is noise
+  std::string instead;      ///< What is there that no push makes; empty: nothing. Not translated
   bool rings = false;  ///< It is short and turns round from block to block: left by the smoothing of the motion where a
                        ///< motor's force jumps
 };

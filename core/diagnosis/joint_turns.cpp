@@ -39,21 +39,7 @@ bool JointTurns::turnsAlone(int joint) const {
 }
 
 std::shared_ptr<const Kinematics> JointTurns::with(const JointTurn& turn, const Vector3d& gravity) const {
-  constexpr std::size_t kKept = 16;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known =
-        std::ranges::find_if(answers_, [&](const Answer& a) { return a.turn == turn && a.gravity == gravity; });
-    if (known != answers_.end()) {
-      std::rotate(answers_.begin(), known, known + 1);
-      return answers_.front().motion;
-    }
-  }
-  auto motion = std::make_shared<const Kinematics>(worked(turn, gravity));
-  const std::lock_guard lock(mutex_);
-  answers_.push_front({turn, gravity, motion});
-  if (answers_.size() > kKept) answers_.pop_back();
-  return motion;
+  return answers_.answer({turn, gravity}, [&](const Asked& asked) { return worked(asked.turn, asked.gravity); });
 }
 
 const JointTurns::Cut& JointTurns::cutAt(int joint) const {

@@ -1,10 +1,10 @@
 #pragma once
 // What the sensor's frame does where one joint's angle is another than was recorded.
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <vector>
 
+#include "core/diagnosis/latest.h"
 #include "core/math/rigid.h"
 #include "core/robot/robot_model.h"
 
@@ -38,10 +38,11 @@ class JointTurns {
 
  private:
   struct Cut;
-  struct Answer {
+  struct Asked {
     JointTurn turn;
     Vector3d gravity;
-    std::shared_ptr<const Kinematics> motion;
+
+    bool operator==(const Asked&) const = default;
   };
   const Joint& jointAt(int joint) const;
   const Cut& cutAt(int joint) const;
@@ -55,7 +56,7 @@ class JointTurns {
   mutable std::mutex mutex_;
   mutable std::vector<FrameMotion> sensor_;  ///< Of S in B, for all cuts; like them made when first asked for
   mutable std::vector<std::unique_ptr<Cut>> cuts_;
-  mutable std::deque<Answer> answers_;  ///< The latest first
+  mutable Latest<Asked, Kinematics> answers_{16};
 };
 
 }  // namespace heft::diagnosis

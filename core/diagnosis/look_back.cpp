@@ -111,7 +111,7 @@ Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
           behind,
           behind - (trial.fit.price - accepted.price) - trial.penalty,
           trial.fit.dimensions - accepted.dimensions,
-          trial.fit.model.terms.back().form->later,
+          takesAnyCourse(*trial.fit.model.terms.back().form),
           trial.fit.model.x.tail<10>()};
 }
 
@@ -157,7 +157,7 @@ double leadFor(const Found& found, const Rival& rival) {
   if (walkGoes && rival.cause == "sensor_bias") return kJump;
   if (walkGoes && isMoreThanWalk(rival.cause, found.gain - rival.behind, found.gain)) return -found.gain;
   if (walkComes && isMoreThanWalk(found.cause, found.gain, found.gain - rival.behind)) return found.gain;
-  if (walkGoes && rival.cause == "bias_drift" && rival.later) return kUsual;
+  if (walkGoes && rival.anyCourse) return kUsual;
   if ((walkGoes ? rival.cause : found.cause) != "bias_drift") return walkGoes ? kFaintDrift : kUsual;
   const double drift = walkGoes ? found.gain - rival.behind : found.gain;
   const double ahead = drift < kFaint ? kFaintDrift : -kPlainWalk;  // Of the walk, for the drift to be named

@@ -21,40 +21,63 @@ WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual)
   return out;
 }
 
-void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals) {
-  std::vector<CauseParameter>& out = cause.parameters;
-  const VectorXd std = fit.std();
+namespace {
+
+/// A term and where its parameters begin in the fit.
+struct Placed {
+  const Term* term;
+  Eigen::Index at;
+};
+
+/// The terms of a cause, events in the order of time.
+std::vector<Placed> termsOf(std::string_view cause, const Model& model) {
+  std::vector<Placed> out;
   Eigen::Index at = kLinear;
-  for (const auto& term : fit.model.terms) {
-    const Eigen::Index n = term.v.size();
-    if (term.form->cause->id() == cause.id) {
-      VectorXd deviation = std.segment(at, n);
-      for (const VectorXd& more : {term.form->cause->modelStd(*term.form, term.v), spread})
-        if (more.size() == n) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
-      // When something happened is not known better than to a part of a sample, whatever a smooth step says.
-      if (term.form->local) deviation(0) = std::hypot(deviation(0), 0.25 / signals.rateHz);
-      for (Eigen::Index p = 0; p < n; ++p) {
-        if (!term.moves(p)) {
-          deviation(p) = 0.0;
-          continue;
-        }
-        const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
-        // A step shorter than the blocks show: how long it takes is less than usual, and no more is known.
-        if (parameter.lowerIsFine && term.v(p) <= parameter.lower)
-          deviation(p) = std::min(deviation(p), parameter.size);
-        std::string name = parameter.name;
-        for (int i = 2; std::any_of(out.begin(), out.end(), [&](const auto& o) { return o.name == name; }); ++i)
-          name = fmt::format("{}_{}", parameter.name, i);
-        const auto told = [&](double value) {
-          return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale;
-        };
-        const double little = 1e-3 * parameter.size;
-        const double slope = std::abs(told(term.v(p) + little) - told(term.v(p) - little)) / (2.0 * little);
-        out.push_back({name, parameter.unit, told(term.v(p)), deviation(p) * slope});
-      }
-      for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) cause.when.push_back(stretch);
-    }
-    at += n;
+  for (const Term& term : model.terms) {
+    if (term.form->cause->id() == cause) out.push_back({&term, at});
+    at += term.v.size();
+  }
+  std::ranges::stable_sort(out, {}, [](const Placed& p) { return p.term->form->local ? p.term->v(0) : -1e300; });
+  return out;
+}
+
+/// `event`: which of the cause's events it is, from 1 on; its names end so from the second one on. Other names end like
+/// that where they were taken.
+void describeTerm(DiagnosedCause& cause, const Term& term, int event, VectorXd deviation, const Signals& signals) {
+  std::vector<CauseParameter>& out = cause.parameters;
+  // When something happened is not known better than to a part of a sample, whatever a smooth step says.
+  if (term.form->local) deviation(0) = std::hypot(deviation(0), 0.25 / signals.rateHz);
+  for (Eigen::Index p = 0; p < term.v.size(); ++p) {
+    if (!term.moves(p)) continue;
+    const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+    // A step shorter than the blocks show: how long it takes is less than usual, and no more is known.
+    if (parameter.lowerIsFine && term.v(p) <= parameter.lower) deviation(p) = std::min(deviation(p), parameter.size);
+    const auto taken = [&](const std::string& name) {
+      return std::ranges::any_of(out, [&](const CauseParameter& o) { return o.name == name; });
+    };
+    std::string name = event > 1 ? fmt::format("{}_{}", parameter.name, event) : parameter.name;
+    for (int i = 2; taken(name); ++i) name = fmt::format("{}_{}", parameter.name, i);
+    const auto told = [&](double value) {
+      return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale;
+    };
+    const double little = 1e-3 * parameter.size;
+    const double slope = std::abs(told(term.v(p) + little) - told(term.v(p) - little)) / (2.0 * little);
+    out.push_back({name, parameter.unit, told(term.v(p)), deviation(p) * slope});
+  }
+  for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) cause.when.push_back(stretch);
+}
+
+}  // namespace
+
+void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals) {
+  const VectorXd std = fit.std();
+  int events = 0;
+  for (const auto& [term, at] : termsOf(cause.id, fit.model)) {
+    VectorXd deviation = std.segment(at, term->v.size());
+    for (const VectorXd& more : {term->form->cause->modelStd(*term->form, term->v), spread})
+      if (more.size() == deviation.size()) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
+    if (term->form->local) ++events;
+    describeTerm(cause, *term, term->form->local ? events : 0, std::move(deviation), signals);
   }
 }
 

@@ -89,8 +89,9 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       }
     // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
     // A course that all channels take is a drift where a walk explains less.
-    const bool together = chosen->fit.model.terms.back().form->later;
-    const double ahead = together ? 0.0 : chosen->cause == "bias_drift" ? kBesideWandering : kJump;
+    const double ahead = takesAnyCourse(*chosen->fit.model.terms.back().form) ? 0.0
+                         : chosen->cause == "bias_drift"                      ? kBesideWandering
+                                                                              : kJump;
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
         if (trial.cause == kWandering && trial.gain > chosen->gain - ahead) {

@@ -34,7 +34,7 @@ struct Rival {
   double behind = 0.0;                    ///< Evidence that it lacks against the accepted one
   double worse = 0.0;                     ///< The same without the price of parameters: by how much it fits worse
   int extra = 0;                          ///< Parameters that it has more
-  bool later = false;                     ///< Of a form that is, see Form::later
+  bool anyCourse = false;                 ///< See takesAnyCourse()
   Vector10d payload = Vector10d::Zero();  ///< That goes with it
 };
 

@@ -32,6 +32,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
       out.q = motion.q;
       out.dq = motion.dq;
       out.ddq = motion.ddq;
+      out.sharpened = std::make_shared<Latest<Sharpening, Kinematics>>(8);
       out.joints = std::make_shared<const JointTurns>(*robot, out.link, out.X_LS, out.q, out.dq, out.ddq);
     }
   }

@@ -24,6 +24,15 @@ struct Kinematics {
   std::shared_ptr<const std::vector<Matrix3d>> turned;  ///< R_BS where a cause turns S; null: as recorded
 };
 
+/// How much less smooth than recorded the joints' motion is: kind and size as derivative_noise has them.
+struct Sharpening {
+  int kind = 0;
+  double size = 0.0;
+  Vector3d gravity{0.0, 0.0, 0.0};  ///< g_B [m/s2]
+
+  bool operator==(const Sharpening&) const = default;
+};
+
 /// Share of the corner below which a smoothing by twicing, of order 6 and run both ways, takes less than 1.5 %.
 constexpr double kKeptTwiced = 0.85;
 
@@ -50,6 +59,7 @@ struct Signals {
   Isometry3d X_LS = Isometry3d::Identity();
   MatrixXd q, dq, ddq;  ///< dof x K
   std::shared_ptr<const JointTurns> joints;
+  std::shared_ptr<Latest<Sharpening, Kinematics>> sharpened;
 
   int samplesPerBlock = 4;
   Wrenches readings;  ///< 6 x K

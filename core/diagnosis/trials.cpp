@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "core/diagnosis/moments.h"
 #include "core/diagnosis/search.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
@@ -101,6 +102,31 @@ void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, c
   });
   std::erase_if(all, [](const Trial& trial) { return trial.fit.model.terms.back().form->guide; });
   std::ranges::move(more, std::back_inserter(all));
+}
+
+/// Of each event that is looked for, one at each of several moments at which what is left leaps: beside others, one
+/// that is a little off explains next to nothing.
+void addAtLeaps(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                std::vector<Signature>& signatures) {
+  constexpr std::size_t kMost = 8;  // More are no events of the rig but what it does all the time
+  const auto leaps = leapsIn(signals, stretches, base.residual);
+  if (leaps.size() < 2 || leaps.size() > kMost) return;
+  std::vector<const Form*> kinds;
+  for (const Signature& signature : signatures)
+    if (signature.form.atOnce && std::ranges::none_of(kinds, [&](const Form* kind) {
+          return kind->cause == signature.form.cause && kind->choice == signature.form.choice;
+        }))
+      kinds.push_back(&signature.form);
+  std::vector<Signature> more;
+  for (const Form* kind : kinds)
+    for (const double leap : leaps) {
+      Form form = *kind;
+      form.start(0) = std::clamp(leap, form.parameters[0].lower, form.parameters[0].upper);
+      more.push_back({std::move(form), {}, {}});
+    }
+  const Surroundings surroundings(signals, base.model);
+  onTwoThreads(more.size(), [&](std::size_t i) { more[i].fill(surroundings.signatures(more[i].form)); });
+  std::ranges::move(more, std::back_inserter(signatures));
 }
 
 }  // namespace
@@ -260,9 +286,11 @@ void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretch
 
 std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                                 const Fit& base, std::span<const std::string_view> causes) {
-  return scan(signals, stretches, base, bank.around(signals, base.model, [&](const Form& form) {
+  auto signatures = bank.around(signals, base.model, [&](const Form& form) {
     return mayAdd(form, base.model) && (causes.empty() || std::ranges::find(causes, form.cause->id()) != causes.end());
-  }));
+  });
+  if (causes.empty()) addAtLeaps(signals, stretches, base, signatures);
+  return scan(signals, stretches, base, signatures);
 }
 
 Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold) {

@@ -14,6 +14,9 @@ constexpr std::size_t kFinished = 4;  ///< Of these, how many are fitted to the 
 
 inline std::string_view causeOf(const Term& term) { return term.form->cause->id(); }
 
+/// A drift of any course, such as a walk's waves grow into.
+inline bool takesAnyCourse(const Form& form) { return form.later && form.cause->id() == "bias_drift"; }
+
 /// Whether any term is of that cause.
 bool contains(const Model& model, std::string_view cause);
 

@@ -75,8 +75,7 @@ void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
   if (out.remaining.gain > kUnexplained || bare.terms.size() == final.model.terms.size()) return;
   // Of any course, it has waves for anything slow as a walk has: then what the load was before is asked for, too, and
   // must explain more than everything that was named.
-  if (std::ranges::any_of(final.model.terms,
-                          [](const Term& t) { return causeOf(t) == "bias_drift" && t.form->later; })) {
+  if (std::ranges::any_of(final.model.terms, [](const Term& t) { return takesAnyCourse(*t.form); })) {
     const Fit& null = work.search.null;
     const double all = final.evidence - null.evidence + kBeyondCourse;
     const Structure hidden = structureBehindWalk(work.signals, work.stretches, null, all);
@@ -89,7 +88,7 @@ void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
   if (hidden.gain > enough) out.remaining = hidden;
 }
 
-/// What was set aside and is no contact is unknown.
+/// What was set aside and is no contact is unknown, unless single readings are `known` to be wrong all over.
 void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
   double evidence = 0.0, lasts = 0.0;
   for (const Contact& odd : work.odd) {
@@ -103,7 +102,7 @@ void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
                  std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
        heft::say("Look at what switches, shakes or turns on the tool at these moments."),
        {}});
-  if (known || out.remaining.gain > evidence) return;
+  if ((known && work.oddGoesWith != kOneChannel) || out.remaining.gain > evidence) return;
   out.remaining.goesWith = work.oddGoesWith;
   out.remaining.gain = evidence;
 }

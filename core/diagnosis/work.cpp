@@ -81,13 +81,13 @@ Elsewise unlessElsewise(const Signals& whole, SignatureBank& bank, const Search&
   return out;
 }
 
-/// Contacts that shake instead of pushing, or that all obey a law of how the tool moves, are something else. Those that
+/// Contacts that show what no push makes, or that all obey a law of how the tool moves, are something else. Those that
 /// ring are left out as well, but they are nothing: a motion that is smoothed can do no better there.
 void setOddAside(Work& work, const Signals& whole) {
   std::erase_if(work.contacts, [](const Contact& c) { return c.rings; });
   std::vector<Contact> pushes;
-  for (const Contact& contact : work.contacts) (contact.steady ? pushes : work.odd).push_back(contact);
-  if (!work.odd.empty()) work.oddGoesWith = heft::toSay("noise that comes and goes");
+  for (const Contact& contact : work.contacts) (contact.instead.empty() ? pushes : work.odd).push_back(contact);
+  if (!work.odd.empty()) work.oddGoesWith = std::ranges::max_element(work.odd, {}, &Contact::evidence)->instead;
   if (const std::string law = lawOf(whole, work.search.final, pushes); !law.empty()) {
     work.odd = std::move(work.contacts);
     work.oddGoesWith = law;
@@ -146,7 +146,7 @@ void setTouchesAside(Work& work) {
   for (const auto& term : search.final.model.terms) {
     if (term.form->cause->id() != "contact") continue;
     for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) {
-      Contact touch{from, to, 0.0, {signals.blocks(), 0}};
+      Contact touch{from, to, 0.0, {signals.blocks(), 0}, {}};
       peak = std::max(peak, term.v.segment<3>(1).norm());
       for (Eigen::Index n = 0; n < signals.blocks(); ++n)
         if (signals.blockTime(n) >= from && signals.blockTime(n) <= to) {
@@ -359,10 +359,14 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     holes.clear();
     for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
   }
-  // Of 20 that were touched, the best cause took 0.47 at most; where nobody touched, 0.6 and more.
-  constexpr double kMuch = 0.5;
-  if (!work.contacts.empty() && elsewise.share > kMuch && !progress.cancelled()) {
-    work.touchedOr = elsewise.cause;
+  // Of 20 that were touched, the best cause took 0.47 at most; where nobody touched, 0.6 and more. What takes long may
+  // be several of them.
+  constexpr double kMuch = 0.5, kLong = 0.3;
+  double lasts = 0.0;
+  for (const Contact& contact : work.contacts) lasts += contact.to - contact.from;
+  const bool maybeNot = elsewise.share > kMuch || lasts > kLong * signals.duration();
+  if (!work.contacts.empty() && maybeNot && !progress.cancelled()) {
+    if (elsewise.share > kMuch) work.touchedOr = elsewise.cause;
     // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
     searching.start = Model{};
     Work untouched;

@@ -6650,6 +6650,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The gain of all channels changes by {:+.1f} % during the recording, as when a sensor warms up.</source>
         <translation>Die Verstärkung aller Kanäle ändert sich während der Aufnahme um {:+.1f} %, wie wenn ein Sensor warm wird.</translation>
     </message>
+    <message>
+        <source>one channel of the sensor alone</source>
+        <translation>einem einzelnen Kanal des Sensors</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

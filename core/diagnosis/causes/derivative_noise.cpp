@@ -80,10 +80,14 @@ class DerivativeNoise final : public Cause {
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     if (!form.choice.empty()) {
       const auto sharp = [&](const MatrixXd& value) { return sharpened(value, form.choice[0], v(0), signals.rateHz); };
-      if (signals.robot != nullptr)
-        addMove(signals, kinematics, kinematicsOf(signals, sharp(signals.q), sharp(signals.dq), sharp(signals.ddq)));
-      else
+      if (signals.robot == nullptr) {
         changeMotion(signals, kinematics, sharp);
+        return;
+      }
+      const Sharpening asked{form.choice[0], v(0), signals.gravity};
+      addMove(signals, kinematics, *signals.sharpened->answer(asked, [&](const Sharpening&) {
+        return kinematicsOf(signals, sharp(signals.q), sharp(signals.dq), sharp(signals.ddq));
+      }));
       return;
     }
     for (Eigen::Index k = 0; k < signals.size(); ++k) {

@@ -57,11 +57,11 @@ class GainError final : public Cause {
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     if (form.choice[0] >= kGrowing) {
       const Vector6d growth = form.choice[0] == kGrowing ? Vector6d(v.head<6>()) : Vector6d(Vector6d::Constant(v(0)));
-      const double T = v(v.size() - 1), all = -std::expm1(-signals.duration() / T);
-      for (Eigen::Index k = 0; k < w.cols(); ++k) {
-        const double gone = -std::expm1((signals.startTime - signals.time(k)) / T) / all;
-        w.col(k) += gone * growth.cwiseProduct(w.col(k));
-      }
+      const double T = v(v.size() - 1), all = -std::expm1(-signals.duration() / T),
+                   step = std::exp(-1.0 / (signals.rateHz * T));
+      double left = 1.0;
+      for (Eigen::Index k = 0; k < w.cols(); ++k, left *= step)
+        w.col(k) += (1.0 - left) / all * growth.cwiseProduct(w.col(k));
       return;
     }
     if (form.choice[0] == kForces) {

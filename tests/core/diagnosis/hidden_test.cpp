@@ -254,8 +254,8 @@ TEST(Diagnose, NumbersMeanTheSameInEveryForm) {
     ASSERT_FALSE(report.causes.empty());
     const auto& found = report.causes.front();
     EXPECT_EQ(found.id, c.effect.id) << c.effect.form << ": " << said(report);
-    const auto number = std::ranges::find_if(found.parameters, [&](const auto& p) { return p.name == c.parameter; });
-    ASSERT_NE(number, found.parameters.end()) << said(report);
+    const CauseParameter* number = parameter(found, c.parameter);
+    ASSERT_NE(number, nullptr) << said(report);
     EXPECT_NEAR(number->value, c.value, 4.0 * number->std) << c.effect.form << ": " << said(report);
   }
 }
@@ -311,9 +311,8 @@ TEST(Diagnose, MotionThatWasSmoothedBeforeItWasRecorded) {
     EXPECT_NE(report.verdict, Verdict::unexplained) << toString(c.motion) << ": " << said(report);
     ASSERT_FALSE(report.causes.empty());
     ASSERT_EQ(report.causes.front().id, "derivative_noise") << toString(c.motion) << ": " << said(report);
-    const auto& parameters = report.causes.front().parameters;
-    const auto width = std::ranges::find_if(parameters, [](const auto& p) { return p.name == "smoothing"; });
-    ASSERT_NE(width, parameters.end()) << toString(c.motion);
+    const CauseParameter* width = parameter(report.causes.front(), "smoothing");
+    ASSERT_NE(width, nullptr) << toString(c.motion);
     EXPECT_NEAR(width->value, c.width_ms, 3.0 * width->std) << toString(c.motion);
     EXPECT_LT(width->std, 0.25 * c.width_ms) << toString(c.motion);
   }

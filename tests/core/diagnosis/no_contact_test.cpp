@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -13,11 +14,6 @@
 
 namespace heft::test {
 namespace {
-
-const CauseParameter* parameter(const DiagnosedCause& cause, std::string_view name) {
-  const auto found = std::ranges::find_if(cause.parameters, [&](const auto& p) { return p.name == name; });
-  return found == cause.parameters.end() ? nullptr : &*found;
-}
 
 bool finds(const DiagnosisReport& report, std::string_view code) {
   return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
@@ -153,6 +149,38 @@ TEST(NoContact, APartThatKnocksIsUnknown) {
   EXPECT_EQ(report.remaining.goesWith, "short knocks") << said(report);
   EXPECT_TRUE(finds(report, "knocks"));
   EXPECT_TRUE(report.causes.empty()) << said(report);
+}
+
+/// The sensor's driver tares now and then. Between the first time and the last one nothing fits the rest of the
+/// recording: it was a touch of half of it, or a walk.
+TEST(NoContact, AZeroTakenAgainAndAgainIsNone) {
+  Recording recording = aRecording(MotionKind::free, 316);
+  const std::array<double, 3> times{2.9, 5.6, 8.4};
+  Eigen::Matrix<double, 3, 6> jumps;
+  jumps << 5.0, -7.0, 3.0, 0.3, -0.2, 0.1, -4.0, 6.0, 2.0, -0.1, 0.3, 0.05, 2.0, 3.0, -6.0, 0.2, 0.1, -0.2;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (Eigen::Index j = 0; j < 3; ++j)
+      if (recording.time(i) >= times[static_cast<std::size_t>(j)]) recording.wrench.row(i) += jumps.row(j);
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "sensor_bias") << said(report);
+  for (const auto& [name, truth] : {std::pair{"time", times[0]}, {"time_2", times[1]}, {"time_3", times[2]}}) {
+    const auto* at = parameter(report.causes.front(), name);
+    ASSERT_NE(at, nullptr) << name << ": " << said(report);
+    EXPECT_NEAR(at->value, truth, 0.02) << name;
+  }
+  EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.012) << said(report);
+}
+
+/// A loose wire takes one channel to another level for 0.8 s: whatever pushed the tool would turn the sensor, too.
+TEST(NoContact, OneChannelThatJumpsIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 317);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    if (recording.time(i) > 5.0 && recording.time(i) < 5.8) recording.wrench(i, 1) -= 6.0;
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "one channel of the sensor alone") << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
 }
 
 /// A motor that spins inside the tool resists being turned: torque omega x h, which no cause of the catalogue makes.

@@ -1,0 +1,86 @@
+#include "core/diagnosis/alternatives.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kWholeTool = 0.4;  ///< Share of the payload that is hardly a part of the tool any more
+
+/// First parameter of the terms of `cause`, together.
+double firstOf(const Fit& fit, std::string_view cause) {
+  double out = 0.0;
+  for (const auto& term : fit.model.terms)
+    if (term.form->cause->id() == cause) out += term.v(0);
+  return out;
+}
+
+/// Of the payload's mass, how much may swing as far as anybody knows.
+double swingingShare(const Fit& fit, const Found& found) {
+  const double more = found.spread.size() > 0 ? found.spread(0) : 0.0;
+  return (firstOf(fit, found.cause) + more) / std::max(0.02, fit.model.x(6));
+}
+
+/// Whether a pull acts straight up or down where the tool's weight does: then gravity may be another than stated, or be
+/// taken out of the readings already, which no motion can tell from it.
+bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
+  constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
+  const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
+  return std::ranges::any_of(fit.model.terms, [&](const Term& term) {
+    if (term.form->cause->id() != "constant_pull" || term.form->local || term.v.size() < 6) return false;
+    const Vector3d force = term.v.head<3>();
+    return force.cross(gravity).norm() < kAside * force.norm() * gravity.norm() &&
+           (term.v.segment<3>(3) - com).norm() < kNear;
+  });
+}
+
+/// Whether jumps of the zero one after the other take back what they did: so does whoever touches the tool and lets go.
+bool comesBack(const Fit& fit) {
+  constexpr double kLeft = 0.2;  // Of the largest of them
+  std::vector<std::pair<double, Vector6d>> jumps;
+  for (const Term& term : fit.model.terms)
+    if (term.form->cause->id() == "sensor_bias") {
+      Vector6d size;
+      for (Eigen::Index c = 0; c < 6; ++c) size(c) = term.form->parameters[static_cast<std::size_t>(c + 1)].size;
+      jumps.emplace_back(term.v(0), term.v.tail<6>().cwiseQuotient(size));
+    }
+  std::ranges::sort(jumps, {}, [](const auto& jump) { return jump.first; });
+  for (std::size_t i = 0; i < jumps.size(); ++i) {
+    Vector6d all = jumps[i].second;
+    double largest = all.norm();
+    for (std::size_t j = i + 1; j < jumps.size(); ++j) {
+      all += jumps[j].second;
+      largest = std::max(largest, jumps[j].second.norm());
+      if (all.norm() < kLeft * largest) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held, const Vector3d& gravity) {
+  std::vector<std::string> out;
+  const auto add = [&](const std::string& id) {
+    if (id != found.cause && std::ranges::find(out, id) == out.end()) out.push_back(id);
+  };
+  // To whoever mends the rig a wandering zero is one that drifts.
+  for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
+  // A jump is a drift that took no time.
+  if (found.cause == "sensor_bias" || std::ranges::find(out, "sensor_bias") != out.end()) add("bias_drift");
+  if (found.cause == "sensor_bias" && comesBack(fit)) add("contact");
+  // No reading comes before what it is about: then the motion is late.
+  if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
+  // What weighs as much as the tool is the tool on its mount.
+  if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
+  if (found.cause == "constant_pull" && pullsAsWeightDoes(fit, gravity)) add("derivative_noise");
+  // What is held until the next reading comes late and cut down at once.
+  if (held && found.cause == "time_offset") add("low_pass_lag");
+  if (held && found.cause == "low_pass_lag") add("time_offset");
+  return out;
+}
+
+}  // namespace heft::diagnosis

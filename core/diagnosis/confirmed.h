@@ -1,0 +1,22 @@
+#pragma once
+// Which of the causes that a search found hold where they were not fitted.
+#include <vector>
+
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/structure.h"
+#include "core/diagnosis/surrogates.h"
+#include "core/diagnosis/work.h"
+
+namespace heft::diagnosis {
+
+struct Confirmed {
+  std::vector<DiagnosedCause> causes;  ///< In the order of acceptance
+  Wrenches first, last;  ///< 6 x N, left over on unseen stretches by bias and payload alone, and with all causes
+  Structure remaining;   ///< What is left beside them
+};
+
+/// Measures what each cause gains on unseen stretches; those that do not hold are taken out of the work's final model.
+/// `chance`: of finding something where nothing is. `held`: readings were repeated.
+Confirmed confirmed(Work& work, const Surrogates& chance, bool held);
+
+}  // namespace heft::diagnosis
