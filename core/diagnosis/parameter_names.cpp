@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 33> kNames = {{
+constexpr std::array<Name, 37> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -24,9 +24,12 @@ constexpr std::array<Name, 33> kNames = {{
     {"stiffness", heft::toSay("Stiffness k")},
     {"twist_stiffness", heft::toSay("Stiffness against turning k")},
     {"drag", heft::toSay("Drag d")},
+    {"square_drag", heft::toSay("Drag by the square of the speed d")},
     {"turning_drag", heft::toSay("Drag against turning d")},
     {"friction", heft::toSay("Friction F")},
     {"turning_friction", heft::toSay("Friction against turning M")},
+    {"breakaway", heft::toSay("Friction more while slow F")},
+    {"slow_speed", heft::toSay("Speed below which it rubs more v")},
     {"way", heft::toSay("Way until it slips s")},
     {"stick_speed", heft::toSay("Speed below which it sticks v")},
     {"mass", heft::toSay("Mass m")},
@@ -36,6 +39,7 @@ constexpr std::array<Name, 33> kNames = {{
     {"duration", heft::toSay("Duration")},
     {"loss", heft::toSay("Missing share")},
     {"smoothing", heft::toSay("Smoothed over T")},
+    {"hardening", heft::toSay("Grows stiffer as it stretches by h")},
     {"length", heft::toSay("Length when slack L")},
     {"count", heft::toSay("Number")},
     {"share", heft::toSay("Share of the readings")},
@@ -53,16 +57,18 @@ constexpr std::array<Name, 33> kNames = {{
 }};
 
 /// With an axis or a channel in place of {}.
-constexpr std::array<Name, 12> kAlong = {{
+constexpr std::array<Name, 14> kAlong = {{
     {"stiffness_", heft::toSay("Stiffness along {0}, k{0}")},
     {"force_", heft::toSay("Force along {0}, F{0}")},
     {"torque_", heft::toSay("Torque about {0}, M{0}")},
     {"drag_", heft::toSay("Drag along {0}, d{0}")},
+    {"tool_drag_", heft::toSay("Drag along the tool's {0}, d{0}")},
     {"friction_", heft::toSay("Friction along {0}")},
     {"moment_", heft::toSay("Mass times offset along {0}, m{0}")},
     {"at_", heft::toSay("Place from the sensor, {0}")},
     {"slope_", heft::toSay("Share along {0}")},
     {"tilt_", heft::toSay("Tilted about {0}")},
+    {"sinks_", heft::toSay("Tilts further about {0}")},
     {"start_", heft::toSay("Force of the swing at the start along {0}")},
     {"quarter_", heft::toSay("The same a quarter of a swing later along {0}")},
     {"anchor_", heft::toSay("Place it pulls from, {0}")},

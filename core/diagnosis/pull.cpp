@@ -31,15 +31,16 @@ Eigen::Matrix3Xd positions(const std::vector<Witness>& witnesses) {
 
 }  // namespace
 
-Matrix3d stiffnessOf(const std::vector<CauseParameter>& parameters, std::string_view ending) {
+Matrix3d tensorOf(std::string_view what, const std::vector<CauseParameter>& parameters, std::string_view ending) {
+  const std::string alike(what), along = alike + "_";
   const auto valueOf = [&](std::string name) {
     const CauseParameter* parameter = find(parameters, name.append(ending));
     return parameter ? parameter->value : 0.0;
   };
-  Matrix3d out = valueOf("stiffness") * Matrix3d::Identity();
+  Matrix3d out = valueOf(alike) * Matrix3d::Identity();
   for (int i = 0; i < 3; ++i) {
-    out(i, i) += valueOf(std::string("stiffness_") + "xyz"[i]);
-    for (int j = 0; j < i; ++j) out(i, j) = out(j, i) = valueOf(std::string("stiffness_") + "xyz"[j] + "xyz"[i]);
+    out(i, i) += valueOf(along + "xyz"[i]);
+    for (int j = 0; j < i; ++j) out(i, j) = out(j, i) = valueOf(along + "xyz"[j] + "xyz"[i]);
   }
   return out;
 }
@@ -48,7 +49,7 @@ std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witnes
   constexpr double kFirm = 3.0;  ///< Deviations: a softer axis does not tell a place
   const Eigen::Matrix3Xd tool = positions(witnesses);
   if (tool.cols() == 0) return std::nullopt;
-  const Matrix3d stiffness = stiffnessOf(cable.parameters);
+  const Matrix3d stiffness = tensorOf("stiffness", cable.parameters);
   const CauseParameter* alike = find(cable.parameters, "stiffness");
   const CauseParameter* slack = find(cable.parameters, "length");
   Vector3d stiffnessStd = Vector3d::Zero(), force = Vector3d::Zero(), forceStd = Vector3d::Zero();

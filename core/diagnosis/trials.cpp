@@ -214,7 +214,9 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
 
 std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                           const std::vector<Candidate>& ranked) {
-  const double promised = ranked.front().score;
+  // What waves promise says nothing of what a cause must.
+  const auto first = std::ranges::find_if(ranked, [](const Candidate& c) { return !c.form.walk; });
+  const double promised = first == ranked.end() ? 0.0 : first->score;
   auto chosen = chosenOf(ranked, kTried, promised);
   auto all = trialsOf(signals, stretches, base, chosen);
   if (!all.empty() && all.front().gain >= kHopeful * promised) return all;

@@ -222,6 +222,11 @@ struct Values {
       if (std::abs(value(name)) > std::abs(value(best))) best = name;
     return size(best);
   }
+  /// Of a symmetric tensor, see tensorOf().
+  double mostAlongAnyLine(std::string_view what) const {
+    const Matrix3d tensor = diagnosis::tensorOf(what, cause.parameters, ending);
+    return tensor.selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs().maxCoeff();
+  }
   /// The one of this term that stands out most from its deviation.
   const CauseParameter* strongest() const {
     const CauseParameter* best = nullptr;
@@ -296,15 +301,20 @@ std::string dropoutSentence(const Values& v) {
 std::string cableSentence(const Values& v) {
   if (v.find("twist_stiffness"))
     return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
+  if (v.find("hardening"))
+    return heft::say(
+        "A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to stretch, and more "
+        "the "
+        "further it does.",
+        v.size("stiffness"));
   if (v.find("length"))
     return heft::say(
         "A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.",
         v.size("length"), v.size("stiffness"));
   if (v.find("stiffness"))
     return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
-  const Matrix3d stiffness = diagnosis::stiffnessOf(v.cause.parameters, v.ending);
-  const double most = stiffness.selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs().maxCoeff();
-  return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.", number(most, 1));
+  return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.",
+                   number(v.mostAlongAnyLine("stiffness"), 1));
 }
 
 /// A gain that depends on the sign of the load; empty if the strongest one does not.
@@ -386,6 +396,8 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                                     v.size("lag"))
                         : heft::say("Accelerations come {} ms late; the angles do not.", v.size("lag"));
   if (id == "sensor_rotation") return heft::say("The sensor sits turned by {} degrees.", v.norm({"rx", "ry", "rz"}));
+  if (id == "gravity_tilt" && v.find("sinks_x"))
+    return heft::say("The robot's base tilts by {} degrees during the recording.", v.norm({"sinks_x", "sinks_y"}));
   if (id == "gravity_tilt")
     return heft::say("The robot's base is tilted by {} degrees against the stated gravity.",
                      v.norm({"tilt_x", "tilt_y"}));
@@ -405,6 +417,13 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   }
   if (id == "viscous_drag") {
     if (v.find("drag")) return heft::say("Something holds the tool back: {} N per metre per second.", v.size("drag"));
+    if (v.find("square_drag"))
+      return heft::say("Something holds the tool back with the square of its speed: {} N at one metre per second.",
+                       v.size("square_drag"));
+    for (const char* what : {"drag", "tool_drag"})
+      if (v.find(std::string(what) + "_xy"))
+        return heft::say("Something holds the tool back, by up to {} N per metre per second.",
+                         number(v.mostAlongAnyLine(what), 2));
     return v.find("drag_x")
                ? heft::say("Something holds the tool back, by up to {} N per metre per second.",
                            v.most({"drag_x", "drag_y", "drag_z"}))

@@ -6654,6 +6654,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>one channel of the sensor alone</source>
         <translation>einem einzelnen Kanal des Sensors</translation>
     </message>
+    <message>
+        <source>Drag by the square of the speed d</source>
+        <translation>Widerstand nach dem Quadrat der Geschwindigkeit d</translation>
+    </message>
+    <message>
+        <source>Friction more while slow F</source>
+        <translation>Mehr Reibung, solange langsam, F</translation>
+    </message>
+    <message>
+        <source>Speed below which it rubs more v</source>
+        <translation>Geschwindigkeit, unter der es mehr reibt, v</translation>
+    </message>
+    <message>
+        <source>Grows stiffer as it stretches by h</source>
+        <translation>Wird beim Dehnen steifer um h</translation>
+    </message>
+    <message>
+        <source>Drag along the tool&apos;s {0}, d{0}</source>
+        <translation>Widerstand entlang {0} des Werkzeugs, d{0}</translation>
+    </message>
+    <message>
+        <source>A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to stretch, and more the further it does.</source>
+        <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt, zieht das Werkzeug zurück: {} N je Meter, wo es sich zu dehnen beginnt, und mehr, je weiter es sich dehnt.</translation>
+    </message>
+    <message>
+        <source>Something holds the tool back with the square of its speed: {} N at one metre per second.</source>
+        <translation>Etwas bremst das Werkzeug mit dem Quadrat seiner Geschwindigkeit: {} N bei einem Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Tilts further about {0}</source>
+        <translation>Neigt sich weiter um {0}</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s base tilts by {} degrees during the recording.</source>
+        <translation>Der Sockel des Roboters neigt sich während der Aufnahme um {} Grad.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

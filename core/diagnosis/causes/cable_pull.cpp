@@ -10,7 +10,15 @@ namespace {
 
 Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean(); }
 
-enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5 };  ///< Form::choice
+enum Kind {
+  kSpring = 0,
+  kAway = 1,
+  kPerAxis = 2,
+  kTwist = 3,
+  kTaut = 4,
+  kAllWays = 5,
+  kHardens = 6
+};  ///< Form::choice
 
 /// Where the tool was at the middle of each of up to 200 parts of the recording.
 std::vector<Vector3d> places(const Signals& signals) {
@@ -61,6 +69,17 @@ std::vector<Form> tautForms(const Cause* cause, const Signals& signals) {
   return out;
 }
 
+/// Of one that grows stiffer as it stretches, which begins where one of `taut` was found.
+Form hardeningForm(const Cause* cause, const Form& taut) {
+  std::vector<Parameter> parameters(taut.parameters.begin(), taut.parameters.begin() + 5);
+  parameters.push_back({"hardening", "N/m3", 1.0, 10.0, 0.0, 1e5, true});
+  Form form = formOf(cause, "stiffer the further it stretches", withPlace(std::move(parameters)));
+  form.scan = {0};
+  form.choice = {kHardens};
+  form.alone = form.later = true;
+  return form;
+}
+
 class CablePull final : public Cause {
  public:
   std::string_view id() const override { return "cable_pull"; }
@@ -98,6 +117,7 @@ class CablePull final : public Cause {
       add(kAllWays, "stiffest along any line", six, place);
       out.back().scan = {0, 1, 2, 3, 4, 5, 6, 7, 8};
       std::ranges::move(tautForms(this, signals), std::back_inserter(out));
+      out.push_back(hardeningForm(this, out.back()));
     }
     add(kTwist, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, 0.0, 20.0}},
         {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0},
@@ -110,7 +130,7 @@ class CablePull final : public Cause {
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
     constexpr double kHolder = 0.02;  // [m]
     const int kind = form.choice[0];
-    if (kind == kTaut || kind == kTwist) return {};
+    if (kind == kTaut || kind == kHardens || kind == kTwist) return {};
     const Eigen::Index at = kind == kAllWays   ? 6
                             : kind == kPerAxis ? 3
                                                : 1,
@@ -120,30 +140,42 @@ class CablePull final : public Cause {
     out.head(axes) = v.head(axes) * std::min(1.0, kHolder / std::max(1e-9, far));
     return out;
   }
-  /// A spring towards one spot is a cable of some length.
+  /// A spring towards one spot is a cable of some length, and that may grow stiffer as it stretches.
   std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v,
                                                const Signals& signals) const override {
     constexpr double kShort = 0.02;  // [m]
-    if ((form.choice[0] != kSpring && form.choice[0] != kAway) || !(v(0) > 0.0)) return {};
-    const Vector3d away = v.segment<3>(1) / v(0);
+    const bool spring = form.choice[0] == kSpring || form.choice[0] == kAway;
+    if ((!spring && form.choice[0] != kTaut) || !(v(0) > 0.0)) return {};
     std::vector<Form> taut = tautForms(this, signals);
     std::erase_if(taut, [](const Form& f) { return !f.name.starts_with("taut"); });
-    const Vector3d centre = middle(signals);
-    const auto along = [&](const Form& f) { return Vector3d(f.start.segment<3>(1) - centre).dot(away); };
-    VectorXd start(8);
-    start << v(0), centre + away, kShort, form.choice[0] == kAway ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
-    return {{*std::ranges::max_element(taut, {}, along), start}};
+    std::vector<std::pair<Form, VectorXd>> out;
+    VectorXd start = v;
+    if (spring) {
+      const Vector3d away = v.segment<3>(1) / v(0), centre = middle(signals);
+      const auto along = [&](const Form& f) { return Vector3d(f.start.segment<3>(1) - centre).dot(away); };
+      start.resize(8);
+      start << v(0), centre + away, kShort,
+          form.choice[0] == kAway ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
+      out.emplace_back(*std::ranges::max_element(taut, {}, along), start);
+    }
+    VectorXd hardens(9);
+    hardens << start.head<5>(), 0.0, start.tail<3>();
+    out.emplace_back(hardeningForm(this, taut.front()), hardens);
+    return out;
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
-    if (form.choice[0] == kTaut) {
-      const Vector3d anchor = v.segment<3>(1), r = v.segment<3>(5);
+    if (form.choice[0] == kTaut || form.choice[0] == kHardens) {
+      const Vector3d anchor = v.segment<3>(1), r = v.tail<3>();
+      const double hardening = form.choice[0] == kHardens ? v(5) : 0.0;
       Eigen::Matrix3Xd held = Eigen::Matrix3Xd::Zero(3, w.cols());
       for (Eigen::Index k = 0; k < w.cols(); ++k) {
         const Vector3d way = signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - anchor;
         const double far = way.norm();
-        if (far > std::max(v(4), 1e-6)) held.col(k) = v(0) * (1.0 - v(4) / far) * way;
+        const double stretched = far - v(4);
+        if (far > 1e-6 && stretched > 0.0)
+          held.col(k) = (v(0) + hardening * stretched * stretched) * stretched / far * way;
       }
       addWorldForce(R_BS, held, r, w);
       return;
@@ -159,7 +191,7 @@ class CablePull final : public Cause {
     const bool allWays = form.choice[0] == kAllWays, alike = !allWays && form.choice[0] != kPerAxis;
     const Eigen::Index at = allWays ? 6 : alike ? 1 : 3;
     const Matrix3d stiffness =
-        allWays ? acrossAxes(v)
+        allWays ? tensor(v.head<6>())
                 : Matrix3d((alike ? Vector3d(Vector3d::Constant(v(0))) : Vector3d(v.head<3>())).asDiagonal());
     const Vector3d pull = v.segment<3>(at);
     const Vector3d r = v.size() > at + 3 ? Vector3d(v.segment<3>(at + 3)) : Vector3d(Vector3d::Zero());
@@ -174,22 +206,12 @@ class CablePull final : public Cause {
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
     constexpr double kDeviations = 3.0, kFirm = 5.0;
     const int kind = form.choice[0];
-    if (kind == kTaut || kind == kTwist) return true;
+    if (kind == kTaut || kind == kHardens || kind == kTwist) return true;
     if (kind == kPerAxis) return (v.head<3>() - kDeviations * std.head<3>()).maxCoeff() > 0.0;
     if (kind != kAllWays) return v(0) > kDeviations * std(0);
-    const Vector3d along = acrossAxes(v).selfadjointView<Eigen::Lower>().eigenvalues();
+    const Vector3d along = tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues();
     const double off = std.head<6>().maxCoeff();
     return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kFirm * off;
-  }
-
- private:
-  /// Of the form kAllWays, B axes.
-  static Matrix3d acrossAxes(const VectorXd& v) {
-    Matrix3d out = Vector3d(v.head<3>()).asDiagonal();
-    out(0, 1) = out(1, 0) = v(3);
-    out(0, 2) = out(2, 0) = v(4);
-    out(1, 2) = out(2, 1) = v(5);
-    return out;
   }
 };
 

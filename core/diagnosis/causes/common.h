@@ -107,6 +107,15 @@ inline std::pair<double, double> timesForChange(const Signals& signals) {
   return {signals.startTime + margin, signals.startTime + signals.duration() - margin};
 }
 
+/// Symmetric, of its elements xx, yy, zz, xy, xz, yz.
+inline Matrix3d tensor(const Vector6d& v) {
+  Matrix3d out = Vector3d(v.head<3>()).asDiagonal();
+  out(0, 1) = out(1, 0) = v(3);
+  out(0, 2) = out(2, 0) = v(4);
+  out(1, 2) = out(2, 1) = v(5);
+  return out;
+}
+
 /// Moments [s] between them at which a first look places an event.
 inline std::vector<double> momentsForChange(const Signals& signals) {
   const auto [from, to] = timesForChange(signals);

@@ -16,7 +16,8 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
 
 /// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a
 /// place away from the sensor, 4 and 5 the cause's own richer forms, 6 different along each axis at a place away from
-/// the sensor, 7 a place away from the sensor and turning.
+/// the sensor, 7 a place away from the sensor and turning, 8 there with the square of the speed, 9 and 10
+/// differently along any line of the base, or of the tool.
 class Resistance : public Cause {
  protected:
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
@@ -63,26 +64,59 @@ class ViscousDrag final : public Resistance {
     all.push_back(angular);
     add(out, 6, "different along each axis, away from the sensor", withPlace(std::move(all)));
     out.back().scan = {0, 1, 2, 3};
+    // A flat tool, or a guide along a line: along any line of the base or of the tool.
+    for (const auto& [kind, name] :
+         {std::pair{kLines, "different along any line"}, {kToolLines, "different along any line of the tool"}}) {
+      const std::string what = kind == kLines ? "drag_" : "tool_drag_";
+      std::vector<Parameter> six;
+      for (const char* axis : {"x", "y", "z"}) six.push_back({what + axis, "N s/m", 1.0, 0.3, 0.0, 200.0, true});
+      for (const char* pair : {"xy", "xz", "yz"}) six.push_back({what + pair, "N s/m", 1.0, 0.3, -100.0, 100.0});
+      add(out, kind, name, withPlace(std::move(six)));
+      out.back().scan = {0, 1, 2, 3, 4, 5};
+    }
+    // What stirs a liquid or is broad and light.
+    add(out, kSquare, "with the square of the speed", withPlace({{"square_drag", "N s2/m2", 1.0, 0.5, 0.0, 400.0}}));
+    out.back().scan = {0};
     return onlyOne(std::move(out));
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     const int kind = form.choice[0];
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
+    const Matrix3d along = kind == kLines || kind == kToolLines ? tensor(v.head<6>()) : Matrix3d(Matrix3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
       if (kind == 1 || kind == 2) w.col(k).tail<3>() += v(kind - 1) * kin.omega.col(k);
       if (kind == 1) continue;
-      if (kind > 5) w.col(k).tail<3>() += v(kind == 6 ? 3 : 1) * kin.omega.col(k);
+      if (kind == 6 || kind == 7) w.col(k).tail<3>() += v(kind == 6 ? 3 : 1) * kin.omega.col(k);
       const bool away = kind == 3 || kind > 5;
       const Vector3d r = away ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
+      if (kind == kLines || kind == kToolLines) {
+        const Vector3d f = kind == kLines ? Vector3d(R.transpose() * (along * velocity))
+                                          : Vector3d(along * (R.transpose() * velocity));
+        w.col(k).head<3>() += f;
+        w.col(k).tail<3>() += r.cross(f);
+        continue;
+      }
       const Vector3d drag = kind == 4 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
-      const Vector3d f = R.transpose() * velocity.cwiseProduct(drag);
+      const double speed = kind == kSquare ? velocity.norm() : 1.0;
+      const Vector3d f = R.transpose() * (speed * velocity.cwiseProduct(drag));
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
     }
   }
+
+  /// Nothing pushes the tool the way it goes.
+  bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    constexpr double kDeviations = 3.0;
+    if (form.choice[0] != kLines && form.choice[0] != kToolLines) return true;
+    return tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() >
+           -kDeviations * std.head<6>().maxCoeff();
+  }
+
+ private:
+  static constexpr int kSquare = 8, kLines = 9, kToolLines = 10;
 };
 
 class CoulombFriction final : public Resistance {
@@ -112,6 +146,12 @@ class CoulombFriction final : public Resistance {
       out.back().start(1) = way;
       out.back().scan = {0};
     }
+    // Holds more as long as it is slow (Stribeck 1902).
+    add(out, kStribeck, "more while slow",
+        withPlace(
+            {linear, {"breakaway", "N", 1.0, 0.1, 0.0, 60.0, true}, {"slow_speed", "mm/s", kMilli, 0.05, 0.012, 0.3}}));
+    out.back().start(2) = 0.05;
+    out.back().scan = {0, 1};
     return onlyOne(std::move(out));
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
@@ -127,8 +167,9 @@ class CoulombFriction final : public Resistance {
         w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
       if (kind == 1) continue;
-      const bool away = kind == 3 || kind == 4 || kind == 6;
-      const Vector3d r = away ? Vector3d(v.segment<3>(kind == 6 ? 3 : kind - 2)) : Vector3d(Vector3d::Zero());
+      const bool away = kind == 3 || kind == 4 || kind == 6 || kind == kStribeck;
+      const Vector3d r =
+          away ? Vector3d(v.segment<3>(kind == 6 || kind == kStribeck ? 3 : kind - 2)) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
       const double stick = kind == 3 ? v(4) : kind == 6 ? v(6) : kStick;
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
@@ -139,12 +180,17 @@ class CoulombFriction final : public Resistance {
         z = keep * z + (speed > 1e-12 ? Vector3d(velocity * (way / speed) * (1.0 - keep)) : Vector3d(Vector3d::Zero()));
         direction = z / way;
       }
-      const Vector3d friction = kind == 5 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
+      const double more = kind == kStribeck ? v(1) * std::exp(-velocity.squaredNorm() / (v(2) * v(2))) : 0.0;
+      const Vector3d friction =
+          kind == 5 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0) + more));
       const Vector3d f = R.transpose() * direction.cwiseProduct(friction);
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
     }
   }
+
+ private:
+  static constexpr int kStribeck = 8;
 };
 
 }  // namespace

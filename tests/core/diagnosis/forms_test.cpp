@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/diagnosis/model.h"
 #include "core/diagnosis/pull.h"
@@ -99,11 +100,133 @@ TEST(Diagnose, ADragMayDifferAlongEachAxisAndActAtTheTip) {
   EXPECT_EQ(cause.id, "viscous_drag") << said(report);
   EXPECT_EQ(cause.sentence.find("Something holds the tool back, by up to 2.6"), 0u) << cause.sentence;
   for (int i = 0; i < 3; ++i) {
-    const auto size = std::ranges::find(cause.parameters, fmt::format("drag_{}", "xyz"[i]), &CauseParameter::name);
-    const auto at = std::ranges::find(cause.parameters, fmt::format("at_{}", "xyz"[i]), &CauseParameter::name);
-    ASSERT_TRUE(size != cause.parameters.end() && at != cause.parameters.end()) << said(report);
+    const CauseParameter* size = parameter(cause, fmt::format("drag_{}", "xyz"[i]));
+    const CauseParameter* at = parameter(cause, fmt::format("at_{}", "xyz"[i]));
+    ASSERT_TRUE(size != nullptr && at != nullptr) << said(report);
     EXPECT_NEAR(size->value, drag(i), 0.1) << i;
     EXPECT_NEAR(at->value, 1e3 * tip(i), 5.0) << i;
+  }
+}
+
+/// A paddle in a liquid: a drag that grows with the speed left a loop, a joint and a gain to be named, too.
+TEST(Diagnose, ADragMayGrowWithTheSquareOfTheSpeed) {
+  Recording recording = aRecording(MotionKind::excitation, 272);
+  const Vector3d tip(0.03, -0.02, 0.12);  // [m]
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+    const Vector3d velocity = motion.velocity.col(k) + R * Vector3d(motion.omega.col(k)).cross(tip);
+    addAtTip(recording, i, R.transpose() * (6.0 * velocity.norm() * velocity), tip);
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "viscous_drag") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  const CauseParameter* size = parameter(cause, "square_drag");
+  ASSERT_NE(size, nullptr) << said(report);
+  EXPECT_NEAR(size->value, 6.0, 4.0 * size->std);
+  for (int i = 0; i < 3; ++i) {
+    const CauseParameter* at = parameter(cause, fmt::format("at_{}", "xyz"[i]));
+    ASSERT_NE(at, nullptr) << said(report);
+    EXPECT_NEAR(at->value, 1e3 * tip(i), 4.0 * at->std + 1.0) << i;
+  }
+}
+
+/// A flat tool that is moved through a bath: what resists does so across its face. It was a drag along the base's axes,
+/// and something unknown.
+TEST(Diagnose, ADragMayActAcrossAFaceOfTheTool) {
+  Recording recording = aRecording(MotionKind::free, 273);
+  const Vector3d face = Vector3d(0.5, -0.7, 0.4).normalized(), tip(0.01, 0.02, 0.14);  // S axes; [m]
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+    const Vector3d velocity = R.transpose() * motion.velocity.col(k) + Vector3d(motion.omega.col(k)).cross(tip);
+    addAtTip(recording, i, 4.0 * face.dot(velocity) * face, tip);
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "viscous_drag") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  const Matrix3d told = tensorOf("tool_drag", cause.parameters);
+  EXPECT_LT((told - 4.0 * face * face.transpose()).cwiseAbs().maxCoeff(), 0.15) << told;
+  EXPECT_EQ(cause.sentence.find("Something holds the tool back, by up to "), 0u) << cause.sentence;
+}
+
+/// A rubber cord that grows stiffer as it stretches: a spring of one stiffness left something unknown, and a payload of
+/// a sixth.
+TEST(Diagnose, ACableMayGrowStiffer) {
+  Recording recording = aRecording(MotionKind::excitation, 274);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d anchor = Vector3d(motion.position.rowwise().mean()) + Vector3d(0.2, -0.25, 0.3);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Vector3d way = motion.position.col(k) - anchor;
+    const double stretched = way.norm() - 0.1;
+    const Vector3d held = (4.0 + 60.0 * stretched * stretched) * stretched * way.normalized();
+    recording.wrench.row(i).head<3>() += (motion.R_BS[static_cast<std::size_t>(k)].transpose() * held).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "cable_pull") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  for (const auto& [name, truth] : {std::pair{"hardening", 60.0}, {"stiffness", 4.0}, {"length", 100.0}}) {
+    const CauseParameter* found = parameter(cause, name);
+    ASSERT_NE(found, nullptr) << name << ": " << said(report);
+    EXPECT_NEAR(found->value, truth, 4.0 * found->std) << name;
+  }
+  EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.012) << said(report);
+}
+
+/// Friction in a guide is more while the tool creeps: it was a friction, a cable and something unknown.
+TEST(Diagnose, FrictionMayBeMoreWhileSlow) {
+  Recording recording = aRecording(MotionKind::excitation, 275);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d tip(0.01, -0.01, 0.02);  // [m]
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+    const Vector3d velocity = motion.velocity.col(k) + R * Vector3d(motion.omega.col(k)).cross(tip);
+    const double speed = velocity.norm(), holds = 0.8 + 0.5 * std::exp(-std::pow(speed / 0.05, 2));
+    addAtTip(recording, i, R.transpose() * (holds / std::hypot(speed, 0.003) * velocity), tip);
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "coulomb_friction") << said(report);
+  for (const auto& [name, truth] : {std::pair{"friction", 0.8}, {"breakaway", 0.5}, {"slow_speed", 50.0}}) {
+    const CauseParameter* found = parameter(cause, name);
+    ASSERT_NE(found, nullptr) << name << ": " << said(report);
+    EXPECT_NEAR(found->value, truth, 4.0 * found->std + 0.01 * truth) << name;
+  }
+}
+
+/// A foot of the robot's table gives way while it moves: it was a constant pull, or a cable and a touch.
+TEST(Diagnose, ABaseMaySinkDuringTheRecording) {
+  Recording recording = aRecording(MotionKind::free, 277);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d about = 0.03 * Vector3d(0.8, -0.6, 0.0);  // [rad]
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Matrix3d R = motion.R_BS[static_cast<std::size_t>(k)].transpose();
+    const double sunk = std::clamp((recording.time(i) - 3.0) / 5.0, 0.0, 1.0);
+    const Vector3d g = recording.meta.gravity, change = R * (rotationFromVector(sunk * about) * g - g);
+    const Vector3d force = -aTool().mass * change;
+    recording.wrench.row(i).head<3>() += force.transpose();
+    recording.wrench.row(i).tail<3>() += aTool().com.cross(force).transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "gravity_tilt") << said(report);
+  for (const auto& [name, truth] : {std::pair{"sinks_x", 0.8}, {"sinks_y", -0.6}}) {
+    const CauseParameter* found = parameter(cause, name);
+    ASSERT_NE(found, nullptr) << name << ": " << said(report);
+    EXPECT_NEAR(found->value, 0.03 * 180.0 / std::numbers::pi * truth, 4.0 * found->std) << name;
   }
 }
 
