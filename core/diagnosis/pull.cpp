@@ -76,11 +76,14 @@ std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witnes
     for (int i = 0; i < 3; ++i)
       out.anchorStd = std::max(out.anchorStd, std::hypot(forceStd(i), away(i) * stiffnessStd(i)) / stiffness(i, i));
   }
-  const double length = slack ? kMetre * slack->value : 0.0;
+  const CauseParameter* grows = find(cable.parameters, "hardening");
+  const double length = slack ? kMetre * slack->value : 0.0, hardening = grows ? grows->value : 0.0;
   for (Eigen::Index n = 0; n < tool.cols(); ++n) {
     const Vector3d way = tool.col(n) - out.anchor;
     const double far = way.norm();
-    if (far > length) out.force += ((1.0 - length / far) * (stiffness * way)).norm() / static_cast<double>(tool.cols());
+    if (far <= length) continue;
+    const double stretched = far - length, more = hardening * stretched * stretched * stretched;
+    out.force += ((stretched / far * (stiffness * way)).norm() + more) / static_cast<double>(tool.cols());
   }
   return out;
 }

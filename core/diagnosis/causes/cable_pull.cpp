@@ -10,15 +10,8 @@ namespace {
 
 Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean(); }
 
-enum Kind {
-  kSpring = 0,
-  kAway = 1,
-  kPerAxis = 2,
-  kTwist = 3,
-  kTaut = 4,
-  kAllWays = 5,
-  kHardens = 6
-};  ///< Form::choice
+/// Form::choice
+enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5, kHardens = 6 };
 
 /// Where the tool was at the middle of each of up to 200 parts of the recording.
 std::vector<Vector3d> places(const Signals& signals) {

@@ -24,10 +24,11 @@ class GravityTilt final : public Cause {
       parameters.push_back({"sinks_x", "deg", kDegrees, size, -1.0, 1.0});
       parameters.push_back({"sinks_y", "deg", -kDegrees, size, -1.0, 1.0});
       parameters.push_back({"duration", "s", 1.0, 0.1 * T, 0.03 * T, 3.0 * T, false, false});
-      parameters.push_back({"time", "s", 1.0, 0.1 * T, -2.0 * T, 0.95 * T, false, false});
+      const double start = signals.startTime;
+      parameters.push_back({"time", "s", 1.0, 0.1 * T, start - 2.0 * T, start + 0.95 * T, false, false});
       Form form = formOf(this, "sinks", std::move(parameters));
       form.start(4) = lasts * T;
-      form.start(5) = signals.startTime + from * T;
+      form.start(5) = start + from * T;
       form.scan = {0, 1, 2, 3};
       form.choice = {kSinks};
       form.alone = form.rare = true;
