@@ -376,10 +376,15 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     untouched.stretches = stretchesOf(whole.usable);
     untouched.bank = work.bank;
     untouched.search = search(whole, untouched.stretches, untouched.bank, searching, progress);
-    lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
-    Fit judged = untouched.search.final;
-    judged.noise = work.search.final.noise;
-    if (contactsIn(whole, judged, candidates).empty()) work = std::move(untouched);
+    const auto accountsForAll = [&] {
+      Fit judged = untouched.search.final;
+      judged.noise = work.search.final.noise;
+      return contactsIn(whole, judged, candidates).empty();
+    };
+    if (accountsForAll()) {
+      lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
+      if (accountsForAll()) work = std::move(untouched);
+    }
   }
   setOddAside(work, whole);
   setTouchesAside(work);
