@@ -14,7 +14,7 @@ constexpr double kWholeTool = 0.4;  ///< Share of the payload that is hardly a p
 double firstOf(const Fit& fit, std::string_view cause) {
   double out = 0.0;
   for (const auto& term : fit.model.terms)
-    if (term.form->cause->id() == cause) out += term.v(0);
+    if (causeOf(term) == cause) out += term.v(0);
   return out;
 }
 
@@ -30,7 +30,7 @@ bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
   const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
   return std::ranges::any_of(fit.model.terms, [&](const Term& term) {
-    if (term.form->cause->id() != "constant_pull" || term.form->local || term.v.size() < 6) return false;
+    if (causeOf(term) != "constant_pull" || term.form->local || term.v.size() < 6) return false;
     const Vector3d force = term.v.head<3>();
     return force.cross(gravity).norm() < kAside * force.norm() * gravity.norm() &&
            (term.v.segment<3>(3) - com).norm() < kNear;
@@ -42,7 +42,7 @@ bool comesBack(const Fit& fit) {
   constexpr double kLeft = 0.2;  // Of the largest of them
   std::vector<std::pair<double, Vector6d>> jumps;
   for (const Term& term : fit.model.terms)
-    if (term.form->cause->id() == "sensor_bias") {
+    if (causeOf(term) == "sensor_bias") {
       Vector6d size;
       for (Eigen::Index c = 0; c < 6; ++c) size(c) = term.form->parameters[static_cast<std::size_t>(c + 1)].size;
       jumps.emplace_back(term.v(0), term.v.tail<6>().cwiseQuotient(size));
@@ -64,13 +64,14 @@ bool comesBack(const Fit& fit) {
 
 std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held, const Vector3d& gravity) {
   std::vector<std::string> out;
+  const auto has = [&](std::string_view id) { return std::ranges::find(out, id) != out.end(); };
   const auto add = [&](const std::string& id) {
-    if (id != found.cause && std::ranges::find(out, id) == out.end()) out.push_back(id);
+    if (id != found.cause && !has(id)) out.push_back(id);
   };
   // To whoever mends the rig a wandering zero is one that drifts.
   for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
   // A jump is a drift that took no time.
-  if (found.cause == "sensor_bias" || std::ranges::find(out, "sensor_bias") != out.end()) add("bias_drift");
+  if (found.cause == "sensor_bias" || has("sensor_bias")) add("bias_drift");
   if (found.cause == "sensor_bias" && comesBack(fit)) add("contact");
   // No reading comes before what it is about: then the motion is late.
   if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");

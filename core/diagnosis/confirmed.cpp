@@ -40,8 +40,9 @@ void keepOneOfTwo(Work& work) {
     if (!changesFast(search.found[own]) || search.found[own].gain > 2.0 * kFaint || !ownErrors(work, search.found[own]))
       continue;
     const Fit alone = fitModel(work.signals, work.stretches, without(search.final.model, search.found[own].cause));
+    if (!believable(alone)) continue;
     for (Found& other : search.found) {
-      if (&other == &search.found[own] || !changesFast(other) || !believable(alone)) continue;
+      if (&other == &search.found[own] || !changesFast(other)) continue;
       const Fit neither = fitModel(work.signals, work.stretches, without(alone.model, other.cause)),
                 instead = fitModel(work.signals, work.stretches, without(search.final.model, other.cause));
       const double gain = alone.evidence - neither.evidence;
@@ -123,14 +124,13 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
 
 struct Round {
   std::vector<DiagnosedCause> causes;
-  Wrenches first, last;  ///< As of Confirmed
+  Wrenches last;         ///< As of Confirmed
   bool dropped = false;  ///< Whether any did not hold
 };
 
 Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool held) {
   Round out;
   Search& search = work.search;
-  out.first = heldOutResidual(work.signals, work.stretches, search.null);
   out.last = heldOutResidual(work.signals, work.stretches, search.final);
   // The weakest first: what it takes with it must not be counted against the others.
   std::vector<const Found*> order;
@@ -179,10 +179,10 @@ Confirmed confirmed(Work& work, const Surrogates& chance, bool held) {
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   Needed needed{beside.gain > kUnexplained ? kBesideUnknown : 0.0, kOfFaint};
   Confirmed out;
+  out.first = heldOutResidual(work.signals, work.stretches, work.search.null);
   const auto judge = [&] {
     Round round = judged(work, needed, chance, held);
     out.causes = std::move(round.causes);
-    out.first = std::move(round.first);
     out.last = std::move(round.last);
     out.remaining = round.dropped ? structureIn(work.signals, work.stretches, work.search.final) : beside;
   };

@@ -11,7 +11,6 @@
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/held_rows.h"
-#include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"

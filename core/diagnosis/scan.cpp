@@ -177,6 +177,13 @@ void Signature::fill(const MatrixXd& all) {
   columns = std::make_shared<const MatrixXd>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
 }
 
+Signature signatureAt(double time, Form form, const Surroundings& surroundings) {
+  Signature out{std::move(form), {}, {}};
+  out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
+  out.fill(surroundings.signatures(out.form));
+  return out;
+}
+
 SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
   for (const auto& cause : catalogue()) {
     if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
@@ -328,12 +335,7 @@ Placing::~Placing() = default;
 
 Candidate Placing::placed(const Candidate& candidate) const {
   constexpr double kNear = 0.3, kStep = 0.1;  // [s]
-  const auto at = [&](double time) {
-    Signature out{candidate.form, {}, {}};
-    out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
-    out.fill(around_->surroundings.signatures(out.form));
-    return out;
-  };
+  const auto at = [&](double time) { return signatureAt(time, candidate.form, around_->surroundings); };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
   double about = candidate.v(0), most = -1e300;
   for (double off = -kNear; off < kNear + 0.5 * kStep; off += kStep) {

@@ -26,6 +26,9 @@ struct Signature {
   void fill(const MatrixXd& all);
 };
 
+/// The form's signature with its place in time at `time` [s], or as near as it may lie.
+Signature signatureAt(double time, Form form, const Surroundings& surroundings);
+
 /// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
 /// every payload and is kept; what bends the motion or changes the sensor is worked out anew each time.
 class SignatureBank {

@@ -117,15 +117,11 @@ void addAtLeaps(const Signals& signals, const std::vector<Stretch>& stretches, c
           return kind->cause == signature.form.cause && kind->choice == signature.form.choice;
         }))
       kinds.push_back(&signature.form);
-  std::vector<Signature> more;
-  for (const Form* kind : kinds)
-    for (const double leap : leaps) {
-      Form form = *kind;
-      form.start(0) = std::clamp(leap, form.parameters[0].lower, form.parameters[0].upper);
-      more.push_back({std::move(form), {}, {}});
-    }
+  std::vector<Signature> more(kinds.size() * leaps.size());
   const Surroundings surroundings(signals, base.model);
-  onTwoThreads(more.size(), [&](std::size_t i) { more[i].fill(surroundings.signatures(more[i].form)); });
+  onTwoThreads(more.size(), [&](std::size_t i) {
+    more[i] = signatureAt(leaps[i % leaps.size()], *kinds[i / leaps.size()], surroundings);
+  });
   std::ranges::move(more, std::back_inserter(signatures));
 }
 

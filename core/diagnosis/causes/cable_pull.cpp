@@ -13,6 +13,9 @@ Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean
 /// Form::choice
 enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5, kHardens = 6 };
 
+/// Fixed to a spot, and slack up to a length.
+bool hasLength(int kind) { return kind == kTaut || kind == kHardens; }
+
 /// Where the tool was at the middle of each of up to 200 parts of the recording.
 std::vector<Vector3d> places(const Signals& signals) {
   constexpr Eigen::Index kMost = 200;
@@ -123,7 +126,7 @@ class CablePull final : public Cause {
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
     constexpr double kHolder = 0.02;  // [m]
     const int kind = form.choice[0];
-    if (kind == kTaut || kind == kHardens || kind == kTwist) return {};
+    if (hasLength(kind) || kind == kTwist) return {};
     const Eigen::Index at = kind == kAllWays   ? 6
                             : kind == kPerAxis ? 3
                                                : 1,
@@ -139,11 +142,11 @@ class CablePull final : public Cause {
     constexpr double kShort = 0.02;  // [m]
     const bool spring = form.choice[0] == kSpring || form.choice[0] == kAway;
     if ((!spring && form.choice[0] != kTaut) || !(v(0) > 0.0)) return {};
-    std::vector<Form> taut = tautForms(this, signals);
-    std::erase_if(taut, [](const Form& f) { return !f.name.starts_with("taut"); });
     std::vector<std::pair<Form, VectorXd>> out;
     VectorXd start = v;
     if (spring) {
+      std::vector<Form> taut = tautForms(this, signals);
+      std::erase_if(taut, [](const Form& f) { return !f.name.starts_with("taut"); });
       const Vector3d away = v.segment<3>(1) / v(0), centre = middle(signals);
       const auto along = [&](const Form& f) { return Vector3d(f.start.segment<3>(1) - centre).dot(away); };
       start.resize(8);
@@ -153,13 +156,13 @@ class CablePull final : public Cause {
     }
     VectorXd hardens(9);
     hardens << start.head<5>(), 0.0, start.tail<3>();
-    out.emplace_back(hardeningForm(this, taut.front()), hardens);
+    out.emplace_back(hardeningForm(this, spring ? out.front().first : form), hardens);
     return out;
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
-    if (form.choice[0] == kTaut || form.choice[0] == kHardens) {
+    if (hasLength(form.choice[0])) {
       const Vector3d anchor = v.segment<3>(1), r = v.tail<3>();
       const double hardening = form.choice[0] == kHardens ? v(5) : 0.0;
       Eigen::Matrix3Xd held = Eigen::Matrix3Xd::Zero(3, w.cols());
@@ -199,7 +202,7 @@ class CablePull final : public Cause {
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
     constexpr double kDeviations = 3.0, kFirm = 5.0;
     const int kind = form.choice[0];
-    if (kind == kTaut || kind == kHardens || kind == kTwist) return true;
+    if (hasLength(kind) || kind == kTwist) return true;
     if (kind == kPerAxis) return (v.head<3>() - kDeviations * std.head<3>()).maxCoeff() > 0.0;
     if (kind != kAllWays) return v(0) > kDeviations * std(0);
     const Vector3d along = tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues();

@@ -95,6 +95,15 @@ inline std::pair<Vector3d, Vector3d> acrossGravity(const Vector3d& gravity) {
   return {x, g.cross(x)};
 }
 
+/// Symmetric, of its elements xx, yy, zz, xy, xz, yz.
+inline Matrix3d tensor(const Vector6d& v) {
+  Matrix3d out = Vector3d(v.head<3>()).asDiagonal();
+  out(0, 1) = out(1, 0) = v(3);
+  out(0, 2) = out(2, 0) = v(4);
+  out(1, 2) = out(2, 1) = v(5);
+  return out;
+}
+
 /// How far [0, 1] an event at t0 that takes `duration` has gone at time t.
 inline double stepAt(double t, double t0, double duration) {
   constexpr double kShortest = 5e-3;  // [s] A sample: readings are means over one
@@ -105,15 +114,6 @@ inline double stepAt(double t, double t0, double duration) {
 inline std::pair<double, double> timesForChange(const Signals& signals) {
   const double margin = std::max(1.2, 0.08 * signals.duration());
   return {signals.startTime + margin, signals.startTime + signals.duration() - margin};
-}
-
-/// Symmetric, of its elements xx, yy, zz, xy, xz, yz.
-inline Matrix3d tensor(const Vector6d& v) {
-  Matrix3d out = Vector3d(v.head<3>()).asDiagonal();
-  out(0, 1) = out(1, 0) = v(3);
-  out(0, 2) = out(2, 0) = v(4);
-  out(1, 2) = out(2, 1) = v(5);
-  return out;
 }
 
 /// Moments [s] between them at which a first look places an event.

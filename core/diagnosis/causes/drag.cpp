@@ -16,8 +16,7 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
 
 /// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a
 /// place away from the sensor, 4 and 5 the cause's own richer forms, 6 different along each axis at a place away from
-/// the sensor, 7 a place away from the sensor and turning, 8 there with the square of the speed, 9 and 10
-/// differently along any line of the base, or of the tool.
+/// the sensor, 7 a place away from the sensor and turning; from 8 on the cause's own, by name.
 class Resistance : public Cause {
  protected:
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
@@ -92,16 +91,16 @@ class ViscousDrag final : public Resistance {
       const bool away = kind == 3 || kind > 5;
       const Vector3d r = away ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
-      if (kind == kLines || kind == kToolLines) {
-        const Vector3d f = kind == kLines ? Vector3d(R.transpose() * (along * velocity))
-                                          : Vector3d(along * (R.transpose() * velocity));
-        w.col(k).head<3>() += f;
-        w.col(k).tail<3>() += r.cross(f);
-        continue;
+      Vector3d f;
+      if (kind == kToolLines) {
+        f = along * (R.transpose() * velocity);
+      } else if (kind == kLines) {
+        f = R.transpose() * (along * velocity);
+      } else {
+        const Vector3d drag = kind == 4 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
+        const double speed = kind == kSquare ? velocity.norm() : 1.0;
+        f = R.transpose() * (speed * velocity.cwiseProduct(drag));
       }
-      const Vector3d drag = kind == 4 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
-      const double speed = kind == kSquare ? velocity.norm() : 1.0;
-      const Vector3d f = R.transpose() * (speed * velocity.cwiseProduct(drag));
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
     }
