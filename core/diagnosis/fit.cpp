@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace heft::diagnosis {
@@ -249,20 +250,18 @@ VectorXd heldWhere(const Model& model, VectorXd sd, const Holds& holds) {
   return sd;
 }
 
-/// The form is not linear in it.
-bool bends(const Term& term, Eigen::Index p, Eigen::Index) {
-  return std::ranges::find(term.form->scan, static_cast<int>(p)) == term.form->scan.end();
-}
+bool isOfShape(const Term& term, Eigen::Index p, Eigen::Index) { return !isAmplitude(*term.form, p); }
 
-Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights) {
+Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights,
+           const Columns* known) {
   Fit fit;
   fit.model = std::move(start);
   startWalk(fit.model);
   const bool learnsWalk = walks(fit.model);
   VectorXd sd = whisper(fit.model);
-  Linearised at = linearised(signals, fit.model);
-  Model around = fit.model;  // Where its columns are from
-  fit.residual = signals.measured - at.value;
+  Columns columns = known != nullptr ? Columns(*known, fit.model) : Columns(signals, fit.model);
+  Wrenches reading = valueOf(signals, fit.model);
+  fit.residual = signals.measured - reading;
   fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.louder)
                                            : white(fit.residual, stretches, signals.louder);
   // What whitens best is not what the noise is learned as: evidence may fall again, and then what was best counts.
@@ -271,13 +270,13 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     Model model;
     Noise noise;
     Wrenches residual;
-    MatrixXd jacobian;
+    std::optional<Columns> columns;
   };
   State best;
   double most = weights == Weights::coloured ? fit.noise.evidence : -1e300;
   int falls = 0;  // Rounds since then
   for (int round = 0; round < rounds && falls < kMostFalls; ++round) {
-    const ChannelColumns J(whitened(at.jacobian, fit.noise, stretches));
+    const ChannelColumns J(whitened(columns.jacobian(), fit.noise, stretches));
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
     const VectorXd pull = J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
@@ -306,9 +305,9 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
       if (half < 3) continue;
       // A time, a frequency or so leads astray, such as that of a step between two samples: then what is linear moves
       // alone.
-      if (betters(moved(fit.model, Normal(J, heldWhere(fit.model, sd, bends)).solve(pull), 1.0))) break;
+      if (betters(moved(fit.model, Normal(J, heldWhere(fit.model, sd, isOfShape)).solve(pull), 1.0))) break;
       next = fit.model;
-      value = at.value;
+      value = reading;
     }
     if (learnsWalk) learnWalk(next, normal.inverse());
     State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), {}};
@@ -320,20 +319,22 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
       most = fit.noise.evidence;
       falls = 0;
     } else if (++falls == 1) {
-      was.jacobian = at.jacobian;
+      was.columns = columns;
       best = std::move(was);
     }
-    at = linearisedAgain(signals, fit.model, std::move(value), std::move(at.jacobian), around);
-    if (rests) break;
+    reading = std::move(value);
+    if (rests || round + 1 == rounds || falls == kMostFalls) break;
+    columns.follow(fit.model);
   }
   if (falls > 0) {
     fit.model = std::move(best.model);
     fit.noise = std::move(best.noise);
     fit.residual = std::move(best.residual);
-    at.jacobian = std::move(best.jacobian);
+    columns = *std::move(best.columns);
     sd = whisper(fit.model);
   }
-  const Normal normal(ChannelColumns(whitened(at.jacobian, fit.noise, stretches)), sd);
+  columns.refresh(fit.model);
+  const Normal normal(ChannelColumns(whitened(columns.jacobian(), fit.noise, stretches)), sd);
   fit.information = normal.information;
   fit.covariance = normal.inverse();
   const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
@@ -354,17 +355,17 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
 
 }  // namespace
 
-Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds) {
-  return fitted(signals, stretches, std::move(start), rounds, Weights::coloured);
+Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds,
+             const Columns* known) {
+  return fitted(signals, stretches, std::move(start), rounds, Weights::coloured, known);
 }
 
-Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit) {
-  Fit other = fitted(signals, stretches, fit.model, 8, Weights::whiteFirst);
+Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const Columns* known) {
+  Fit other = fitted(signals, stretches, fit.model, 8, Weights::whiteFirst, known);
   return other.evidence > fit.evidence ? other : fit;
 }
 
-Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
-               const MatrixXd& jacobian) {
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns) {
   // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say.
   constexpr double kOrder = 3.0, kLittle = 0.1;
   VectorXd sd = whisper(fit.model);
@@ -378,10 +379,9 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   }
   Model model = fit.model;
   for (int round = 0; round < 2; ++round) {
-    const Linearised around =
-        round == 0 ? Linearised{signals.measured - fit.residual, jacobian} : linearised(signals, model);
-    const Wrenches residual = signals.measured - around.value;
-    const ChannelColumns J(whitened(around.jacobian, fit.noise, stretches));
+    if (round > 0) columns.follow(model);
+    const Wrenches residual = round == 0 ? fit.residual : Wrenches(signals.measured - valueOf(signals, model));
+    const ChannelColumns J(whitened(columns.jacobian(), fit.noise, stretches));
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
     const VectorXd step = Normal(J, sd).solve(J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2()));
     Model next = moved(model, step, 1.0);

@@ -58,16 +58,17 @@ class Normal {
 };
 
 /// Gauss-Newton from `start`, the noise refitted in between, until the evidence rests. A parameter whose step is
-/// switched off (Term::active) keeps its value.
-Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds = 8);
+/// switched off (Term::active) keeps its value. `known`: columns of a model whose terms `start` begins with, or null.
+Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds = 8,
+             const Columns* known = nullptr);
 
 /// The fit, or the one that begins with its answer under white noise, whichever has more evidence: a noise that was
 /// learned with a long memory swallows slow misfit and holds on to it.
-Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit);
+Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const Columns* known = nullptr);
 
 /// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
-/// `jacobian`: of the fit's model, see linearised().
-Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian);
+/// `columns`: of the fit's model.
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns);
 
 /// Orthonormal columns (6N rows) that span what a change of the parameters can do to the whitened readings.
 MatrixXd explainedSpace(const MatrixXd& jacobian, const Noise& noise, const std::vector<Stretch>& stretches);

@@ -54,12 +54,12 @@ std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::v
 
 Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   Wrenches out = fit.residual;
-  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const Columns columns(signals, fit.model);
   const auto all = parts(stretches);
   onTwoThreads(all.size(), [&](std::size_t i) {
     const auto training = outside(stretches, all[i], kGap);
     if (training.empty()) return;
-    const Model model = refitted(signals, training, fit, jacobian);
+    const Model model = refitted(signals, training, fit, columns);
     const Wrenches residual = signals.measured - valueOf(signals, model);
     for (const auto& s : all[i]) out.middleCols(s.from, s.to - s.from) = residual.middleCols(s.from, s.to - s.from);
   });
@@ -68,13 +68,13 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
 
 Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& signals,
                                                                const std::vector<Stretch>& stretches, const Fit& fit) {
-  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const Columns columns(signals, fit.model);
   const auto all = parts(stretches);
   Eigen::Matrix<double, 10, Eigen::Dynamic> out(10, std::ssize(all));
   onTwoThreads(all.size(), [&](std::size_t i) {
     const auto training = outside(stretches, all[i], 0);
     out.col(static_cast<Eigen::Index>(i)) =
-        (training.empty() ? fit.model : refitted(signals, training, fit, jacobian)).x.tail<10>();
+        (training.empty() ? fit.model : refitted(signals, training, fit, columns)).x.tail<10>();
   });
   return out;
 }

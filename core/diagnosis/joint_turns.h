@@ -56,7 +56,7 @@ class JointTurns {
   mutable std::mutex mutex_;
   mutable std::vector<FrameMotion> sensor_;  ///< Of S in B, for all cuts; like them made when first asked for
   mutable std::vector<std::unique_ptr<Cut>> cuts_;
-  mutable Latest<Asked, Kinematics> answers_{16};
+  mutable Latest<Asked, Kinematics> answers_{40};  ///< More than a first look at all joints asks for
 };
 
 }  // namespace heft::diagnosis

@@ -102,6 +102,10 @@ Wrenches predicted(const Signals& signals, const Model& model) {
   return readings(signals, model, terms, sensed(signals, terms, loads(signals, model, terms, bent(signals, terms))));
 }
 
+bool isAmplitude(const Form& form, Eigen::Index p) {
+  return std::ranges::find(form.scan, static_cast<int>(p)) != form.scan.end();
+}
+
 Wrenches valueOf(const Signals& signals, const Model& model) { return averaged(signals, predicted(signals, model)); }
 
 namespace {
@@ -128,13 +132,6 @@ class Moving {
   Moving(const Moving&) = delete;
   Moving& operator=(const Moving&) = delete;
 
-  /// The readings, averaged.
-  Wrenches value() const {
-    const Wrenches told =
-        told_.size() > 0 ? told_ : sensed(signals_, terms_, loads(signals_, model_, terms_, kinematics_));
-    return averaged(signals_, readings(signals_, model_, terms_, told));
-  }
-
   /// Columns of the payload's parameters.
   void fillPayload(MatrixXd& jacobian) const {
     const bool throughChanges = std::ranges::any_of(terms_, [](const Term* t) {
@@ -158,52 +155,55 @@ class Moving {
     }
   }
 
-  /// Columns of the term's parameters in `jacobian` from column `at` on; those that do not move stay as they are.
-  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at) {
+  /// Columns of the term's parameters in `jacobian` from column `at` on, of its shape's only if `shapeOnly`; those that
+  /// do not move stay as they are.
+  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at, bool shapeOnly) {
     Term& moved = model_.terms[term];
     const Form& form = *moved.form;
     if (form.walk && moved.moves(0)) {
       fillWalk(moved, jacobian, at);
       return;
     }
-    const Wrenches force = forceOf(moved), reading = readingOf(moved);
+    const Wrenches added = bendsOrChanges(moved) ? Wrenches() : addedBy(moved);
     for (Eigen::Index p = 0; p < moved.v.size(); ++p, ++at) {
-      if (!moved.moves(p)) continue;
+      if (!moved.moves(p) || (shapeOnly && isAmplitude(form, p))) continue;
       const double step = kStep * form.parameters[static_cast<std::size_t>(p)].size;
       const double old = moved.v(p);
       moved.v(p) = old + step;
-      jacobian.col(at) = flat(averaged(signals_, change(moved, force, reading))) / step;
+      jacobian.col(at) = flat(averaged(signals_, change(moved, added))) / step;
       moved.v(p) = old;
     }
   }
 
  private:
-  Wrenches forceOf(const Term& term) const {
+  /// To the load, or to the readings.
+  Wrenches addedBy(const Term& term) const {
     Wrenches w = Wrenches::Zero(6, signals_.size());
-    term.form->cause->force(*term.form, term.v, signals_, kinematics_, w);
-    return w;
-  }
-  Wrenches readingOf(const Term& term) const {
-    Wrenches w = Wrenches::Zero(6, signals_.size());
-    term.form->cause->readings(*term.form, term.v, signals_, w);
+    const Cause& cause = *term.form->cause;
+    if (cause.addsToReadings())
+      cause.readings(*term.form, term.v, signals_, w);
+    else
+      cause.force(*term.form, term.v, signals_, kinematics_, w);
     return w;
   }
 
-  /// `force`, `reading`: the term's before it moved.
-  Wrenches change(const Term& moved, const Wrenches& force, const Wrenches& reading) const {
+  /// `added`: by the term before it moved.
+  Wrenches change(const Term& moved, const Wrenches& added) const {
     const Cause& cause = *moved.form->cause;
     if (cause.bendsGeometry()) {
       const auto at = static_cast<std::size_t>(std::ranges::find(terms_, &moved) - terms_.begin());
       return sensed(signals_, terms_, loads(signals_, model_, terms_, bent(signals_, terms_, at, before_[at]))) - told_;
     }
     if (cause.changesSensor(*moved.form)) return sensed(signals_, terms_, load_) - told_;
-    Wrenches out = forceOf(moved) - force;
+    Wrenches out = addedBy(moved);
+    out -= added;
+    if (cause.addsToReadings()) return out;
     // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
     if (linear_)
       throughSensor(signals_, terms_, out, true);
     else if (!out.isZero(0.0))
       out = sensed(signals_, terms_, load_ + out) - told_;
-    return out + readingOf(moved) - reading;
+    return out;
   }
 
   /// Each wave once for all channels.
@@ -211,7 +211,7 @@ class Moving {
     Term one{term.form, VectorXd::Zero(term.v.size()), {}};
     for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
       one.v.segment<6>(p).setOnes();
-      const Wrenches wave = averaged(signals_, readingOf(one));
+      const Wrenches wave = averaged(signals_, addedBy(one));
       one.v.segment<6>(p).setZero();
       for (Eigen::Index c = 0; c < 6; ++c)
         for (Eigen::Index n = 0; n < wave.cols(); ++n) jacobian(6 * n + c, at + c) = wave(c, n);
@@ -227,71 +227,118 @@ class Moving {
   bool linear_ = true;
 };
 
-/// Whether what bends a motion or changes a sensor does clearly another thing to this payload than to that one.
-bool otherLoad(const Vector10d& payload, const Vector10d& than) {
+/// Whether what bends a motion or changes a sensor does another thing to this payload than to that one, by more than a
+/// share of `far`.
+bool otherLoad(const Vector10d& payload, const Vector10d& than, double far) {
   constexpr double kReach = 0.1;  // [m]
-  const double mass = kStep * std::max(0.02, std::abs(than(0)));
+  const double mass = far * std::max(0.02, std::abs(than(0)));
   const Vector10d off = (payload - than).cwiseAbs();
   return off(0) > mass || off.segment<3>(1).maxCoeff() > kReach * mass ||
          off.tail<6>().maxCoeff() > kReach * kReach * mass;
 }
 
-/// Whether the columns of the term's parameters are the same wherever these are, as long as nothing bends or changes
-/// what it adds.
-bool addsLinearly(const Term& term) {
-  return term.form->scan.size() == term.form->parameters.size() && !bendsOrChanges(term);
-}
+/// How far the term has moved, in realistic sizes: by its amplitudes, and by its shape.
+struct Shift {
+  double amplitude = 0.0, shape = 0.0;
+};
 
-}  // namespace
-
-Linearised linearised(const Signals& signals, const Model& model) {
-  Moving moving(signals, model);
-  Linearised out{moving.value(), {}};
-  out.jacobian = MatrixXd::Zero(out.value.size(), model.size());
-  for (Eigen::Index n = 0; n < out.value.cols(); ++n) out.jacobian.block<6, 6>(6 * n, 0).setIdentity();
-  moving.fillPayload(out.jacobian);
-  Eigen::Index at = kLinear;
-  for (std::size_t i = 0; i < model.terms.size(); ++i) {
-    moving.fill(i, out.jacobian, at);
-    at += model.terms[i].v.size();
+Shift shiftBetween(const Term& from, const Term& to) {
+  Shift out;
+  for (Eigen::Index p = 0; p < to.v.size(); ++p) {
+    const double off = std::abs(to.v(p) - from.v(p)) / to.form->parameters[static_cast<std::size_t>(p)].size;
+    double& most = isAmplitude(*to.form, p) ? out.amplitude : out.shape;
+    most = std::max(most, off);
   }
   return out;
 }
 
-Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian,
-                           Model& around) {
-  const bool bends = std::ranges::any_of(model.terms, bendsOrChanges);
-  // Differences say nothing of what moves by less than their step.
-  const auto moved = [&](std::size_t i) {
+bool beginsWith(const Model& model, const Model& beginning) {
+  const auto same = [](const Term& a, const Term& b) { return a.form == b.form && a.active == b.active; };
+  return model.terms.size() >= beginning.terms.size() &&
+         std::equal(beginning.terms.begin(), beginning.terms.end(), model.terms.begin(), same);
+}
+
+}  // namespace
+
+Columns::Columns(const Signals& signals, const Model& model) : signals_(&signals) { fill(model); }
+
+Columns::Columns(const Columns& known, const Model& model) : signals_(known.signals_) {
+  if (!beginsWith(model, known.own_)) {
+    fill(model);
+    return;
+  }
+  whole_ = known.whole_;
+  own_ = known.own_;
+  for (std::size_t i = whole_.terms.size(); i < model.terms.size(); ++i) {
     const Term& term = model.terms[i];
-    for (Eigen::Index p = 0; p < term.v.size(); ++p) {
-      const double step = kStep * term.form->parameters[static_cast<std::size_t>(p)].size;
-      if (std::abs(term.v(p) - around.terms[i].v(p)) > step) return true;
-    }
-    return false;
-  };
-  bool everything = bends && otherLoad(model.x.tail<10>(), around.x.tail<10>());
-  std::vector<bool> again(model.terms.size());
-  for (std::size_t i = 0; i < again.size(); ++i) {
-    again[i] = moved(i) && (bends || !addsLinearly(model.terms[i]));
-    everything = everything || (again[i] && bendsOrChanges(model.terms[i]));
+    whole_.terms.push_back({term.form, term.form->start, term.active, term.walk});
   }
-  if (!everything && std::ranges::find(again, true) == again.end()) return {std::move(value), std::move(jacobian)};
-  Moving moving(signals, model);
-  if (everything) {
-    again.assign(again.size(), true);
-    moving.fillPayload(jacobian);
-    around.x = model.x;
-  }
+  jacobian_ = MatrixXd::Zero(known.jacobian_.rows(), model.size());
+  jacobian_.leftCols(known.jacobian_.cols()) = known.jacobian_;
+  follow(model);
+}
+
+void Columns::fill(const Model& model) {
+  jacobian_ = MatrixXd::Zero(6 * signals_->blocks(), model.size());
+  for (Eigen::Index n = 0; n < signals_->blocks(); ++n) jacobian_.block<6, 6>(6 * n, 0).setIdentity();
+  Moving moving(*signals_, model);
+  moving.fillPayload(jacobian_);
   Eigen::Index at = kLinear;
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    moving.fill(i, jacobian_, at, false);
+    at += model.terms[i].v.size();
+  }
+  whole_ = own_ = model;
+}
+
+void Columns::follow(const Model& model) {
+  constexpr double kFar = 0.3;  // What is off by less takes a fit another step at most
+  update(model, kFar);
+}
+
+void Columns::refresh(const Model& model) { update(model, kStep); }
+
+/// `far`: sizes by which an amplitude may have moved; of a shape, differences say nothing of what moves by less than
+/// their step.
+void Columns::update(const Model& model, double far) {
+  const bool bends = std::ranges::any_of(model.terms, bendsOrChanges),
+             linear = std::ranges::all_of(model.terms, [](const Term&t) { return t.form->cause->linear(*t.form); });
+  constexpr double kOfLoad = 0.3;  ///< As a load weighs on all columns of what bends
+  bool everything = bends && otherLoad(model.x.tail<10>(), whole_.x.tail<10>(), std::max(kStep, kOfLoad * far));
+  enum class Which { none, shape, all };
+  std::vector<Which> again(model.terms.size(), Which::none);
   for (std::size_t i = 0; i < again.size(); ++i) {
-    if (again[i]) {
-      moving.fill(i, jacobian, at);
-      around.terms[i].v = model.terms[i].v;
+    const Term& term = model.terms[i];
+    const bool bending = bendsOrChanges(term);
+    if (bending) {
+      const Shift shift = shiftBetween(whole_.terms[i], term);
+      everything = everything || shift.shape > kStep || shift.amplitude > far;
+    }
+    if (i >= own_.terms.size()) {
+      again[i] = Which::all;
+      continue;
+    }
+    const Shift shift = shiftBetween(own_.terms[i], term);
+    if (shift.shape > kStep || shift.amplitude > (bending ? far : linear ? 1e300 : kStep))
+      again[i] = Which::all;
+    else if (!bending && shift.amplitude > kStep && term.form->scan.size() < term.form->parameters.size())
+      again[i] = Which::shape;
+  }
+  if (everything) {
+    fill(model);
+    return;
+  }
+  if (std::ranges::count(again, Which::none) == std::ssize(again)) return;
+  Moving moving(*signals_, model);
+  Eigen::Index at = kLinear;
+  own_.terms.resize(std::max(own_.terms.size(), model.terms.size()));
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    if (again[i] != Which::none) {
+      moving.fill(i, jacobian_, at, again[i] == Which::shape);
+      own_.terms[i] = model.terms[i];
     }
     at += model.terms[i].v.size();
   }
-  return {std::move(value), std::move(jacobian)};
 }
 
 Surroundings::Surroundings(const Signals& signals, const Model& model)

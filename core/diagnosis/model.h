@@ -39,17 +39,32 @@ Wrenches predicted(const Signals& signals, const Model& model);
 /// predicted(), averaged into blocks: 6 x N.
 Wrenches valueOf(const Signals& signals, const Model& model);
 
-/// valueOf() and its derivatives: 6N x size(), row 6 n + channel.
-struct Linearised {
-  Wrenches value;
-  MatrixXd jacobian;
-};
-Linearised linearised(const Signals& signals, const Model& model);
+/// Whether the form is linear in the parameter, or nearly so; others are about the shape of what it does.
+bool isAmplitude(const Form& form, Eigen::Index p);
 
-/// The same where `value` is known and `jacobian` is of `around`, a model with the same terms: columns that do not
-/// depend on what moved since, or hardly, are kept. `around` is then where the columns are from.
-Linearised linearisedAgain(const Signals& signals, const Model& model, Wrenches value, MatrixXd jacobian,
-                           Model& around);
+/// How valueOf() changes with each parameter: 6N x size(), row 6 n + channel. They follow the model from step to step
+/// of a fit: columns that do not depend on what moved, or hardly, are kept. The signals must outlive them.
+class Columns {
+ public:
+  Columns(const Signals& signals, const Model& model);
+  /// Of a model that may begin with the terms of the one that others are known for.
+  Columns(const Columns& known, const Model& model);
+
+  /// Good for the next step from `model`, which has the same terms.
+  void follow(const Model& model);
+  /// As good as new: nothing that differences tell has moved since.
+  void refresh(const Model& model);
+
+  const MatrixXd& jacobian() const { return jacobian_; }
+
+ private:
+  void fill(const Model& model);
+  void update(const Model& model, double far);
+
+  const Signals* signals_;
+  MatrixXd jacobian_;
+  Model whole_, own_;  ///< Where all columns were worked out together, and each term's own ones
+};
 
 /// A model that a form may be added to; neither it nor the signals may go before this.
 class Surroundings {

@@ -237,7 +237,7 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
 std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                                    const std::vector<Signature>& bank, double threshold) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const MatrixXd jacobian = Columns(signals, fit.model).jacobian();
   const Weighting weighting(fit.noise, stretches, fit, jacobian);
   std::vector<VectorXd> out(bank.size());
   onTwoThreads(bank.size(),
@@ -273,7 +273,7 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
   std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
   for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
   const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
-  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const MatrixXd jacobian = Columns(signals, fit.model).jacobian();
   const Weighting coloured(fit.noise, stretches, fit, jacobian), plain(flatNoise, stretches, fit, jacobian);
   // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does
   // so the less, the fewer there are.
@@ -317,7 +317,7 @@ struct Placing::Around {
   Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit)
       : lnN(std::log(std::max(2.0, fit.noise.samples))),
         flat(white(fit.residual, stretches, fit.noise.louder)),
-        jacobian(linearised(signals, fit.model).jacobian),
+        jacobian(Columns(signals, fit.model).jacobian()),
         coloured(fit.noise, stretches, fit, jacobian),
         plain(flat, stretches, fit, jacobian),
         surroundings(signals, fit.model) {}

@@ -1,6 +1,7 @@
 #include "core/diagnosis/search.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
@@ -64,6 +65,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   double wanders = 0.0;  // What a wandering zero explains, once accepted
   if (contains(out.final.model, kWandering))
     wanders = out.final.evidence - fitModel(signals, stretches, without(out.final.model, kWandering)).evidence;
+  std::vector<Sibling> siblings;
   for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled();
        ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
@@ -73,6 +75,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     std::erase_if(latest.all, [&](const Trial& trial) { return !bank.knows(trial.cause); });
     addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
+    addSiblings(signals, stretches, out.final, siblings, latest.all);
     const auto& all = latest.all;
     const auto enough = [&](const Trial& trial) {
       const double explained = out.final.evidence - out.null.evidence;
@@ -111,6 +114,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       if (trial.cause == chosen->cause && trial.gain > good && trial.fit.dimensions < chosen->fit.dimensions)
         chosen = &trial;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
+    std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
     out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
     out.accepted = std::move(latest);
     if (step == 0 && options.givesUp && options.givesUp(out.final)) {

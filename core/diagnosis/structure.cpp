@@ -286,7 +286,7 @@ namespace {
 Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least,
                     const std::vector<Group>& all) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd jacobian = linearised(signals, fit.model).jacobian;
+  const MatrixXd jacobian = Columns(signals, fit.model).jacobian();
   const bool wanders = walks(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
   const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, jacobian, stretches) : 0.0;

@@ -31,7 +31,7 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];
-  const MatrixXd basis = explainedSpace(linearised(signals, fit.model).jacobian, fit.noise, stretches);
+  const MatrixXd basis = explainedSpace(Columns(signals, fit.model).jacobian(), fit.noise, stretches);
   const Eigen::Index rows = basis.rows();
   std::vector<Direction> directions(bank.size());
   onTwoThreads(bank.size(), [&](std::size_t i) {

@@ -24,9 +24,9 @@ constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which no
 /// Whether the first look found only roughly where the candidate gains most.
 bool wantsPlace(const Candidate& candidate) { return candidate.form.atOnce && candidate.score > 0.0; }
 
-/// `placing`: around `base`; null where the candidate wants no place.
-Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Placing* placing,
-            const Candidate& candidate) {
+/// `columns`: of `base`. `placing`: around it; null where the candidate wants no place.
+Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Columns& columns,
+            const Placing* placing, const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
   const Candidate& placed = wantsPlace(candidate) ? placing->placed(candidate) : candidate;
@@ -34,7 +34,7 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;
   out.promised = candidate.score;
-  out.fit = fitModel(signals, stretches, std::move(model), 3);
+  out.fit = fitModel(signals, stretches, std::move(model), 3, &columns);
   // A walk makes steps of its own, too: where the zero is known to walk, a jump of it or of the load is more.
   const bool maybeWalk =
       (out.cause == "sensor_bias" || out.cause == "payload_change") && contains(base.model, kWandering);
@@ -73,7 +73,7 @@ double standsOut(const Fit& fit, std::size_t at) {
 
 /// Adds to `all` what guides grow into, which are no trials themselves, and what the channels of a zero that walks do
 /// together, where nothing else is named: beside other causes any course would be a crutch for what these leave.
-void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Columns& columns,
                 std::vector<Trial>& all) {
   struct Start {
     std::pair<Form, VectorXd> at;
@@ -97,7 +97,7 @@ void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, c
     trial.cause = causeOf(model.terms.back());
     trial.choicePenalty = starts[i].choice;
     trial.promised = starts[i].guide->promised;
-    trial.fit = fitModel(signals, stretches, std::move(model), 3);
+    trial.fit = fitModel(signals, stretches, std::move(model), 3, &columns);
     weigh(trial, base, signals);
   });
   std::erase_if(all, [](const Trial& trial) { return trial.fit.model.terms.back().form->guide; });
@@ -181,27 +181,31 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
 std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                             const std::vector<const Candidate*>& chosen) {
   std::vector<Trial> all(chosen.size());
+  if (chosen.empty()) return all;
+  const Columns columns(signals, base.model);
   std::unique_ptr<const Placing> placing;
   if (std::ranges::any_of(chosen, [](const Candidate* c) { return wantsPlace(*c); }))
     placing = std::make_unique<const Placing>(signals, stretches, base);
   onTwoThreads(chosen.size(),
-               [&](std::size_t i) { all[i] = tried(signals, stretches, base, placing.get(), *chosen[i]); });
-  growGuides(signals, stretches, base, all);
+               [&](std::size_t i) { all[i] = tried(signals, stretches, base, columns, placing.get(), *chosen[i]); });
+  growGuides(signals, stretches, base, columns, all);
   sortByGain(all);
   // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those
   // that promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned
-  // alongside.
+  // alongside. Of 609 that promised and gained less than half the threshold so far, 8 came near it.
+  constexpr double kLeast = 0.5 * kThreshold;
   std::vector<Trial*> resting;
   for (std::size_t i = 0; i < all.size() && resting.size() < 2 * kFinished; ++i) {
-    const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie;
-    if (all[i].gain > -1e299 && (i < kFinished || hopeful)) resting.push_back(&all[i]);
+    const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie,
+               mayCount = all[i].gain > -1e299 && std::max(all[i].promised, all[i].gain) > kLeast;
+    if (mayCount && (i < kFinished || hopeful)) resting.push_back(&all[i]);
   }
   onTwoThreads(resting.size(), [&](std::size_t i) {
     Trial& trial = *resting[i];
-    trial.fit = fitModel(signals, stretches, trial.fit.model);
+    trial.fit = fitModel(signals, stretches, trial.fit.model, 8, &columns);
     weigh(trial, base, signals);
     if (trial.gain > trial.promised - kTie) return;
-    trial.fit = settled(signals, stretches, std::move(trial.fit));
+    trial.fit = settled(signals, stretches, std::move(trial.fit), &columns);
     weigh(trial, base, signals);
   });
   sortByGain(all);
@@ -252,6 +256,47 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   });
   std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
   if (more.empty()) return;
+  std::ranges::move(more, std::back_inserter(all));
+  sortByGain(all);
+}
+
+std::vector<Sibling> siblingsOf(const Trial& accepted, const std::vector<Trial>& all) {
+  constexpr double kShare = 0.05;  ///< Of what the accepted one gained
+  constexpr std::size_t kMost = 3;
+  const Form& form = *accepted.fit.model.terms.back().form;
+  const double least = accepted.gain - std::max(2.0 * kTie, kShare * accepted.gain);
+  std::vector<Sibling> out;
+  for (const Trial& trial : all) {
+    const Term& term = trial.fit.model.terms.back();
+    if (trial.cause != accepted.cause || trial.gain < least || out.size() == kMost || term.form->atOnce ||
+        term.form->name == form.name || trial.fit.model.terms.size() != accepted.fit.model.terms.size() ||
+        std::ranges::any_of(out, [&](const Sibling& s) { return s.term.form->name == term.form->name; }))
+      continue;
+    out.push_back({term, trial.penalty - accepted.penalty});
+  }
+  return out;
+}
+
+void addSiblings(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                 const std::vector<Sibling>& siblings, std::vector<Trial>& all) {
+  std::vector<const Sibling*> fitting;
+  for (const Sibling& sibling : siblings) {
+    const auto own = [&](const Term& t) { return t.form->cause == sibling.term.form->cause; };
+    const auto& terms = base.model.terms;
+    if (std::ranges::count_if(terms, own) == 1 &&
+        std::ranges::find_if(terms, own)->form->name != sibling.term.form->name)
+      fitting.push_back(&sibling);
+  }
+  std::vector<Trial> more(fitting.size());
+  onTwoThreads(fitting.size(), [&](std::size_t i) {
+    Trial& trial = more[i];
+    trial.cause = causeOf(fitting[i]->term);
+    Model model = without(base.model, trial.cause);
+    model.terms.push_back(fitting[i]->term);
+    trial.penalty = fitting[i]->penalty;
+    trial.fit = fitModel(signals, stretches, std::move(model));
+    if (believable(trial.fit)) trial.gain = trial.fit.evidence - base.evidence - trial.penalty;
+  });
   std::ranges::move(more, std::back_inserter(all));
   sortByGain(all);
 }

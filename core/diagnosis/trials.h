@@ -63,6 +63,20 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                     std::vector<Trial>& all);
 
+/// A term that did nearly as well as one that was accepted, of the same cause.
+struct Sibling {
+  Term term;
+  double penalty = 0.0;  ///< Beyond that of the accepted one
+};
+
+/// Of `all` around one model, those of `accepted`, which is one of them: what sets forms of a cause apart may show only
+/// once other causes are in the model.
+std::vector<Sibling> siblingsOf(const Trial& accepted, const std::vector<Trial>& all);
+
+/// Models in which one of the siblings is in the place of the only term of its cause. Added to `all`, best first.
+void addSiblings(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                 const std::vector<Sibling>& siblings, std::vector<Trial>& all);
+
 /// Where the best of `all` is an event, the other causes' events at that moment: a first look at steps half a second
 /// apart says little of them, and less where the zero wanders. Added to `all`, best first.
 void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,

@@ -369,6 +369,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     if (elsewise.share > kMuch) work.touchedOr = elsewise.cause;
     // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
     searching.start = Model{};
+    searching.givesUp = [](const Fit& first) { return contains(first.model, "contact"); };
     Work untouched;
     untouched.mistake = mistake;
     untouched.touchedOr = work.touchedOr;
@@ -381,7 +382,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
       judged.noise = work.search.final.noise;
       return contactsIn(whole, judged, candidates).empty();
     };
-    if (accountsForAll()) {
+    if (!untouched.search.givenUp && accountsForAll()) {
       lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
       if (accountsForAll()) work = std::move(untouched);
     }

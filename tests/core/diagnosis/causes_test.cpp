@@ -208,17 +208,57 @@ TEST(Scan, JacobianIsTheDerivative) {
       for (Eigen::Index i = 0; i < v.size(); ++i) v(i) += form.parameters[static_cast<std::size_t>(i)].size;
       model.terms.push_back({std::make_shared<const Form>(form), v, {}});
     }
-    const Linearised at = linearised(p.signals, model);
+    const Columns columns(p.signals, model);
     VectorXd step = VectorXd::Zero(model.size());
     for (Eigen::Index i = c.payload ? 0 : kLinear; i < step.size(); ++i)
       step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
     Model moved = model;
     moved.unpack(model.packed() + step);
-    const Wrenches change = valueOf(p.signals, moved) - at.value;
-    const VectorXd expected = at.jacobian * step;
+    const Wrenches change = valueOf(p.signals, moved) - valueOf(p.signals, model);
+    const VectorXd expected = columns.jacobian() * step;
     EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - expected).norm(), 2e-3 * expected.norm())
         << c.causes.front();
   }
+}
+
+/// Steps of a fit keep columns that hardly change; what is told of the fit in the end is of all of them.
+TEST(Columns, FollowTheModel) {
+  const auto& p = prepared();
+  Model model = p.model;
+  const auto add = [&](const char* id, double sizes) {
+    const Form form = findCause(id)->forms(p.signals).front();
+    VectorXd v = form.start;
+    for (const int i : form.scan) v(i) += sizes * form.parameters[static_cast<std::size_t>(i)].size;
+    model.terms.push_back({std::make_shared<const Form>(form), v, {}});
+  };
+  const auto farthest = [](const Columns& columns, const Columns& anew) {
+    const MatrixXd off = columns.jacobian() - anew.jacobian();
+    double out = 0.0;
+    for (Eigen::Index i = 0; i < off.cols(); ++i)
+      if (anew.jacobian().col(i).norm() > 1e-9) out = std::max(out, off.col(i).norm() / anew.jacobian().col(i).norm());
+    return out;
+  };
+  add("gravity_tilt", 1.0);
+  add("cable_pull", 1.0);
+  const Columns known(p.signals, model);
+  // A term more: one that adds a force, one that bends the motion.
+  add("loose_mass", 1.0);
+  EXPECT_LT(farthest(Columns(known, model), Columns(p.signals, model)), 0.01);
+  add("lever_arm", 1.0);
+  Columns columns(known, model);
+  EXPECT_LT(farthest(columns, Columns(p.signals, model)), 0.05);
+  // All of them move, some far.
+  model.terms[0].v *= 1.2;
+  model.terms[1].v *= 3.0;
+  model.terms[2].v(4) *= 1.3;
+  model.x(6) *= 1.04;
+  columns.follow(model);
+  EXPECT_LT(farthest(columns, Columns(p.signals, model)), 0.3);
+  columns.refresh(model);
+  EXPECT_LT(farthest(columns, Columns(p.signals, model)), 0.02);
+  // Of another model nothing is kept.
+  model.terms.erase(model.terms.begin());
+  EXPECT_LT(farthest(Columns(columns, model), Columns(p.signals, model)), 1e-12);
 }
 
 /// At first all ways of being late are one.

@@ -9,6 +9,8 @@
 
 #include "core/diagnosis/model.h"
 #include "core/diagnosis/pull.h"
+#include "core/diagnosis/search.h"
+#include "core/diagnosis/trials.h"
 #include "core/simulation/random.h"
 #include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
@@ -81,6 +83,60 @@ TEST(Diagnose, FrictionMayDifferAlongEachAxis) {
     ASSERT_NE(size, parameters.end()) << said(report);
     EXPECT_NEAR(size->value, friction(i), 0.05) << i;
   }
+}
+
+/// Where the tool rubs shows once a joint's offset is known, too: the form that did a little less well by itself is
+/// tried again then. The search told it as a friction at the flange, a drag, a touch and a walk before it looked back.
+TEST(Trials, TakeASiblingOnceOthersAreKnown) {
+  Recording recording = aRecording(MotionKind::excitation, 267, {{"joint_offset", "2", 2.0}});
+  const Vector3d tip(0.02, -0.03, 0.15);
+  const auto truth = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(truth, recording.time(i));
+    const Matrix3d& R = truth.R_BS[static_cast<std::size_t>(k)];
+    const Vector3d velocity = truth.velocity.col(k) + R * Vector3d(truth.omega.col(k)).cross(tip);
+    addAtTip(recording, i, 0.4 * R.transpose() * velocity / std::hypot(velocity.norm(), 0.003), tip);
+  }
+  MotionOptions smoothing;
+  smoothing.cutoffHz = 25.0;
+  const auto motion = motionOf(recording, &RobotModel::panda(), smoothing).value();
+  const Signals signals = signalsOf(recording, motion, &RobotModel::panda());
+  const auto stretches = stretchesOf(signals.usable);
+  const auto term = [&](const char* id, std::string_view name) {
+    const auto forms = findCause(id)->forms(signals);
+    const auto form = std::ranges::find(forms, name, &Form::name);
+    VectorXd v = form->start;
+    v(0) += form->parameters[0].size;
+    return Term{std::make_shared<const Form>(*form), v, {}};
+  };
+  const auto trialOf = [&](const Term& tried, double gain) {
+    Trial out;
+    out.cause = causeOf(tried);
+    out.fit.model.terms = {tried};
+    out.gain = gain;
+    return out;
+  };
+  const Term flange = term("coulomb_friction", ""), away = term("coulomb_friction", "away from the sensor");
+  const Trial accepted = trialOf(flange, 3000.0);
+  std::vector<Trial> all{accepted, trialOf(away, 2950.0),
+                         trialOf(term("coulomb_friction", "moving and turning"), 2000.0),
+                         trialOf(term("gravity_tilt", ""), 2990.0)};
+  const auto siblings = siblingsOf(accepted, all);
+  ASSERT_EQ(siblings.size(), 1u);
+  EXPECT_EQ(siblings.front().term.form->name, away.form->name);
+  Model known;
+  known.terms = {flange, term("joint_offset", "joint 2")};
+  const Fit base = fitModel(signals, stretches, known);
+  all.clear();
+  addSiblings(signals, stretches, base, siblings, all);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_GT(all.front().gain, 10.0 * kThreshold);
+  EXPECT_EQ(all.front().fit.model.terms.size(), 2u);
+  // In its place already, or beside another of its cause, it is none.
+  known.terms.front() = away;
+  all.clear();
+  addSiblings(signals, stretches, fitModel(signals, stretches, known, 1), siblings, all);
+  EXPECT_TRUE(all.empty());
 }
 
 /// A hose full of liquid that is dragged along by the tip: it was told as a drag at the flange and a crosstalk.
