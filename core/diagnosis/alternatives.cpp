@@ -37,27 +37,50 @@ bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   });
 }
 
-/// Whether jumps of the zero one after the other take back what they did: so does whoever touches the tool and lets go.
-bool comesBack(const Fit& fit) {
-  constexpr double kLeft = 0.2;  // Of the largest of them
-  std::vector<std::pair<double, Vector6d>> jumps;
-  for (const Term& term : fit.model.terms)
-    if (causeOf(term) == "sensor_bias") {
-      Vector6d size;
-      for (Eigen::Index c = 0; c < 6; ++c) size(c) = term.form->parameters[static_cast<std::size_t>(c + 1)].size;
-      jumps.emplace_back(term.v(0), term.v.tail<6>().cwiseQuotient(size));
+/// What the scanned parameters of each term of `cause`, whose first one is a time, come to over what is realistic, in
+/// the order of time.
+std::vector<VectorXd> eventsOf(const Fit& fit, std::string_view cause) {
+  std::vector<std::pair<double, VectorXd>> all;
+  for (const Term& term : fit.model.terms) {
+    if (causeOf(term) != cause) continue;
+    VectorXd size(std::ssize(term.form->scan));
+    for (Eigen::Index i = 0; i < size.size(); ++i) {
+      const int p = term.form->scan[static_cast<std::size_t>(i)];
+      size(i) = term.v(p) / term.form->parameters[static_cast<std::size_t>(p)].size;
     }
-  std::ranges::sort(jumps, {}, [](const auto& jump) { return jump.first; });
-  for (std::size_t i = 0; i < jumps.size(); ++i) {
-    Vector6d all = jumps[i].second;
+    all.emplace_back(term.v(0), std::move(size));
+  }
+  std::ranges::stable_sort(all, {}, [](const auto& event) { return event.first; });
+  std::vector<VectorXd> out;
+  for (auto& event : all) out.push_back(std::move(event.second));
+  return out;
+}
+
+/// Whether events one after the other take back what they did: so does whoever touches the tool and lets go, and a part
+/// that slides to and fro.
+bool comesBack(const std::vector<VectorXd>& events) {
+  constexpr double kLeft = 0.2;  // Of the largest of them
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    VectorXd all = events[i];
     double largest = all.norm();
-    for (std::size_t j = i + 1; j < jumps.size(); ++j) {
-      all += jumps[j].second;
-      largest = std::max(largest, jumps[j].second.norm());
+    for (std::size_t j = i + 1; j < events.size(); ++j) {
+      all += events[j];
+      largest = std::max(largest, events[j].norm());
       if (all.norm() < kLeft * largest) return true;
     }
   }
   return false;
+}
+
+/// Whether the load only ever moves on the tool, and back: nothing was picked up or put down.
+bool slidesBack(const Fit& fit) {
+  constexpr double kReach = 0.1, kWeighs = 0.2;  // [m]; of what it moves by, as a mass so far away
+  auto events = eventsOf(fit, "payload_change");
+  const bool moves = std::ranges::all_of(fit.model.terms, [&](const Term& term) {
+    return causeOf(term) != "payload_change" || std::abs(term.v(1)) * kReach < kWeighs * term.v.segment<3>(2).norm();
+  });
+  for (VectorXd& event : events) event(0) = 0.0;  // Its mass: noise beside how far it moves
+  return moves && comesBack(events);
 }
 
 }  // namespace
@@ -72,7 +95,8 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
   // A jump is a drift that took no time.
   if (found.cause == "sensor_bias" || has("sensor_bias")) add("bias_drift");
-  if (found.cause == "sensor_bias" && comesBack(fit)) add("contact");
+  if (found.cause == "sensor_bias" && comesBack(eventsOf(fit, found.cause))) add("contact");
+  if (found.cause == "payload_change" && slidesBack(fit)) add("loose_mass");
   // No reading comes before what it is about: then the motion is late.
   if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
   // What weighs as much as the tool is the tool on its mount.

@@ -24,7 +24,7 @@ bool ownErrors(const Work& work, const Found& found) {
   bool swings = false;
   for (const Term& term : work.search.final.model.terms) {
     const Cause& other = *term.form->cause;
-    if (other.id() == cause) over = std::max(over, other.overOwnErrors(*term.form, term.v, work.signals));
+    if (other.id() == cause) over += other.overOwnErrors(*term.form, term.v, work.signals);
     swings = swings || other.id() == "flexible_mount";
   }
   return over < (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
