@@ -25,12 +25,6 @@ double Ground::evidence(const VectorXd& left) const {
   return fitNoise(residual, stretches, nullptr).evidence - before;
 }
 
-MatrixXd Ground::freed(const MatrixXd& columns) const {
-  MatrixXd C = whitened(columns, noise, stretches);
-  C -= basis * (basis.transpose() * C);
-  return C;
-}
-
 void Ground::take(const VectorXd& residual) {
   Noise same = noise;
   same.louder = nullptr;
@@ -41,29 +35,28 @@ void Ground::take(const VectorXd& residual) {
   r -= basis * (basis.transpose() * r);
 }
 
-Dictionary::Dictionary(MatrixXd columns, bool askedOften)
-    : C(std::move(columns)), squares(C.colwise().squaredNorm().transpose()) {
-  if (!askedOften && C.cols() > kFew) return;
-  products_ = MatrixXd::Zero(C.cols(), C.cols());
-  products_.selfadjointView<Eigen::Lower>().rankUpdate(C.transpose());
-  products_.triangularView<Eigen::StrictlyUpper>() = products_.transpose();
-  if (C.cols() > kFew) return;
-  scale_ = squares.cwiseSqrt().cwiseMax(1e-9).cwiseInverse();
-  MatrixXd unit = scale_.asDiagonal() * products_ * scale_.asDiagonal();
+Dictionary::Dictionary(const Ground& ground, const MatrixXd& columns)
+    : ground_(ground), C_(whitened(columns, ground.noise, ground.stretches)) {
+  constexpr double kLeft = 1e-9;  ///< Share of a column's squares that is left of it by rounding alone
+  const ChannelColumns parts(C_);
+  explained_ = parts.transposeTimes(ground.basis);
+  products = parts.gram();
+  const VectorXd own = products.diagonal();
+  products -= explained_ * explained_.transpose();
+  squares = (products.diagonal().array() > kLeft * own.array()).select(products.diagonal(), 0.0);
+  if (C_.cols() > kFew) return;
+  scale_ = (squares.array() > 0.0).select(squares.cwiseSqrt().cwiseMax(1e-9).cwiseInverse(), 0.0);
+  MatrixXd unit = scale_.asDiagonal() * products * scale_.asDiagonal();
   unit.diagonal().array() += 1e-6;
   together_.compute(unit);
 }
 
-VectorXd Dictionary::productsWith(Eigen::Index i) const {
-  return products_.size() > 0 ? VectorXd(products_.col(i)) : VectorXd(C.transpose() * C.col(i));
-}
-
 VectorXd Dictionary::likeness(const VectorXd& r) const {
-  return C * (scale_.asDiagonal() * together_.solve(scale_.asDiagonal() * (C.transpose() * r)));
+  return scale_.asDiagonal() * together_.solve(scale_.asDiagonal() * productsWith(r));
 }
 
 Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries) {
-  const VectorXd left = ground.r - of.likeness(ground.r);
+  const VectorXd left = ground.r - of.sum(of.likeness(ground.r));
   const double explained = ground.r.squaredNorm() - left.squaredNorm();
   const double gain = ground.learnsAgain ? ground.evidence(left) : explained;
   const double price = priceOf(gain, static_cast<double>((of.squares.array() > 1e-12).count()), lnN);
@@ -77,8 +70,8 @@ namespace {
 Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
   constexpr double kLeast = 1e-12;  // Squared length below which a column says nothing new
   Judged out;
-  VectorXd g = of.C.transpose() * ground.r, squares = of.squares, left = ground.r;
-  const double choice = 2.0 * std::log(2.0 * static_cast<double>(of.C.cols()));
+  VectorXd g = of.productsWith(ground.r), squares = of.squares, left = ground.r;
+  const double choice = 2.0 * std::log(2.0 * static_cast<double>(of.squares.size()));
   double price = 0.0, explained = 0.0, gain = 0.0;
   std::vector<VectorXd> chosen, shares;  // Unit columns, and what each column has of them
   int idle = 0;
@@ -96,7 +89,7 @@ Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
     if (best < 0 || most < lnN + choice) break;
     price += lnN + choice;
     explained += most;
-    VectorXd unit = of.C.col(best), share = of.productsWith(best);
+    VectorXd unit = of.sum(VectorXd::Unit(squares.size(), best)), share = of.products.col(best);
     for (std::size_t k = 0; k < chosen.size(); ++k) {
       unit -= shares[k](best) * chosen[k];
       share -= shares[k](best) * shares[k];

@@ -27,28 +27,33 @@ struct Ground {
 
   /// Evidence of `left` (whitened) with the noise learned from it, over what it was.
   double evidence(const VectorXd& left) const;
-  /// Whitened columns without what the fit can do.
-  MatrixXd freed(const MatrixXd& columns) const;
 
  private:
   void take(const VectorXd& residual);
 };
 
-/// Columns freed of what the fit can do, and their products: all of them where the columns are few or asked for many
-/// times, otherwise each as it is needed.
+/// Whitened columns freed of what the fit can do, and their products. Freed they are only where they are asked for:
+/// what is about one channel alone costs a sixth of what it does freed.
 class Dictionary {
  public:
-  explicit Dictionary(MatrixXd columns, bool askedOften = false);
-  VectorXd productsWith(Eigen::Index i) const;
-  /// What all columns together, if they are few, make of `r`.
+  /// `columns` 6N x F; the ground must outlive this.
+  Dictionary(const Ground& ground, const MatrixXd& columns);
+
+  /// Products of the columns with `r`, which is free of what the fit can do.
+  VectorXd productsWith(const VectorXd& r) const { return C_.transpose() * r; }
+  /// What the columns, each so many times, come to.
+  VectorXd sum(const VectorXd& times) const { return C_ * times - ground_.basis * (explained_.transpose() * times); }
+  /// The sizes of all columns together, if they are few, that are most like `r`.
   VectorXd likeness(const VectorXd& r) const;
   bool few() const { return scale_.size() > 0; }
 
-  MatrixXd C;
-  VectorXd squares;
+  MatrixXd products;
+  VectorXd squares;  ///< Their diagonal; 0 for columns that the fit can do
 
  private:
-  MatrixXd products_;
+  const Ground& ground_;
+  MatrixXd C_;
+  MatrixXd explained_;  ///< Products with the ground's basis, a row a column
   VectorXd scale_;
   Eigen::LDLT<MatrixXd> together_;
 };

@@ -108,12 +108,12 @@ MatrixXd inTheWorld(const std::vector<Matrix3d>& R_BS, const MatrixXd& courses) 
   return columns;
 }
 
-using Columns = std::function<MatrixXd(const MatrixXd& courses)>;
+using OfCourses = std::function<MatrixXd(const MatrixXd& courses)>;
 
 /// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay.
 /// `power`: what each explains by a first look; there is at least one.
 Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, std::vector<double> power,
-                  const Columns& columns, const Ground& ground, double lnN, Wave& first) {
+                  const OfCourses& columns, const Ground& ground, double lnN, Wave& first) {
   Judged out;
   out.gain = -1e300;
   const double tries = static_cast<double>(candidates.size());
@@ -122,7 +122,7 @@ Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& 
     const auto best = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
     const Wave& wave = candidates[best];
     taken = stacked(MatrixXd(taken), courseOf(angles[wave.of], wave.multiple));
-    const Judged judged = judgeAll(Dictionary(ground.freed(columns(taken))), ground, lnN, std::pow(tries, step + 1));
+    const Judged judged = judgeAll(Dictionary(ground, columns(taken)), ground, lnN, std::pow(tries, step + 1));
     if (judged.gain <= out.gain) break;
     out = judged;
     if (step == 0) first = wave;

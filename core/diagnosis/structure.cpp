@@ -298,7 +298,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   onTwoThreads(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i], signals);
     for (std::size_t g = 0; g < 2; ++g) {
-      judged[i][g] = judge(Dictionary(grounds[g].freed(columns)), grounds[g], lnN);
+      judged[i][g] = judge(Dictionary(grounds[g], columns), grounds[g], lnN);
       judged[i][g].gain -= all[i].doubt;
     }
   });
@@ -321,7 +321,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
     }
     const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? kPlainBesideWalk : kPlain);
     if (asks && !chance[on]) chance[on].emplace(grounds[on], lnN);
-    if (!asks || found.gain > chance[on]->gainOf(Dictionary(grounds[on].freed(columnsOf(all[at], signals)), true))) {
+    if (!asks || found.gain > chance[on]->gainOf(Dictionary(grounds[on], columnsOf(all[at], signals)))) {
       best = {all[at].goesWith, found.gain, found.explained, 0.0, 0.0};
       break;
     }
