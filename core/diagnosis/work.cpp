@@ -369,6 +369,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     if (elsewise.share > kMuch) work.touchedOr = elsewise.cause;
     // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
     searching.start = Model{};
+    // A touch as the first cause says that somebody did.
     searching.givesUp = [](const Fit& first) { return contains(first.model, "contact"); };
     Work untouched;
     untouched.mistake = mistake;
