@@ -314,23 +314,21 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
 }
 
 struct Placing::Around {
-  Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit)
+  Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Columns& columns)
       : lnN(std::log(std::max(2.0, fit.noise.samples))),
         flat(white(fit.residual, stretches, fit.noise.louder)),
-        jacobian(Columns(signals, fit.model).jacobian()),
-        coloured(fit.noise, stretches, fit, jacobian),
-        plain(flat, stretches, fit, jacobian),
+        coloured(fit.noise, stretches, fit, columns.jacobian()),
+        plain(flat, stretches, fit, columns.jacobian()),
         surroundings(signals, fit.model) {}
 
   double lnN;
   Noise flat;
-  MatrixXd jacobian;
   Weighting coloured, plain;
   Surroundings surroundings;
 };
 
-Placing::Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit)
-    : block_(1.0 / signals.blockRate()), around_(std::make_unique<const Around>(signals, stretches, fit)) {}
+Placing::Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Columns& columns)
+    : block_(1.0 / signals.blockRate()), around_(std::make_unique<const Around>(signals, stretches, fit, columns)) {}
 Placing::~Placing() = default;
 
 Candidate Placing::placed(const Candidate& candidate) const {

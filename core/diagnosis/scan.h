@@ -55,10 +55,11 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
 
 /// Puts candidates with a place in time where they gain most around a fit: what changes at once is seen for what it is
 /// only where it is put within a block or so, closer than the first look goes. Safe to share between threads; signals,
-/// stretches and fit must outlive it.
+/// stretches, fit and its columns must outlive it.
 class Placing {
  public:
-  Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+  /// `columns`: of the fit's model.
+  Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Columns& columns);
   ~Placing();
   Placing(const Placing&) = delete;
   Placing& operator=(const Placing&) = delete;

@@ -125,6 +125,28 @@ void addAtLeaps(const Signals& signals, const std::vector<Stretch>& stretches, c
   std::ranges::move(more, std::back_inserter(signatures));
 }
 
+/// A model with another term of `cause` in the place of one.
+struct Replaced {
+  Model model;
+  std::string_view cause;
+  double penalty = 0.0;
+};
+
+/// Fits of them to the end, as far as these can be believed. Added to `all`, best first.
+void addReplaced(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                 std::vector<Replaced> models, std::vector<Trial>& all) {
+  std::vector<Trial> more(models.size());
+  onTwoThreads(models.size(), [&](std::size_t i) {
+    more[i].cause = models[i].cause;
+    more[i].penalty = models[i].penalty;
+    more[i].fit = fitModel(signals, stretches, std::move(models[i].model));
+    more[i].gain = more[i].fit.evidence - base.evidence - more[i].penalty;
+  });
+  std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
+  std::ranges::move(more, std::back_inserter(all));
+  sortByGain(all);
+}
+
 }  // namespace
 
 bool contains(const Model& model, std::string_view cause) {
@@ -185,7 +207,7 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
   const Columns columns(signals, base.model);
   std::unique_ptr<const Placing> placing;
   if (std::ranges::any_of(chosen, [](const Candidate* c) { return wantsPlace(*c); }))
-    placing = std::make_unique<const Placing>(signals, stretches, base);
+    placing = std::make_unique<const Placing>(signals, stretches, base, columns);
   onTwoThreads(chosen.size(),
                [&](std::size_t i) { all[i] = tried(signals, stretches, base, columns, placing.get(), *chosen[i]); });
   growGuides(signals, stretches, base, columns, all);
@@ -230,11 +252,7 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
 
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                     std::vector<Trial>& all) {
-  struct Whole {
-    Model model;
-    std::string_view cause;
-  };
-  std::vector<Whole> wholes;
+  std::vector<Replaced> wholes;
   for (std::size_t i = 0; i < base.model.terms.size(); ++i) {
     const Term& term = base.model.terms[i];
     for (auto& [form, v] : term.form->cause->grown(*term.form, term.v, signals)) {
@@ -248,16 +266,7 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
     model.terms[i].active.clear();
     wholes.push_back({std::move(model), causeOf(term)});
   }
-  std::vector<Trial> more(wholes.size());
-  onTwoThreads(wholes.size(), [&](std::size_t i) {
-    more[i].cause = wholes[i].cause;
-    more[i].fit = fitModel(signals, stretches, std::move(wholes[i].model));
-    more[i].gain = more[i].fit.evidence - base.evidence;
-  });
-  std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
-  if (more.empty()) return;
-  std::ranges::move(more, std::back_inserter(all));
-  sortByGain(all);
+  addReplaced(signals, stretches, base, std::move(wholes), all);
 }
 
 std::vector<Sibling> siblingsOf(const Trial& accepted, const std::vector<Trial>& all) {
@@ -279,26 +288,19 @@ std::vector<Sibling> siblingsOf(const Trial& accepted, const std::vector<Trial>&
 
 void addSiblings(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                  const std::vector<Sibling>& siblings, std::vector<Trial>& all) {
-  std::vector<const Sibling*> fitting;
+  std::vector<Replaced> fitting;
   for (const Sibling& sibling : siblings) {
     const auto own = [&](const Term& t) { return t.form->cause == sibling.term.form->cause; };
     const auto& terms = base.model.terms;
-    if (std::ranges::count_if(terms, own) == 1 &&
-        std::ranges::find_if(terms, own)->form->name != sibling.term.form->name)
-      fitting.push_back(&sibling);
+    if (std::ranges::count_if(terms, own) != 1 ||
+        std::ranges::find_if(terms, own)->form->name == sibling.term.form->name)
+      continue;
+    const std::string_view cause = causeOf(sibling.term);
+    Model model = without(base.model, cause);
+    model.terms.push_back(sibling.term);
+    fitting.push_back({std::move(model), cause, sibling.penalty});
   }
-  std::vector<Trial> more(fitting.size());
-  onTwoThreads(fitting.size(), [&](std::size_t i) {
-    Trial& trial = more[i];
-    trial.cause = causeOf(fitting[i]->term);
-    Model model = without(base.model, trial.cause);
-    model.terms.push_back(fitting[i]->term);
-    trial.penalty = fitting[i]->penalty;
-    trial.fit = fitModel(signals, stretches, std::move(model));
-    if (believable(trial.fit)) trial.gain = trial.fit.evidence - base.evidence - trial.penalty;
-  });
-  std::ranges::move(more, std::back_inserter(all));
-  sortByGain(all);
+  addReplaced(signals, stretches, base, std::move(fitting), all);
 }
 
 void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,

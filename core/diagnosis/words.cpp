@@ -304,8 +304,7 @@ std::string cableSentence(const Values& v) {
   if (v.find("hardening"))
     return heft::say(
         "A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to stretch, and more "
-        "the "
-        "further it does.",
+        "the further it does.",
         v.size("stiffness"));
   if (v.find("length"))
     return heft::say(
