@@ -7,7 +7,6 @@
 #include <new>
 
 #include "app/cli/cli.h"
-#include "core/base/keep_memory.h"
 #include "core/base/text.h"
 
 namespace {
@@ -123,7 +122,6 @@ int runCommandLine(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  heft::keepFreedMemory();
   try {
     return runCommandLine(argc, argv);
   } catch (const heft::cli::Failed& error) {

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "core/base/json_file.h"
-#include "core/base/keep_memory.h"
 #include "ui/main_window/main_window.h"
 #include "ui/offscreen/private_display.h"
 #include "ui/robot_view/graphics_setup.h"
@@ -111,7 +110,6 @@ int run(int argc, char** argv, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  heft::keepFreedMemory();
   Options options;
   std::string size;
   CLI::App app{"Heft Studio shows a recording of a robot arm and its tool, and what the tool weighs."};
