@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/say.h"
+#include "core/math/rigid.h"
 
 namespace heft::diagnosis {
 
@@ -52,6 +53,29 @@ bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch&
     }
   }
   return count > 0.0 && mostAveraged - usualAveraged / count < kLeft * (most - usual / count);
+}
+
+/// Whether what is left in a stretch swings to and fro, along the direction that most of it takes: who pushes may pull
+/// once, but not again and again.
+bool swings(const Wrenches& scaled, const Stretch& where) {
+  constexpr double kOneSided = 0.35;  // Of the way to one side; of a push it is next to 1
+  constexpr double kLobe = 0.2;       // Of the most: what is smaller is no swing of its own
+  constexpr int kLobes = 3;
+  const auto part = scaled.middleCols(where.from, where.to - where.from);
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(part * part.transpose());
+  VectorXd course = part.transpose() * eigen.eigenvectors().col(5);
+  const VectorXd raw = course;
+  for (Eigen::Index n = 1; n + 1 < course.size(); ++n) course(n) = 0.25 * raw(n - 1) + 0.5 * raw(n) + 0.25 * raw(n + 1);
+  if (std::abs(course.sum()) > kOneSided * course.cwiseAbs().sum()) return false;
+  const double least = kLobe * course.cwiseAbs().maxCoeff();
+  int lobes = 0;
+  double side = 0.0;
+  for (Eigen::Index n = 0; n < course.size(); ++n) {
+    if (std::abs(course(n)) < least || course(n) * side > 0.0) continue;
+    side = course(n);
+    ++lobes;
+  }
+  return lobes >= kLobes;
 }
 
 /// Whether next to all that a stretch has beyond the usual is on one channel, which jumps there between two readings:
@@ -105,6 +129,35 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
     }
   }
   return 1.0 - (left.array() / all.array().max(1e-300)).minCoeff();
+}
+
+/// Whether all that is left in the contacts acts at the payload's centre of mass, as where the robot's base moves
+/// unrecorded: nobody touches just there again and again.
+bool actsAtCentre(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kNear = 4e-3, kKnown = 8e-3;  // [m] To be there; largest deviation of where it acts
+  constexpr double kLeft = 0.1;                  // Share of the torques' power beside what the forces turn there
+  const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(0.1 * signals.blockRate())));
+  if (contacts.size() < kFewest) return false;
+  Matrix3d A = Matrix3d::Zero();
+  Vector3d b = Vector3d::Zero();
+  std::vector<Vector6d> means;
+  for (const Contact& contact : contacts)
+    for (Eigen::Index n = contact.blocks.from; n + length <= contact.blocks.to; n += length) {
+      means.push_back(fit.residual.middleCols(n, length).rowwise().mean());
+      const Matrix3d F = skew(means.back().head<3>());  // torque = place x force = -F place
+      A += F.transpose() * F;
+      b -= F.transpose() * means.back().tail<3>();
+    }
+  if (!(A.determinant() > 0.0)) return false;
+  const Vector3d place = A.ldlt().solve(b), centre = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
+  double left = 0.0, all = 0.0;
+  for (const Vector6d& w : means) {
+    left += (w.tail<3>() - place.cross(w.head<3>())).squaredNorm();
+    all += w.tail<3>().squaredNorm();
+  }
+  const double deviation = std::sqrt(A.inverse().diagonal().maxCoeff() * left / (3.0 * std::ssize(means)));
+  return left < kLeft * all && deviation < kKnown && (place - centre).norm() < std::max(kNear, 3.0 * deviation);
 }
 
 /// A way in which something that is no touch may go with the motion.
@@ -171,6 +224,8 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
       contact.instead = heft::toSay("noise that comes and goes");
     else if (isOneChannel(signals, fit, stretch))
       contact.instead = kOneChannel;
+    else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
+      contact.instead = heft::toSay("something that swings to and fro");
     contact.rings = contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch);
     out.push_back(contact);
   }
@@ -179,6 +234,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
 
 std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return {};
+  if (actsAtCentre(signals, fit, contacts)) return heft::toSay("the centre of mass, as if the robot's base moved");
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   Wrenches motion = Wrenches::Zero(6, blocks);  // Velocity and turning, S axes
   for (Eigen::Index k = 0; k < blocks * m; ++k) {

@@ -108,7 +108,31 @@ MatrixXd inTheWorld(const std::vector<Matrix3d>& R_BS, const MatrixXd& courses) 
   return columns;
 }
 
-using OfCourses = std::function<MatrixXd(const MatrixXd& courses)>;
+/// Columns of each `waves[f]`'s sine and cosine on the channel whose reading is its angle.
+MatrixXd onOwnChannels(const MatrixXd& courses, const std::vector<Wave>& waves) {
+  MatrixXd columns = MatrixXd::Zero(6 * courses.cols(), courses.rows());
+  for (Eigen::Index f = 0; f < courses.rows(); ++f)
+    for (Eigen::Index n = 0; n < courses.cols(); ++n)
+      columns(6 * n + static_cast<Eigen::Index>(waves[static_cast<std::size_t>(f / 2)].of), f) = courses(f, n);
+  return columns;
+}
+
+/// What each candidate explains of the channel whose reading it is over.
+std::vector<double> powersOnOwn(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
+                                const Ground& ground) {
+  std::vector<double> out(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const MatrixXd course = courseOf(angles[candidates[i].of], candidates[i].multiple);
+    const MatrixXd C = whitened(onOwnChannels(course, {candidates[i]}), ground.noise, ground.stretches);
+    const VectorXd dots = C.transpose() * ground.r;
+    MatrixXd products = C.transpose() * C;
+    products.diagonal().array() += 1e-9;
+    out[i] = dots.dot(products.ldlt().solve(dots));
+  }
+  return out;
+}
+
+using OfCourses = std::function<MatrixXd(const MatrixXd& courses, const std::vector<Wave>& waves)>;
 
 /// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay.
 /// `power`: what each explains by a first look; there is at least one.
@@ -118,11 +142,13 @@ Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& 
   out.gain = -1e300;
   const double tries = static_cast<double>(candidates.size());
   MatrixXd taken(0, angles.front().size());
+  std::vector<Wave> waves;
   for (int step = 0; step < 3; ++step) {
     const auto best = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
     const Wave& wave = candidates[best];
     taken = stacked(MatrixXd(taken), courseOf(angles[wave.of], wave.multiple));
-    const Judged judged = judgeAll(Dictionary(ground, columns(taken)), ground, lnN, std::pow(tries, step + 1));
+    waves.push_back(wave);
+    const Judged judged = judgeAll(Dictionary(ground, columns(taken, waves)), ground, lnN, std::pow(tries, step + 1));
     if (judged.gain <= out.gain) break;
     out = judged;
     if (step == 0) first = wave;
@@ -157,6 +183,26 @@ std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& a
   return out;
 }
 
+/// Waves in what the channels read, up to kMost over the range of each.
+std::vector<Wave> wavesOverRanges() {
+  constexpr double kFewest = 1.0, kMost = 20.0, kStep = 0.5;
+  std::vector<Wave> out;
+  for (std::size_t c = 0; c < 6; ++c)
+    for (double m = kFewest; m <= kMost; m += kStep) out.push_back({c, m});
+  return out;
+}
+
+/// What each channel should read, its range as one turn: readings themselves would go with their own noise.
+std::vector<VectorXd> blockReadings(const Signals& signals, const Fit& fit) {
+  std::vector<VectorXd> out;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const VectorXd reading = (signals.measured.row(c) - fit.residual.row(c)).transpose();
+    const double low = reading.minCoeff(), range = std::max(1e-12, reading.maxCoeff() - low);
+    out.emplace_back((2.0 * std::numbers::pi / range * (reading.array() - low)).matrix());
+  }
+  return out;
+}
+
 std::vector<VectorXd> blockTimes(const Signals& signals) {
   std::vector<VectorXd> out(1, VectorXd(signals.blocks()));
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) out[0](n) = signals.blockTime(n) - signals.startTime;
@@ -176,20 +222,28 @@ std::vector<VectorXd> blockAngles(const Signals& signals) {
 }  // namespace
 
 BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, double lnN, double highestHz) {
-  const bool inTime = kind != WaveKind::overJoints;
-  const std::vector<VectorXd> angles = inTime ? blockTimes(signals) : blockAngles(signals);
-  const std::vector<Wave> candidates = inTime ? rhythms(signals, highestHz) : ripples(signals, angles);
+  const bool inTime = kind == WaveKind::onChannels || kind == WaveKind::inTheWorld;
+  const std::vector<VectorXd> angles = inTime                           ? blockTimes(signals)
+                                       : kind == WaveKind::overReadings ? blockReadings(signals, ground.fit)
+                                                                        : blockAngles(signals);
+  const std::vector<Wave> candidates = inTime                           ? rhythms(signals, highestHz)
+                                       : kind == WaveKind::overReadings ? wavesOverRanges()
+                                                                        : ripples(signals, angles);
   if (candidates.empty()) return {{-1e300, 0.0}, 0.0};
   BestWave out;
   Wave first;
+  const auto judged = [&](std::vector<double> powers, const OfCourses& columns) {
+    out.judged = judgeWaves(angles, candidates, std::move(powers), columns, ground, lnN, first);
+  };
   if (kind == WaveKind::inTheWorld) {
     const auto R_BS = orientations(signals);
-    out.judged = judgeWaves(
-        angles, candidates, powersInTheWorld(R_BS, angles[0], candidates, ground, signals.blockRate()),
-        [&](const MatrixXd& courses) { return inTheWorld(R_BS, courses); }, ground, lnN, first);
+    judged(powersInTheWorld(R_BS, angles[0], candidates, ground, signals.blockRate()),
+           [&](const MatrixXd& courses, const auto&) { return inTheWorld(R_BS, courses); });
+  } else if (kind == WaveKind::overReadings) {
+    judged(powersOnOwn(angles, candidates, ground), onOwnChannels);
   } else {
-    out.judged =
-        judgeWaves(angles, candidates, powersOnChannels(angles, candidates, ground), onEachChannel, ground, lnN, first);
+    judged(powersOnChannels(angles, candidates, ground),
+           [](const MatrixXd& courses, const auto&) { return onEachChannel(courses); });
   }
   out.frequencyHz = inTime ? first.multiple / (2.0 * std::numbers::pi) : 0.0;
   return out;

@@ -1,6 +1,6 @@
 #pragma once
-// Waves in what a fit leaves over: rhythms in time, fixed in the sensor or in the world, and ripples over a joint's
-// turn.
+// Waves in what a fit leaves over: rhythms in time, fixed in the sensor or in the world, ripples over a joint's turn
+// and over what a channel reads.
 #include "core/diagnosis/ground.h"
 
 namespace heft::diagnosis {
@@ -10,7 +10,7 @@ struct BestWave {
   double frequencyHz = 0.0;  ///< In time; 0 for a ripple
 };
 
-enum class WaveKind { onChannels, inTheWorld, overJoints };
+enum class WaveKind { onChannels, inTheWorld, overJoints, overReadings };
 
 /// The best wave of its kind up to `highestHz`, and others beside it while they pay. Slower ones than 0.6 Hz are
 /// slowWave()'s, which knows what a walk does.

@@ -107,4 +107,39 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
   return out;
 }
 
+bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  constexpr double kMuch = 25.0, kNone = 3.5;                // Of the fast noise's density, within a kind
+  constexpr double kMuchOfAKind = 40.0, kNoneOfAKind = 2.5;  // The same of forces and torques
+  constexpr double kSlowest = 0.1, kSlow = 0.8, kFast = 8.0, kFastest = 20.0;  // [Hz]
+  Vector6d slow = Vector6d::Zero(), fast = Vector6d::Zero();
+  double slowLines = 0.0, fastLines = 0.0;
+  for (const auto& s : stretches) {
+    const Eigen::Index length = s.to - s.from;
+    if (length < kShortest) continue;
+    const double resolution = signals.blockRate() / static_cast<double>(length);
+    const auto lines = static_cast<Eigen::Index>(std::ceil(kFastest / resolution)) - 1;
+    const MatrixXd power = taperedPower(residual.middleCols(s.from, length), lines);
+    for (Eigen::Index k = 1; k <= lines; ++k) {
+      const double f = static_cast<double>(k) * resolution;
+      if (f >= kSlowest && f < kSlow) {
+        slow += power.col(k - 1);
+        slowLines += 1.0;
+      } else if (f >= kFast) {
+        fast += power.col(k - 1);
+        fastLines += 1.0;
+      }
+    }
+  }
+  if (slowLines < 1.0 || fastLines < 1.0) return false;
+  const Vector6d over = (slow / slowLines).cwiseQuotient((fast / fastLines).cwiseMax(1e-300));
+  const Vector3d force = over.head<3>(), torque = over.tail<3>();
+  const auto within = [](const Vector3d& kind) {
+    return kind.maxCoeff() > kMuch * std::max(1.0, kind.minCoeff()) && kind.minCoeff() < kNone;
+  };
+  const auto oneKind = [](const Vector3d& much, const Vector3d& none) {
+    return much.maxCoeff() > kMuchOfAKind && none.maxCoeff() < kNoneOfAKind;
+  };
+  return within(force) || within(torque) || oneKind(force, torque) || oneKind(torque, force);
+}
+
 }  // namespace heft::diagnosis

@@ -10,6 +10,7 @@
 #include "core/diagnosis/hum.h"
 #include "core/diagnosis/knocks.h"
 #include "core/diagnosis/moments.h"
+#include "core/diagnosis/swell.h"
 #include "core/diagnosis/wandering.h"
 #include "core/diagnosis/words.h"
 
@@ -48,6 +49,12 @@ void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
       excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
     out.remaining.goesWith = heft::toSay("a slow wave in time");
     out.remaining.gain = 2.0 * kUnexplained * excess;
+    hides = true;
+  }
+  if (steady.model.terms.empty() && out.remaining.gain <= kUnexplained &&
+      isUneven(work.signals, work.stretches, residual)) {
+    out.remaining.goesWith = heft::toSay("some channels of the sensor alone, slowly");
+    out.remaining.gain = kSeen;
     hides = true;
   }
   if (!wanders) return;

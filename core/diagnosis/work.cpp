@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string_view>
 
 #include "core/base/say.h"
@@ -88,6 +89,14 @@ void setOddAside(Work& work, const Signals& whole) {
   std::vector<Contact> pushes;
   for (const Contact& contact : work.contacts) (contact.instead.empty() ? pushes : work.odd).push_back(contact);
   if (!work.odd.empty()) work.oddGoesWith = std::ranges::max_element(work.odd, {}, &Contact::evidence)->instead;
+  const auto evidence = [](const std::vector<Contact>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0, [](double sum, const Contact& c) { return sum + c.evidence; });
+  };
+  // What is something else again and again is so each time.
+  if (work.odd.size() > 2 && 3.0 * evidence(work.odd) > evidence(work.contacts)) {
+    work.odd = std::move(work.contacts);
+    pushes.clear();
+  }
   if (const std::string law = lawOf(whole, work.search.final, pushes); !law.empty()) {
     work.odd = std::move(work.contacts);
     work.oddGoesWith = law;
@@ -120,21 +129,23 @@ double loudnessBeside(const Contact& touch, const Work& work, const Eigen::Map<c
 /// Whether so much speaks for touches with the greatest force of `peak` [N], beside what else the search found, that
 /// something was touched. What other causes leave when their form is not quite right looks like a touch now and then,
 /// often one of a torque without a force.
-bool wereTouches(double peak, double evidence, const Work& work) {
+bool wereTouches(double peak, double evidence, double longest, const Work& work) {
   // Of 30 faint ones in 560 recordings, real touches had 32 or more, and more than 1.3 times the noise below 100.
   // Nobody touches with a torque and no force: one of 408 others, over 1.2 s, had 433 and 0.4 times the noise.
   constexpr double kLeast = 30.0, kShareOfOthers = 0.03, kFaintTouch = 100.0, kOfNoise = 0.7;
+  // What lasts has more room for what others leave.
+  constexpr double kLasts = 1.5, kShareIfItLasts = 0.2;  // [s]
   double others = 0.0;
   for (const Found& found : work.search.found)
     if (found.cause != "contact") others += found.gain;
-  if (evidence < kLeast + kShareOfOthers * others) return false;
+  if (evidence < kLeast + (longest > kLasts ? kShareIfItLasts : kShareOfOthers) * others) return false;
   return peak > (evidence > kFaintTouch ? kOfNoise : 1.0) * rmsOf(work.stretches, work.search.final.residual).force;
 }
 
 /// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are
 /// none.
 void setTouchesAside(Work& work) {
-  constexpr double kMostOfTime = 0.2;
+  constexpr double kMostOfTime = 0.25;
   constexpr std::ptrdiff_t kMost = 4;
   Search& search = work.search;
   const auto found =
@@ -142,7 +153,7 @@ void setTouchesAside(Work& work) {
   if (found == search.found.end()) return;
   Signals& signals = work.signals;
   std::vector<Contact> touches;
-  double lasts = 0.0, peak = 0.0;
+  double lasts = 0.0, longest = 0.0, peak = 0.0;
   for (const auto& term : search.final.model.terms) {
     if (term.form->cause->id() != "contact") continue;
     for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) {
@@ -170,7 +181,10 @@ void setTouchesAside(Work& work) {
     same.blocks.to = std::max(same.blocks.to, touch.blocks.to);
   }
   touches = std::move(apart);
-  for (const Contact& touch : touches) lasts += touch.to - touch.from;
+  for (const Contact& touch : touches) {
+    lasts += touch.to - touch.from;
+    longest = std::max(longest, touch.to - touch.from);
+  }
   for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
   // Where the noise is louder for a while, something of it looks like a touch.
   const Wrenches& residual = search.final.residual;
@@ -178,7 +192,7 @@ void setTouchesAside(Work& work) {
   double evidence = 0.0;
   for (const auto& touch : touches)
     evidence += touch.evidence / loudnessBeside(touch, work, {innovations.data(), 6, residual.cols()});
-  const bool touched = wereTouches(peak, evidence, work);
+  const bool touched = wereTouches(peak, evidence, longest, work);
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
   if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && touched) {

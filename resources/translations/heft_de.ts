@@ -6690,6 +6690,26 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The robot&apos;s base tilts by {} degrees during the recording.</source>
         <translation>Der Sockel des Roboters neigt sich während der Aufnahme um {} Grad.</translation>
     </message>
+    <message>
+        <source>something that swings to and fro</source>
+        <translation>etwas, das hin und her schwingt</translation>
+    </message>
+    <message>
+        <source>the centre of mass, as if the robot&apos;s base moved</source>
+        <translation>dem Schwerpunkt, als bewegte sich der Sockel des Roboters</translation>
+    </message>
+    <message>
+        <source>what the channels read before</source>
+        <translation>dem, was die Kanäle vorher anzeigten</translation>
+    </message>
+    <message>
+        <source>what a channel itself reads, in waves</source>
+        <translation>dem, was ein Kanal selbst anzeigt, in Wellen</translation>
+    </message>
+    <message>
+        <source>some channels of the sensor alone, slowly</source>
+        <translation>einzelnen Kanälen des Sensors, langsam</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -1,4 +1,5 @@
-// Something pushed for a moment. Strong contact is set aside before anything is fitted; this finds the light one.
+// Something pushed for a moment, or held on to the tool for some seconds. Strong contact is set aside before anything
+// is fitted; this finds the light one.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -10,27 +11,33 @@ class Touch final : public Cause {
   std::string_view id() const override { return "contact"; }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
-    constexpr double kShortest = 0.08, kLongest = 2.5;
+    constexpr double kShortest = 0.08, kLongest = 2.5, kLongestHeld = 5.0;
     std::vector<Form> out;
     const double from = signals.startTime + 0.5, to = signals.startTime + signals.duration() - 0.5;
-    for (const double lasts : {0.5, 1.2})
-      for (double t = from + 0.5 * lasts; t < to - 0.5 * lasts; t += 0.5 * lasts) {
+    const auto add = [&](double lasts, double longest, bool held) {
+      for (double t = from + 0.5 * lasts; t < to - 0.5 * lasts; t += (held ? 0.25 : 0.5) * lasts) {
         std::vector<Parameter> parameters{{"time", "s", 1.0, 0.1, from, to}};
         for (const char* axis : {"force_x", "force_y", "force_z"})
           parameters.push_back({axis, "N", 1.0, 0.3, -100.0, 100.0});
         for (const char* axis : {"torque_x", "torque_y", "torque_z"})
           parameters.push_back({axis, "N m", 1.0, 0.02, -20.0, 20.0});
-        parameters.push_back({"duration", "s", 1.0, 0.1, kShortest, kLongest});
-        Form form = formOf(this, "", std::move(parameters));
+        parameters.push_back({"duration", "s", 1.0, 0.1, kShortest, longest});
+        if (held) parameters.push_back({"flank", "%", 100.0, 0.1, 0.02, 1.0, true, false});
+        Form form = formOf(this, held ? "held" : "", std::move(parameters));
         form.start(0) = t;
         form.start(7) = lasts;
+        if (held) form.start(8) = 0.2;
         form.scan = {1, 2, 3, 4, 5, 6};
+        form.choice = {held ? kHeld : kBump};
         form.local = true;
         out.push_back(form);
       }
+    };
+    for (const double lasts : {0.5, 1.2}) add(lasts, kLongest, false);
+    add(2.2, kLongestHeld, true);
     return out;
   }
-  void force(const Form&, const VectorXd& v, const Signals& signals, const Kinematics& kin,
+  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     const auto [from, to] = stretch(v);
@@ -38,7 +45,10 @@ class Touch final : public Cause {
         std::max<Eigen::Index>(0, static_cast<Eigen::Index>((from - signals.startTime) * signals.rateHz));
     for (Eigen::Index k = first; k < w.cols() && signals.time(k) < to; ++k) {
       if (signals.time(k) < from) continue;
-      const double level = std::pow(std::sin(std::numbers::pi * (signals.time(k) - from) / (to - from)), 2);
+      // Of the way to its middle so far, and the share of it in which a push grows: a bump is all flank.
+      const double way = 2.0 * std::min(signals.time(k) - from, to - signals.time(k)) / (to - from),
+                   flank = form.choice[0] == kHeld ? v(8) : 1.0;
+      const double level = std::pow(std::sin(0.5 * std::numbers::pi * std::min(1.0, way / flank)), 2);
       const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
       // The tool is pushed by F (base axes), so the sensor holds it with -F; its torque turns with the tool.
       w.col(k).head<3>() -= level * (R.transpose() * v.segment<3>(1));
@@ -50,6 +60,8 @@ class Touch final : public Cause {
   }
 
  private:
+  enum { kBump, kHeld };  ///< form.choice
+
   static std::pair<double, double> stretch(const VectorXd& v) { return {v(0) - 0.5 * v(7), v(0) + 0.5 * v(7)}; }
 };
 

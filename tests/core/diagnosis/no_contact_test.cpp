@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
@@ -362,7 +363,7 @@ TEST(NoContact, AChargeThatLeaksIsUnknown) {
   }
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "what the load was before") << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "what the channels read before") << said(report);
 }
 
 /// A gauge warms up in seconds and what it sits in takes minutes: it was a walk, and so clean.
@@ -392,6 +393,80 @@ TEST(NoContact, ADriftThatBeginsAtSomeMomentIsOne) {
     ASSERT_NE(found, nullptr) << name << ": " << said(report);
     EXPECT_NEAR(found->value, truth, 4.0 * found->std) << name;
   }
+}
+
+/// A hose kicks at every stop and rings for half a second: seven touches of the same length were "explained".
+TEST(NoContact, WhatSwingsToAndFroIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 319);
+  push(recording, [](double t) {
+    for (const double at : {1.7, 3.2, 4.9, 6.6, 8.1, 9.8})
+      if (t > at && t < at + 1.0)
+        return 0.9 * std::exp((at - t) / 0.35) * std::sin(2.0 * std::numbers::pi * 4.0 * (t - at));
+    return 0.0;
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "something that swings to and fro") << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// The robot rides on a carriage that nobody recorded: what its starts and stops do acts at the centre of mass.
+TEST(NoContact, ABaseThatMovesIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 320);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector3d rail = Vector3d(1.0, 0.3, 0.0).normalized();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    double a = 0.0;  // [m/s2] Of the carriage, along its rail: it starts and stops
+    for (const double at : {2.0, 4.6, 7.3})
+      for (const auto& [from, to, size] : {std::tuple{at, at + 0.5, 1.2}, {at + 0.9, at + 1.4, -1.2}})
+        if (recording.time(i) > from && recording.time(i) < to) a += size;
+    const Vector3d force =
+        aTool().mass * a *
+        (motion.R_BS[static_cast<std::size_t>(sampleAt(motion, recording.time(i)))].transpose() * rail);
+    recording.wrench.row(i).head<3>() += force.transpose();
+    recording.wrench.row(i).tail<3>() += aTool().com.cross(force).transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "the centre of mass, as if the robot's base moved") << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// A converter whose steps are not alike: what one channel reads goes up and down with itself. It was noise, and clean.
+TEST(NoContact, AConverterThatIsNotStraightIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 321);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    recording.wrench(i, 1) += 0.12 * std::sin(2.0 * std::numbers::pi * recording.wrench(i, 1) / 1.7);
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "what a channel itself reads, in waves") << said(report);
+}
+
+/// The zero of two channels is another one for four stretches of time, which begin and end softly: a zero that walks
+/// does so on all of them.
+TEST(NoContact, AZeroThatMovesOnTwoChannelsAloneIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 322);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (const auto& [from, to, size] :
+         {std::tuple{1.2, 2.9, 0.3}, {3.6, 5.1, -0.25}, {6.0, 8.2, 0.35}, {9.4, 10.6, -0.3}}) {
+      const double t = recording.time(i), in = 0.5 * (std::tanh((t - from) / 0.15) - std::tanh((t - to) / 0.15));
+      recording.wrench(i, 0) += size * in;
+      recording.wrench(i, 1) -= size * in;
+    }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+}
+
+/// A hand rests on the tool for two seconds, lightly: it was a pull that begins, and a zero that jumps when it ends.
+TEST(NoContact, AHandThatRestsOnTheToolIsATouch) {
+  Recording recording = aRecording(MotionKind::free, 323);
+  push(recording, [](double t) { return t > 4.2 && t < 6.4 ? 0.28 : 0.0; });
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "contact") << said(report);
+  ASSERT_EQ(report.causes.front().when.size(), 1u);
+  EXPECT_NEAR(report.causes.front().when.front().first, 4.2, 0.3);
+  EXPECT_NEAR(report.causes.front().when.front().second, 6.4, 0.3);
 }
 
 }  // namespace
