@@ -59,13 +59,11 @@ bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch&
 /// once, but not again and again.
 bool swings(const Wrenches& scaled, const Stretch& where) {
   constexpr double kOneSided = 0.35;  // Of the way to one side; of a push it is next to 1
-  constexpr double kLobe = 0.2;       // Of the most: what is smaller is no swing of its own
+  constexpr double kLobe = 0.25;      // Of the most: what is smaller is no swing of its own
   constexpr int kLobes = 3;
   const auto part = scaled.middleCols(where.from, where.to - where.from);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(part * part.transpose());
-  VectorXd course = part.transpose() * eigen.eigenvectors().col(5);
-  const VectorXd raw = course;
-  for (Eigen::Index n = 1; n + 1 < course.size(); ++n) course(n) = 0.25 * raw(n - 1) + 0.5 * raw(n) + 0.25 * raw(n + 1);
+  const VectorXd course = part.transpose() * eigen.eigenvectors().col(5);
   if (std::abs(course.sum()) > kOneSided * course.cwiseAbs().sum()) return false;
   const double least = kLobe * course.cwiseAbs().maxCoeff();
   int lobes = 0;

@@ -1,5 +1,6 @@
 #pragma once
-// Moments at which something knocks: the readings shake for some hundredths of a second, faster than the model follows.
+// Moments at which something knocks: the readings shake for some hundredths of a second, faster than the model follows;
+// and bursts, which blocks still show.
 #include <vector>
 
 #include "core/diagnosis/fit.h"
@@ -8,5 +9,9 @@ namespace heft::diagnosis {
 
 /// Times [s] of knocks in `stretches`, one each however long it rings.
 std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model);
+
+/// Times [s] of parts of `stretches`, a third of a second each, in which what the fit leaves is many times louder on
+/// some channel than it usually is, where the motion is as well known as elsewhere.
+std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
 
 }  // namespace heft::diagnosis

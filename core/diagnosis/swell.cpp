@@ -108,8 +108,10 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
 }
 
 bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kMuch = 25.0, kNone = 3.5;                // Of the fast noise's density, within a kind
-  constexpr double kMuchOfAKind = 40.0, kNoneOfAKind = 2.5;  // The same of forces and torques
+  constexpr double kMuch = 25.0;        // Of the fast noise's density
+  constexpr double kTimes = 25.0;       // One channel over another of its kind
+  constexpr double kTimesForce = 15.0;  // The torques over the forces
+
   constexpr double kSlowest = 0.1, kSlow = 0.8, kFast = 8.0, kFastest = 20.0;  // [Hz]
   Vector6d slow = Vector6d::Zero(), fast = Vector6d::Zero();
   double slowLines = 0.0, fastLines = 0.0;
@@ -133,13 +135,11 @@ bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, con
   if (slowLines < 1.0 || fastLines < 1.0) return false;
   const Vector6d over = (slow / slowLines).cwiseQuotient((fast / fastLines).cwiseMax(1e-300));
   const Vector3d force = over.head<3>(), torque = over.tail<3>();
-  const auto within = [](const Vector3d& kind) {
-    return kind.maxCoeff() > kMuch * std::max(1.0, kind.minCoeff()) && kind.minCoeff() < kNone;
+  const auto stands = [&](double much, double little, double times) {
+    return much > std::max(kMuch, times * std::max(1.0, little));
   };
-  const auto oneKind = [](const Vector3d& much, const Vector3d& none) {
-    return much.maxCoeff() > kMuchOfAKind && none.maxCoeff() < kNoneOfAKind;
-  };
-  return within(force) || within(torque) || oneKind(force, torque) || oneKind(torque, force);
+  const auto within = [&](const Vector3d& kind) { return stands(kind.maxCoeff(), kind.minCoeff(), kTimes); };
+  return within(force) || within(torque) || stands(torque.maxCoeff(), force.maxCoeff(), kTimesForce);
 }
 
 }  // namespace heft::diagnosis

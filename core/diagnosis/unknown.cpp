@@ -51,8 +51,9 @@ void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
     out.remaining.gain = 2.0 * kUnexplained * excess;
     hides = true;
   }
-  if (steady.model.terms.empty() && out.remaining.gain <= kUnexplained &&
-      isUneven(work.signals, work.stretches, residual)) {
+  const bool onlyZero = std::ranges::all_of(
+      steady.model.terms, [](const Term& t) { return causeOf(t) == "bias_drift" || causeOf(t) == "sensor_bias"; });
+  if (onlyZero && out.remaining.gain <= kUnexplained && isUneven(work.signals, work.stretches, residual)) {
     out.remaining.goesWith = heft::toSay("some channels of the sensor alone, slowly");
     out.remaining.gain = kSeen;
     hides = true;
@@ -157,6 +158,22 @@ void sayKnocks(const Work& work, DiagnosisReport& out) {
   out.remaining.gain = kSeen;
 }
 
+/// Nor is noise that is many times louder again and again.
+void sayBursts(const Work& work, DiagnosisReport& out) {
+  constexpr std::size_t kFewest = 3;
+  if (out.remaining.gain > kUnexplained) return;
+  const auto bursts = burstsIn(work.signals, work.stretches, work.search.final);
+  if (bursts.size() < kFewest) return;
+  out.findings.push_back(
+      {Severity::warning,
+       "bursts",
+       heft::say("The readings shake for a moment {} times, first at {:.1f} s.", std::ssize(bursts), bursts.front()),
+       heft::say("Look at what switches, shakes or turns on the tool at these moments."),
+       {}});
+  out.remaining.goesWith = heft::toSay("noise that comes and goes");
+  out.remaining.gain = kSeen;
+}
+
 }  // namespace
 
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
@@ -167,6 +184,7 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
   if (known) return;
   if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);
   sayKnocks(work, out);
+  sayBursts(work, out);
 }
 
 void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out) {

@@ -6710,6 +6710,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>some channels of the sensor alone, slowly</source>
         <translation>einzelnen Kanälen des Sensors, langsam</translation>
     </message>
+    <message>
+        <source>The readings shake for a moment {} times, first at {:.1f} s.</source>
+        <translation>Die Messwerte zittern {}-mal für einen Augenblick, zuerst bei {:.1f} s.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -457,6 +457,36 @@ TEST(NoContact, AZeroThatMovesOnTwoChannelsAloneIsUnknown) {
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
 }
 
+/// Fingers that open and close move the centre of mass: it shows on the torques alone.
+TEST(NoContact, WhatIsSlowOnTorquesAloneIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 324);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double t = recording.time(i), open = std::tanh(4.0 * std::sin(2.0 * std::numbers::pi * t / 3.1)),
+                 turned = std::tanh(4.0 * std::sin(2.0 * std::numbers::pi * t / 4.7));
+    recording.wrench(i, 3) += 0.012 * open;
+    recording.wrench(i, 5) += 0.008 * turned;
+  }
+  EXPECT_EQ(diagnosed(recording).verdict, Verdict::unexplained) << said(diagnosed(recording));
+}
+
+/// A gripper clicks at nine moments, and its flange rings for a tenth of a second.
+TEST(NoContact, WhatRingsAgainAndAgainIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 325);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (const double at : {1.3, 2.4, 3.6, 4.9, 5.8, 7.1, 8.2, 9.3, 10.4}) {
+      const double since = recording.time(i) - at;
+      if (since <= 0.0 || since > 0.6) continue;
+      const double ring = 0.02 * std::exp(-since / 0.1) * std::sin(2.0 * std::numbers::pi * 19.0 * since);
+      recording.wrench(i, 3) += 0.5 * ring;
+      recording.wrench(i, 4) += ring;
+    }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "noise that comes and goes") << said(report);
+  EXPECT_TRUE(finds(report, "bursts")) << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+}
+
 /// A hand rests on the tool for two seconds, lightly: it was a pull that begins, and a zero that jumps when it ends.
 TEST(NoContact, AHandThatRestsOnTheToolIsATouch) {
   Recording recording = aRecording(MotionKind::free, 323);
