@@ -6692,23 +6692,23 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>something that swings to and fro</source>
-        <translation>etwas, das hin und her schwingt</translation>
+        <translation>hin und her schwingenden Kräften</translation>
     </message>
     <message>
         <source>the centre of mass, as if the robot&apos;s base moved</source>
-        <translation>dem Schwerpunkt, als bewegte sich der Sockel des Roboters</translation>
+        <translation>dem Schwerpunkt (als bewegte sich der Sockel des Roboters)</translation>
     </message>
     <message>
         <source>what the channels read before</source>
-        <translation>dem, was die Kanäle vorher anzeigten</translation>
+        <translation>früheren Anzeigen der Kanäle</translation>
     </message>
     <message>
         <source>what a channel itself reads, in waves</source>
-        <translation>dem, was ein Kanal selbst anzeigt, in Wellen</translation>
+        <translation>Wellen über der Anzeige eines Kanals selbst</translation>
     </message>
     <message>
         <source>some channels of the sensor alone, slowly</source>
-        <translation>einzelnen Kanälen des Sensors, langsam</translation>
+        <translation>langsamen Änderungen einzelner Kanäle</translation>
     </message>
     <message>
         <source>The readings shake for a moment {} times, first at {:.1f} s.</source>
