@@ -22,7 +22,8 @@ using nlohmann::json;
 namespace {
 
 using Kind = FrameMistake::Kind;
-constexpr std::array<std::pair<Kind, std::string_view>, 6> kKinds{{{Kind::gravitySign, "gravity_sign"},
+constexpr std::array<std::pair<Kind, std::string_view>, 7> kKinds{{{Kind::gravitySign, "gravity_sign"},
+                                                                   {Kind::gravityTurned, "gravity_turned"},
                                                                    {Kind::wrenchSign, "wrench_sign"},
                                                                    {Kind::transposed, "transposed"},
                                                                    {Kind::quaternionOrder, "quaternion_order"},
@@ -108,6 +109,9 @@ Recording undone(Recording out, const FrameMistake& mistake) {
       break;
     case Kind::gravitySign:
       out.meta.gravity = -out.meta.gravity;
+      break;
+    case Kind::gravityTurned:
+      out.meta.gravity = mistake.turn * out.meta.gravity;
       break;
     case Kind::transposed:
       out.quaternion.leftCols<3>() *= -1.0;

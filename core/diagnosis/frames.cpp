@@ -54,6 +54,44 @@ std::optional<Matrix3d> bestTurn(const Signals& signals, bool proper) {
   return Matrix3d(turn.transpose());
 }
 
+/// The turn that takes gravity, as stated, to another axis of the base, where that makes the load weigh what it resists
+/// being accelerated with: a robot on a wall whose meta file says that it stands on the floor. None if what acts is no
+/// weight, or off by any other angle, as a tilt or a pull may be.
+std::optional<Matrix3d> turnOfGravity(const Signals& signals) {
+  constexpr double kKnown = 0.03, kSize = 0.08;      // Of the mass; of gravity
+  constexpr double kOnAxis = 0.985, kAnother = 0.7;  // Cosines
+  const Eigen::Matrix3Xd s = blockForce(signals);
+  using Seven = Eigen::Matrix<double, 7, 7>;
+  Seven A = Seven::Zero();
+  Eigen::Matrix<double, 7, 1> b = Eigen::Matrix<double, 7, 1>::Zero();
+  double squares = 0.0, count = 0.0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+    if (!signals.usable[static_cast<std::size_t>(n)]) continue;
+    const Matrix3d& R =
+        signals.R_BS[static_cast<std::size_t>(n * signals.samplesPerBlock + signals.samplesPerBlock / 2)];
+    Eigen::Matrix<double, 3, 7> rows;  // f = m a - R^T weight + bias
+    rows << s.col(n) + R.transpose() * signals.gravity, -R.transpose(), Matrix3d::Identity();
+    const Vector3d f = signals.measured.col(n).head<3>();
+    A += rows.transpose() * rows;
+    b += rows.transpose() * f;
+    squares += f.squaredNorm();
+    count += 3.0;
+  }
+  const Eigen::LDLT<Seven> ldlt(A);
+  const Eigen::Matrix<double, 7, 1> x = ldlt.solve(b);
+  const double mass = x(0), size = signals.gravity.norm(), left = std::max(0.0, squares - x.dot(b)),
+               std = std::sqrt(left / std::max(1.0, count) * Seven(A.inverse())(0, 0));
+  const Vector3d weight = x.segment<3>(1);
+  if (!(mass > 0.0) || !(std < kKnown * mass) || !(size > 0.0)) return std::nullopt;
+  if (std::abs(weight.norm() / (mass * size) - 1.0) > kSize) return std::nullopt;
+  Eigen::Index axis = 0;
+  if (weight.cwiseAbs().maxCoeff(&axis) < kOnAxis * weight.norm()) return std::nullopt;
+  // What is left beside the axis is a tilt like any other.
+  const Vector3d down = std::copysign(1.0, weight(axis)) * Vector3d::Unit(axis);
+  if (down.dot(signals.gravity) > kAnother * size) return std::nullopt;
+  return Quaterniond::FromTwoVectors(signals.gravity, down).toRotationMatrix();
+}
+
 /// The signals with each orientation (B from S) replaced; turning follows from the orientations.
 template <class Orientation>
 Signals reoriented(const Signals& signals, const Orientation& of) {
@@ -89,6 +127,12 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
       for (Eigen::Index k = 0; k < signals.size(); ++k)
         out.kinematics.specificForce.col(k) +=
             2.0 * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity);
+      break;
+    case FrameMistake::Kind::gravityTurned:
+      out.gravity = mistake.turn * signals.gravity;
+      for (Eigen::Index k = 0; k < signals.size(); ++k)
+        out.kinematics.specificForce.col(k) +=
+            signals.R_BS[static_cast<std::size_t>(k)].transpose() * (signals.gravity - out.gravity);
       break;
     case FrameMistake::Kind::transposed:
       return reoriented(signals, [](const Matrix3d& R) { return Matrix3d(R.transpose()); });
@@ -131,6 +175,14 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
   std::vector<FrameMistake> all;
   all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::wrenchSign});
   all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::gravitySign});
+  if (const auto turn = turnOfGravity(signals)) {
+    FrameMistake m;
+    m.rmsBefore = before;
+    m.turn = *turn;
+    m.kind = FrameMistake::Kind::gravityTurned;
+    m.angle = vectorFromRotation(*turn).norm();
+    all.push_back(m);
+  }
   if (!signals.robot)
     for (const auto kind : {FrameMistake::Kind::transposed, FrameMistake::Kind::quaternionOrder})
       all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, kind});

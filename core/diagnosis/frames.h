@@ -7,10 +7,20 @@
 namespace heft::diagnosis {
 
 struct FrameMistake {
-  Matrix3d turn = Matrix3d::Identity();  ///< Readings in true sensor axes = turn * readings as stated
-  double rmsBefore = 0, rmsAfter = 0;    ///< Force [N]
-  double angle = 0;                      ///< Of a turned mount [rad]; 0 for other mistakes
-  enum class Kind { none, gravitySign, wrenchSign, transposed, quaternionOrder, turned, mirrored } kind = Kind::none;
+  /// Readings in true sensor axes = turn * readings as stated; or gravity = turn * gravity as stated
+  Matrix3d turn = Matrix3d::Identity();
+  double rmsBefore = 0, rmsAfter = 0;  ///< Force [N]
+  double angle = 0;                    ///< Of a turned mount or gravity [rad]; 0 for other mistakes
+  enum class Kind {
+    none,
+    gravitySign,
+    gravityTurned,
+    wrenchSign,
+    transposed,
+    quaternionOrder,
+    turned,
+    mirrored
+  } kind = Kind::none;
 
   /// What was told about the sensor's orientation: velocities and accelerations are made of it.
   bool ofOrientation() const { return kind == Kind::transposed || kind == Kind::quaternionOrder; }

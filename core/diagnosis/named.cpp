@@ -116,6 +116,7 @@ DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before,
     out.parameters = {{"rx", "deg", v.x(), 0.5}, {"ry", "deg", v.y(), 0.5}, {"rz", "deg", v.z(), 0.5}};
     out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
   }
+  if (mistake.kind == FrameMistake::Kind::gravityTurned) out.alternatives = {"gravity_tilt"};
   setGain(out, before, after);
   return out;
 }

@@ -46,8 +46,8 @@ constexpr double kHardlyAny = 0.01;
 /// Beyond the usual, for waves of many angles. Of 90 recordings without any, chance gave one 20, the next 13, and no
 /// other kind of structure more than 7; four with some had 290 and more, the weakest of the tests about 40.
 constexpr double kManyWaves = 10.0;
-constexpr double kMoreBesideWalk =
-    1.5;  ///< Times this and the next: one clean recording that walked had 19 beyond the usual
+/// Times such doubts where the zero walks: one clean recording that did had 19 beyond the usual.
+constexpr double kMoreBesideWalk = 1.5;
 /// At most, of accelerations where the motion is noisy: one clean recording had 34.
 constexpr double kManyNoisyWaves = 20.0;
 

@@ -108,10 +108,9 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
 }
 
 bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kMuch = 25.0;        // Of the fast noise's density
-  constexpr double kTimes = 25.0;       // One channel over another of its kind
-  constexpr double kTimesForce = 15.0;  // The torques over the forces
-
+  constexpr double kMuch = 25.0;                                               // Of the fast noise's density
+  constexpr double kTimes = 25.0;                                              // One channel over another of its kind
+  constexpr double kTimesForce = 15.0;                                         // The torques over the forces
   constexpr double kSlowest = 0.1, kSlow = 0.8, kFast = 8.0, kFastest = 20.0;  // [Hz]
   Vector6d slow = Vector6d::Zero(), fast = Vector6d::Zero();
   double slowLines = 0.0, fastLines = 0.0;

@@ -275,6 +275,9 @@ std::string mistakeSentence(const FrameMistake& mistake) {
       return heft::say("Forces have the opposite sign: the file holds what the tool does to the sensor.");
     case FrameMistake::Kind::gravitySign:
       return heft::say("Gravity points up in the meta file; it should point down.");
+    case FrameMistake::Kind::gravityTurned:
+      return heft::say("Gravity points {} degrees away from where the meta file says: does the robot hang on a wall?",
+                       number(mistake.angle * 180.0 / std::numbers::pi, 0));
     case FrameMistake::Kind::transposed:
       return heft::say("Orientations are stored the other way round: base in sensor instead of sensor in base.");
     case FrameMistake::Kind::quaternionOrder:
@@ -527,6 +530,8 @@ std::string causeCheck(const DiagnosedCause& cause, const std::optional<FrameMis
       return remedy(Remedy::turnWrench);
     case FrameMistake::Kind::gravitySign:
       return remedy(Remedy::turnGravity);
+    case FrameMistake::Kind::gravityTurned:
+      return heft::say("Write in gravity_m_s2 where down is, along the axes of the robot's base.");
     case FrameMistake::Kind::transposed:
       return heft::say("Invert the quaternions (qx, qy, qz with the opposite sign).");
     case FrameMistake::Kind::quaternionOrder:

@@ -6714,6 +6714,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The readings shake for a moment {} times, first at {:.1f} s.</source>
         <translation>Die Messwerte zittern {}-mal für einen Augenblick, zuerst bei {:.1f} s.</translation>
     </message>
+    <message>
+        <source>Gravity points {} degrees away from where the meta file says: does the robot hang on a wall?</source>
+        <translation>Die Schwerkraft zeigt {} Grad neben die Richtung in der Meta-Datei: Hängt der Roboter an einer Wand?</translation>
+    </message>
+    <message>
+        <source>Write in gravity_m_s2 where down is, along the axes of the robot&apos;s base.</source>
+        <translation>In gravity_m_s2 angeben, wo unten ist, entlang der Achsen des Robotersockels.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -100,6 +100,37 @@ TEST(Corrected, AWrongSignIsTurnedRoundAndAContactMarked) {
   EXPECT_EQ(marked->meta.marks.back().label, MarkLabel::contact);
 }
 
+/// The meta file of a robot on a floor, for one that hangs on a wall: that was a steady pull of a load and a half.
+TEST(Corrected, ARobotOnAWallHasAnotherGravity) {
+  Recording recording = aRecording(MotionKind::free, 84);
+  const Vector3d down = recording.meta.gravity;
+  recording.meta.gravity = {-9.81, 0.0, 0.0};
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes[0].id, "frame_error");
+  EXPECT_EQ(report.causes[0].alternatives, std::vector<std::string>{"gravity_tilt"});
+  EXPECT_NEAR(report.after.payload.mass, 0.75, 0.005) << said(report);
+  ASSERT_TRUE(canApply(report, report.causes[0]));
+  const auto out = corrected(recording, &RobotModel::panda(), toJson(report), {"frame_error"});
+  ASSERT_TRUE(out.ok()) << out.error().message;
+  EXPECT_TRUE(out->meta.gravity.isApprox(down, 1e-6)) << out->meta.gravity.transpose();
+}
+
+/// A balancer that carries half of the tool leaves less weight than the tool resists being accelerated with: no
+/// mistake.
+TEST(Corrected, ABalancerIsNoOtherGravity) {
+  Recording recording = aRecording(MotionKind::free, 85);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    recording.wrench.row(i).head<3>() -=
+        (motion.R_BS[static_cast<std::size_t>(sampleAt(motion, recording.time(i)))].transpose() *
+         Vector3d(9.0, 0.0, 4.0))
+            .transpose();
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(named(report, "frame_error"), nullptr) << said(report);
+  EXPECT_NE(named(report, "constant_pull"), nullptr) << said(report);
+}
+
 TEST(Views, TheStretchShowsTheCauseAndThePullGoesWithThePlace) {
   const auto& p = pulled();
   const auto& cause = p.report.causes[0];
