@@ -147,7 +147,18 @@ bool actsAtCentre(const Signals& signals, const Fit& fit, const std::vector<Cont
       A += F.transpose() * F;
       b -= F.transpose() * means.back().tail<3>();
     }
-  if (!(A.determinant() > 0.0)) return false;
+  // Noise of the forces makes the arm seem shorter: what it adds to A is known from where nothing acts.
+  double noise = 0.0, count = 0.0;
+  for (Eigen::Index n = 0; n + length <= signals.blocks(); n += length) {
+    const auto first = signals.usable.begin() + n;
+    const bool touched = std::ranges::any_of(
+        contacts, [&](const Contact& c) { return n < c.blocks.to + length && n + length > c.blocks.from - length; });
+    if (touched || !std::all_of(first, first + length, [](bool usable) { return usable; })) continue;
+    noise += fit.residual.block(0, n, 3, length).rowwise().mean().squaredNorm() / 3.0;
+    count += 1.0;
+  }
+  A.diagonal().array() -= 2.0 * noise / std::max(1.0, count) * static_cast<double>(means.size());
+  if (!(Eigen::SelfAdjointEigenSolver<Matrix3d>(A).eigenvalues()(0) > 0.0)) return false;
   const Vector3d place = A.ldlt().solve(b), centre = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
   double left = 0.0, all = 0.0;
   for (const Vector6d& w : means) {
