@@ -44,20 +44,21 @@ class Hysteresis final : public Cause {
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     const bool each = form.choice.size() < 3, loop = !each && form.choice[2] == kLoop;
-    Vector6d range = Vector6d::Zero();
-    for (Eigen::Index c = 0; c < 6; ++c)
-      if (!each || v(c) != 0.0) range(c) = w.row(c).maxCoeff() - w.row(c).minCoeff();
+    // All channels at once: one at a time, each instant would wait for the one before.
+    Vector6d least = w.col(0), most = w.col(0);
+    for (Eigen::Index k = 1; k < w.cols(); ++k) {
+      least = least.cwiseMin(w.col(k));
+      most = most.cwiseMax(w.col(k));
+    }
+    Vector6d range = most - least;
     if (!each && !loop)
       for (const int first : {0, 3}) range.segment<3>(first).setConstant(range.segment<3>(first).maxCoeff());
-    for (Eigen::Index c = 0; c < 6; ++c) {
-      const double share = each ? v(c) : loop ? v(0) / v(1) : v(0);
-      if (share == 0.0) continue;
-      const double r = 0.5 * (each ? 0.01 * form.choice[0] : v(1)) * range(c);
-      if (form.choice.size() > 1 && form.choice[1] == kBristles)
-        bristles(share, std::max(2.0 * r, 1e-9), w.row(c));
-      else
-        play(share, r, w.row(c));
-    }
+    const Vector6d share = each ? Vector6d(v.head<6>()) : Vector6d(Vector6d::Constant(loop ? v(0) / v(1) : v(0)));
+    const Vector6d half = 0.5 * (each ? 0.01 * form.choice[0] : v(1)) * range;
+    if (form.choice.size() > 1 && form.choice[1] == kBristles)
+      bristles(share, (2.0 * half).cwiseMax(1e-9), w);
+    else
+      play(share, half, w);
   }
   /// A loop of a thousandth of the range is what corners of the motion leave, and less than a sensor is known by.
   double overOwnErrors(const Form& form, const VectorXd& v, const Signals&) const override {
@@ -69,24 +70,27 @@ class Hysteresis final : public Cause {
 
  private:
   enum Kind { kPlay, kBristles, kAlike, kLoop };
-  using Channel = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
   /// Each bends with the load and slips as soon as it is bent all the way, which takes `reach`.
-  static void bristles(double share, double reach, Channel load) {
-    double bend = 0.0, last = load(0);
-    for (double& u : load) {
-      const double way = (u - last) / reach, end = way > 0.0 ? 1.0 : way < 0.0 ? -1.0 : 0.0;
-      bend = end + (bend - end) * std::exp(-std::abs(way));
-      last = u;
-      u -= share * bend * reach;
-    }
+  static void bristles(const Vector6d& share, const Vector6d& reach, Wrenches& load) {
+    Vector6d bend = Vector6d::Zero(), last = load.col(0);
+    for (Eigen::Index k = 0; k < load.cols(); ++k)
+      for (Eigen::Index c = 0; c < 6; ++c) {
+        if (share(c) == 0.0) continue;
+        double& u = load(c, k);
+        const double way = (u - last(c)) / reach(c), end = way > 0.0 ? 1.0 : way < 0.0 ? -1.0 : 0.0;
+        bend(c) = end + (bend(c) - end) * std::exp(-std::abs(way));
+        last(c) = u;
+        u -= share(c) * bend(c) * reach(c);
+      }
   }
   /// The lag of a play behind its input: what a dead band remembers.
-  static void play(double share, double half, Channel load) {
-    double middle = load(0);
-    for (double& u : load) {
-      middle = std::clamp(middle, u - half, u + half);
-      u += share * (middle - u);
+  static void play(const Vector6d& share, const Vector6d& half, Wrenches& load) {
+    Vector6d middle = load.col(0);
+    for (Eigen::Index k = 0; k < load.cols(); ++k) {
+      const Vector6d u = load.col(k);
+      middle = middle.cwiseMax(u - half).cwiseMin(u + half);
+      load.col(k) += share.cwiseProduct(middle - u);
     }
   }
 };
