@@ -108,10 +108,8 @@ Recording undone(Recording out, const FrameMistake& mistake) {
       out.wrench = -out.wrench;
       break;
     case Kind::gravitySign:
-      out.meta.gravity = -out.meta.gravity;
-      break;
     case Kind::gravityTurned:
-      out.meta.gravity = mistake.turn * out.meta.gravity;
+      out.meta.gravity = mistake.gravity(out.meta.gravity);
       break;
     case Kind::transposed:
       out.quaternion.leftCols<3>() *= -1.0;

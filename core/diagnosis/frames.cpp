@@ -114,6 +114,13 @@ Signals reoriented(const Signals& signals, const Orientation& of) {
 
 }  // namespace
 
+Vector3d FrameMistake::gravity(const Vector3d& stated) const {
+  if (kind == Kind::gravitySign) return -stated;
+  if (kind != Kind::gravityTurned) return stated;
+  const Vector3d turned = turn * stated;  // Along an axis, but for rounding
+  return (turned.array().abs() > 1e-9).select(turned, 0.0);
+}
+
 Signals corrected(const Signals& signals, const FrameMistake& mistake) {
   Signals out = signals;
   switch (mistake.kind) {
@@ -123,13 +130,8 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
       out.readings = -signals.readings;
       break;
     case FrameMistake::Kind::gravitySign:
-      out.gravity = -signals.gravity;
-      for (Eigen::Index k = 0; k < signals.size(); ++k)
-        out.kinematics.specificForce.col(k) +=
-            2.0 * (signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity);
-      break;
     case FrameMistake::Kind::gravityTurned:
-      out.gravity = mistake.turn * signals.gravity;
+      out.gravity = mistake.gravity(signals.gravity);
       for (Eigen::Index k = 0; k < signals.size(); ++k)
         out.kinematics.specificForce.col(k) +=
             signals.R_BS[static_cast<std::size_t>(k)].transpose() * (signals.gravity - out.gravity);

@@ -24,6 +24,9 @@ struct FrameMistake {
 
   /// What was told about the sensor's orientation: velocities and accelerations are made of it.
   bool ofOrientation() const { return kind == Kind::transposed || kind == Kind::quaternionOrder; }
+  bool ofGravity() const { return kind == Kind::gravitySign || kind == Kind::gravityTurned; }
+  /// Gravity [m/s2] as it is where it was told as `stated`, base axes.
+  Vector3d gravity(const Vector3d& stated) const;
 };
 
 /// The mistake that, undone, leaves at most two fifths of the misfit; nothing if the recording is understood as stated.

@@ -97,11 +97,8 @@ nlohmann::json DiagnosisReport::metaChanges() const {
     if (mistake && mistake->kind == diagnosis::FrameMistake::Kind::wrenchSign)
       out["sensor"]["wrench_sign"] =
           meta.wrenchSign == WrenchSign::sensorOnPayload ? "payload_on_sensor" : "sensor_on_payload";
-    if (mistake && mistake->kind == diagnosis::FrameMistake::Kind::gravitySign)
-      out["gravity_m_s2"] = {-meta.gravity.x(), -meta.gravity.y(), -meta.gravity.z()};
-    if (mistake && mistake->kind == diagnosis::FrameMistake::Kind::gravityTurned) {
-      const Vector3d turned = mistake->turn * meta.gravity;  // Along an axis, but for rounding
-      const Vector3d g = (turned.array().abs() > 1e-9).select(turned, 0.0);
+    if (mistake && mistake->ofGravity()) {
+      const Vector3d g = mistake->gravity(meta.gravity);
       out["gravity_m_s2"] = {g.x(), g.y(), g.z()};
     }
   }

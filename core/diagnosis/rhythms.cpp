@@ -223,12 +223,18 @@ std::vector<VectorXd> blockAngles(const Signals& signals) {
 
 BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, double lnN, double highestHz) {
   const bool inTime = kind == WaveKind::onChannels || kind == WaveKind::inTheWorld;
-  const std::vector<VectorXd> angles = inTime                           ? blockTimes(signals)
-                                       : kind == WaveKind::overReadings ? blockReadings(signals, ground.fit)
-                                                                        : blockAngles(signals);
-  const std::vector<Wave> candidates = inTime                           ? rhythms(signals, highestHz)
-                                       : kind == WaveKind::overReadings ? wavesOverRanges()
-                                                                        : ripples(signals, angles);
+  std::vector<VectorXd> angles;
+  std::vector<Wave> candidates;
+  if (inTime) {
+    angles = blockTimes(signals);
+    candidates = rhythms(signals, highestHz);
+  } else if (kind == WaveKind::overReadings) {
+    angles = blockReadings(signals, ground.fit);
+    candidates = wavesOverRanges();
+  } else {
+    angles = blockAngles(signals);
+    candidates = ripples(signals, angles);
+  }
   if (candidates.empty()) return {{-1e300, 0.0}, 0.0};
   BestWave out;
   Wave first;

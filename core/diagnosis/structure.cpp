@@ -86,7 +86,22 @@ MatrixXd followed(const MatrixXd& rows, const std::vector<bool>& follows, double
   return out;
 }
 
-std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
+/// What each channel should have read before: a charge that leaks takes a share of that off again, each its own.
+std::vector<Group> leaks(const Signals& signals, const Fit& fit) {
+  const std::vector<bool> always(static_cast<std::size_t>(signals.size()), true);
+  const Wrenches reading = predicted(signals, fit.model);
+  std::vector<Group> out;
+  for (const double T : {1.5, 3.0, 6.0, 12.0}) {
+    const Wrenches before = averaged(signals, followed(reading, always, T, signals.rateHz));
+    MatrixXd columns = MatrixXd::Zero(6 * signals.blocks(), 6);
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      columns.block<6, 6>(6 * n, 0) = Vector6d(before.col(n)).asDiagonal();
+    out.push_back({heft::toSay("what the channels read before"), {}, std::move(columns)});
+  }
+  return out;
+}
+
+std::vector<Group> groups(const Signals& signals, const Fit& fit) {
   std::vector<Group> out;
   const auto& kin = signals.kinematics;
   const Eigen::Index n = signals.size();
@@ -134,7 +149,7 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
     if (signals.robot != nullptr)
       out.push_back({heft::toSay("the joint angles, several times a turn"),
                      {},
-                     ripplesOfGears(signals, payload),
+                     ripplesOfGears(signals, fit.model.x.tail<10>()),
                      std::clamp(leftByNoise(signals), kManyWaves, kManyNoisyWaves)});
   }
   out.push_back({heft::toSay("the load on the sensor"), withProducts(normalised(kin.specificForce))});
@@ -146,6 +161,7 @@ std::vector<Group> groups(const Signals& signals, const Vector10d& payload) {
       {heft::toSay("how fast the tool turns"), stacked(kin.omega, kin.omega.cwiseProduct(kin.omega.cwiseAbs()))});
   out.push_back({heft::toSay("the direction in which the tool turns"), turning});
   out.push_back({heft::toSay("how fast the turning changes"), kin.alpha});
+  std::ranges::move(leaks(signals, fit), std::back_inserter(out));
   return out;
 }
 
@@ -165,21 +181,6 @@ std::vector<Group> past(const Signals& signals) {
   };
   out.push_back({heft::toSay("what the load was before"), since(always)});
   out.push_back({heft::toSay("what the load was while the tool stood still"), since(still)});
-  return out;
-}
-
-/// What each channel should have read before: a charge that leaks takes a share of that off again, each its own.
-std::vector<Group> leaks(const Signals& signals, const Fit& fit) {
-  const std::vector<bool> always(static_cast<std::size_t>(signals.size()), true);
-  const Wrenches reading = predicted(signals, fit.model);
-  std::vector<Group> out;
-  for (const double T : {1.5, 3.0, 6.0, 12.0}) {
-    const Wrenches before = averaged(signals, followed(reading, always, T, signals.rateHz));
-    MatrixXd columns = MatrixXd::Zero(6 * signals.blocks(), 6);
-    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-      columns.block<6, 6>(6 * n, 0) = Vector6d(before.col(n)).asDiagonal();
-    out.push_back({heft::toSay("what the channels read before"), {}, std::move(columns)});
-  }
   return out;
 }
 
@@ -378,16 +379,13 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
 }  // namespace
 
 Structure structureIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least) {
-  auto all = groups(signals, fit.model.x.tail<10>());
-  std::ranges::move(leaks(signals, fit), std::back_inserter(all));
-  return strongest(signals, stretches, fit, least, all);
+  return strongest(signals, stretches, fit, least, groups(signals, fit));
 }
 
 Structure structureBehindWalk(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                               double enough) {
-  auto all = groups(signals, fit.model.x.tail<10>());
+  auto all = groups(signals, fit);
   std::ranges::move(past(signals), std::back_inserter(all));
-  std::ranges::move(leaks(signals, fit), std::back_inserter(all));
   return strongest(signals, stretches, fit, enough, all);
 }
 

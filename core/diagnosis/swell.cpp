@@ -13,47 +13,66 @@ namespace {
 
 constexpr Eigen::Index kShortest = 100;  ///< Blocks of a stretch that is looked at
 
-}  // namespace
+struct Band {
+  double low, high;  ///< [Hz]
+};
 
-Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  struct Band {
-    double low, high, limit;
-  };
-  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The
-  // slowest band of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the
-  // next one: 7 times.
-  constexpr double kFall = 12.0;
-  constexpr std::array<Band, 3> kBands{{{0.6, 2.0, 60.0}, {2.0, 4.0, 40.0}, {8.0, 20.0, 0.0}}};
-  std::array<Vector6d, kBands.size()> power;
-  std::array<double, kBands.size()> count{};
-  power.fill(Vector6d::Zero());
-  Vector6d total = Vector6d::Zero();
+/// Power in bands of frequency, all stretches together.
+template <std::size_t Bands>
+struct BandPower {
+  std::array<Vector6d, Bands> sums;
+  std::array<double, Bands> lines{};  ///< Of which they are sums
+  Vector6d total = Vector6d::Zero();  ///< Up to the last band's end
+
+  Vector6d density(std::size_t band) const { return sums[band] / lines[band]; }
+};
+
+/// `bands`: the last one ends highest.
+template <std::size_t Bands>
+BandPower<Bands> powerIn(const std::array<Band, Bands>& bands, const Signals& signals,
+                         const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  BandPower<Bands> out;
+  out.sums.fill(Vector6d::Zero());
   for (const auto& s : stretches) {
     const Eigen::Index length = s.to - s.from;
     if (length < kShortest) continue;
     const double resolution = signals.blockRate() / static_cast<double>(length);
-    const auto lines = static_cast<Eigen::Index>(std::ceil(20.0 / resolution)) - 1;
+    const auto lines = static_cast<Eigen::Index>(std::ceil(bands.back().high / resolution)) - 1;
     const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
-    total += here.rowwise().sum();
+    out.total += here.rowwise().sum();
     for (Eigen::Index k = 1; k <= lines; ++k) {
       const double f = static_cast<double>(k) * resolution;
-      for (std::size_t b = 0; b < kBands.size(); ++b)
-        if (f >= kBands[b].low && f < kBands[b].high) {
-          power[b] += here.col(k - 1);
-          count[b] += 1.0;
+      for (std::size_t b = 0; b < Bands; ++b)
+        if (f >= bands[b].low && f < bands[b].high) {
+          out.sums[b] += here.col(k - 1);
+          out.lines[b] += 1.0;
         }
     }
   }
+  return out;
+}
+
+}  // namespace
+
+Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The
+  // slowest band of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the
+  // next one: 7 times.
+  constexpr double kFall = 12.0;
+  constexpr std::array<Band, 3> kBands{{{0.6, 2.0}, {2.0, 4.0}, {8.0, 20.0}}};
+  constexpr std::array<double, 2> kLimits{60.0, 40.0};
+  const auto power = powerIn(kBands, signals, stretches, residual);
   Swell out;
-  if (count.back() < 1.0) return out;
-  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
-    if (count[b] < 1.0) continue;
+  if (power.lines[2] < 1.0) return out;
+  const Vector6d floor = power.density(2).cwiseMax(1e-300);
+  for (std::size_t b = 0; b < kLimits.size(); ++b) {
+    if (power.lines[b] < 1.0) continue;
     for (Eigen::Index c = 0; c < 6; ++c) {
-      const double floor = power.back()(c) / count.back();
-      double excess = power[b](c) / count[b] / std::max(1e-300, floor) / kBands[b].limit;
-      if (b == 0 && count[1] > 0.0)
-        excess = std::min(excess, power[0](c) / count[0] / std::max(1e-300, power[1](c) / count[1]) / kFall);
-      if (excess > out.excess) out = {excess, power[b](c) / std::max(1e-300, total(c)), kBands[b].low, kBands[b].high};
+      double excess = power.density(b)(c) / floor(c) / kLimits[b];
+      if (b == 0 && power.lines[1] > 0.0)
+        excess = std::min(excess, power.density(0)(c) / std::max(1e-300, power.density(1)(c)) / kFall);
+      if (excess > out.excess)
+        out = {excess, power.sums[b](c) / std::max(1e-300, power.total(c)), kBands[b].low, kBands[b].high};
     }
   }
   return out;
@@ -108,31 +127,13 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
 }
 
 bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kMuch = 25.0;                                               // Of the fast noise's density
-  constexpr double kTimes = 25.0;                                              // One channel over another of its kind
-  constexpr double kTimesForce = 15.0;                                         // The torques over the forces
-  constexpr double kSlowest = 0.1, kSlow = 0.8, kFast = 8.0, kFastest = 20.0;  // [Hz]
-  Vector6d slow = Vector6d::Zero(), fast = Vector6d::Zero();
-  double slowLines = 0.0, fastLines = 0.0;
-  for (const auto& s : stretches) {
-    const Eigen::Index length = s.to - s.from;
-    if (length < kShortest) continue;
-    const double resolution = signals.blockRate() / static_cast<double>(length);
-    const auto lines = static_cast<Eigen::Index>(std::ceil(kFastest / resolution)) - 1;
-    const MatrixXd power = taperedPower(residual.middleCols(s.from, length), lines);
-    for (Eigen::Index k = 1; k <= lines; ++k) {
-      const double f = static_cast<double>(k) * resolution;
-      if (f >= kSlowest && f < kSlow) {
-        slow += power.col(k - 1);
-        slowLines += 1.0;
-      } else if (f >= kFast) {
-        fast += power.col(k - 1);
-        fastLines += 1.0;
-      }
-    }
-  }
-  if (slowLines < 1.0 || fastLines < 1.0) return false;
-  const Vector6d over = (slow / slowLines).cwiseQuotient((fast / fastLines).cwiseMax(1e-300));
+  constexpr double kMuch = 25.0;        // Of the fast noise's density
+  constexpr double kTimes = 25.0;       // One channel over another of its kind
+  constexpr double kTimesForce = 15.0;  // The torques over the forces
+  constexpr std::array<Band, 2> kBands{{{0.1, 0.8}, {8.0, 20.0}}};
+  const auto power = powerIn(kBands, signals, stretches, residual);
+  if (power.lines[0] < 1.0 || power.lines[1] < 1.0) return false;
+  const Vector6d over = power.density(0).cwiseQuotient(power.density(1).cwiseMax(1e-300));
   const Vector3d force = over.head<3>(), torque = over.tail<3>();
   const auto stands = [&](double much, double little, double times) {
     return much > std::max(kMuch, times * std::max(1.0, little));

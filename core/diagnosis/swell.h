@@ -18,10 +18,10 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
 /// outside, such as a conveyor that changes its speed.
 Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
-/// Whether what is slow is on some channels only: far above the fast noise of one, and not at all above that of another
-/// that measures the same (force or torque); or on torques and no force, as where a payload's mass moves. A zero that
-/// walks does so on all channels: of 76 clean recordings, 17 of which walked, no channel had more than 19 times what
-/// another of its kind had.
+/// Whether what is slow is on some channels only: many times further above the fast noise on one than on another that
+/// measures the same (force or torque); or on torques and hardly any force, as where a payload's mass moves. A zero
+/// that walks does so on all channels: of 76 clean recordings, 17 of which walked, no channel had more than 19 times
+/// what another of its kind had.
 bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 }  // namespace heft::diagnosis

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <string_view>
 
 #include "core/base/say.h"
@@ -44,6 +43,12 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
       signals.usable[static_cast<std::size_t>(n)] = false;
 }
 
+double evidenceOf(const std::vector<Contact>& contacts) {
+  double sum = 0.0;
+  for (const auto& contact : contacts) sum += contact.evidence;
+  return sum;
+}
+
 /// What is left of `contacts` if one cause is behind most of it, such as the end of the sensor's range, a jump of its
 /// zero or a cable that is slack elsewhere: that one looks like contact as long as it is set aside.
 struct Elsewise {
@@ -58,11 +63,6 @@ Elsewise unlessElsewise(const Signals& whole, SignatureBank& bank, const Search&
   std::vector<std::string_view> causes;
   for (const auto& cause : catalogue())
     if (cause->id() != "contact" && cause->id() != kWandering) causes.push_back(cause->id());
-  const auto evidence = [](const std::vector<Contact>& all) {
-    double sum = 0.0;
-    for (const auto& contact : all) sum += contact.evidence;
-    return sum;
-  };
   // Contact makes noise of its own: what is left is judged by the noise elsewhere.
   const auto leftBy = [&](Fit fit) {
     fit.noise = found.final.noise;
@@ -73,11 +73,11 @@ Elsewise unlessElsewise(const Signals& whole, SignatureBank& bank, const Search&
   auto left = leftBy(same);
   Elsewise out;
   if (const auto other = withOneOf(whole, stretches, bank, same, causes))
-    if (auto by = leftBy(*other); evidence(by) < evidence(left)) {
+    if (auto by = leftBy(*other); evidenceOf(by) < evidenceOf(left)) {
       left = std::move(by);
       out.cause = causeOf(other->model.terms.back());
     }
-  out.share = 1.0 - evidence(left) / evidence(contacts);
+  out.share = 1.0 - evidenceOf(left) / evidenceOf(contacts);
   out.contacts = out.share > kMost ? std::move(left) : contacts;
   return out;
 }
@@ -89,11 +89,8 @@ void setOddAside(Work& work, const Signals& whole) {
   std::vector<Contact> pushes;
   for (const Contact& contact : work.contacts) (contact.instead.empty() ? pushes : work.odd).push_back(contact);
   if (!work.odd.empty()) work.oddGoesWith = std::ranges::max_element(work.odd, {}, &Contact::evidence)->instead;
-  const auto evidence = [](const std::vector<Contact>& all) {
-    return std::accumulate(all.begin(), all.end(), 0.0, [](double sum, const Contact& c) { return sum + c.evidence; });
-  };
   // What is something else again and again is so each time.
-  if (work.odd.size() > 2 && 3.0 * evidence(work.odd) > evidence(work.contacts)) {
+  if (work.odd.size() > 2 && 3.0 * evidenceOf(work.odd) > evidenceOf(work.contacts)) {
     work.odd = std::move(work.contacts);
     pushes.clear();
   }
