@@ -53,11 +53,11 @@ constexpr double kLeastWalk = 1e-3;  ///< Of a parameter's size: a walk that is 
 /// What a walk's waves cost: how far the data had to narrow what the walk left open, and how far they are from zero.
 double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const std::vector<Eigen::Index>& own,
                     const std::vector<Eigen::Index>& others, const Term& term, const VectorXd& sd) {
-  const VectorXd prior = sd(own).cwiseQuotient(scale(own));
+  const VectorXd spread = sd(own), prior = spread.cwiseQuotient(scale(own));
   MatrixXd M = prior.asDiagonal() * informationBeside(information, own, others) * prior.asDiagonal();
   M.diagonal().array() += 1.0;
   double out =
-      2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(sd(own)).squaredNorm();
+      2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(spread).squaredNorm();
   for (const int c : {0, 3}) {
     const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
     if (term.walk(c) > 2.0 * least * least) out += kWidth;
@@ -363,6 +363,10 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
 Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const Columns* known) {
   Fit other = fitted(signals, stretches, fit.model, 8, Weights::whiteFirst, known);
   return other.evidence > fit.evidence ? other : fit;
+}
+
+Fit plainFit(const Signals& signals, const std::vector<Stretch>& stretches) {
+  return settled(signals, stretches, fitModel(signals, stretches, Model{}));
 }
 
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns) {

@@ -302,6 +302,12 @@ std::string dropoutSentence(const Values& v) {
 }
 
 std::string cableSentence(const Values& v) {
+  if (v.value("twist_stiffness") < 0.0)
+    return heft::say("Something twists the tool on the further it turns: {} N m per radian.",
+                     v.size("twist_stiffness"));
+  if (v.value("stiffness") < 0.0)
+    return heft::say("Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.",
+                     v.size("stiffness"));
   if (v.find("twist_stiffness"))
     return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
   if (v.find("hardening"))
@@ -418,6 +424,12 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                : heft::say("Something pulls at the tool with {} N, always in the same direction.", size);
   }
   if (id == "viscous_drag") {
+    if (v.value("drag") < 0.0)
+      return heft::say("Something, such as a hand at the tool, pushes the way it goes: {} N per metre per second.",
+                       v.size("drag"));
+    if (v.value("turning_drag") < 0.0 && !v.find("drag_x"))
+      return heft::say("Something, such as a hand at the tool, turns it on: {} N m per radian per second.",
+                       v.size("turning_drag"));
     if (v.find("drag")) return heft::say("Something holds the tool back: {} N per metre per second.", v.size("drag"));
     if (v.find("square_drag"))
       return heft::say("Something holds the tool back with the square of its speed: {} N at one metre per second.",
@@ -432,6 +444,10 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                : heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"));
   }
   if (id == "coulomb_friction") {
+    if (v.value("friction") < 0.0)
+      return heft::say("Something, such as a hand at the tool, pushes the way it goes with {} N.", v.size("friction"));
+    if (v.value("turning_friction") < 0.0)
+      return heft::say("Something, such as a hand at the tool, turns it on with {} N m.", v.size("turning_friction"));
     if (v.find("friction")) return heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"));
     return v.find("friction_x")
                ? heft::say("Something rubs and holds the tool back, with up to {} N.",

@@ -82,7 +82,7 @@ class CablePull final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"constant_pull", "gravity_tilt"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
-    const Parameter stiffness{"stiffness", "N/m", 1.0, 1.0, 0.0, 400.0};
+    const Parameter stiffness{"stiffness", "N/m", 1.0, 1.0, -400.0, 400.0};
     const std::vector<Parameter> pull{{"force_x", "N", 1.0, 0.3, -60.0, 60.0},
                                       {"force_y", "N", 1.0, 0.3, -60.0, 60.0},
                                       {"force_z", "N", 1.0, 0.3, -60.0, 60.0}};
@@ -115,7 +115,7 @@ class CablePull final : public Cause {
       std::ranges::move(tautForms(this, signals), std::back_inserter(out));
       out.push_back(hardeningForm(this, out.back()));
     }
-    add(kTwist, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, 0.0, 20.0}},
+    add(kTwist, "twist", {{"twist_stiffness", "N m/rad", 1.0, 0.02, -20.0, 20.0}},
         {{"torque_x", "N m", 1.0, 0.02, -5.0, 5.0},
          {"torque_y", "N m", 1.0, 0.02, -5.0, 5.0},
          {"torque_z", "N m", 1.0, 0.02, -5.0, 5.0}});
@@ -131,9 +131,10 @@ class CablePull final : public Cause {
                             : kind == kPerAxis ? 3
                                                : 1,
                        axes = kind == kSpring || kind == kAway ? 1 : 3;
-    const double stiffest = v.head(axes).maxCoeff(), far = v.segment<3>(at).norm() / std::max(1e-9, stiffest);
+    const double stiffest = v.head(axes).cwiseAbs().maxCoeff(),
+                 far = v.segment<3>(at).norm() / std::max(1e-9, stiffest);
     VectorXd out = VectorXd::Zero(v.size());
-    out.head(axes) = v.head(axes) * std::min(1.0, kHolder / std::max(1e-9, far));
+    out.head(axes) = v.head(axes).cwiseAbs() * std::min(1.0, kHolder / std::max(1e-9, far));
     return out;
   }
   /// A spring towards one spot is a cable of some length, and that may grow stiffer as it stretches.
@@ -198,13 +199,20 @@ class CablePull final : public Cause {
           stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
   }
-  /// Springs pull back, whichever way the tool goes; what hardly does along any line is a constant pull.
+  /// A stiff hose that is bent may push away from a spot, or a hand that leads the tool; few do.
+  double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
+    constexpr double kPushes = 20.0;
+    const int kind = form.choice[0];
+    const bool oneWay = kind == kSpring || kind == kAway || kind == kTwist;
+    return oneWay && v(0) < 0.0 ? kPushes : 0.0;
+  }
+  /// Springs along several lines pull back, whichever way the tool goes; what hardly does is a constant pull.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
     constexpr double kDeviations = 3.0, kFirm = 5.0;
     const int kind = form.choice[0];
     if (hasLength(kind) || kind == kTwist) return true;
     if (kind == kPerAxis) return (v.head<3>() - kDeviations * std.head<3>()).maxCoeff() > 0.0;
-    if (kind != kAllWays) return v(0) > kDeviations * std(0);
+    if (kind != kAllWays) return std::abs(v(0)) > kDeviations * std(0);
     const Vector3d along = tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues();
     const double off = std.head<6>().maxCoeff();
     return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kFirm * off;

@@ -1,4 +1,6 @@
 // Resistance that grows with speed, and friction that does not.
+#include <algorithm>
+
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -14,11 +16,39 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
   return signals.velocity.col(k) + R_BS * Vector3d(kin.omega.col(k)).cross(r);
 }
 
-/// What both have in common: where the resistance acts. form.choice: 0 the sensor's origin, 1 turning, 2 both, 3 a
-/// place away from the sensor, 4 and 5 the cause's own richer forms, 6 different along each axis at a place away from
-/// the sensor, 7 a place away from the sensor and turning; from 8 on the cause's own, by name.
+/// What both have in common: where the resistance acts, and that what is less than none pushes. form.choice: 0 the
+/// sensor's origin, 1 turning, 2 both, 3 a place away from the sensor, 4 and 5 the cause's own richer forms, 6
+/// different along each axis at a place away from the sensor, 7 a place away from the sensor and turning; from
+/// kFirstOwn on the cause's own, by name.
 class Resistance : public Cause {
+ public:
+  /// A hand that guides the tool, and not what is behind the sensor, pushes the way it goes; hardly anything else does.
+  double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
+    constexpr double kPushes = 20.0;
+    return std::ranges::any_of(mayPush(form), [&](int p) { return v(p) < 0.0; }) ? kPushes : 0.0;
+  }
+  /// Nothing holds back what moves and pushes what turns.
+  bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    constexpr double kDeviations = 3.0;
+    bool holds = false, pushes = false;
+    for (const int p : mayPush(form)) {
+      holds = holds || v(p) > kDeviations * std(p);
+      pushes = pushes || v(p) < -kDeviations * std(p);
+    }
+    return !holds || !pushes;
+  }
+
  protected:
+  /// Resistances that may be less than none.
+  static std::vector<int> mayPush(const Form& form) {
+    std::vector<int> out;
+    for (const int p : form.scan) {
+      const Parameter& parameter = form.parameters[static_cast<std::size_t>(p)];
+      if (parameter.lower < 0.0 && form.choice[0] < kFirstOwn) out.push_back(p);
+    }
+    return out;
+  }
+  static constexpr int kFirstOwn = 8;
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
     std::vector<Form> out;
     add(out, 1, "turning", {angular});
@@ -48,8 +78,8 @@ class ViscousDrag final : public Resistance {
   std::string_view id() const override { return "viscous_drag"; }
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
-    const Parameter linear{"drag", "N s/m", 1.0, 0.3, 0.0, 200.0};
-    const Parameter angular{"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0, true};
+    const Parameter linear{"drag", "N s/m", 1.0, 0.3, -200.0, 200.0};
+    const Parameter angular{"turning_drag", "N m s/rad", 1.0, 0.01, -10.0, 10.0};
     auto out = common(signals, linear, angular);
     if (!signals.positionKnown) return out;
     addAway(out, withPlace({linear}));
@@ -60,7 +90,7 @@ class ViscousDrag final : public Resistance {
          {"drag_y", "N s/m", 1.0, 0.3, 0.0, 200.0, true},
          {"drag_z", "N s/m", 1.0, 0.3, 0.0, 200.0, true}});
     std::vector<Parameter> all = out.back().parameters;
-    all.push_back(angular);
+    all.push_back({"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0, true});
     add(out, 6, "different along each axis, away from the sensor", withPlace(std::move(all)));
     out.back().scan = {0, 1, 2, 3};
     // A flat tool, or a guide along a line: along any line of the base or of the tool.
@@ -109,13 +139,13 @@ class ViscousDrag final : public Resistance {
   /// Nothing pushes the tool the way it goes.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
     constexpr double kDeviations = 3.0;
-    if (form.choice[0] != kLines && form.choice[0] != kToolLines) return true;
+    if (form.choice[0] != kLines && form.choice[0] != kToolLines) return Resistance::possible(form, v, std);
     return tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() >
            -kDeviations * std.head<6>().maxCoeff();
   }
 
  private:
-  static constexpr int kSquare = 8, kLines = 9, kToolLines = 10;
+  static constexpr int kSquare = kFirstOwn, kLines = 9, kToolLines = 10;
 };
 
 class CoulombFriction final : public Resistance {
@@ -123,8 +153,8 @@ class CoulombFriction final : public Resistance {
   std::string_view id() const override { return "coulomb_friction"; }
   std::vector<std::string> lookAlikes() const override { return {"viscous_drag", "hysteresis"}; }
   std::vector<Form> forms(const Signals& signals) const override {
-    const Parameter linear{"friction", "N", 1.0, 0.1, 0.0, 60.0};
-    auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, 0.0, 5.0});
+    const Parameter linear{"friction", "N", 1.0, 0.1, -60.0, 60.0};
+    auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, -5.0, 5.0});
     if (!signals.positionKnown) return out;
     add(out, 5, "different along each axis",
         {{"friction_x", "N", 1.0, 0.1, 0.0, 60.0, true},
@@ -147,8 +177,9 @@ class CoulombFriction final : public Resistance {
     }
     // Holds more as long as it is slow (Stribeck 1902).
     add(out, kStribeck, "more while slow",
-        withPlace(
-            {linear, {"breakaway", "N", 1.0, 0.1, 0.0, 60.0, true}, {"slow_speed", "mm/s", kMilli, 0.05, 0.012, 0.3}}));
+        withPlace({{"friction", "N", 1.0, 0.1, 0.0, 60.0},
+                   {"breakaway", "N", 1.0, 0.1, 0.0, 60.0, true},
+                   {"slow_speed", "mm/s", kMilli, 0.05, 0.012, 0.3}}));
     out.back().start(2) = 0.05;
     out.back().scan = {0, 1};
     return onlyOne(std::move(out));
@@ -189,7 +220,7 @@ class CoulombFriction final : public Resistance {
   }
 
  private:
-  static constexpr int kStribeck = 8;
+  static constexpr int kStribeck = kFirstOwn;
 };
 
 }  // namespace
