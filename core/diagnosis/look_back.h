@@ -11,6 +11,8 @@ constexpr double kBesideWandering =
 constexpr double kJump =
     20.0;  ///< By how much a jump must be more than a walk of the zero: one that walks makes steps, too
 
+constexpr double kOfOneCourse = 0.5;  ///< Share of what the walk explains that a drift in its place must
+
 /// Readings late or smoothed, or the recorded motion.
 bool lags(std::string_view cause);
 
@@ -20,6 +22,10 @@ bool enlarges(std::string_view cause);
 /// Whether a cause that goes on all the time and is no drift explains so much of what a walk of the zero does that it
 /// is named instead. In 98 recordings whose zero walked, none came to half of it.
 bool isMoreThanWalk(std::string_view cause, double gain, double walk);
+
+/// Whether the waves of a fitted walk are one course that all channels take, as those of six walks are not: then the
+/// zero drifts, however much more the walk explains of slow noise beside that.
+bool isOneCourse(const Model& model);
 
 /// Fills `search.found`; where something else is better, it takes a cause's place in `search.final`. Whether anything
 /// did.

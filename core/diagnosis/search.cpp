@@ -33,6 +33,22 @@ double neededBeside(const Model& model, double explained, double wanders, const 
   return out;
 }
 
+/// The best drift in place of a walk whose channels all take one course; null where they do not, or no drift is much of
+/// it. Fits of drifts may hang on a noise that was learned with a long memory: those that promised as much are settled.
+const Trial* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                              const Trial& walk, std::vector<Trial>& all) {
+  if (!isOneCourse(walk.fit.model)) return nullptr;
+  const double least = kOfOneCourse * walk.gain;
+  const Trial* best = nullptr;
+  for (Trial& trial : all) {
+    if (trial.cause != "bias_drift" || std::max(trial.gain, trial.promised) < least) continue;
+    trial.fit = settled(signals, stretches, std::move(trial.fit));
+    weigh(trial, base, signals);
+    if (trial.gain > least && (best == nullptr || trial.gain > best->gain)) best = &trial;
+  }
+  return best;
+}
+
 }  // namespace
 
 Model without(const Model& model, std::string_view cause) {
@@ -65,6 +81,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   double wanders = 0.0;  // What a wandering zero explains, once accepted
   if (contains(out.final.model, kWandering))
     wanders = out.final.evidence - fitModel(signals, stretches, without(out.final.model, kWandering)).evidence;
+  bool drifts = false;  // All channels take one course
   std::vector<Sibling> siblings;
   for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled();
        ++step) {
@@ -72,11 +89,14 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
     Tried latest{out.final, trials(signals, stretches, out.final, ranked)};
-    std::erase_if(latest.all, [&](const Trial& trial) { return !bank.knows(trial.cause); });
+    std::erase_if(latest.all, [&](const Trial& trial) {
+      // Noise that is slow beside a drift is noise.
+      return !bank.knows(trial.cause) || (drifts && trial.cause == kWandering);
+    });
     addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
     addSiblings(signals, stretches, out.final, siblings, latest.all);
-    const auto& all = latest.all;
+    const std::vector<Trial>& all = latest.all;
     const auto enough = [&](const Trial& trial) {
       const double explained = out.final.evidence - out.null.evidence;
       return trial.gain >= options.threshold + neededBeside(out.final.model, explained, wanders, trial);
@@ -107,6 +127,11 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
           chosen = &trial;
           break;
         }
+    if (chosen->cause == kWandering)
+      if (const Trial* drift = driftOfOneCourse(signals, stretches, out.final, *chosen, latest.all)) {
+        chosen = drift;
+        drifts = true;
+      }
     if (chosen->cause == kWandering) wanders = chosen->gain;
     // Of forms that explain as much, the simplest; a richer one may still take its place when the others are in theirs.
     const double good = chosen->gain - kSlightlyRicher;

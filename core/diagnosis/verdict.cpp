@@ -74,7 +74,9 @@ void giveVerdict(const Work& work, DiagnosisReport& out) {
 std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
-      return "The model fits: nothing is left but the sensor's noise.";
+      return std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })
+                 ? "The model fits: nothing is left but the sensor's noise and its zero, which wanders slowly."
+                 : "The model fits: nothing is left but the sensor's noise.";
     case Verdict::ambiguous: {
       const auto tied =
           std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });

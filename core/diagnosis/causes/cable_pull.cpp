@@ -199,9 +199,7 @@ class CablePull final : public Cause {
           stiffness * Vector3d(signals.position.col(k) + R_BS[static_cast<std::size_t>(k)] * r - centre) - pull;
     addWorldForce(R_BS, held, r, w);
   }
-  /// A stiff hose that is bent may push away from a spot, or a hand that leads the tool; few do.
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
-    constexpr double kPushes = 20.0;
     const int kind = form.choice[0];
     const bool oneWay = kind == kSpring || kind == kAway || kind == kTwist;
     return oneWay && v(0) < 0.0 ? kPushes : 0.0;

@@ -13,6 +13,10 @@ namespace heft::diagnosis {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMilli = 1e3;
 
+/// Evidence that what acts from outside needs where it pushes the tool on instead of holding it back: a hand that
+/// guides the tool itself does, or a bent hose, hardly anything else. Of ten that did, the faintest had 208.
+constexpr double kPushes = 60.0;
+
 /// The name of wrench channel c: "fx" .. "tz".
 inline const char* channelName(Eigen::Index c) {
   constexpr const char* kNames[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
@@ -67,24 +71,29 @@ inline void addMove(const Signals& signals, Kinematics& kinematics, const Kinema
   kinematics.turned = std::move(axes);
 }
 
-/// Changes velocity and acceleration by `change`, which takes and returns one of them in B axes, and leaves gravity as
+/// Changes velocity and acceleration by `change`, which takes and returns one of them in S axes, and leaves gravity as
 /// it is.
 template <class Change>
+void changeMotionInSensor(const Signals& signals, Kinematics& kinematics, Change change) {
+  Eigen::Matrix3Xd gravity(3, signals.size());
+  for (Eigen::Index k = 0; k < signals.size(); ++k)
+    gravity.col(k) = signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity;
+  kinematics.specificForce = change(kinematics.specificForce + gravity) - gravity;
+  kinematics.omega = change(kinematics.omega);
+  kinematics.alpha = change(kinematics.alpha);
+}
+
+/// The same where `change` takes and returns B axes.
+template <class Change>
 void changeMotion(const Signals& signals, Kinematics& kinematics, Change change) {
-  const auto changed = [&](Eigen::Matrix3Xd value) {
+  changeMotionInSensor(signals, kinematics, [&](Eigen::Matrix3Xd value) {
     for (Eigen::Index k = 0; k < value.cols(); ++k)
       value.col(k) = (signals.R_BS[static_cast<std::size_t>(k)] * value.col(k)).eval();
     Eigen::Matrix3Xd out = change(value);
     for (Eigen::Index k = 0; k < out.cols(); ++k)
       out.col(k) = (signals.R_BS[static_cast<std::size_t>(k)].transpose() * out.col(k)).eval();
     return out;
-  };
-  Eigen::Matrix3Xd gravity(3, signals.size());
-  for (Eigen::Index k = 0; k < signals.size(); ++k)
-    gravity.col(k) = signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity;
-  kinematics.specificForce = changed(kinematics.specificForce + gravity) - gravity;
-  kinematics.omega = changed(kinematics.omega);
-  kinematics.alpha = changed(kinematics.alpha);
+  });
 }
 
 /// Two unit vectors across gravity, B axes.

@@ -22,9 +22,7 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
 /// kFirstOwn on the cause's own, by name.
 class Resistance : public Cause {
  public:
-  /// A hand that guides the tool, and not what is behind the sensor, pushes the way it goes; hardly anything else does.
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
-    constexpr double kPushes = 20.0;
     return std::ranges::any_of(mayPush(form), [&](int p) { return v(p) < 0.0; }) ? kPushes : 0.0;
   }
   /// Nothing holds back what moves and pushes what turns.

@@ -11,9 +11,9 @@ class MotionLag final : public Cause {
   std::vector<std::string> lookAlikes() const override { return {"time_offset", "derivative_noise"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
-    for (const int kind : {0, 1}) {
-      out.push_back(
-          formOf(this, kind == 0 ? "" : "pure delay", {{"lag", "ms", kMilli, 0.01, kind == 0 ? 0.0 : -0.3, 0.3}}));
+    for (const int kind : {kSmoothed, kDelayed, kInSensor}) {
+      const char* name = kind == kSmoothed ? "" : kind == kDelayed ? "pure delay" : "in the sensor's axes";
+      out.push_back(formOf(this, name, {{"lag", "ms", kMilli, 0.01, kind == kDelayed ? -0.3 : 0.0, 0.3}}));
       out.back().choice = {kind};
     }
     return out;
@@ -22,11 +22,19 @@ class MotionLag final : public Cause {
   bool bendsGeometry() const override { return true; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     if (std::abs(v(0)) < 1e-7) return;
-    changeMotion(signals, kinematics, [&](const Eigen::Matrix3Xd& value) -> Eigen::Matrix3Xd {
-      return form.choice[0] == 0 ? onePole(value, v(0), signals.rateHz) : delayed(value, v(0), signals.rateHz);
-    });
+    const auto late = [&](const Eigen::Matrix3Xd& value) -> Eigen::Matrix3Xd {
+      return form.choice[0] == kDelayed ? delayed(value, v(0), signals.rateHz) : onePole(value, v(0), signals.rateHz);
+    };
+    if (form.choice[0] == kInSensor)
+      changeMotionInSensor(signals, kinematics, late);
+    else
+      changeMotion(signals, kinematics, late);
   }
   double overOwnErrors(const Form&, const VectorXd& v, const Signals&) const override { return overOwnTimes(v(0)); }
+
+ private:
+  /// Form::choice. What was smoothed in the sensor's axes is what inertia adds to the readings, not the robot's motion.
+  enum Kind { kSmoothed, kDelayed, kInSensor };
 };
 
 }  // namespace

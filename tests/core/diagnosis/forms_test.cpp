@@ -11,7 +11,6 @@
 #include "core/diagnosis/pull.h"
 #include "core/diagnosis/search.h"
 #include "core/diagnosis/trials.h"
-#include "core/simulation/random.h"
 #include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 
@@ -286,46 +285,6 @@ TEST(Diagnose, ABaseMaySinkDuringTheRecording) {
   }
 }
 
-/// A draught warms the sensor and goes again: it was a zero that walks, and thus clean.
-TEST(Diagnose, ADriftThatAllChannelsTakeTogetherHasAnyCourse) {
-  Recording recording = aRecording(MotionKind::excitation, 271);
-  const Vector6d range = (Vector6d() << 0.3, -0.2, 0.15, 0.004, -0.003, 0.002).finished();
-  const double T = recording.time(recording.rows() - 1);
-  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    const double hump = std::exp(-0.5 * std::pow((recording.time(i) / T - 0.55) / 0.13, 2));
-    recording.wrench.row(i) += hump * range.transpose();
-  }
-  const auto report = diagnosed(recording);
-  ASSERT_EQ(report.causes.size(), 1u) << said(report);
-  const DiagnosedCause& cause = report.causes.front();
-  EXPECT_EQ(cause.id, "bias_drift") << said(report);
-  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
-  EXPECT_NE(cause.sentence.find("to and fro"), std::string::npos) << cause.sentence;
-  const auto fx = std::ranges::find(cause.parameters, "fx", &CauseParameter::name);
-  ASSERT_NE(fx, cause.parameters.end()) << said(report);
-  EXPECT_NEAR(std::abs(fx->value), range(0), 0.05);
-  // Whoever leaves it out of the catalogue does not get it by way of a walk.
-  const auto without = diagnosed(recording, {"bias_drift"});
-  EXPECT_EQ(named(without, "bias_drift"), nullptr) << said(without);
-}
-
-/// Six walks of about that size are none: each channel takes its own course.
-TEST(Diagnose, AWalkOfEachChannelIsNoDrift) {
-  for (const std::uint64_t seed : {272u, 273u, 274u}) {
-    Recording recording = aRecording(MotionKind::excitation, seed);
-    for (int c = 0; c < 6; ++c) {
-      RandomStream random(seed, RandomPurpose::walk, static_cast<std::uint64_t>(c));
-      double zero = 0.0;
-      for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-        zero += (c < 3 ? 0.15 : 0.003) / std::sqrt(static_cast<double>(recording.rows())) * random.normal();
-        recording.wrench(i, c) += zero;
-      }
-    }
-    const auto report = diagnosed(recording);
-    EXPECT_EQ(report.verdict, Verdict::clean) << seed << " " << said(report);
-  }
-}
-
 /// All gauges lose strength as the sensor warms up steadily: that was a load that becomes lighter.
 TEST(Diagnose, GainsMayGrowAlikeAllTheTime) {
   Recording recording = aRecording(MotionKind::free, 275);
@@ -538,6 +497,58 @@ TEST(Diagnose, ATurnedLastJointIsTiedWithATurnedSensor) {
   ASSERT_NE(turned, report.causes.end()) << said(report);
   const std::string other = turned->id == "joint_offset" ? "sensor_rotation" : "joint_offset";
   EXPECT_NE(std::ranges::find(turned->alternatives, other), turned->alternatives.end()) << said(report);
+}
+
+/// What inertia adds to the readings is smoothed, in the sensor's axes: smoothed in the room's, as the robot would, it
+/// is another lag.
+TEST(Diagnose, WhatInertiaAddsMayComeLate) {
+  constexpr double kLag = 0.03;  // [s]
+  Recording recording = aRecording(MotionKind::excitation, 642);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Vector10d payload = toParameters(aTool());
+  const double dt = recording.time(1) - recording.time(0), keep = std::exp(-dt / kLag);
+  Vector6d late = Vector6d::Zero();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Vector3d gravity = motion.R_BS[static_cast<std::size_t>(k)].transpose() * Vector3d(0.0, 0.0, -9.81);
+    const Vector6d inertia =
+        regressor({motion.specificForce.col(k) + gravity, motion.omega.col(k), motion.alpha.col(k)}) * payload;
+    late = keep * late + (1.0 - keep) * inertia;
+    recording.wrench.row(i) += (late - inertia).transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "motion_lag");
+  const CauseParameter* lag = parameter(report.causes.front(), "lag");
+  ASSERT_NE(lag, nullptr);
+  EXPECT_NEAR(lag->value, 1e3 * kLag, 4.0 * lag->std);
+}
+
+/// A hand that guides the tool itself pushes the way it goes; a bent hose pushes away from where it is fixed.
+TEST(Diagnose, WhatPushesTheWayTheToolGoes) {
+  struct Push {
+    const char* cause;
+    const char* what;
+    double size;
+  };
+  for (const auto& [cause, what, size] : {Push{"viscous_drag", "drag", 1.5}, Push{"coulomb_friction", "friction", 0.5},
+                                          Push{"cable_pull", "stiffness", 3.0}}) {
+    Recording recording = aRecording(MotionKind::excitation, 641);
+    holdBack(recording, [&](const Vector3d& position, const Vector3d& velocity) -> Vector3d {
+      if (what == std::string("drag")) return -size * velocity;
+      if (what == std::string("friction")) return -size * velocity / std::sqrt(velocity.squaredNorm() + 1e-5);
+      return -size * (position - Vector3d(0.2, -0.3, 0.5));
+    });
+    const auto report = diagnosed(recording);
+    EXPECT_EQ(report.verdict, Verdict::explained) << cause << ": " << said(report);
+    const DiagnosedCause* push = named(report, cause);
+    ASSERT_NE(push, nullptr) << cause << ": " << said(report);
+    const CauseParameter* told = parameter(*push, what);
+    ASSERT_NE(told, nullptr) << cause;
+    EXPECT_NEAR(told->value, -size, 4.0 * told->std) << cause;
+    EXPECT_NE(push->sentence.find("pushes"), std::string::npos) << push->sentence;
+  }
 }
 
 }  // namespace

@@ -1,12 +1,16 @@
-// A zero that walks at random against one that swings.
+// A zero that walks at random against one that swings, and one that drifts.
 #include "core/diagnosis/wandering.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "core/diagnosis/look_back.h"
 #include "core/simulation/random.h"
+#include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
 namespace {
@@ -74,6 +78,72 @@ TEST(Walk, ThePriceIsLeastAtItsOwnSize) {
   for (Eigen::Index k = 0; k < 60; ++k) waves(k) = 0.5 * random.normal() / static_cast<double>(k + 1);
   const double right = priceOfWalk(waves, spread, 0.25);
   for (const double off : {0.1, 0.3, 3.0, 10.0}) EXPECT_GT(priceOfWalk(waves, spread, 0.25 * off), right) << off;
+}
+
+/// A draught warms the sensor and goes again: it was a zero that walks, and thus clean.
+TEST(Diagnose, ADriftThatAllChannelsTakeTogetherHasAnyCourse) {
+  Recording recording = aRecording(MotionKind::excitation, 271);
+  const Vector6d range = (Vector6d() << 0.3, -0.2, 0.15, 0.004, -0.003, 0.002).finished();
+  const double T = recording.time(recording.rows() - 1);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double hump = std::exp(-0.5 * std::pow((recording.time(i) / T - 0.55) / 0.13, 2));
+    recording.wrench.row(i) += hump * range.transpose();
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  const DiagnosedCause& cause = report.causes.front();
+  EXPECT_EQ(cause.id, "bias_drift") << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  EXPECT_NE(cause.sentence.find("to and fro"), std::string::npos) << cause.sentence;
+  const auto fx = std::ranges::find(cause.parameters, "fx", &CauseParameter::name);
+  ASSERT_NE(fx, cause.parameters.end()) << said(report);
+  EXPECT_NEAR(std::abs(fx->value), range(0), 0.05);
+  // Whoever leaves it out of the catalogue does not get it by way of a walk.
+  const auto without = diagnosed(recording, {"bias_drift"});
+  EXPECT_EQ(named(without, "bias_drift"), nullptr) << said(without);
+}
+
+/// Six walks of about that size are none: each channel takes its own course.
+TEST(Diagnose, AWalkOfEachChannelIsNoDrift) {
+  for (const std::uint64_t seed : {272u, 273u, 274u}) {
+    Recording recording = aRecording(MotionKind::excitation, seed);
+    for (int c = 0; c < 6; ++c) {
+      RandomStream random(seed, RandomPurpose::walk, static_cast<std::uint64_t>(c));
+      double zero = 0.0;
+      for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+        zero += (c < 3 ? 0.15 : 0.003) / std::sqrt(static_cast<double>(recording.rows())) * random.normal();
+        recording.wrench(i, c) += zero;
+      }
+    }
+    const auto report = diagnosed(recording);
+    EXPECT_EQ(report.verdict, Verdict::clean) << seed << " " << said(report);
+    EXPECT_NE(report.sentence.find("wanders"), std::string::npos) << report.sentence;
+  }
+}
+
+/// Waves of six walks, and those of a zero that settles in all channels alike.
+TEST(Walk, OneCourseOfAllChannelsIsNone) {
+  Form form;
+  form.walk = true;
+  const auto shared = std::make_shared<const Form>(std::move(form));
+  const Vector6d sizes = (Vector6d() << 0.1, 0.1, 0.1, 0.004, 0.004, 0.004).finished();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    RandomStream random(seed, RandomPurpose::walk, 0);
+    Term walk{shared, VectorXd(60), {}, sizes.cwiseAbs2()}, settles = walk;
+    for (Eigen::Index k = 0; k < 10; ++k)
+      for (Eigen::Index c = 0; c < 6; ++c) {
+        const auto half = static_cast<double>(k + 1);
+        const double noise = random.normal() / half;
+        walk.v(6 * k + c) = sizes(c) * noise;
+        settles.v(6 * k + c) = sizes(c) * ((c % 2 == 0 ? 3.0 : -2.0) / (half * half) + 0.3 * noise);
+      }
+    Model walks, drifts;
+    walks.terms.push_back(std::move(walk));
+    drifts.terms.push_back(std::move(settles));
+    EXPECT_FALSE(isOneCourse(walks)) << seed;
+    EXPECT_TRUE(isOneCourse(drifts)) << seed;
+  }
+  EXPECT_FALSE(isOneCourse(Model{}));
 }
 
 }  // namespace
