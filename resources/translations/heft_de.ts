@@ -6722,6 +6722,30 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Write in gravity_m_s2 where down is, along the axes of the robot&apos;s base.</source>
         <translation>In gravity_m_s2 angeben, wo unten ist, entlang der Achsen des Robotersockels.</translation>
     </message>
+    <message>
+        <source>Something twists the tool on the further it turns: {} N m per radian.</source>
+        <translation>Etwas verdreht das Werkzeug umso mehr, je weiter es sich dreht: {} N m je Radiant.</translation>
+    </message>
+    <message>
+        <source>Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.</source>
+        <translation>Etwas, etwa ein gebogener Schlauch, drückt das Werkzeug von einer Stelle weg: {} N je Meter.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand at the tool, pushes the way it goes: {} N per metre per second.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, schiebt in Richtung der Bewegung: {} N je Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand at the tool, turns it on: {} N m per radian per second.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, dreht es weiter: {} N m je Radiant pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand at the tool, pushes the way it goes with {} N.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, schiebt mit {} N in Richtung der Bewegung.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand at the tool, turns it on with {} N m.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, dreht es mit {} N m weiter.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
