@@ -23,7 +23,7 @@ bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
 }
 
 bool isOneCourse(const Model& model) {
-  // Strongest course's share of the longest waves, each in units of what a walk makes of it. Of 40 walks of six
+  // Strongest course's share of the longest waves, each in units of what a walk makes of it. Of 24 walks of six
   // channels it had 0.62 at most, of 24 drifts of all channels at once 0.76 or more, but for a faint one.
   constexpr double kShare = 0.7;
   constexpr Eigen::Index kLongest = 6;

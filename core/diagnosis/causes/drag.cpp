@@ -134,7 +134,7 @@ class ViscousDrag final : public Resistance {
     }
   }
 
-  /// Nothing pushes the tool the way it goes.
+  /// Along no line does it push, where it has one for each.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
     constexpr double kDeviations = 3.0;
     if (form.choice[0] != kLines && form.choice[0] != kToolLines) return Resistance::possible(form, v, std);
