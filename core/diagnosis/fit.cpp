@@ -365,10 +365,6 @@ Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit f
   return other.evidence > fit.evidence ? other : fit;
 }
 
-Fit plainFit(const Signals& signals, const std::vector<Stretch>& stretches) {
-  return settled(signals, stretches, fitModel(signals, stretches, Model{}));
-}
-
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns) {
   // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say.
   constexpr double kOrder = 3.0, kLittle = 0.1;

@@ -66,9 +66,6 @@ Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Mode
 /// learned with a long memory swallows slow misfit and holds on to it.
 Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const Columns* known = nullptr);
 
-/// Bias and payload alone, settled.
-Fit plainFit(const Signals& signals, const std::vector<Stretch>& stretches);
-
 /// fitModel's answer on other blocks: parameters and noise kept, or refitted by one step on `stretches` only.
 /// `columns`: of the fit's model.
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns);

@@ -205,7 +205,7 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
   std::optional<FrameMistake> best;
   for (auto& mistake : all) {
     const Signals other = corrected(signals, mistake);
-    const Fit fit = plainFit(other, stretches);
+    const Fit fit = fitModel(other, stretches, Model{});
     mistake.rmsAfter = forceRms(other, fit);
     const double m = fit.model.x(6);
     if (m < 3.0 * std::sqrt(fit.covariance(6, 6))) continue;  // A payload has a mass above zero.

@@ -13,7 +13,7 @@ namespace {
 
 WrenchRms leftOver(const Way& way) {
   const auto stretches = stretchesOf(way.signals.usable);
-  return rmsOf(stretches, plainFit(way.signals, stretches).residual);
+  return rmsOf(stretches, fitModel(way.signals, stretches, Model{}).residual);
 }
 
 /// Standard deviation of what changes from row to row of the noisiest column and is no motion: third differences.

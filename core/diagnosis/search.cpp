@@ -68,7 +68,7 @@ std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>&
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
               const SearchOptions& options, const Progress& progress) {
   Search out;
-  out.null = plainFit(signals, stretches);
+  out.null = settled(signals, stretches, fitModel(signals, stretches, Model{}));
   out.final = out.null;
   std::vector<std::string>& order = out.order;
   if (!options.start.terms.empty()) {

@@ -26,7 +26,7 @@ void weighSharpMotion(std::vector<Way>& ways) {
   Signals& least = ways.front().signals;
   const auto stretches = untouched(least, ways.front());
   if (stretches.empty()) return;
-  const Fit fit = plainFit(least, stretches);
+  const Fit fit = fitModel(least, stretches, Model{});
   const Vector10d payload = fit.model.x.tail<10>();
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;

@@ -204,7 +204,7 @@ void setTouchesAside(Work& work) {
       auto& known = work.odd.empty() ? work.contacts : work.odd;
       known.insert(known.end(), touches.begin(), touches.end());
       std::sort(known.begin(), known.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
-      search.null = plainFit(signals, work.stretches);
+      search.null = fitModel(signals, work.stretches, Model{});
     }
   }
   search.final = fitModel(signals, work.stretches, std::move(model));
@@ -306,13 +306,13 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
     onTwoThreads(ways.size(), [&](std::size_t i) {
       const Signals& signals = ways[i].signals;
       if (signals.blocks() == common.blocks())
-        out[i] = plainFit(mistake ? corrected(signals, *mistake) : signals, stretches).evidence;
+        out[i] = fitModel(mistake ? corrected(signals, *mistake) : signals, stretches, Model{}).evidence;
     });
   };
   fitAll({});
   // Where frames are mixed up, nothing of what moves can be told from noise.
   if (*std::ranges::max_element(out) > out.front())
-    if (const auto mistake = frameMistake(common, stretches, plainFit(common, stretches))) fitAll(mistake);
+    if (const auto mistake = frameMistake(common, stretches, fitModel(common, stretches, Model{}))) fitAll(mistake);
   return out;
 }
 
@@ -411,7 +411,7 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
   // A push turns any sign round.
   const auto quiet = untouched(way.signals, way);
   if (quiet.empty()) return std::nullopt;
-  return frameMistake(way.signals, quiet, plainFit(way.signals, quiet));
+  return frameMistake(way.signals, quiet, fitModel(way.signals, quiet, Model{}));
 }
 
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
@@ -454,7 +454,7 @@ double evidenceAfresh(const Way& other, const Work& work, const DiagnoseOptions&
   if (!signals) return -1e300;
   const std::array<std::string_view, 1> cause{causeOf(work.search.final.model.terms.front())};
   SignatureBank bank(*signals, options.hidden);
-  const auto fit = withOneOf(*signals, work.stretches, bank, plainFit(*signals, work.stretches), cause);
+  const auto fit = withOneOf(*signals, work.stretches, bank, fitModel(*signals, work.stretches, Model{}), cause);
   return fit ? fit->evidence - work.search.final.evidence : -1e300;
 }
 
