@@ -1,13 +1,12 @@
 #include "core/diagnosis/look_back.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
 #include "core/base/say.h"
-#include "core/diagnosis/two_threads.h"
+#include "core/diagnosis/wandering.h"
 
 namespace heft::diagnosis {
 
@@ -20,20 +19,6 @@ bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
   constexpr std::array<std::string_view, 5> kLikeAWalk{"bias_drift", "sensor_bias", "payload_change", "contact",
                                                        kWandering};
   return std::ranges::find(kLikeAWalk, cause) == kLikeAWalk.end() && gain > std::max(kFaint, kMost * walk);
-}
-
-bool isOneCourse(const Model& model) {
-  // Strongest course's share of the longest waves, each in units of what a walk makes of it. Of 24 walks of six
-  // channels it had 0.62 at most, of 24 drifts of all channels at once 0.76 or more, but for a faint one.
-  constexpr double kShare = 0.7;
-  constexpr Eigen::Index kLongest = 6;
-  const auto walk = std::ranges::find_if(model.terms, [](const Term& t) { return t.form->walk; });
-  if (walk == model.terms.end() || walk->walk.minCoeff() <= 0.0) return false;
-  MatrixXd waves(6, kLongest);
-  for (Eigen::Index k = 0; k < kLongest; ++k)
-    waves.col(k) = static_cast<double>(k + 1) * walk->v.segment<6>(6 * k).cwiseQuotient(walk->walk.cwiseSqrt());
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> courses(waves * waves.transpose(), Eigen::EigenvaluesOnly);
-  return courses.eigenvalues()(5) > kShare * courses.eigenvalues().sum();
 }
 
 namespace {
@@ -113,10 +98,7 @@ void settleRivals(const Signals& signals, const std::vector<Stretch>& stretches,
   std::vector<Trial*> others;
   for (Trial& trial : all)
     if (trial.gain > near && trial.cause != found.cause && others.size() < kFinished) others.push_back(&trial);
-  onTwoThreads(others.size(), [&](std::size_t i) {
-    others[i]->fit = settled(signals, stretches, std::move(others[i]->fit));
-    weigh(*others[i], base, signals);
-  });
+  settleAll(signals, stretches, base, others);
   sortByGain(all);
 }
 
@@ -165,7 +147,7 @@ double slackBetween(std::string_view a, std::string_view b, double gain) {
 /// Of a walk that is plain to see, a drift never explains as much (it was at least 14 behind in 60 simulated ones;
 /// where there was a drift, at most 9). Nor does a course that all channels take (10 behind or more in 60 others; where
 /// there was one, 10 ahead or more).
-/// `oneCourse`: whether the walk is one that all channels take.
+/// `oneCourse`: whether a walk whose place is in question is one course of all channels.
 double leadFor(const Found& found, const Rival& rival, bool oneCourse) {
   constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kWandering, walkComes = rival.cause == kWandering;
@@ -300,13 +282,12 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
           found.rivals.push_back(rivalOf(found, trial, search.final));
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
-      const auto oneCourse = [&](const Rival& r) {
-        return isOneCourse(cause == kWandering ? search.final.model : best.at(r.cause)->fit.model);
-      };
-      std::erase_if(found.rivals,
-                    [&](const Rival& r) { return cause == "bias_drift" && r.cause == kWandering && oneCourse(r); });
+      const bool oneCourse = cause == kWandering && isOneCourse(search.final.model);
+      std::erase_if(found.rivals, [&](const Rival& r) {
+        return cause == "bias_drift" && r.cause == kWandering && isOneCourse(best.at(r.cause)->fit.model);
+      });
       const auto better = std::find_if(found.rivals.begin(), found.rivals.end(),
-                                       [&](const Rival& r) { return r.behind < -leadFor(found, r, oneCourse(r)); });
+                                       [&](const Rival& r) { return r.behind < -leadFor(found, r, oneCourse); });
       if (better != found.rivals.end() && look + 1 < kLooks) {
         take(best.at(better->cause)->fit);
         *std::find(search.order.begin(), search.order.end(), cause) = better->cause;

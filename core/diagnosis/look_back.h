@@ -23,10 +23,6 @@ bool enlarges(std::string_view cause);
 /// is named instead. In 98 recordings whose zero walked, none came to half of it.
 bool isMoreThanWalk(std::string_view cause, double gain, double walk);
 
-/// Whether the waves of a fitted walk are one course that all channels take, as those of six walks are not: then the
-/// zero drifts, however much more the walk explains of slow noise beside that.
-bool isOneCourse(const Model& model);
-
 /// Fills `search.found`; where something else is better, it takes a cause's place in `search.final`. Whether anything
 /// did.
 bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,

@@ -5,6 +5,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
+#include "core/diagnosis/wandering.h"
 
 namespace heft::diagnosis {
 
@@ -39,14 +40,13 @@ const Trial* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>
                               const Trial& walk, std::vector<Trial>& all) {
   if (!isOneCourse(walk.fit.model)) return nullptr;
   const double least = kOfOneCourse * walk.gain;
-  const Trial* best = nullptr;
-  for (Trial& trial : all) {
-    if (trial.cause != "bias_drift" || std::max(trial.gain, trial.promised) < least) continue;
-    trial.fit = settled(signals, stretches, std::move(trial.fit));
-    weigh(trial, base, signals);
-    if (trial.gain > least && (best == nullptr || trial.gain > best->gain)) best = &trial;
-  }
-  return best;
+  std::vector<Trial*> drifts;
+  for (Trial& trial : all)
+    if (trial.cause == "bias_drift" && std::max(trial.gain, trial.promised) >= least) drifts.push_back(&trial);
+  if (drifts.empty()) return nullptr;
+  settleAll(signals, stretches, base, drifts);
+  const Trial* best = *std::ranges::max_element(drifts, {}, &Trial::gain);
+  return best->gain > least ? best : nullptr;
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     addAtThatMoment(signals, stretches, out.final, ranked, latest.all);
     addCompletions(signals, stretches, out.final, latest.all);
     addSiblings(signals, stretches, out.final, siblings, latest.all);
-    const std::vector<Trial>& all = latest.all;
+    const auto& all = latest.all;
     const auto enough = [&](const Trial& trial) {
       const double explained = out.final.evidence - out.null.evidence;
       return trial.gain >= options.threshold + neededBeside(out.final.model, explained, wanders, trial);

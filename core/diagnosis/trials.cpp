@@ -159,6 +159,14 @@ void weigh(Trial& trial, const Fit& base, const Signals& signals) {
   trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
 }
 
+void settleAll(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+               std::span<Trial* const> which) {
+  onTwoThreads(which.size(), [&](std::size_t i) {
+    which[i]->fit = settled(signals, stretches, std::move(which[i]->fit));
+    weigh(*which[i], base, signals);
+  });
+}
+
 void sortByGain(std::vector<Trial>& all) {
   std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) { return a.gain > b.gain; });
 }

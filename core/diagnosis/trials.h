@@ -38,6 +38,10 @@ struct Tried {
 /// What the trial's fit adds to `base`, for its price.
 void weigh(Trial& trial, const Fit& base, const Signals& signals);
 
+/// Settles the fits of trials around `base` and weighs them anew.
+void settleAll(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+               std::span<Trial* const> which);
+
 /// Better first; forms of one cause keep their order among themselves.
 void sortByGain(std::vector<Trial>& all);
 

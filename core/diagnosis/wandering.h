@@ -13,4 +13,8 @@ bool jumpStandsOut(const Signals& signals, const std::vector<Stretch>& stretches
 /// look like nothing.
 double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
+/// Whether the waves of a fitted walk are one course that all channels take, as those of six walks are not: then the
+/// zero drifts, however much more the walk explains of slow noise beside that.
+bool isOneCourse(const Model& model);
+
 }  // namespace heft::diagnosis

@@ -8,7 +8,6 @@
 #include <memory>
 #include <numbers>
 
-#include "core/diagnosis/look_back.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 
