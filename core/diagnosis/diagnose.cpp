@@ -158,7 +158,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
-  const auto searchedOn = [&](std::size_t i, double threshold, const std::function<bool(const Work&)>& givesUp = {}) {
+  const auto searchedOn = [&](std::size_t i, double threshold, const GivesUp& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
@@ -182,9 +182,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     return betterBy([&](const Way& way) { return evidenceAt(way, work); });
   };
   const bool smooth = at > 0;
-  auto found = searchedOn(at, kThreshold, [&](const Work& work) {
-    return smooth ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); })
-                  : betterElsewhere(work);
+  auto found = searchedOn(at, kThreshold, [&](const Work& work, SoFar soFar) {
+    return smooth && soFar == SoFar::firstCause
+               ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); })
+               : betterElsewhere(work);
   });
   if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
   if (!found) return found.error();
@@ -317,7 +318,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
           estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))
     return *error;
   out.model = final.model;
-  out.smallest = smallestVisible(work, out.causes, out.threshold);
+  out.smallest = smallestVisible(work, out.causes, std::max(kNamed, out.threshold));
   out.series.time.resize(work.signals.blocks());
   for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) out.series.time(n) = work.signals.blockTime(n);
   out.series.measured = work.signals.measured;

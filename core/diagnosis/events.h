@@ -26,8 +26,4 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 /// The candidates' stretches (blocks) that the fit really needs to leave out.
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates);
 
-/// What the fit leaves in the contacts goes with, where each can be told from the others by how the tool moves, as no
-/// push can; empty otherwise. Not translated.
-std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
-
 }  // namespace heft::diagnosis

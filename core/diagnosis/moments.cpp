@@ -7,7 +7,7 @@
 
 namespace heft::diagnosis {
 
-std::vector<double> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
   constexpr double kLeap = 30.0;     // Squared deviations in six channels
   constexpr double kMeanOver = 0.2;  // [s] before and after
   const auto length =
@@ -37,8 +37,8 @@ std::vector<double> leapsIn(const Signals& signals, const std::vector<Stretch>& 
     for (std::size_t j = i + 1; highest && j < size.size() && near(j); ++j) highest = size[j] <= size[i];
     if (highest) peaks.push_back(i);
   }
-  std::vector<double> out;
-  for (const std::size_t i : peaks) out.push_back(signals.blockTime(at[i]) - 0.5 / signals.blockRate());
+  std::vector<Leap> out;
+  for (const std::size_t i : peaks) out.push_back({signals.blockTime(at[i]) - 0.5 / signals.blockRate(), size[i]});
   return out;
 }
 

@@ -4,7 +4,13 @@
 
 namespace heft::diagnosis {
 
-/// Moments [s] at which the residual leaps further than it does elsewhere, in time.
-std::vector<double> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
+/// A moment at which the residual leaps further than it does elsewhere.
+struct Leap {
+  double time = 0.0;  ///< [s]
+  double size = 0.0;  ///< Squared deviations of what it does elsewhere, all six channels
+};
+
+/// In the order of time.
+std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 }  // namespace heft::diagnosis

@@ -168,7 +168,7 @@ std::string toText(const DiagnosisReport& report) {
                          cause.gain.forceBefore, cause.gain.forceAfter, cause.gain.torqueBefore, cause.gain.torqueAfter,
                          cause.gain.blocksBetter, cause.gain.blocks);
     if (!cause.direct && report.surrogates > 0)
-      out += fmt::format("   Evidence {:.0f}; on {} simulated clean recordings never above {:.1f} in 95 %\n",
+      out += fmt::format("   Evidence {:.0f}; 95 % of {} simulated clean recordings stay below {:.1f}\n",
                          cause.deltaBic, report.surrogates, report.threshold);
     if (!cause.alternatives.empty())
       out += fmt::format("   This motion cannot tell it from: {}\n   To tell them apart: {}\n",

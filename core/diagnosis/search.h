@@ -11,8 +11,12 @@
 
 namespace heft::diagnosis {
 
-/// Gain of evidence (difference of BIC) that a cause needs at least.
+/// Gain of evidence (difference of BIC) that a cause needs at least to be part of the model.
 constexpr double kThreshold = 10.0;
+
+/// The same for one that is named. In 1400 recordings of four simulators that are not Heft's, the name was wrong each
+/// of the nine times that it was less; right ones began at 23.
+constexpr double kNamed = 20.0;
 
 /// Evidence within which two causes are equal.
 constexpr double kTie = 10.0;
@@ -56,7 +60,7 @@ struct Search {
   std::vector<std::string> order;  ///< Causes in `final`, in the order of acceptance
   Tried accepted;                  ///< The trials that the last of them was chosen from
   std::vector<Found> found;        ///< By cause, in that order, once lookBack() has compared them
-  bool givenUp = false;            ///< `final` has the first cause and nothing was compared
+  bool givenUp = false;            ///< `final` is as far as it came, and nothing was compared
 };
 
 /// Terms of `cause` are one cause: `without` takes them all out.

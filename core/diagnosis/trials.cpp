@@ -120,7 +120,7 @@ void addAtLeaps(const Signals& signals, const std::vector<Stretch>& stretches, c
   std::vector<Signature> more(kinds.size() * leaps.size());
   const Surroundings surroundings(signals, base.model);
   onTwoThreads(more.size(), [&](std::size_t i) {
-    more[i] = signatureAt(leaps[i % leaps.size()], *kinds[i / leaps.size()], surroundings);
+    more[i] = signatureAt(leaps[i % leaps.size()].time, *kinds[i / leaps.size()], surroundings);
   });
   std::ranges::move(more, std::back_inserter(signatures));
 }

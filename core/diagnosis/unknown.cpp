@@ -28,17 +28,20 @@ constexpr double kBeyondCourse = 30.0;  ///< The same for a drift of any course:
 /// none.
 void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
   constexpr std::size_t kFewestLeaps = 6;  ///< Of 30 clean recordings one had four, the others two at most
+  constexpr std::ptrdiff_t kFewestFar = 2;
+  constexpr double kFar = 80.0;  ///< Leap::size; of 180 clean recordings six had one of 30 to 38, the others none
   const Fit& final = work.search.final;
   const bool wanders = walks(final.model);
   const Fit steady = wanders ? fitModel(work.signals, work.stretches, without(final.model, kWandering)) : final;
   const Wrenches residual = evenWrench(steady.residual, steady.noise);
   bool hides = false;
-  if (const auto leaps = leapsIn(work.signals, work.stretches, residual);
-      leaps.size() >= kFewestLeaps && out.remaining.gain <= kUnexplained) {
+  const auto leaps = leapsIn(work.signals, work.stretches, residual);
+  const auto far = std::ranges::count_if(leaps, [](const Leap& leap) { return leap.size > kFar; });
+  if (out.remaining.gain <= kUnexplained && (leaps.size() >= kFewestLeaps || far >= kFewestFar)) {
     out.findings.push_back({Severity::warning,
                             "switches",
                             heft::say("Something on the tool changes at once {} times, first at {:.1f} s.",
-                                      std::ssize(leaps), leaps.front()),
+                                      std::ssize(leaps), leaps.front().time),
                             heft::say("Look at what switches there: a gripper, a valve, a part that slides."),
                             {}});
     out.remaining.goesWith = heft::toSay("sudden changes");

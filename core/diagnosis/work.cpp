@@ -7,6 +7,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
+#include "core/diagnosis/touch_laws.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/estimation/prepare.h"
 #include "core/segmentation/user_marks.h"
@@ -320,8 +321,7 @@ namespace {
 
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
 Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes,
-                const DiagnoseOptions& options, double threshold, const Progress& progress,
-                const std::function<bool(const Work&)>& givesUp) {
+                const DiagnoseOptions& options, double threshold, const Progress& progress, const GivesUp& givesUp) {
   Work work;
   work.mistake = mistake;
   work.signals = mistake ? corrected(recorded, *mistake) : recorded;
@@ -332,12 +332,18 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   if (givesUp)
     searching.givesUp = [&](const Fit& first) {
       work.search.final = first;
-      return givesUp(work);
+      return givesUp(work, SoFar::firstCause);
     };
+  // Nothing that takes longer is done on a motion that turns out to be smoothed the wrong way.
+  const auto isGivenUp = [&] {
+    if (!work.search.givenUp && givesUp && work.search.final.model.terms.size() > 1)
+      work.search.givenUp = givesUp(work, SoFar::allCauses);
+    return work.search.givenUp;
+  };
   work.bank = SignatureBank(signals, options.hidden);
   if (holes.empty()) {
     work.search = search(signals, work.stretches, work.bank, searching, progress);
-    if (work.search.givenUp) return work;
+    if (isGivenUp()) return work;
     lookBack(signals, work.stretches, work.bank, searching, work.search, progress);
     setTouchesAside(work);
     setKnocksAside(work);
@@ -353,7 +359,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     leaveOut(signals, holes);
     work.stretches = stretchesOf(signals.usable);
     work.search = search(signals, work.stretches, work.bank, searching, progress);
-    if (work.search.givenUp) return work;
+    if (round == 0 ? isGivenUp() : work.search.givenUp) return work;
     searching.givesUp = {};
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty()) {
@@ -415,7 +421,7 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
 }
 
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
-                    const std::function<bool(const Work&)>& givesUp) {
+                    const GivesUp& givesUp) {
   constexpr double kClearly = 30.0;  ///< Evidence without a mistake over that with it
   const double judged = blocksIn(stretchesOf(way.signals.usable));
   if (judged < 100.0)

@@ -53,10 +53,14 @@ struct Work {
   Search search;
 };
 
-/// Contact on `way` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted; where it
-/// says so, the search ends there (Search::givenUp).
+/// Whether a search ends where it is (Search::givenUp).
+enum class SoFar { firstCause, allCauses };
+using GivesUp = std::function<bool(const Work& work, SoFar soFar)>;
+
+/// Contact on `way` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted, and once
+/// with all of them, before anything is compared.
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
-                    const std::function<bool(const Work&)>& givesUp = {});
+                    const GivesUp& givesUp = {});
 
 /// Evidence of the work's final model when the motion is smoothed another way, less that with its own; next to nothing
 /// where it is not believable there.

@@ -6746,6 +6746,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Something, such as a hand at the tool, turns it on with {} N m.</source>
         <translation>Etwas, etwa eine Hand am Werkzeug, dreht es mit {} N m weiter.</translation>
     </message>
+    <message>
+        <source>the load&apos;s size, on the forces alone</source>
+        <translation>der Größe der Last, bei den Kräften allein</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -73,9 +73,10 @@ class Oscillator : public Cause {
     Vector3d seat = Vector3d::Zero();
     if (mass > kLeast && moment.norm() < kFarthest * mass) seat = moment / mass;
     const Vector3d way = form.choice[0] < 3 ? directionOf(form, v) : Vector3d(Vector3d::Zero());
+    const double moves = form.choice.size() > 1 ? 0.0 : mass;  // What its way from its seat weighs
     swing(kin, seat, way, v(4), v(5), signals.rateHz, [&](Eigen::Index k, const Swing& at) {
       w.col(k).head<3>() += mass * at.extra;
-      w.col(k).tail<3>() += moment.cross(at.extra) + mass * at.place.cross(Vector3d(at.pull + at.extra));
+      w.col(k).tail<3>() += moment.cross(at.extra) + moves * at.place.cross(Vector3d(at.pull + at.extra));
     });
   }
 
@@ -94,7 +95,7 @@ class Oscillator : public Cause {
   }
 
   static constexpr double kMostDamped = 0.35;
-  static constexpr int kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, 3 all ways, this without swinging
+  static constexpr int kAllWays = 3, kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, kRolls: no swinging
 
   static std::vector<Parameter> parameters(double lowest, double highest) {
     return {{"mass", "g", kMilli, 0.03, 0.0, 5.0},
@@ -109,7 +110,7 @@ class Oscillator : public Cause {
   std::vector<Form> at(std::initializer_list<double> frequencies, double lowest, double highest) const {
     std::vector<Form> out;
     for (const double frequency : frequencies)
-      for (const int axis : {3, 0, 1, 2}) {
+      for (const int axis : {kAllWays, 0, 1, 2}) {
         constexpr std::array<const char*, 4> kAxis{" along x", " along y", " along z", ""};
         std::vector<Parameter> all = parameters(lowest, highest);
         // How much of the next axis, and of the one after that, there is for one of this.
@@ -153,6 +154,7 @@ class LooseMass final : public Oscillator {
         form.choice = {kRolls};
         out.push_back(std::move(form));
       }
+    out.push_back(inPlace(out.front()));
     // It swung already when the recording began: in the other forms it starts in balance.
     for (const double frequency : {1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5}) {
       std::vector<Parameter> own;
@@ -170,6 +172,10 @@ class LooseMass final : public Oscillator {
       out.push_back(std::move(form));
     }
     return out;
+  }
+  std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v, const Signals&) const override {
+    if (form.choice != std::vector<int>{kAllWays}) return {};
+    return {{inPlace(form), v}};
   }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
@@ -204,6 +210,16 @@ class LooseMass final : public Oscillator {
 
  private:
   static constexpr int kFromStart = 5;  ///< form.choice
+
+  /// Of what goes to and fro without taking its weight along, such as a part of two halves that swing against each
+  /// other; begins where `allWays` was found.
+  static Form inPlace(const Form& allWays) {
+    Form form = allWays;
+    form.name = "its weight stays in place";
+    form.choice = {kAllWays, 1};
+    form.later = true;
+    return form;
+  }
 };
 
 class FlexibleMount final : public Oscillator {

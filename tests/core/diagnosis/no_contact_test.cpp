@@ -487,6 +487,32 @@ TEST(NoContact, WhatRingsAgainAndAgainIsUnknown) {
   EXPECT_TRUE(report.causes.empty()) << said(report);
 }
 
+/// An amplifier changes its range where the load is large, and gives 5 % more force there: no touch pushes through the
+/// middle of the sensor again and again, whichever way.
+TEST(NoContact, ForcesThatTurnNothingAreUnknown) {
+  Recording recording = aRecording(MotionKind::excitation, 326);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (const double at : {1.6, 3.9, 6.3, 8.8, 10.2})
+      if (recording.time(i) > at && recording.time(i) < at + 0.6) recording.wrench.row(i).head<3>() *= 1.05;
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "the load's size, on the forces alone") << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// Doors slam, and the air pushes at the sealed sensor for a second each time: no noise leaps as far, and that often.
+TEST(NoContact, AFewLargeLeapsAreUnknown) {
+  Recording recording = aRecording(MotionKind::free, 328);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (const auto& [at, size] : {std::pair{2.2, 0.6}, {3.6, -0.6}, {6.3, 0.6}, {8.1, 0.6}})
+      if (recording.time(i) > at) recording.wrench(i, 2) += size * std::exp((at - recording.time(i)) / 0.7);
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "sudden changes") << said(report);
+  EXPECT_TRUE(finds(report, "switches")) << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+}
+
 /// A hand rests on the tool for two seconds, lightly: it was a pull that begins, and a zero that jumps when it ends.
 TEST(NoContact, AHandThatRestsOnTheToolIsATouch) {
   Recording recording = aRecording(MotionKind::free, 323);
