@@ -8,7 +8,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
-#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/html_report.h"
 #include "core/diagnosis/words.h"
 #include "core/recording/meta_file.h"
 
@@ -69,7 +69,11 @@ void run(const Options& options) {
   }
   line.clear();
   if (!options.json.empty()) writeOutput(options.json, fileText(toJson(report)), overwriteResult);
-  if (!options.report.empty()) writeOutput(options.report, toHtml(report), {options.force, {}});
+  if (!options.report.empty()) {
+    const auto witnesses = diagnosis::witnesses(input.recording, input.model());
+    writeOutput(options.report, toHtml(report, witnesses ? *witnesses : std::vector<diagnosis::Witness>{}),
+                {options.force, {}});
+  }
   if (!options.result.empty()) writeOutput(options.result, fileText(toJson(report.after)), overwriteEstimate);
   if (!options.correctedMeta.empty()) {
     const nlohmann::json changes = report.metaChanges();

@@ -19,6 +19,7 @@ namespace {
 bool ownErrors(const Work& work, const Found& found) {
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
+  if (std::ranges::find(work.madeByMotion, found.cause) != work.madeByMotion.end()) return true;
   if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(work.signals)) return true;
   double over = 0.0;
   bool swings = false;

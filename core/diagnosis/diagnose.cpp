@@ -11,6 +11,7 @@
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/held_rows.h"
+#include "core/diagnosis/made_by_motion.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"
@@ -101,6 +102,10 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   return out;
 }
 
+bool wasHeld(const Readings& readings) {
+  return std::ranges::any_of(readings.directs, [](const Direct& direct) { return direct.cause == "dropouts"; });
+}
+
 /// A search, and the chance of finding something where nothing is.
 struct Searched {
   Work work;
@@ -136,7 +141,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.back().putRight = readings.mistake.has_value();
   }
   lookForContact(ways.front(), readings.cleaned, options);
-  weighSharpMotion(ways);
+  weighSharpMotion(ways, wasHeld(readings));
   std::size_t at = 0;
   // The way that leaves most of the motion among those that are next to best.
   const auto leastSmoothed = [&](const std::vector<double>& evidence) {
@@ -209,6 +214,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
   out.work = std::move(*found);
+  out.work.madeByMotion = madeByMotion(out.work, ways, at);
   return out;
 }
 
@@ -281,9 +287,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.surrogates = static_cast<int>(found->chance.best.size());
 
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
-  const bool held =
-      std::ranges::any_of(readings->directs, [](const Direct& direct) { return direct.cause == "dropouts"; });
-  Confirmed fitted = confirmed(work, found->chance, held);
+  Confirmed fitted = confirmed(work, found->chance, wasHeld(*readings));
   const Fit& final = work.search.final;
   out.remaining = fitted.remaining;
   out.baseline = rmsOf(work.stretches, work.search.null.residual);

@@ -110,8 +110,10 @@ Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const diagnosis::Model
 /// The contract's heft.diagnose/1.
 nlohmann::json toJson(const DiagnosisReport& report);
 std::string toText(const DiagnosisReport& report);
-/// A page on its own, with plots, for a browser.
-std::string toHtml(const DiagnosisReport& report);
+
+/// By how many standard deviations, as before, the mass and the centre of mass (x, y, z) change where the causes are
+/// taken out; 0 where a deviation is unknown.
+Eigen::Vector4d payloadShift(const DiagnosisReport& report);
 
 /// The extended model as it stands in toJson(report)["model"].
 nlohmann::json modelToJson(const diagnosis::Model& model);

@@ -1,4 +1,5 @@
-// The diagnosis as a page on its own: inline SVG, no scripts, nothing fetched.
+#include "core/diagnosis/html_report.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,120 +7,139 @@
 #include <cmath>
 
 #include "core/base/markup.h"
-#include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/signals.h"
+#include "core/diagnosis/html_plot.h"
 #include "core/diagnosis/words.h"
 
 namespace heft {
 
 namespace {
 
-struct Curve {
-  const char* colour;
-  const char* name;
-  VectorXd y;
-  double width;
+constexpr const char *kMeasured = "#1f6fb2", *kBefore = "#d1812a", *kAfter = "#2a8a4a";
+constexpr std::array<const char*, 6> kChannels{"Force x", "Force y", "Force z", "Torque x", "Torque y", "Torque z"};
+
+const char* unitOf(Eigen::Index channel) { return channel < 3 ? "N" : "N m"; }
+
+/// What the plain and the extended model leave; NaN where it is not judged.
+struct Left {
+  diagnosis::Wrenches before, after;
 };
 
-constexpr double kWidth = 860, kHeight = 190, kLeft = 62, kBottom = 30, kTop = 12, kRight = 12;
-
-/// Round steps for an axis.
-double stepFor(double span) {
-  const double raw = span / 4.0, power = std::pow(10.0, std::floor(std::log10(std::max(1e-12, raw))));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= raw) return factor * power;
-  return 10.0 * power;
-}
-
-std::string plot(const std::string& title, const std::string& unit, const VectorXd& x, const std::string& xTitle,
-                 const std::vector<Curve>& curves, bool logarithmic) {
-  double low = 1e300, high = -1e300;
-  const auto value = [&](double y) { return logarithmic ? std::log10(std::max(1e-12, y)) : y; };
-  for (const auto& curve : curves)
-    for (Eigen::Index i = 0; i < curve.y.size(); ++i)
-      if (std::isfinite(curve.y(i))) {
-        low = std::min(low, value(curve.y(i)));
-        high = std::max(high, value(curve.y(i)));
-      }
-  if (!(high > low)) high = low + 1.0;
-  const double pad = 0.05 * (high - low), x0 = x(0), x1 = x(x.size() - 1);
-  low -= pad;
-  high += pad;
-  const auto px = [&](double at) { return kLeft + (at - x0) / std::max(1e-12, x1 - x0) * (kWidth - kLeft - kRight); };
-  const auto py = [&](double at) { return kHeight - kBottom - (at - low) / (high - low) * (kHeight - kBottom - kTop); };
-  std::string out = fmt::format("<figure><figcaption>{} [{}]", escapedMarkup(title), escapedMarkup(unit));
-  for (const auto& curve : curves)
-    out += fmt::format(" <span style=\"color:{}\">&#9644; {}</span>", curve.colour, escapedMarkup(curve.name));
-  out += fmt::format("</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight,
-                     escapedMarkup(title));
-  const double yStep = logarithmic ? 1.0 : stepFor(high - low), xStep = stepFor(x1 - x0);
-  for (double y = std::ceil(low / yStep) * yStep; y <= high; y += yStep)
-    out += fmt::format(
-        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" class=\"g\"/><text x=\"{3}\" y=\"{4:.1f}\" "
-        "text-anchor=\"end\">{5:.4g}</text>",
-        kLeft, kWidth - kRight, py(y), kLeft - 6, py(y) + 4,
-        logarithmic ? std::pow(10.0, y) : (std::abs(y) < 1e-9 ? 0.0 : y));
-  for (double at = std::ceil(x0 / xStep) * xStep; at <= x1; at += xStep)
-    out += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>", px(at), kHeight - 12, at);
-  out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 1,
-                     escapedMarkup(xTitle));
-  for (const auto& curve : curves) {
-    // Two points a pixel are enough: the smallest and the largest of what falls into it.
-    const auto columns = static_cast<Eigen::Index>(kWidth);
-    const Eigen::Index stride = std::max<Eigen::Index>(1, curve.y.size() / columns);
-    std::string path;
-    for (Eigen::Index i = 0; i < curve.y.size(); i += stride) {
-      const Eigen::Index n = std::min(stride, curve.y.size() - i);
-      const auto part = curve.y.segment(i, n);
-      if (!part.allFinite()) {
-        path += path.empty() || path.back() == 'M' ? "" : " M";
-        continue;
-      }
-      for (const double y : n > 1 ? std::array{part.minCoeff(), part.maxCoeff()} : std::array{part(0), part(0)})
-        path += fmt::format("{}{:.1f},{:.1f}",
-                            path.empty()         ? "M"
-                            : path.back() == 'M' ? ""
-                                                 : " ",
-                            px(x(i)), py(value(y)));
-    }
-    if (!path.empty() && path.back() == 'M') path.pop_back();
-    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>", path, curve.colour,
-                       curve.width);
-  }
-  return out + "</svg></figure>\n";
-}
-
-VectorXd normOf(const diagnosis::Wrenches& w, bool torque, const std::vector<bool>& judged) {
-  VectorXd out(w.cols());
-  for (Eigen::Index n = 0; n < w.cols(); ++n)
-    out(n) = judged[static_cast<std::size_t>(n)] ? (torque ? w.col(n).tail<3>() : w.col(n).head<3>()).norm()
-                                                 : std::numeric_limits<double>::quiet_NaN();
+Left leftOf(const DiagnosisSeries& s) {
+  Left out{s.measured - s.before, s.measured - s.after};
+  for (Eigen::Index n = 0; n < s.time.size(); ++n)
+    if (!s.judged[static_cast<std::size_t>(n)])
+      for (auto* of : {&out.before, &out.after}) of->col(n).setConstant(std::numeric_limits<double>::quiet_NaN());
   return out;
 }
 
-/// Amplitude of the difference by frequency, root of the mean over channels, smoothed over a twentieth of a decade.
-void spectrumOf(const diagnosis::Wrenches& w, const std::vector<bool>& judged, double rate, VectorXd& frequency,
-                VectorXd& amplitude) {
-  std::vector<double> f, a;
-  double count = 0.0;
-  for (const bool j : judged) count += j ? 1.0 : 0.0;
-  for (double at = 0.1; at < 0.5 * rate; at *= 1.035) {
-    double sum = 0.0;
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      double re = 0.0, im = 0.0;
-      for (Eigen::Index n = 0; n < w.cols(); ++n) {
-        if (!judged[static_cast<std::size_t>(n)]) continue;
-        const double phase = 2.0 * 3.14159265358979323846 * at * static_cast<double>(n) / rate;
-        re += w(c, n) * std::cos(phase);
-        im += w(c, n) * std::sin(phase);
-      }
-      sum += re * re + im * im;
-    }
-    f.push_back(std::log10(at));
-    a.push_back(2.0 * std::sqrt(sum / 3.0) / std::max(1.0, count));
+/// Each channel over time, the size of the difference, and its spectrum.
+std::string differences(const DiagnosisSeries& s, const Left& left) {
+  using html::plot;
+  std::string out = "<section><h2>Measured, simulated, difference</h2>\n";
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const VectorXd measured = s.measured.row(c).transpose();
+    out += plot({kChannels[static_cast<std::size_t>(c)], unitOf(c)}, {"time", "s"}, s.time,
+                {{kMeasured, "measured", measured, 1.0},
+                 {kBefore, "plain model", measured - left.before.row(c).transpose(), 1.2},
+                 {kAfter, "extended model", measured - left.after.row(c).transpose(), 1.2}});
   }
-  frequency = Eigen::Map<VectorXd>(f.data(), static_cast<Eigen::Index>(f.size()));
-  amplitude = Eigen::Map<VectorXd>(a.data(), static_cast<Eigen::Index>(a.size()));
+  for (const bool torque : {false, true}) {
+    const Eigen::Index first = torque ? 3 : 0;
+    out +=
+        plot({torque ? "Size of the torque difference, unseen" : "Size of the force difference, unseen", unitOf(first)},
+             {"time", "s"}, s.time,
+             {{kBefore, "plain model", left.before.middleRows<3>(first).colwise().norm().transpose(), 1.0},
+              {kAfter, "extended model", left.after.middleRows<3>(first).colwise().norm().transpose(), 1.0}});
+  }
+  for (const bool torque : {false, true}) {
+    const auto spectrum = diagnosis::spectrumOf(s, torque);
+    if (spectrum.frequency.size() == 0) continue;
+    out += plot({torque ? "Torque difference by frequency" : "Force difference by frequency",
+                 torque ? "N m/√Hz" : "N/√Hz", true},
+                {"frequency", "Hz", true}, spectrum.frequency,
+                {{kBefore, "plain model", spectrum.before, 1.2}, {kAfter, "extended model", spectrum.after, 1.2}});
+  }
+  return out + "</section>\n";
+}
+
+/// In which tenth of the recording how much of the difference lies, every channel in units of what is left in the end.
+std::string places(const DiagnosisSeries& s, const Left& left) {
+  constexpr Eigen::Index kParts = 10;
+  Vector6d usual = Vector6d::Constant(1e-24);
+  for (Eigen::Index n = 0; n < s.time.size(); ++n)
+    if (s.judged[static_cast<std::size_t>(n)]) usual += left.after.col(n).cwiseAbs2();
+  Eigen::Matrix<double, 2, kParts> energy = Eigen::Matrix<double, 2, kParts>::Zero();
+  const Eigen::Index blocks = s.time.size();
+  for (Eigen::Index n = 0; n < blocks; ++n) {
+    if (!s.judged[static_cast<std::size_t>(n)]) continue;
+    energy(0, n * kParts / blocks) += left.before.col(n).cwiseAbs2().cwiseQuotient(usual).sum();
+    energy(1, n * kParts / blocks) += left.after.col(n).cwiseAbs2().cwiseQuotient(usual).sum();
+  }
+  const double all = std::max(1e-300, energy.row(0).sum());
+  std::string out =
+      "<section><h2>Where the difference lies</h2><p>Shares of all that the plain model leaves, by its energy; every "
+      "channel counts in units of its noise.</p>\n<table><tr><th>from [s]</th>";
+  for (Eigen::Index part = 0; part < kParts; ++part)
+    out += fmt::format("<th>{:.1f}</th>", s.time((part * blocks + kParts - 1) / kParts));
+  for (const auto& [row, name] : {std::pair{0, "plain model"}, {1, "extended model"}}) {
+    out += fmt::format("</tr>\n<tr><th>{}</th>", name);
+    for (Eigen::Index part = 0; part < kParts; ++part)
+      out += fmt::format("<td style=\"background:rgba(209,129,42,{:.2f})\">{:.1f} %</td>",
+                         std::min(1.0, energy(row, part) / energy.maxCoeff()), 100.0 * energy(row, part) / all);
+  }
+  return out + "</tr></table></section>\n";
+}
+
+/// A witness in words, and along which axis it is.
+std::string wordsOf(const diagnosis::Witness& witness) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 9> kKinds{
+      {{"time", "time"},
+       {"gravity", "gravity's direction"},
+       {"gravity-rate", "how gravity's direction changes"},
+       {"position", "position"},
+       {"velocity", "velocity"},
+       {"velocity-sign", "sign of the velocity"},
+       {"acceleration", "acceleration"},
+       {"turning", "turning"},
+       {"load", "load"}}};
+  const auto underscore = witness.id.rfind('_');
+  const std::string_view kind = std::string_view(witness.id).substr(0, underscore);
+  const auto known = std::ranges::find(kKinds, kind, &std::pair<std::string_view, const char*>::first);
+  const std::string name = known == kKinds.end() ? witness.id : known->second;
+  return underscore == std::string::npos ? name : fmt::format("{}, {}", name, witness.id.substr(underscore + 1));
+}
+
+/// How far the difference goes with what the robot did: correlations, and the closest of them as points.
+std::string companions(const DiagnosisSeries& s, const Left& left, std::span<const diagnosis::Witness> witnesses) {
+  std::string out =
+      "<section><h2>What the difference goes with</h2><p>Correlation with each channel, plain model &rarr; extended "
+      "model; 1 or -1: wholly, 0: not at all.</p>\n<table><tr><th></th>";
+  for (const char* channel : kChannels) out += fmt::format("<th>{}</th>", channel);
+  out += "</tr>\n";
+  const diagnosis::Witness* closest = nullptr;
+  Eigen::Index where = 0;
+  double most = 0.0;
+  for (const auto& witness : witnesses) {
+    out += fmt::format("<tr><th>{}</th>", escapedMarkup(wordsOf(witness)));
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double was = diagnosis::correlation(s, witness.value, left.before.row(c).transpose()),
+                   is = diagnosis::correlation(s, witness.value, left.after.row(c).transpose());
+      out += fmt::format("<td style=\"background:rgba(209,129,42,{:.2f})\">{:.2f} &rarr; {:.2f}</td>",
+                         0.8 * std::abs(was), was, is);
+      if (std::abs(was) <= most) continue;
+      most = std::abs(was);
+      closest = &witness;
+      where = c;
+    }
+    out += "</tr>\n";
+  }
+  out += "</table>\n";
+  if (closest != nullptr && closest->value.size() == s.time.size())
+    out += html::scatter({fmt::format("Difference, {}", kChannels[static_cast<std::size_t>(where)]), unitOf(where)},
+                         {wordsOf(*closest), closest->unit}, closest->value,
+                         {{kBefore, "plain model", left.before.row(where).transpose()},
+                          {kAfter, "extended model", left.after.row(where).transpose()}});
+  return out + "</section>\n";
 }
 
 const char* headingOf(Verdict verdict) {
@@ -148,7 +168,7 @@ std::string payloadRow(const char* name, const EstimateReport& report) {
 
 }  // namespace
 
-std::string toHtml(const DiagnosisReport& report) {
+std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Witness> witnesses) {
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Reality check: {0}</title>\n<style>"
       "body{{font:15px/1.45 system-ui,sans-serif;max-width:920px;margin:2em auto;padding:0 "
@@ -185,42 +205,19 @@ std::string toHtml(const DiagnosisReport& report) {
                          escapedMarkup(cause.tellApart));
     out += fmt::format("<p><strong>What to check:</strong> {}</p></section>\n", escapedMarkup(cause.check));
   }
-  const auto& s = report.series;
-  if (s.time.size() > 10) {
-    const auto nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr std::array<const char*, 6> kNames{"Force x", "Force y", "Force z", "Torque x", "Torque y", "Torque z"};
-    out += "<section><h2>Measured, simulated, difference</h2>\n";
-    for (Eigen::Index c = 0; c < 6; ++c) {
-      VectorXd before = s.before.row(c).transpose(), after = s.after.row(c).transpose();
-      for (Eigen::Index n = 0; n < before.size(); ++n)
-        if (!s.judged[static_cast<std::size_t>(n)]) before(n) = after(n) = nan;
-      out += plot(kNames[static_cast<std::size_t>(c)], c < 3 ? "N" : "N m", s.time, "time [s]",
-                  {{"#1f6fb2", "measured", s.measured.row(c).transpose(), 1.0},
-                   {"#d1812a", "plain model", before, 1.2},
-                   {"#2a8a4a", "extended model", after, 1.2}},
-                  false);
-    }
-    const diagnosis::Wrenches was = s.measured - s.before, is = s.measured - s.after;
-    out += plot("Size of the force difference, unseen", "N", s.time, "time [s]",
-                {{"#d1812a", "plain model", normOf(was, false, s.judged), 1.0},
-                 {"#2a8a4a", "extended model", normOf(is, false, s.judged), 1.0}},
-                false);
-    out += plot("Size of the torque difference, unseen", "N m", s.time, "time [s]",
-                {{"#d1812a", "plain model", normOf(was, true, s.judged), 1.0},
-                 {"#2a8a4a", "extended model", normOf(is, true, s.judged), 1.0}},
-                false);
-    VectorXd f, a, b;
-    const double rate = 1.0 / (s.time(1) - s.time(0));
-    spectrumOf(was, s.judged, rate, f, a);
-    spectrumOf(is, s.judged, rate, f, b);
-    out += plot("Force difference by frequency", "N", f, "log10 of the frequency in Hz",
-                {{"#d1812a", "plain model", a, 1.2}, {"#2a8a4a", "extended model", b, 1.2}}, true);
-    out += "</section>\n";
+  if (report.series.time.size() > 10) {
+    const Left left = leftOf(report.series);
+    out += differences(report.series, left) + places(report.series, left);
+    if (!witnesses.empty()) out += companions(report.series, left, witnesses);
   }
   out +=
       "<section><h2>Payload</h2><table><tr><th></th><th>mass [kg]</th><th>x [mm]</th><th>y [mm]</th><th>z [mm]</th>"
       "<th>Ixx [kg m²]</th><th>Iyy</th><th>Izz</th></tr>\n";
-  out += payloadRow("before", report.before) + payloadRow("after", report.after) + "</table></section>\n";
+  out += payloadRow("before", report.before) + payloadRow("after", report.after) + "</table>";
+  if (const auto moved = payloadShift(report); moved.maxCoeff() > 0.0)
+    out += fmt::format("<p>In standard deviations before: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}.</p>",
+                       moved(0), moved(1), moved(2), moved(3));
+  out += "</section>\n";
   if (!report.smallest.empty()) {
     out += "<section><h2>Could not have been seen with this motion</h2><table>";
     for (const auto& small : report.smallest)

@@ -118,6 +118,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
     if (!finding.remedy.empty()) f["remedy"] = finding.remedy;
     findings.push_back(f);
   }
+  const Eigen::Vector4d moved = payloadShift(report);
   json out = {{"schema", "heft.diagnose/1"},
               {"file", report.file},
               {"verdict", toString(report.verdict)},
@@ -136,6 +137,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
               {"surrogates", report.surrogates},
               {"payload_before", payloadJson(report.before)},
               {"payload_after", payloadJson(report.after)},
+              {"payload_shift_sigmas", {{"mass", moved(0)}, {"com", {moved(1), moved(2), moved(3)}}}},
               {"smallest_visible", smallest},
               {"meta_changes", report.metaChanges()},
               {"model", modelToJson(report.model)},
@@ -149,6 +151,13 @@ nlohmann::json toJson(const DiagnosisReport& report) {
                     {"torque_rms_before_nm", report.check->before.torque},
                     {"torque_rms_after_nm", report.check->after.torque}};
   return out;
+}
+
+Eigen::Vector4d payloadShift(const DiagnosisReport& report) {
+  const auto of = [](const Payload& p) { return Eigen::Vector4d(p.mass, p.com.x(), p.com.y(), p.com.z()); };
+  const Eigen::Vector4d moved = (of(report.after.payload) - of(report.before.payload)).cwiseAbs(),
+                        std = of(report.before.std);
+  return (std.array() > 0.0).select(moved.array() / std.array().max(1e-300), 0.0);
 }
 
 std::string toText(const DiagnosisReport& report) {
@@ -181,9 +190,13 @@ std::string toText(const DiagnosisReport& report) {
                            ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share)
                            : "something",
                        report.remaining.goesWith);
-  if (!report.causes.empty())
+  if (!report.causes.empty()) {
+    const Eigen::Vector4d moved = payloadShift(report);
     out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before),
                        payloadLine(report.after));
+    out += fmt::format("That is {:.1f} standard deviations of the mass, {:.1f} of the centre of mass.\n", moved(0),
+                       moved.tail<3>().maxCoeff());
+  }
   if (report.check)
     out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n", report.check->file,
                        report.check->before.force, report.check->after.force, report.check->before.torque,

@@ -1,6 +1,7 @@
 #include "core/diagnosis/sharp_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace heft::diagnosis {
@@ -17,16 +18,25 @@ Wrenches blurred(const Wrenches& of, Eigen::Index reach) {
   return out;
 }
 
+/// Whether it has another payload, so that the fit hung on a noise with a long memory: half of the weight is then told
+/// to be noise, and sharp motion to hardly matter.
+bool isAnother(const Fit& rested, const Fit& fit) {
+  constexpr double kShare = 0.2;
+  return std::abs(rested.model.x(6) - fit.model.x(6)) > kShare * std::abs(rested.model.x(6));
+}
+
 }  // namespace
 
-void weighSharpMotion(std::vector<Way>& ways) {
+void weighSharpMotion(std::vector<Way>& ways, bool held) {
   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
   constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   Signals& least = ways.front().signals;
   const auto stretches = untouched(least, ways.front());
   if (stretches.empty()) return;
-  const Fit fit = fitModel(least, stretches, Model{});
+  Fit fit = fitModel(least, stretches, Model{});
+  if (!held)
+    if (Fit rested = settled(least, stretches, fit); isAnother(rested, fit)) fit = std::move(rested);
   const Vector10d payload = fit.model.x.tail<10>();
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;

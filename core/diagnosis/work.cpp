@@ -438,15 +438,10 @@ Result<Work> worked(const Way& way, const DiagnoseOptions& options, double thres
   return believable(plain.search.final) && (perBlock(plain) - perBlock(work)) * judged > kClearly ? plain : work;
 }
 
-namespace {
-
-/// The way's signals as the work has them; nothing where its blocks are others.
 std::optional<Signals> asIn(const Work& work, const Way& way) {
   if (way.signals.blocks() != work.signals.blocks()) return std::nullopt;
   return work.mistake ? corrected(way.signals, *work.mistake) : way.signals;
 }
-
-}  // namespace
 
 double evidenceAt(const Way& other, const Work& work) {
   const auto signals = asIn(work, other);

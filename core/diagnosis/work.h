@@ -49,7 +49,8 @@ struct Work {
   std::vector<Contact> odd;  ///< Set aside like contact, but no push
   std::string oddGoesWith;   ///< Not translated
   std::optional<FrameMistake> mistake;
-  SignatureBank bank;  ///< Of `signals`
+  std::vector<std::string> madeByMotion;  ///< Causes found that are part of the model but nothing of the rig
+  SignatureBank bank;                     ///< Of `signals`
   Search search;
 };
 
@@ -61,6 +62,9 @@ using GivesUp = std::function<bool(const Work& work, SoFar soFar)>;
 /// with all of them, before anything is compared.
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const GivesUp& givesUp = {});
+
+/// The way's signals as the work has them; nothing where its blocks are others.
+std::optional<Signals> asIn(const Work& work, const Way& way);
 
 /// Evidence of the work's final model when the motion is smoothed another way, less that with its own; next to nothing
 /// where it is not believable there.

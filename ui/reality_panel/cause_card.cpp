@@ -269,19 +269,18 @@ StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& repo
 }
 
 ChangeText payloadChange(const DiagnosisReport& report) {
-  const Payload &a = report.before.payload, &b = report.after.payload, &s = report.before.std;
+  const Payload &a = report.before.payload, &b = report.after.payload;
+  const Eigen::Vector4d moved = payloadShift(report);
   ChangeText out;
-  const auto offer = [&](double from, double to, double std, const QString& before, const QString& after,
-                         const QString& text) {
+  const auto offer = [&](double sigmas, const QString& before, const QString& after, const QString& text) {
     if (before == after) return;  // Nothing that one could see.
-    const double sigmas = std > 0.0 ? std::abs(to - from) / std : 0.0;
     if (!out.text.isEmpty() && sigmas <= out.sigmas) return;
     out = {text.arg(before, after), sigmas};
   };
   const int digits = std::abs(a.mass - b.mass) < 0.01 ? 4 : std::abs(a.mass - b.mass) < 0.1 ? 3 : 2;
-  offer(a.mass, b.mass, s.mass, numberText(a.mass, digits), numberText(b.mass, digits), Say::tr("mass %1 → %2 kg"));
+  offer(moved(0), numberText(a.mass, digits), numberText(b.mass, digits), Say::tr("mass %1 → %2 kg"));
   for (int i = 0; i < 3; ++i)
-    offer(a.com(i), b.com(i), s.com(i), numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1),
+    offer(moved(1 + i), numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1),
           Say::tr("centre %1 %2 → %3 mm").arg(QChar('x' + i)));
   return out;
 }

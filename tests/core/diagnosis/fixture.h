@@ -35,6 +35,24 @@ inline DiagnosisReport diagnosed(const Recording& recording, std::vector<std::st
   return diagnose(recording, &RobotModel::panda(), options).value();
 }
 
+/// The same with a sensor that reads by `height` of each channel's range more on its way up than on its way down.
+inline Recording withLoop(const Recording& still, double height) {
+  Recording out = still;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const double reach = 0.5 * height * (still.wrench.col(c).maxCoeff() - still.wrench.col(c).minCoeff());
+    double bend = 0.0, last = still.wrench(0, c);
+    for (Eigen::Index i = 0; i < still.rows(); ++i) {
+      // What the gauges' noise does is no load.
+      const Eigen::Index from = std::max<Eigen::Index>(0, i - 20), to = std::min(still.rows(), i + 21);
+      const double load = still.wrench.col(c).segment(from, to - from).mean();
+      bend = std::clamp(bend + load - last, -reach, reach);
+      last = load;
+      out.wrench(i, c) += bend;
+    }
+  }
+  return out;
+}
+
 /// The motion's sample at a time [s].
 inline Eigen::Index sampleAt(const Motion& motion, double t) {
   return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround((t - motion.startTime) * motion.rateHz)), 0,

@@ -41,21 +41,8 @@ void addAtTip(Recording& recording, Eigen::Index row, const Vector3d& force, con
 /// A part inside the sensor bends with the load and slips early: a loop of 3 % of each channel's range. It looked like
 /// a delay.
 TEST(Diagnose, ALoopThatTurnsAtOnceIsHysteresis) {
-  const Recording still = aRecording(MotionKind::excitation, 261);
-  Recording recording = still;
   constexpr double kHeight = 0.03;
-  for (int c = 0; c < 6; ++c) {
-    const double reach = 0.5 * kHeight * (recording.wrench.col(c).maxCoeff() - recording.wrench.col(c).minCoeff());
-    double bend = 0.0, last = recording.wrench(0, c);
-    for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-      // What the gauges' noise does is no load.
-      const Eigen::Index from = std::max<Eigen::Index>(0, i - 20), to = std::min(recording.rows(), i + 21);
-      const double load = still.wrench.col(c).segment(from, to - from).mean();
-      bend = std::clamp(bend + load - last, -reach, reach);
-      last = load;
-      recording.wrench(i, c) += bend;
-    }
-  }
+  const Recording recording = withLoop(aRecording(MotionKind::excitation, 261), kHeight);
   const auto report = diagnosed(recording);
   ASSERT_FALSE(report.causes.empty()) << said(report);
   EXPECT_EQ(report.causes.front().id, "hysteresis") << said(report);

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/diagnosis/html_report.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -41,11 +42,29 @@ TEST(DiagnosisReport, HasTheContractsKeys) {
 
 TEST(DiagnosisReport, TextAndPageNameTheCause) {
   EXPECT_NE(toText(made().report).find("time_offset"), std::string::npos);
-  const std::string page = toHtml(made().report);
+  const auto witnesses = diagnosis::witnesses(made().recording, &RobotModel::panda()).value();
+  const std::string page = toHtml(made().report, witnesses);
   EXPECT_NE(page.find("<svg"), std::string::npos);
   EXPECT_NE(page.find("Readings late"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos) << "A page on its own fetches nothing.";
   EXPECT_EQ(page.find("nan"), std::string::npos);
+  for (const char* part : {"Force difference by frequency", "Torque difference by frequency",
+                           "Where the difference lies", "sign of the velocity, x", "<circle", "In standard deviations"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  EXPECT_EQ(toHtml(made().report, {}).find("<circle"), std::string::npos);
+}
+
+TEST(DiagnosisReport, SaysByHowMuchThePayloadMoves) {
+  DiagnosisReport report = made().report;
+  report.before.payload.mass = 1.0;
+  report.before.std.mass = 0.01;
+  report.after.payload.mass = 0.95;
+  report.before.std.com.y() = 0.0;
+  const Eigen::Vector4d moved = payloadShift(report);
+  EXPECT_NEAR(moved(0), 5.0, 1e-9);
+  EXPECT_EQ(moved(2), 0.0) << "Of a deviation that is unknown";
+  EXPECT_NEAR(toJson(report)["payload_shift_sigmas"]["mass"].get<double>(), 5.0, 1e-9);
+  EXPECT_NE(toText(report).find("5.0 standard deviations of the mass"), std::string::npos);
 }
 
 TEST(DiagnosisReport, ModelSurvivesItsFile) {
