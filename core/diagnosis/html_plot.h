@@ -7,26 +7,27 @@
 
 namespace heft::html {
 
-/// Room between what is drawn and the edge of the picture is for ticks; positions are in units of the picture.
+/// A line over the plot's x.
 struct Curve {
   const char* colour;
   const char* name;
-  VectorXd y;  ///< As long as the plot's x; NaN: a gap
+  VectorXd y;  ///< As long as x; NaN: a gap
   double width;
 };
 
 struct Axis {
-  std::string title, unit;
+  std::string title, unit;  ///< An empty unit is not shown
   bool logarithmic = false;
 };
 
 /// Curves over a rising x.
 std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Curve>& curves);
 
+/// Points over the cloud's x.
 struct Cloud {
   const char* colour;
   const char* name;
-  VectorXd y;  ///< As long as the cloud's x; NaN: no point
+  VectorXd y;  ///< As long as x; NaN: no point
 };
 
 /// Points; of many, some.

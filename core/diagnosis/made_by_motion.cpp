@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/diagnosis/look_back.h"
 #include "core/diagnosis/two_threads.h"
@@ -10,11 +11,12 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// Evidence for `cause` in the work's final model with the motion smoothed as on `way`.
+/// Evidence for `cause` in the work's final model with the motion smoothed as on `way`; infinite where its blocks are
+/// others, which tells nothing against the cause.
 double gainOn(const Way& way, const Work& work, std::string_view cause) {
   constexpr int kRounds = 6;
   const auto signals = asIn(work, way);
-  if (!signals) return -1e300;
+  if (!signals) return std::numeric_limits<double>::infinity();
   const Model& model = work.search.final.model;
   return fitModel(*signals, work.stretches, model, kRounds).evidence -
          fitModel(*signals, work.stretches, without(model, cause), kRounds).evidence;

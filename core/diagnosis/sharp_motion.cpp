@@ -35,8 +35,10 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   const auto stretches = untouched(least, ways.front());
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});
-  if (!held)
-    if (Fit rested = settled(least, stretches, fit); isAnother(rested, fit)) fit = std::move(rested);
+  if (!held) {
+    Fit rested = settled(least, stretches, fit);
+    if (isAnother(rested, fit)) fit = std::move(rested);
+  }
   const Vector10d payload = fit.model.x.tail<10>();
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;

@@ -54,7 +54,7 @@ struct Work {
   Search search;
 };
 
-/// Whether a search ends where it is (Search::givenUp).
+/// How far a search has come when it is asked whether it ends there (Search::givenUp).
 enum class SoFar { firstCause, allCauses };
 using GivesUp = std::function<bool(const Work& work, SoFar soFar)>;
 
