@@ -105,9 +105,9 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
     return median(all);
   };
   // Just above what smoothing keeps, the sensor still has a part of what it took from the motion: up to 15 times what
-  // is beside it in three clean recordings; what did shake there had 180 and more.
+  // is beside it in three clean recordings, 290 times in one whose angles were noisy.
   // Below, accelerations have the more of the angles' noise the faster it is: 11 times what is beside it in another.
-  constexpr double kBelow = 0.7, kCorner = 1.8, kLimitAtCorner = 40.0;
+  constexpr double kBelow = 0.7, kCorner = 1.8, kLimitAtCorner = 400.0;
   const auto atCorner = [&](Eigen::Index bin) {
     const double low = static_cast<double>(bin) + 0.5, high = low + 1.0;
     return signals.keptHz > 0.0 && high > kBelow * signals.keptHz && low < kCorner * signals.keptHz;
