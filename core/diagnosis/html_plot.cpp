@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/markup.h"
 
@@ -64,52 +65,61 @@ class Scale {
   double low_ = 1e300, high_ = -1e300;
 };
 
-double xOf(const Scale& x, double value) { return kLeft + x.at(value) * (kWidth - kLeft - kRight); }
-double yOf(const Scale& y, double value) { return kHeight - kBottom - y.at(value) * (kHeight - kBottom - kTop); }
-
 std::string withUnit(const Axis& axis) {
   return escapedMarkup(axis.unit.empty() ? axis.title : fmt::format("{} [{}]", axis.title, axis.unit));
 }
 
 /// Caption, grid and ticks; the picture is left open.
-template <class Drawn>
-std::string frame(const Axis& y, const Axis& x, const Scale& ys, const Scale& xs, const std::vector<Drawn>& drawn) {
-  std::string out = fmt::format("<figure><figcaption>{}", withUnit(y));
-  for (const auto& one : drawn)
-    out += fmt::format(" <span style=\"color:{}\">&#9644; {}</span>", one.colour, escapedMarkup(one.name));
-  out += fmt::format("</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight,
-                     escapedMarkup(y.title));
-  for (const auto& [value, at] : ys.ticks()) {
-    const double py = kHeight - kBottom - at * (kHeight - kBottom - kTop);
-    out += fmt::format(
-        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" class=\"g\"/><text x=\"{3}\" y=\"{4:.1f}\" "
-        "text-anchor=\"end\">{5:.4g}</text>",
-        kLeft, kWidth - kRight, py, kLeft - 6, py + 4, value);
+class Frame {
+ public:
+  /// `room`: at either end of x, a share.
+  Frame(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Series>& drawn, double room)
+      : x_(x.logarithmic), y_(y.logarithmic) {
+    x_.mustShow(at);
+    x_.widen(room);
+    for (const auto& one : drawn) y_.mustShow(one.y);
+    y_.widen(0.05);
+    svg = fmt::format("<figure><figcaption>{}", withUnit(y));
+    for (const auto& one : drawn)
+      svg += fmt::format(" <span style=\"color:{}\">&#9644; {}</span>", one.colour, escapedMarkup(one.name));
+    svg += fmt::format("</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", kWidth, kHeight,
+                       escapedMarkup(y.title));
+    for (const auto& [value, share] : y_.ticks())
+      svg += fmt::format(
+          "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" class=\"g\"/><text x=\"{3}\" y=\"{4:.1f}\" "
+          "text-anchor=\"end\">{5:.4g}</text>",
+          kLeft, kWidth - kRight, up(share), kLeft - 6, up(share) + 4, value);
+    for (const auto& [value, share] : x_.ticks())
+      svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>", across(share),
+                         kHeight - 12, value);
+    svg +=
+        fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 1, withUnit(x));
   }
-  for (const auto& [value, at] : xs.ticks())
-    out += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>",
-                       kLeft + at * (kWidth - kLeft - kRight), kHeight - 12, value);
-  return out + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 1,
-                           withUnit(x));
-}
+  double xOf(double value) const { return across(x_.at(value)); }
+  double yOf(double value) const { return up(y_.at(value)); }
+  std::string closed() && { return std::move(svg) + "</svg></figure>\n"; }
+
+  std::string svg;
+
+ private:
+  static double across(double share) { return kLeft + share * (kWidth - kLeft - kRight); }
+  static double up(double share) { return kHeight - kBottom - share * (kHeight - kBottom - kTop); }
+
+  Scale x_, y_;
+};
 
 }  // namespace
 
-std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Curve>& curves) {
-  Scale ys(y.logarithmic), xs(x.logarithmic);
-  xs.mustShow(at);
-  xs.widen(0.0);
-  for (const auto& curve : curves) ys.mustShow(curve.y);
-  ys.widen(0.05);
-  std::string out = frame(y, x, ys, xs, curves);
-  for (const auto& curve : curves) {
+std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Series>& lines) {
+  Frame frame(y, x, at, lines, 0.0);
+  for (const auto& line : lines) {
     // Two points a pixel are enough: the smallest and the largest of what falls into it.
     const auto columns = static_cast<Eigen::Index>(kWidth);
-    const Eigen::Index stride = std::max<Eigen::Index>(1, curve.y.size() / columns);
+    const Eigen::Index stride = std::max<Eigen::Index>(1, line.y.size() / columns);
     std::string path;
-    for (Eigen::Index i = 0; i < curve.y.size(); i += stride) {
-      const Eigen::Index n = std::min(stride, curve.y.size() - i);
-      const auto part = curve.y.segment(i, n);
+    for (Eigen::Index i = 0; i < line.y.size(); i += stride) {
+      const Eigen::Index n = std::min(stride, line.y.size() - i);
+      const auto part = line.y.segment(i, n);
       if (!part.allFinite()) {
         path += path.empty() || path.back() == 'M' ? "" : " M";
         continue;
@@ -119,32 +129,28 @@ std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::ve
                             path.empty()         ? "M"
                             : path.back() == 'M' ? ""
                                                  : " ",
-                            xOf(xs, at(i)), yOf(ys, value));
+                            frame.xOf(at(i)), frame.yOf(value));
     }
     if (!path.empty() && path.back() == 'M') path.pop_back();
-    out += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>", path, curve.colour,
-                       curve.width);
+    frame.svg +=
+        fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>", path, line.colour, line.width);
   }
-  return out + "</svg></figure>\n";
+  return std::move(frame).closed();
 }
 
-std::string scatter(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Cloud>& clouds) {
+std::string scatter(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Series>& clouds) {
   constexpr Eigen::Index kMost = 500;
-  Scale ys(y.logarithmic), xs(x.logarithmic);
-  xs.mustShow(at);
-  xs.widen(0.02);
-  for (const auto& cloud : clouds) ys.mustShow(cloud.y);
-  ys.widen(0.05);
-  std::string out = frame(y, x, ys, xs, clouds);
+  Frame frame(y, x, at, clouds, 0.02);
   const Eigen::Index stride = std::max<Eigen::Index>(1, at.size() / kMost);
   for (const auto& cloud : clouds) {
-    out += fmt::format("<g fill=\"{}\" fill-opacity=\"0.6\">", cloud.colour);
-    for (Eigen::Index i = 0; i < std::min(at.size(), cloud.y.size()); i += stride)
+    frame.svg += fmt::format("<g fill=\"{}\" fill-opacity=\"0.6\">", cloud.colour);
+    for (Eigen::Index i = 0; i < at.size(); i += stride)
       if (std::isfinite(at(i)) && std::isfinite(cloud.y(i)))
-        out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>", xOf(xs, at(i)), yOf(ys, cloud.y(i)));
-    out += "</g>";
+        frame.svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", frame.xOf(at(i)),
+                                 frame.yOf(cloud.y(i)), 0.5 * cloud.width);
+    frame.svg += "</g>";
   }
-  return out + "</svg></figure>\n";
+  return std::move(frame).closed();
 }
 
 }  // namespace heft::html

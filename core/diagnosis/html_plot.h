@@ -7,30 +7,23 @@
 
 namespace heft::html {
 
-/// A line over the plot's x.
-struct Curve {
-  const char* colour;
-  const char* name;
-  VectorXd y;  ///< As long as x; NaN: a gap
-  double width;
-};
-
 struct Axis {
   std::string title, unit;  ///< An empty unit is not shown
   bool logarithmic = false;
 };
 
-/// Curves over a rising x.
-std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Curve>& curves);
-
-/// Points over the cloud's x.
-struct Cloud {
+/// What is drawn over x, as a line or as points.
+struct Series {
   const char* colour;
   const char* name;
-  VectorXd y;  ///< As long as x; NaN: no point
+  VectorXd y;    ///< As long as x; NaN: a gap, or no point
+  double width;  ///< Of the line, or of a point
 };
 
+/// Lines over a rising x.
+std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Series>& lines);
+
 /// Points; of many, some.
-std::string scatter(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Cloud>& clouds);
+std::string scatter(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Series>& clouds);
 
 }  // namespace heft::html

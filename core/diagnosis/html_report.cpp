@@ -90,25 +90,6 @@ std::string places(const DiagnosisSeries& s, const Left& left) {
   return out + "</tr></table></section>\n";
 }
 
-/// A witness in words, and along which axis it is.
-std::string wordsOf(const diagnosis::Witness& witness) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 9> kKinds{
-      {{"time", "time"},
-       {"gravity", "gravity's direction"},
-       {"gravity-rate", "how gravity's direction changes"},
-       {"position", "position"},
-       {"velocity", "velocity"},
-       {"velocity-sign", "sign of the velocity"},
-       {"acceleration", "acceleration"},
-       {"turning", "turning"},
-       {"load", "load"}}};
-  const auto underscore = witness.id.rfind('_');
-  const std::string_view kind = std::string_view(witness.id).substr(0, underscore);
-  const auto known = std::ranges::find(kKinds, kind, &std::pair<std::string_view, const char*>::first);
-  const std::string name = known == kKinds.end() ? witness.id : known->second;
-  return underscore == std::string::npos ? name : fmt::format("{}, {}", name, witness.id.substr(underscore + 1));
-}
-
 /// How far the difference goes with what the robot did: correlations, and the closest of them as points.
 std::string companions(const DiagnosisSeries& s, const Left& left, std::span<const diagnosis::Witness> witnesses) {
   std::string out =
@@ -120,7 +101,7 @@ std::string companions(const DiagnosisSeries& s, const Left& left, std::span<con
   Eigen::Index where = 0;
   double most = 0.0;
   for (const auto& witness : witnesses) {
-    out += fmt::format("<tr><th>{}</th>", escapedMarkup(wordsOf(witness)));
+    out += fmt::format("<tr><th>{}</th>", escapedMarkup(diagnosis::witnessWords(witness.id)));
     for (Eigen::Index c = 0; c < 6; ++c) {
       const double was = diagnosis::correlation(s, witness.value, left.before.row(c).transpose()),
                    is = diagnosis::correlation(s, witness.value, left.after.row(c).transpose());
@@ -136,9 +117,9 @@ std::string companions(const DiagnosisSeries& s, const Left& left, std::span<con
   out += "</table>\n";
   if (closest != nullptr && closest->value.size() == s.time.size())
     out += html::scatter({fmt::format("Difference, {}", kChannels[static_cast<std::size_t>(where)]), unitOf(where)},
-                         {wordsOf(*closest), closest->unit}, closest->value,
-                         {{kBefore, "plain model", left.before.row(where).transpose()},
-                          {kAfter, "extended model", left.after.row(where).transpose()}});
+                         {diagnosis::witnessWords(closest->id), closest->unit}, closest->value,
+                         {{kBefore, "plain model", left.before.row(where).transpose(), 4.0},
+                          {kAfter, "extended model", left.after.row(where).transpose(), 4.0}});
   return out + "</section>\n";
 }
 

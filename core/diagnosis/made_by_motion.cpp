@@ -31,11 +31,9 @@ std::vector<std::string> madeByMotion(const Work& work, const std::vector<Way>& 
   if (at + kSmoothest >= ways.size()) return {};
   const auto goes = [&](const Found& found) {
     if (found.gain > kFaintest) return false;
-    std::array<double, kSmoothest + 1> gains{};
-    onTwoThreads(gains.size(), [&](std::size_t i) {
-      gains[i] = gainOn(i < kSmoothest ? ways[ways.size() - 1 - i] : ways[at], work, found.cause);
-    });
-    return std::max(gains[0], gains[1]) < kStays * gains[kSmoothest];
+    std::array<double, kSmoothest> gains{};
+    onTwoThreads(kSmoothest, [&](std::size_t i) { gains[i] = gainOn(ways[ways.size() - 1 - i], work, found.cause); });
+    return *std::ranges::max_element(gains) < kStays * found.gain;
   };
   const auto& found = work.search.found;
   const auto memory = std::ranges::find(found, "hysteresis", &Found::cause);

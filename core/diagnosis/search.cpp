@@ -142,11 +142,12 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
     out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
     out.accepted = std::move(latest);
-    if (step == 0 && options.givesUp && options.givesUp(out.final)) {
+    if (step == 0 && options.givesUp && options.givesUp(out.final, SoFar::firstCause)) {
       out.givenUp = true;
       return out;
     }
   }
+  out.givenUp = options.givesUp && out.final.model.terms.size() > 1 && options.givesUp(out.final, SoFar::allCauses);
   return out;
 }
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
+#include "core/base/say.h"
 #include "core/diagnosis/periodogram.h"
 
 namespace heft::diagnosis {
@@ -127,6 +130,24 @@ Result<std::vector<Witness>> witnesses(const Recording& recording, const RobotMo
   add("turning", "rad/s", signals.kinematics.omega);
   add("load", "m/s²", load.colwise().norm());
   return out;
+}
+
+std::string witnessWords(const std::string& id) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 9> kKinds{
+      {{"time", heft::toSay("time")},
+       {"gravity", heft::toSay("gravity’s direction, {}")},
+       {"gravity-rate", heft::toSay("how gravity’s direction changes, {}")},
+       {"position", heft::toSay("position, {}")},
+       {"velocity", heft::toSay("velocity, {}")},
+       {"velocity-sign", heft::toSay("sign of the velocity, {}")},
+       {"acceleration", heft::toSay("acceleration, {}")},
+       {"turning", heft::toSay("turning, {}")},
+       {"load", heft::toSay("load")}}};
+  const auto underscore = id.rfind('_');
+  const std::string_view kind = std::string_view(id).substr(0, underscore);
+  const std::string axis = underscore == std::string::npos ? "" : id.substr(underscore + 1);
+  const auto known = std::ranges::find(kKinds, kind, &std::pair<std::string_view, const char*>::first);
+  return known == kKinds.end() ? id : heft::say(fmt::runtime(known->second), axis);
 }
 
 double correlation(const DiagnosisSeries& series, const VectorXd& witness, const VectorXd& difference) {

@@ -33,6 +33,9 @@ struct Witness {
 /// axes), load, time. Fails like motionOf().
 Result<std::vector<Witness>> witnesses(const Recording& recording, const RobotModel* robot);
 
+/// What a witness is called: "gravity's direction, x", "load".
+std::string witnessWords(const std::string& id);
+
 /// Correlation of a witness with a channel over the judged blocks, -1..1.
 double correlation(const DiagnosisSeries& series, const VectorXd& witness, const VectorXd& difference);
 

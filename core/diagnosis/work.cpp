@@ -330,20 +330,14 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   SearchOptions searching;
   searching.threshold = threshold;
   if (givesUp)
-    searching.givesUp = [&](const Fit& first) {
-      work.search.final = first;
-      return givesUp(work, SoFar::firstCause);
+    searching.givesUp = [&](const Fit& fit, SoFar soFar) {
+      work.search.final = fit;
+      return givesUp(work, soFar);
     };
-  // Nothing that takes longer is done on a motion that turns out to be smoothed the wrong way.
-  const auto isGivenUp = [&] {
-    if (!work.search.givenUp && givesUp && work.search.final.model.terms.size() > 1)
-      work.search.givenUp = givesUp(work, SoFar::allCauses);
-    return work.search.givenUp;
-  };
   work.bank = SignatureBank(signals, options.hidden);
   if (holes.empty()) {
     work.search = search(signals, work.stretches, work.bank, searching, progress);
-    if (isGivenUp()) return work;
+    if (work.search.givenUp) return work;
     lookBack(signals, work.stretches, work.bank, searching, work.search, progress);
     setTouchesAside(work);
     setKnocksAside(work);
@@ -359,7 +353,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     leaveOut(signals, holes);
     work.stretches = stretchesOf(signals.usable);
     work.search = search(signals, work.stretches, work.bank, searching, progress);
-    if (round == 0 ? isGivenUp() : work.search.givenUp) return work;
+    if (work.search.givenUp) return work;
     searching.givesUp = {};
     work.contacts = contactsIn(whole, work.search.final, holes);
     if (round == 0 && !work.contacts.empty()) {
@@ -387,7 +381,9 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
     searching.start = Model{};
     // A touch as the first cause says that somebody did.
-    searching.givesUp = [](const Fit& first) { return contains(first.model, "contact"); };
+    searching.givesUp = [](const Fit& fit, SoFar soFar) {
+      return soFar == SoFar::firstCause && contains(fit.model, "contact");
+    };
     Work untouched;
     untouched.mistake = mistake;
     untouched.touchedOr = work.touchedOr;

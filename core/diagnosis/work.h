@@ -54,12 +54,11 @@ struct Work {
   Search search;
 };
 
-/// How far a search has come when it is asked whether it ends there (Search::givenUp).
-enum class SoFar { firstCause, allCauses };
+/// SearchOptions::givesUp, of a work that has come as far.
 using GivesUp = std::function<bool(const Work& work, SoFar soFar)>;
 
-/// Contact on `way` must have been looked for. `givesUp`, if any, is asked once with the first cause accepted, and once
-/// with all of them, before anything is compared.
+/// Contact on `way` must have been looked for. `givesUp`, if any, is asked by the first search, before anything is
+/// compared.
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const GivesUp& givesUp = {});
 

@@ -6750,6 +6750,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>the load&apos;s size, on the forces alone</source>
         <translation>der Größe der Last, bei den Kräften allein</translation>
     </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>gravity’s direction, {}</source>
+        <translation>Richtung der Schwerkraft, {}</translation>
+    </message>
+    <message>
+        <source>how gravity’s direction changes, {}</source>
+        <translation>Wechsel der Schwerkraftrichtung, {}</translation>
+    </message>
+    <message>
+        <source>position, {}</source>
+        <translation>Ort, {}</translation>
+    </message>
+    <message>
+        <source>velocity, {}</source>
+        <translation>Geschwindigkeit, {}</translation>
+    </message>
+    <message>
+        <source>sign of the velocity, {}</source>
+        <translation>Vorzeichen der Geschwindigkeit, {}</translation>
+    </message>
+    <message>
+        <source>acceleration, {}</source>
+        <translation>Beschleunigung, {}</translation>
+    </message>
+    <message>
+        <source>turning, {}</source>
+        <translation>Drehung, {}</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -6834,42 +6870,6 @@ Bitte prüfen Sie den Namen.</translation>
 </context>
 <context>
     <name>heft::DifferencePane</name>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>gravity’s direction, %1</source>
-        <translation>Richtung der Schwerkraft, %1</translation>
-    </message>
-    <message>
-        <source>how gravity’s direction changes, %1</source>
-        <translation>Wechsel der Schwerkraftrichtung, %1</translation>
-    </message>
-    <message>
-        <source>position, %1</source>
-        <translation>Ort, %1</translation>
-    </message>
-    <message>
-        <source>velocity, %1</source>
-        <translation>Geschwindigkeit, %1</translation>
-    </message>
-    <message>
-        <source>sign of the velocity, %1</source>
-        <translation>Vorzeichen der Geschwindigkeit, %1</translation>
-    </message>
-    <message>
-        <source>acceleration, %1</source>
-        <translation>Beschleunigung, %1</translation>
-    </message>
-    <message>
-        <source>turning, %1</source>
-        <translation>Drehung, %1</translation>
-    </message>
-    <message>
-        <source>load</source>
-        <translation>Last</translation>
-    </message>
     <message>
         <source>The difference</source>
         <translation>Die Abweichung</translation>

@@ -17,24 +17,11 @@
 
 namespace heft {
 
-QString witnessText(const std::string& id) {
-  const auto underscore = id.rfind('_');
-  const std::string kind = id.substr(0, underscore);
-  const QString axis = underscore == std::string::npos ? QString() : QString::fromStdString(id.substr(underscore + 1));
-  const std::pair<const char*, QString> kinds[] = {
-      {"time", DifferencePane::tr("time")},
-      {"gravity", DifferencePane::tr("gravity’s direction, %1")},
-      {"gravity-rate", DifferencePane::tr("how gravity’s direction changes, %1")},
-      {"position", DifferencePane::tr("position, %1")},
-      {"velocity", DifferencePane::tr("velocity, %1")},
-      {"velocity-sign", DifferencePane::tr("sign of the velocity, %1")},
-      {"acceleration", DifferencePane::tr("acceleration, %1")},
-      {"turning", DifferencePane::tr("turning, %1")},
-      {"load", DifferencePane::tr("load")}};
-  for (const auto& [name, text] : kinds)
-    if (kind == name) return axis.isEmpty() ? text : text.arg(axis);
-  return QString::fromStdString(id);
-}
+namespace {
+
+QString witnessText(const std::string& id) { return QString::fromStdString(diagnosis::witnessWords(id)); }
+
+}  // namespace
 
 DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
   const PaneHeader top = dressAsPane(this, tr("The difference"), 40);

@@ -57,7 +57,4 @@ class DifferencePane : public QWidget {
   ChartWidget* right_;
 };
 
-/// "gravity x", "speed along y": what a witness is called.
-QString witnessText(const std::string& id);
-
 }  // namespace heft
