@@ -8,6 +8,7 @@
 //   motion -> geometry() -> rigid payload + force() -> sensor() -> readings() + bias.
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,11 @@ class Cause {
   virtual void geometry(const Form&, const VectorXd&, const Signals&, Kinematics&) const {}
   /// Adds forces that act on the tool.
   virtual void force(const Form&, const VectorXd&, const Signals&, const Kinematics&, Wrenches&) const {}
+  /// force() of several sets of parameters, each added to its own wrench, for causes that save work so.
+  virtual void forces(const Form& form, std::span<const VectorXd> each, const Signals& signals, const Kinematics& kin,
+                      std::span<Wrenches> wrenches) const {
+    for (std::size_t i = 0; i < each.size(); ++i) force(form, each[i], signals, kin, wrenches[i]);
+  }
   /// Changes the wrench on its way through the sensor: a linear map unless linear() is false for the form.
   virtual void sensor(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
   virtual bool linear(const Form&) const { return true; }

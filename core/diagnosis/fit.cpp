@@ -170,42 +170,6 @@ bool walks(const Model& model) {
   return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& t) { return t.form->walk; });
 }
 
-ChannelColumns::ChannelColumns(const MatrixXd& J) : columns_(J.cols()) {
-  const Eigen::Index n = J.rows() / 6;
-  for (std::size_t c = 0; c < 6; ++c) {
-    const auto channel = [&](Eigen::Index i) {
-      return Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(J.col(i).data() + c, n);
-    };
-    for (Eigen::Index i = 0; i < J.cols(); ++i)
-      if (!channel(i).isZero(0.0)) which_[c].push_back(i);
-    parts_[c].resize(n, std::ssize(which_[c]));
-    for (Eigen::Index i = 0; i < parts_[c].cols(); ++i)
-      parts_[c].col(i) = channel(which_[c][static_cast<std::size_t>(i)]);
-  }
-}
-
-MatrixXd ChannelColumns::gram() const {
-  MatrixXd out = MatrixXd::Zero(columns_, columns_);
-  for (std::size_t c = 0; c < 6; ++c) {
-    MatrixXd part = MatrixXd::Zero(parts_[c].cols(), parts_[c].cols());
-    part.selfadjointView<Eigen::Lower>().rankUpdate(parts_[c].transpose());
-    out(which_[c], which_[c]) += MatrixXd(part.selfadjointView<Eigen::Lower>());
-  }
-  return out;
-}
-
-MatrixXd ChannelColumns::transposeTimes(const MatrixXd& C, Eigen::Index from) const {
-  MatrixXd out = MatrixXd::Zero(columns_, C.cols());
-  const Eigen::Index n = C.rows() / 6;
-  MatrixXd part(n, C.cols());
-  for (std::size_t c = 0; c < 6; ++c) {
-    for (Eigen::Index i = 0; i < C.cols(); ++i)
-      part.col(i) = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<6>>(C.col(i).data() + c, n);
-    out(which_[c], Eigen::all) += parts_[c].middleRows(from, n).transpose() * part;
-  }
-  return out;
-}
-
 Normal::Normal(const ChannelColumns& J, const VectorXd& sd) : information(J.gram()) {
   MatrixXd H = information;
   H.diagonal() += sd.cwiseAbs2().cwiseInverse();
@@ -276,7 +240,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   double most = weights == Weights::coloured ? fit.noise.evidence : -1e300;
   int falls = 0;  // Rounds since then
   for (int round = 0; round < rounds && falls < kMostFalls; ++round) {
-    const ChannelColumns J(whitened(columns.jacobian(), fit.noise, stretches));
+    const ChannelColumns J(columns.jacobian(), fit.noise, stretches);
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
     const VectorXd pull = J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
@@ -334,7 +298,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     sd = whisper(fit.model);
   }
   columns.refresh(fit.model);
-  const Normal normal(ChannelColumns(whitened(columns.jacobian(), fit.noise, stretches)), sd);
+  const Normal normal(ChannelColumns(columns.jacobian(), fit.noise, stretches), sd);
   fit.information = normal.information;
   fit.covariance = normal.inverse();
   const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
@@ -381,7 +345,7 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   for (int round = 0; round < 2; ++round) {
     if (round > 0) columns.follow(model);
     const Wrenches residual = round == 0 ? fit.residual : Wrenches(signals.measured - valueOf(signals, model));
-    const ChannelColumns J(whitened(columns.jacobian(), fit.noise, stretches));
+    const ChannelColumns J(columns.jacobian(), fit.noise, stretches);
     const VectorXd r = whitened(flat(residual), fit.noise, stretches);
     const VectorXd step = Normal(J, sd).solve(J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2()));
     Model next = moved(model, step, 1.0);

@@ -1,8 +1,8 @@
 #pragma once
 // Fitting bias, payload and the causes of a model together, with the noise learned alongside.
-#include <array>
 #include <vector>
 
+#include "core/diagnosis/channel_columns.h"
 #include "core/diagnosis/model.h"
 #include "core/diagnosis/noise.h"
 
@@ -27,21 +27,6 @@ struct Fit {
 /// them, and the choice of that width costs a little, too. Never more than BIC's ln n (`lnN`) each, which stands for
 /// the widest.
 double priceOf(double gain, double count, double lnN);
-
-/// Whitened columns (6N rows), kept channel by channel: many of them, such as biases and waves of the zero, are about
-/// one channel only, and products with them cost a sixth.
-class ChannelColumns {
- public:
-  explicit ChannelColumns(const MatrixXd& J);
-  MatrixXd gram() const;  ///< J^T J
-  /// J^T C, where C has the rows from block `from` on and what J has beyond its end is left out.
-  MatrixXd transposeTimes(const MatrixXd& C, Eigen::Index from = 0) const;
-
- private:
-  Eigen::Index columns_ = 0;
-  std::array<MatrixXd, 6> parts_;  ///< N x what is not zero in the channel
-  std::array<std::vector<Eigen::Index>, 6> which_;
-};
 
 /// Normal equations of whitened columns `J` with a prior of deviations `sd` around zero, scaled to a unit diagonal.
 class Normal {

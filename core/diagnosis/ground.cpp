@@ -36,11 +36,10 @@ void Ground::take(const VectorXd& residual) {
 }
 
 Dictionary::Dictionary(const Ground& ground, const MatrixXd& columns)
-    : ground_(ground), C_(whitened(columns, ground.noise, ground.stretches)) {
+    : ground_(ground), C_(columns, ground.noise, ground.stretches) {
   constexpr double kLeft = 1e-9;  ///< Share of a column's squares that is left of it by rounding alone
-  const ChannelColumns parts(C_);
-  explained_ = parts.transposeTimes(ground.basis);
-  products = parts.gram();
+  explained_ = C_.transposeTimes(ground.basis);
+  products = C_.gram();
   const VectorXd own = products.diagonal();
   products -= explained_ * explained_.transpose();
   squares = (products.diagonal().array() > kLeft * own.array()).select(products.diagonal(), 0.0);

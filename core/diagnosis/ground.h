@@ -40,9 +40,11 @@ class Dictionary {
   Dictionary(const Ground& ground, const MatrixXd& columns);
 
   /// Products of the columns with `r`, which is free of what the fit can do.
-  VectorXd productsWith(const VectorXd& r) const { return C_.transpose() * r; }
+  VectorXd productsWith(const VectorXd& r) const { return C_.transposeTimes(r); }
   /// What the columns, each so many times, come to.
-  VectorXd sum(const VectorXd& times) const { return C_ * times - ground_.basis * (explained_.transpose() * times); }
+  VectorXd sum(const VectorXd& times) const {
+    return C_.times(times) - ground_.basis * (explained_.transpose() * times);
+  }
   /// The sizes of all columns together, if they are few, that are most like `r`.
   VectorXd likeness(const VectorXd& r) const;
   bool few() const { return scale_.size() > 0; }
@@ -52,7 +54,7 @@ class Dictionary {
 
  private:
   const Ground& ground_;
-  MatrixXd C_;
+  ChannelColumns C_;
   MatrixXd explained_;  ///< Products with the ground's basis, a row a column
   VectorXd scale_;
   Eigen::LDLT<MatrixXd> together_;

@@ -350,31 +350,37 @@ Surroundings::Surroundings(const Signals& signals, const Model& model)
       sensed_(sensed(signals, terms_, load_)) {}
 
 MatrixXd Surroundings::signatures(const Form& form) const {
-  const auto shared = std::make_shared<const Form>(form);
-  MatrixXd out(6 * signals_.blocks(), static_cast<Eigen::Index>(form.scan.size()));
+  const std::size_t count = form.scan.size();
+  std::vector<VectorXd> moved(count, form.start);
+  std::vector<double> steps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    steps[i] = kStep * form.parameters[static_cast<std::size_t>(form.scan[i])].size;
+    moved[i](form.scan[i]) += steps[i];
+  }
   const Cause& cause = *form.cause;
-  const bool additive = !cause.bendsGeometry() && !cause.changesSensor(form);
-  for (std::size_t i = 0; i < form.scan.size(); ++i) {
-    const auto p = static_cast<std::size_t>(form.scan[i]);
-    const double step = kStep * form.parameters[p].size;
-    VectorXd v = form.start;
-    v(static_cast<Eigen::Index>(p)) += step;
-    Wrenches w;
-    if (additive) {
-      // Forces and readings add to whatever is there: only they need to pass the sensor.
-      w = Wrenches::Zero(6, signals_.size());
-      cause.force(form, v, signals_, kinematics_, w);
-      throughSensor(signals_, terms_, w, true);
-      cause.readings(form, v, signals_, w);
-    } else {
-      Model with = model_;
-      with.terms.push_back({shared, v, {}});
-      const Order terms = inOrder(with.terms);
-      w = sensed(signals_, terms, cause.bendsGeometry() ? loads(signals_, with, terms, bent(signals_, terms)) : load_) -
+  std::vector<Wrenches> changes(count);
+  if (!cause.bendsGeometry() && !cause.changesSensor(form)) {
+    // Forces and readings add to whatever is there: only they need to pass the sensor.
+    for (Wrenches& w : changes) w = Wrenches::Zero(6, signals_.size());
+    cause.forces(form, moved, signals_, kinematics_, changes);
+    for (std::size_t i = 0; i < count; ++i) {
+      throughSensor(signals_, terms_, changes[i], true);
+      cause.readings(form, moved[i], signals_, changes[i]);
+    }
+  } else {
+    Model with = model_;
+    with.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
+    const Order terms = inOrder(with.terms);
+    for (std::size_t i = 0; i < count; ++i) {
+      with.terms.back().v = moved[i];
+      changes[i] =
+          sensed(signals_, terms, cause.bendsGeometry() ? loads(signals_, with, terms, bent(signals_, terms)) : load_) -
           sensed_;
     }
-    out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, w)) / step;
   }
+  MatrixXd out(6 * signals_.blocks(), static_cast<Eigen::Index>(count));
+  for (std::size_t i = 0; i < count; ++i)
+    out.col(static_cast<Eigen::Index>(i)) = flat(averaged(signals_, changes[i])) / steps[i];
   return out;
 }
 

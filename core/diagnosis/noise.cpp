@@ -1,9 +1,7 @@
 #include "core/diagnosis/noise.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace heft::diagnosis {
 
@@ -124,68 +122,36 @@ MatrixXd even(const MatrixXd& columns, const Noise& noise) {
   return flat(noise.level->by).asDiagonal() * columns;
 }
 
-namespace {
-
-using Coefficients = Eigen::Matrix<double, 6, kMaxOrder>;
-
-/// Innovations of columns [from, to) of `x` into `e`, all six channels at once with memories of `Order`.
-template <int Order>
-void innovate(const Eigen::Map<const Wrenches>& x, Eigen::Index from, Eigen::Index to, const Vector6d& scale,
-              const Coefficients& coefficients, Eigen::Map<Wrenches>& e) {
-  for (Eigen::Index n = from; n < to; ++n) {
-    Vector6d sum = scale.cwiseProduct(x.col(n));
-    for (Eigen::Index i = 0; i < Order; ++i) sum -= coefficients.col(i).cwiseProduct(x.col(n - 1 - i));
-    e.col(n) = sum;
+void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
+              const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out) {
+  const ArModel& model = noise.channels[channel];
+  const double scale = 1.0 / model.sigma;
+  const Eigen::Index order = model.order();
+  out.setZero();
+  for (const auto& judged : stretches) {
+    // The first ones only fill the memory.
+    const Eigen::Index from = std::max<Eigen::Index>(0, judged.from - first) + order,
+                       count = std::min(x.size(), judged.to - first) - from;
+    if (count <= 0) continue;
+    auto e = out.segment(from, count);
+    e = scale * x.segment(from, count);
+    for (Eigen::Index i = 0; i < order; ++i) e -= (model.coefficients(i) * scale) * x.segment(from - 1 - i, count);
   }
 }
 
-/// innovate<order>, by number.
-template <int... Orders>
-constexpr auto innovators(std::integer_sequence<int, Orders...>) {
-  return std::array{&innovate<Orders>...};
-}
+namespace {
 
 /// whitened() for the columns' rows of the blocks from `first` on; all blocks equally loud.
 MatrixXd innovations(const Eigen::Ref<const MatrixXd>& columns, const Noise& noise,
                      const std::vector<Stretch>& stretches, Eigen::Index first) {
-  static constexpr auto kInnovate = innovators(std::make_integer_sequence<int, kMaxOrder + 1>{});
   const Eigen::Index blocks = columns.rows() / 6;
   MatrixXd out(columns.rows(), columns.cols());
-  // All six channels at once; coefficients that a channel does not have are zero.
-  Eigen::Index longest = 0;
-  Vector6d scale;
-  Coefficients coefficients = Coefficients::Zero();
-  for (int c = 0; c < 6; ++c) {
-    const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
-    longest = std::max<Eigen::Index>(longest, model.order());
-    scale(c) = 1.0 / model.sigma;
-    for (Eigen::Index i = 0; i < model.order(); ++i) coefficients(c, i) = model.coefficients(i) * scale(c);
-  }
+  ByChannel x(blocks, 6), e(blocks, 6);
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    if (columns.col(j).isZero(0.0)) {
-      out.col(j).setZero();
-      continue;
-    }
-    const Eigen::Map<const Wrenches> x(columns.col(j).data(), 6, blocks);
-    Eigen::Map<Wrenches> e(out.col(j).data(), 6, blocks);
-    Eigen::Index done = 0;
-    for (const auto& judged : stretches) {
-      const Stretch s{std::max<Eigen::Index>(0, judged.from - first), std::min(blocks, judged.to - first)};
-      if (s.from >= s.to) continue;
-      const Eigen::Index starts = std::min(s.to, s.from + longest);
-      e.middleCols(done, starts - done).setZero();
-      done = s.to;
-      // A channel starts as soon as its own memory is filled.
-      for (Eigen::Index c = 0; c < 6; ++c) {
-        const Eigen::Index order = noise.channels[static_cast<std::size_t>(c)].order();
-        for (Eigen::Index n = s.from + order; n < starts; ++n) {
-          e(c, n) = scale(c) * x(c, n);
-          for (Eigen::Index i = 0; i < order; ++i) e(c, n) -= coefficients(c, i) * x(c, n - 1 - i);
-        }
-      }
-      kInnovate[static_cast<std::size_t>(longest)](x, s.from + longest, s.to, scale, coefficients, e);
-    }
-    e.rightCols(e.cols() - done).setZero();
+    x = Eigen::Map<const Wrenches>(columns.col(j).data(), 6, blocks).transpose();
+    for (Eigen::Index c = 0; c < 6; ++c)
+      innovate(x.col(c), noise, static_cast<std::size_t>(c), stretches, first, e.col(c));
+    Eigen::Map<Wrenches>(out.col(j).data(), 6, blocks) = e.transpose();
   }
   return out;
 }

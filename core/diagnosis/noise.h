@@ -38,6 +38,13 @@ MatrixXd even(const MatrixXd& columns, const Noise& noise);
 /// The same of a wrench a block, 6 x N.
 Wrenches evenWrench(const Wrenches& wrench, const Noise& noise);
 
+using ByChannel = Eigen::Matrix<double, Eigen::Dynamic, 6>;  ///< A column a channel
+
+/// Unit innovations of one channel, all blocks made equally loud: `x` is of the blocks from `first` on, `out` as long;
+/// zero where nothing is judged.
+void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
+              const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out);
+
 /// Columns of 6N rows (row 6 n + channel) turned into unit innovations; rows that are not judged become zero.
 MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches);
 

@@ -47,7 +47,7 @@ class Weighting {
  public:
   /// `jacobian`: of the fit's model; like all others it must outlive this.
   Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian)
-      : noise_(noise), stretches_(stretches), fit_(fit), jacobian_(jacobian), J_(whitened(jacobian, noise, stretches)) {
+      : noise_(noise), stretches_(stretches), fit_(fit), jacobian_(jacobian), J_(jacobian, noise, stretches) {
     r_ = whitened(flat(fit.residual), noise, stretches);
     inverse_ = Normal(J_, whisper(fit.model)).inverse();
     Jr_ = J_.transposeTimes(r_);
@@ -65,11 +65,12 @@ class Weighting {
 
   /// Standard deviation of each scanned parameter if it were the only one.
   VectorXd deviations(const Signature& signature) const {
-    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, signature.reach.from);
+    const ChannelColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
     const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
+    const VectorXd squares = C.gram().diagonal();
     VectorXd out(C.cols());
     for (Eigen::Index i = 0; i < C.cols(); ++i) {
-      const double own = C.col(i).squaredNorm(), left = own - JC.col(i).dot(inverse_ * JC.col(i));
+      const double own = squares(i), left = own - JC.col(i).dot(inverse_ * JC.col(i));
       out(i) = left > 1e-6 * own && own > 0.0 ? 1.0 / std::sqrt(left) : std::numeric_limits<double>::infinity();
     }
     return out;
@@ -77,12 +78,12 @@ class Weighting {
 
   /// Gain and score as the squares tell them, which is close where they are few.
   Answer firstGuess(const Signature& signature, double lnN) const {
-    const MatrixXd C = whitened(*signature.columns, noise_, stretches_, signature.reach.from);
+    const ChannelColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
     const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
-    const MatrixXd own = C.transpose() * C;
+    const MatrixXd own = C.gram();
     const MatrixXd G = own - JC.transpose() * inverse_ * JC;
-    const VectorXd g =
-        C.transpose() * r_.segment(6 * signature.reach.from, C.rows()) - JC.transpose() * (inverse_ * Jr_);
+    const VectorXd g = C.transposeTimes(r_.segment(6 * signature.reach.from, signature.columns->rows())) -
+                       JC.transpose() * (inverse_ * Jr_);
     const Eigen::Index d = C.cols();
     Answer out;
     out.kept.assign(static_cast<std::size_t>(d), true);

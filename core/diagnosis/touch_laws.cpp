@@ -90,6 +90,43 @@ std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const
   return {};
 }
 
+/// Share of the power left in the contacts, beyond the usual, that is gone where each channel may read what the model
+/// says for any moment up to a tenth of a second before, or after where `later`.
+double readAt(bool later, const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kReach = 0.1;  // [s]
+  const Eigen::Index blocks = signals.blocks(), reach = std::lround(kReach * signals.blockRate());
+  const Wrenches should = signals.measured - fit.residual;
+  std::vector<bool> usual = signals.usable;
+  for (const Contact& contact : contacts)
+    std::fill(usual.begin() + contact.blocks.from, usual.begin() + contact.blocks.to, false);
+  Vector6d power = Vector6d::Constant(1e-300);
+  for (Eigen::Index n = 0; n < blocks; ++n)
+    if (usual[static_cast<std::size_t>(n)]) power += fit.residual.col(n).cwiseAbs2();
+  power /= std::max(1.0, static_cast<double>(std::ranges::count(usual, true)));
+  const auto beyond = [&](double off, Eigen::Index c) { return std::max(0.0, off * off / power(c) - 1.0); };
+  double all = 1e-300, left = 0.0;
+  for (const Contact& contact : contacts)
+    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
+      for (Eigen::Index c = 0; c < 6; ++c) {
+        const Eigen::Index from = later ? n : std::max<Eigen::Index>(0, n - reach),
+                           to = later ? std::min(blocks - 1, n + reach) : n;
+        const auto may = should.row(c).segment(from, to - from + 1);
+        const double is = signals.measured(c, n);
+        all += beyond(fit.residual(c, n), c);
+        left += beyond(is - std::clamp(is, may.minCoeff(), may.maxCoeff()), c);
+      }
+  return 1.0 - left / all;
+}
+
+/// Whether what seems to be contact are readings that come late at these moments, such as where a logger stalls or an
+/// output cannot follow: who pushes makes a sensor read what it did not read a moment before, nor will. In 90
+/// recordings that were touched, or not, late readings left 0.06 and less; of a touch that left 0.15, all others more.
+bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kNearlyAll = 0.92, kMore = 0.5;
+  const double before = contacts.empty() ? 0.0 : readAt(false, signals, fit, contacts);
+  return before > kNearlyAll && before > readAt(true, signals, fit, contacts) + kMore;
+}
+
 /// A way in which something that is no touch may go with the motion.
 struct Law {
   std::string name;
@@ -120,6 +157,7 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
 }  // namespace
 
 std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  if (comesLate(signals, fit, contacts)) return heft::toSay("what the channels read before");
   if (contacts.size() < 2) return {};
   if (std::string place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
@@ -134,10 +172,19 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
       inContact[static_cast<std::size_t>(n)] = everywhere[static_cast<std::size_t>(n)] = true;
   constexpr std::size_t kFewestInZone = 4;
-  constexpr double kFollows = 0.27, kFollowsInZone = 0.5;
+  constexpr double kFollows = 0.27, kFollowsInZone = 0.5, kFollowsSquare = 0.5;
   std::vector<Law> laws = lawsOfMotors(signals);
   laws.push_back({heft::toSay("how fast the tool moves"), motion.topRows<3>(), kFollows, kFollowsInZone});
   laws.push_back({heft::toSay("how fast the tool turns"), motion.bottomRows<3>(), kFollows, kFollowsInZone});
+  // Whichever way, as what shakes or cools a sensor; bias and payload take the mean.
+  const auto squareOf = [&](const auto& velocity) {
+    MatrixXd out = MatrixXd::Ones(2, blocks);
+    out.row(1) = velocity.colwise().squaredNorm();
+    out.row(1) /= std::max(1e-12, out.row(1).maxCoeff());
+    return out;
+  };
+  laws.push_back({heft::toSay("how fast the tool moves"), squareOf(motion.topRows<3>()), kFollowsSquare});
+  laws.push_back({heft::toSay("how fast the tool turns"), squareOf(motion.bottomRows<3>()), kFollowsSquare});
   std::string best;
   double most = 0.0;
   const auto ask = [&](const Law& law, const std::vector<bool>& known, double follows) {

@@ -66,18 +66,33 @@ class Oscillator : public Cause {
  public:
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
-    const double mass = v(0);
-    const Vector3d moment = v.segment<3>(1);
-    // Where it sits; nowhere in particular as long as there is hardly any mass.
-    constexpr double kLeast = 1e-3, kFarthest = 0.4;
-    Vector3d seat = Vector3d::Zero();
-    if (mass > kLeast && moment.norm() < kFarthest * mass) seat = moment / mass;
-    const Vector3d way = form.choice[0] < 3 ? directionOf(form, v) : Vector3d(Vector3d::Zero());
-    const double moves = form.choice.size() > 1 ? 0.0 : mass;  // What its way from its seat weighs
-    swing(kin, seat, way, v(4), v(5), signals.rateHz, [&](Eigen::Index k, const Swing& at) {
-      w.col(k).head<3>() += mass * at.extra;
-      w.col(k).tail<3>() += moment.cross(at.extra) + moves * at.place.cross(Vector3d(at.pull + at.extra));
-    });
+    if (form.choice[0] != kElse) forces(form, {&v, 1}, signals, kin, {&w, 1});
+  }
+  /// Masses that go the same way are swung once.
+  void forces(const Form& form, std::span<const VectorXd> each, const Signals& signals, const Kinematics& kin,
+              std::span<Wrenches> wrenches) const override {
+    if (form.choice[0] == kElse) {
+      Cause::forces(form, each, signals, kin, wrenches);
+      return;
+    }
+    std::size_t first = 0;
+    while (first < each.size()) {
+      const Path path = pathOf(form, each[first]);
+      std::size_t end = first + 1;
+      while (end < each.size() && pathOf(form, each[end]) == path) ++end;
+      const double takesWeight = form.choice.size() > 1 ? 0.0 : 1.0;
+      swing(kin, path.seat, path.way, path.frequency, path.damping, signals.rateHz,
+            [&](Eigen::Index k, const Swing& at) {
+              for (std::size_t i = first; i < end; ++i) {
+                const double mass = each[i](0);
+                Wrenches& w = wrenches[i];
+                w.col(k).head<3>() += mass * at.extra;
+                w.col(k).tail<3>() += Vector3d(each[i].segment<3>(1)).cross(at.extra) +
+                                      takesWeight * mass * at.place.cross(Vector3d(at.pull + at.extra));
+              }
+            });
+      first = end;
+    }
   }
 
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look
@@ -95,7 +110,8 @@ class Oscillator : public Cause {
   }
 
   static constexpr double kMostDamped = 0.35;
-  static constexpr int kAllWays = 3, kRolls = 4;  ///< form.choice: 0 to 2 mostly along that axis, kRolls: no swinging
+  /// form.choice: 0 to 2 mostly along that axis, kRolls: no swinging, kElse: what a cause has besides
+  static constexpr int kAllWays = 3, kRolls = 4, kElse = 5;
 
   static std::vector<Parameter> parameters(double lowest, double highest) {
     return {{"mass", "g", kMilli, 0.03, 0.0, 5.0},
@@ -128,6 +144,27 @@ class Oscillator : public Cause {
   }
 
  private:
+  /// What the way of a mass from its seat depends on.
+  struct Path {
+    Vector3d seat, way;
+    double frequency = 0.0, damping = 0.0;
+
+    bool operator==(const Path& other) const {
+      return seat == other.seat && way == other.way && frequency == other.frequency && damping == other.damping;
+    }
+  };
+
+  static Path pathOf(const Form& form, const VectorXd& v) {
+    // Where it sits; nowhere in particular as long as there is hardly any mass.
+    constexpr double kLeast = 1e-3, kFarthest = 0.4;
+    const double mass = v(0);
+    const Vector3d moment = v.segment<3>(1);
+    Path out{Vector3d::Zero(), Vector3d::Zero(), v(4), v(5)};
+    if (mass > kLeast && moment.norm() < kFarthest * mass) out.seat = moment / mass;
+    if (form.choice[0] < kAllWays) out.way = directionOf(form, v);
+    return out;
+  }
+
   /// Of a mass that moves one way only: mostly along the axis that the form is about.
   static Vector3d directionOf(const Form& form, const VectorXd& v) {
     Vector3d out = Vector3d::Unit(form.choice[0]);
@@ -209,7 +246,7 @@ class LooseMass final : public Oscillator {
   }
 
  private:
-  static constexpr int kFromStart = 5;  ///< form.choice
+  static constexpr int kFromStart = kElse;
 
   /// Of what goes to and fro without taking its weight along, such as a part of two halves that swing against each
   /// other; begins where `allWays` was found.
@@ -242,10 +279,6 @@ class FlexibleMount final : public Oscillator {
     return out;
   }
   bool changesSensor(const Form& form) const override { return form.choice[0] == kWhole; }
-  void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
-             Wrenches& w) const override {
-    if (form.choice[0] != kWhole) Oscillator::force(form, v, signals, kin, w);
-  }
   /// What comes through the mount before it reaches the gauges.
   void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
     if (form.choice[0] == kWhole && v(0) > 0.0) w = throughSpring(w, frequencyAt(v(0)), v(1), signals.rateHz);
@@ -269,7 +302,7 @@ class FlexibleMount final : public Oscillator {
 
  private:
   static constexpr double kSoftest = 11.0, kStiffest = 60.0;  // [Hz]
-  static constexpr int kWhole = 5;
+  static constexpr int kWhole = kElse;
 
   /// How far a mass goes per unit of acceleration [s2], by the frequency at which it rings on the mount [Hz].
   static double giveAt(double frequency) { return std::pow(2.0 * std::numbers::pi * frequency, -2); }

@@ -8,6 +8,7 @@
 #include <random>
 #include <tuple>
 
+#include "core/diagnosis/touch_laws.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
 #include "core/wrench/regressor.h"
@@ -498,6 +499,55 @@ TEST(NoContact, ForcesThatTurnNothingAreUnknown) {
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_EQ(report.remaining.goesWith, "the load's size, on the forces alone") << said(report);
   EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// An output stage lets each channel change by so much a second and no more: where the load swings fast, the readings
+/// come late.
+TEST(NoContact, AnOutputThatCannotFollowIsUnknown) {
+  Recording recording = aRecording(MotionKind::excitation, 329);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const auto loadAt = [&](Eigen::Index i) -> Vector6d {
+    const auto k = sampleAt(motion, recording.time(i));
+    return predictWrench(aTool(), {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
+  };
+  Vector6d most = Vector6d::Zero();
+  for (Eigen::Index i = 20; i < recording.rows(); ++i)
+    most = most.cwiseMax((loadAt(i) - loadAt(i - 20)).cwiseAbs() / (recording.time(i) - recording.time(i - 20)));
+  Vector6d reads = loadAt(0);
+  for (Eigen::Index i = 1; i < recording.rows(); ++i) {
+    const Vector6d load = loadAt(i), may = 0.65 * most * (recording.time(i) - recording.time(i - 1));
+    reads += (load - reads).cwiseMin(may).cwiseMax(-may);
+    recording.wrench.row(i) += (reads - load).transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// What amplifies the readings feels how fast it is turned, whichever way: what is left where the arm turns fast goes
+/// with that, and nobody touched anything there.
+TEST(NoContact, WhatGoesWithTurningEitherWayIsNone) {
+  Recording recording = aRecording(MotionKind::free, 330);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  Vector6d size;
+  size << 0.3, -0.2, 0.4, 0.01, -0.02, 0.005;
+  const auto turning = [&](double t) { return motion.omega.col(sampleAt(motion, t)).squaredNorm(); };
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    recording.wrench.row(i) += (turning(recording.time(i)) * size).transpose();
+  diagnosis::Signals signals =
+      diagnosis::signalsOf(recording, motionOf(recording, &RobotModel::panda(), {}).value(), &RobotModel::panda());
+  std::vector<bool> fast(static_cast<std::size_t>(signals.blocks()));
+  const double much = 0.4 * motion.omega.colwise().squaredNorm().maxCoeff();
+  for (std::size_t n = 0; n < fast.size(); ++n)
+    fast[n] = signals.usable[n] && turning(signals.blockTime(static_cast<Eigen::Index>(n))) > much;
+  std::vector<diagnosis::Contact> contacts;
+  for (const auto& s : diagnosis::stretchesOf(fast)) {
+    std::fill(signals.usable.begin() + s.from, signals.usable.begin() + s.to, false);
+    contacts.push_back({signals.blockTime(s.from), signals.blockTime(s.to - 1), 100.0, s, {}});
+  }
+  ASSERT_GE(contacts.size(), 2u);
+  const auto fit = diagnosis::fitModel(signals, diagnosis::stretchesOf(signals.usable), {});
+  EXPECT_EQ(diagnosis::lawOf(signals, fit, contacts), "how fast the tool turns");
 }
 
 /// Doors slam, and the air pushes at the sealed sensor for a second each time: no noise leaps as far, and that often.
