@@ -70,6 +70,8 @@ class Cause {
   virtual void geometry(const Form&, const VectorXd&, const Signals&, Kinematics&) const {}
   /// Adds forces that act on the tool.
   virtual void force(const Form&, const VectorXd&, const Signals&, const Kinematics&, Wrenches&) const {}
+  /// Whether force() depends on how the motion feels (s, omega, alpha), not on how S stands alone.
+  virtual bool feelsMotion() const { return true; }
   /// force() of several sets of parameters, each added to its own wrench, for causes that save work so.
   virtual void forces(const Form& form, std::span<const VectorXd> each, const Signals& signals, const Kinematics& kin,
                       std::span<Wrenches> wrenches) const {

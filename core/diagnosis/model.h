@@ -72,6 +72,8 @@ class Surroundings {
   Surroundings(const Signals& signals, const Model& model);
   /// How the reading changes with each parameter in form.scan at form.start: 6N x scan.size().
   MatrixXd signatures(const Form& form) const;
+  /// Whether a term has S stand otherwise than recorded.
+  bool turnsAxes() const { return kinematics_.turned != nullptr; }
   /// What the sensor makes of forces, where that is one matrix for all instants.
   Matrix6d sensorMatrix() const;
 

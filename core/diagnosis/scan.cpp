@@ -203,9 +203,9 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   const auto changes = [](const Term& t) {
     return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form);
   };
-  const bool matrixOnly = std::ranges::all_of(model.terms, [&](const Term& t) {
-    return !t.form->cause->bendsGeometry() && (!changes(t) || t.form->cause->isMatrix(*t.form));
-  });
+  const bool matrixOnly = std::ranges::all_of(
+                 model.terms, [&](const Term& t) { return !changes(t) || t.form->cause->isMatrix(*t.form); }),
+             bends = std::ranges::any_of(model.terms, [](const Term& t) { return t.form->cause->bendsGeometry(); });
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < plain_.size(); ++i)
     if (!wanted || wanted(plain_[i].form)) which.push_back(i);
@@ -217,7 +217,8 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
     out[i].form = known.form;
-    const bool moves = !matrixOnly && !cause.addsToReadings();
+    const bool bent = bends && (cause.feelsMotion() || surroundings.turnsAxes()),
+               moves = (!matrixOnly || bent) && !cause.addsToReadings();
     if (moves || cause.bendsGeometry() || cause.changesSensor(known.form)) {
       out[i].fill(surroundings.signatures(known.form));
       return;

@@ -160,6 +160,7 @@ class CablePull final : public Cause {
     out.emplace_back(hardeningForm(this, spring ? out.front().first : form), hardens);
     return out;
   }
+  bool feelsMotion() const override { return false; }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);

@@ -69,6 +69,7 @@ class ConstantPull final : public Cause {
     }
     return out;
   }
+  bool feelsMotion() const override { return false; }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     if (form.guide) {

@@ -37,6 +37,7 @@ class Touch final : public Cause {
     add(2.2, kLongestHeld, true);
     return out;
   }
+  bool feelsMotion() const override { return false; }
   void force(const Form& form, const VectorXd& v, const Signals& signals, const Kinematics& kin,
              Wrenches& w) const override {
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
