@@ -7,11 +7,10 @@
 
 namespace heft::diagnosis {
 
-std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kLeap = 30.0;     // Squared deviations in six channels
-  constexpr double kMeanOver = 0.2;  // [s] before and after
-  const auto length =
-      std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(kMeanOver * signals.blockRate())));
+std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual,
+                          double over) {
+  constexpr double kLeap = 30.0;  // Squared deviations in six channels
+  const auto length = std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(over * signals.blockRate())));
   std::vector<Eigen::Index> at;
   std::vector<Vector6d> steps;
   for (const auto& s : stretches)

@@ -10,7 +10,8 @@ struct Leap {
   double size = 0.0;  ///< Squared deviations of what it does elsewhere, all six channels
 };
 
-/// In the order of time.
-std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
+/// In the order of time. `over`: [s] before and after a moment, of which the means are compared.
+std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual,
+                          double over = 0.2);
 
 }  // namespace heft::diagnosis

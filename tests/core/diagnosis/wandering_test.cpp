@@ -120,6 +120,26 @@ TEST(Diagnose, AWalkOfEachChannelIsNoDrift) {
   }
 }
 
+/// A driver that compensates for temperature sets its zero anew at seven moments, by less than its noise: a walk would
+/// do as well, but no walk moves at a few moments only.
+TEST(Diagnose, AZeroThatIsSetAnewIsNoWalk) {
+  Recording recording = aRecording(MotionKind::free, 131);
+  RandomStream random(131, RandomPurpose::walk);
+  Vector6d zero = Vector6d::Zero();
+  double next = 1.2;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    if (recording.time(i) > next) {
+      next += 1.5;
+      for (Eigen::Index c = 0; c < 6; ++c) zero(c) += (c < 3 ? 0.05 : 0.0025) * random.normal();
+    }
+    recording.wrench.row(i) += zero.transpose();
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "sudden changes") << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+}
+
 /// Waves of six walks, and those of a zero that settles in all channels alike.
 TEST(Walk, OneCourseOfAllChannelsIsNone) {
   Form form;
