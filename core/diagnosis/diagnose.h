@@ -110,6 +110,8 @@ Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const diagnosis::Model
 /// The contract's heft.diagnose/1.
 nlohmann::json toJson(const DiagnosisReport& report);
 std::string toText(const DiagnosisReport& report);
+/// What is left unknown, in one sentence; empty where nothing is.
+std::string unknownText(const DiagnosisReport& report);
 
 /// By how many standard deviations, as before, the mass and the centre of mass (x, y, z) change where the causes are
 /// taken out; 0 where a deviation is unknown.

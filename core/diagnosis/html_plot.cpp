@@ -91,9 +91,9 @@ class Frame {
           kLeft, kWidth - kRight, up(share), kLeft - 6, up(share) + 4, value);
     for (const auto& [value, share] : x_.ticks())
       svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.4g}</text>", across(share),
-                         kHeight - 12, value);
+                         kHeight - 15, value);
     svg +=
-        fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 1, withUnit(x));
+        fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight, kHeight - 3, withUnit(x));
   }
   double xOf(double value) const { return across(x_.at(value)); }
   double yOf(double value) const { return up(y_.at(value)); }

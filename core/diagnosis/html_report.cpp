@@ -90,6 +90,9 @@ std::string places(const DiagnosisSeries& s, const Left& left) {
   return out + "</tr></table></section>\n";
 }
 
+/// To two digits, without a minus before 0.
+double rounded(double value) { return std::round(100.0 * value) / 100.0 + 0.0; }
+
 /// How far the difference goes with what the robot did: correlations, and the closest of them as points.
 std::string companions(const DiagnosisSeries& s, const Left& left, std::span<const diagnosis::Witness> witnesses) {
   std::string out =
@@ -106,7 +109,7 @@ std::string companions(const DiagnosisSeries& s, const Left& left, std::span<con
       const double was = diagnosis::correlation(s, witness.value, left.before.row(c).transpose()),
                    is = diagnosis::correlation(s, witness.value, left.after.row(c).transpose());
       out += fmt::format("<td style=\"background:rgba(209,129,42,{:.2f})\">{:.2f} &rarr; {:.2f}</td>",
-                         0.8 * std::abs(was), was, is);
+                         0.8 * std::abs(was), rounded(was), rounded(is));
       if (std::abs(was) <= most) continue;
       most = std::abs(was);
       closest = &witness;
@@ -137,6 +140,28 @@ const char* headingOf(Verdict verdict) {
   return "";
 }
 
+/// What is left unknown, what else was noticed, and what the causes do for another recording.
+std::string remarks(const DiagnosisReport& report) {
+  std::string out;
+  if (const std::string unknown = unknownText(report); !unknown.empty())
+    out += fmt::format("<p><strong>Unknown:</strong> {}</p>\n", escapedMarkup(unknown));
+  for (const Finding& finding : report.findings)
+    out += fmt::format("<p><strong>Noticed:</strong> {} {}</p>\n", escapedMarkup(finding.text),
+                       escapedMarkup(finding.remedy));
+  if (report.check)
+    out += fmt::format(
+        "<p><strong>Checked on another recording</strong>, {}: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m.</p>\n",
+        escapedMarkup(report.check->file), report.check->before.force, report.check->after.force,
+        report.check->before.torque, report.check->after.torque);
+  return out;
+}
+
+std::vector<std::string> titlesOf(const std::vector<std::string>& causes) {
+  std::vector<std::string> out;
+  for (const std::string& cause : causes) out.push_back(causeTitle(cause));
+  return out;
+}
+
 std::string payloadRow(const char* name, const EstimateReport& report) {
   const auto& p = report.payload;
   const auto& s = report.std;
@@ -157,7 +182,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
       "h1{{font-size:1.5em}}section{{border:1px solid #d5dbe3;border-radius:10px;padding:.4em 1.2em 1em;margin:1.2em "
       "0}}"
       "table{{border-collapse:collapse}}td,th{{padding:.2em .8em .2em 0;text-align:left;font-weight:normal}}"
-      "th{{color:#5a6675}}figure{{margin:1em "
+      "td{{white-space:nowrap}}th{{color:#5a6675}}figure{{margin:1em "
       "0}}figcaption{{color:#5a6675}}svg{{width:100%;font-size:11px;fill:#5a6675}}"
       ".g{{stroke:#e3e8ee}}.verdict{{font-size:1.2em}}</style></head><body>\n<h1>Reality check: {0}</h1>\n"
       "<p class=\"verdict\"><strong>{1}</strong><br>{2}</p>\n",
@@ -165,6 +190,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
   out +=
       fmt::format("<p>Misfit of the plain model: {:.3f} N and {:.4f} N m. Noise floor: {:.3f} N and {:.4f} N m.</p>\n",
                   report.baseline.force, report.baseline.torque, report.noise.force, report.noise.torque);
+  out += remarks(report);
   for (const auto& cause : report.causes) {
     out += fmt::format("<section><h2>{}</h2><p>{}</p>\n<table>", escapedMarkup(cause.title),
                        escapedMarkup(cause.sentence));
@@ -182,7 +208,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
           cause.gain.blocksBetter, cause.gain.blocks);
     if (!cause.alternatives.empty())
       out += fmt::format("<p><strong>Equally possible:</strong> {}. {}</p>\n",
-                         escapedMarkup(fmt::format("{}", fmt::join(cause.alternatives, ", "))),
+                         escapedMarkup(fmt::format("{}", fmt::join(titlesOf(cause.alternatives), ", "))),
                          escapedMarkup(cause.tellApart));
     out += fmt::format("<p><strong>What to check:</strong> {}</p></section>\n", escapedMarkup(cause.check));
   }
@@ -193,7 +219,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
   }
   out +=
       "<section><h2>Payload</h2><table><tr><th></th><th>mass [kg]</th><th>x [mm]</th><th>y [mm]</th><th>z [mm]</th>"
-      "<th>Ixx [kg m²]</th><th>Iyy</th><th>Izz</th></tr>\n";
+      "<th>Ixx [kg m²]</th><th>Iyy [kg m²]</th><th>Izz [kg m²]</th></tr>\n";
   out += payloadRow("before", report.before) + payloadRow("after", report.after) + "</table>";
   if (const auto moved = payloadShift(report); moved.maxCoeff() > 0.0)
     out += fmt::format("<p>In standard deviations before: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}.</p>",
@@ -202,10 +228,11 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
   if (!report.smallest.empty()) {
     out += "<section><h2>Could not have been seen with this motion</h2><table>";
     for (const auto& small : report.smallest)
-      out += std::isfinite(small.value)
-                 ? fmt::format("<tr><th>{}</th><td>below {:.2g} {} ({})</td></tr>", escapedMarkup(small.cause),
-                               small.value, escapedMarkup(small.unit), escapedMarkup(small.parameter))
-                 : fmt::format("<tr><th>{}</th><td>at any size</td></tr>", escapedMarkup(small.cause));
+      out +=
+          std::isfinite(small.value)
+              ? fmt::format("<tr><th>{}</th><td>below {:.2g} {} ({})</td></tr>", escapedMarkup(causeTitle(small.cause)),
+                            small.value, escapedMarkup(small.unit), escapedMarkup(parameterName(small.parameter)))
+              : fmt::format("<tr><th>{}</th><td>at any size</td></tr>", escapedMarkup(causeTitle(small.cause)));
     out += "</table></section>\n";
   }
   return out + "</body></html>\n";

@@ -160,6 +160,15 @@ Eigen::Vector4d payloadShift(const DiagnosisReport& report) {
   return (std.array() > 0.0).select(moved.array() / std.array().max(1e-300), 0.0);
 }
 
+std::string unknownText(const DiagnosisReport& report) {
+  if (report.verdict != Verdict::unexplained) return {};
+  return fmt::format("{} goes with {}; no cause in the catalogue accounts for it.",
+                     report.remaining.share > 0.0
+                         ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share)
+                         : "something",
+                     report.remaining.goesWith);
+}
+
 std::string toText(const DiagnosisReport& report) {
   std::string out = report.sentence + "\n\n";
   out +=
@@ -184,12 +193,7 @@ std::string toText(const DiagnosisReport& report) {
                          fmt::join(cause.alternatives, ", "), cause.tellApart);
     out += fmt::format("   Check: {}\n", cause.check);
   }
-  if (report.verdict == Verdict::unexplained)
-    out += fmt::format("\nUnknown: {} goes with {}; no cause in the catalogue accounts for it.\n",
-                       report.remaining.share > 0.0
-                           ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share)
-                           : "something",
-                       report.remaining.goesWith);
+  if (const std::string unknown = unknownText(report); !unknown.empty()) out += fmt::format("\nUnknown: {}\n", unknown);
   if (!report.causes.empty()) {
     const Eigen::Vector4d moved = payloadShift(report);
     out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before),

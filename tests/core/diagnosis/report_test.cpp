@@ -54,6 +54,23 @@ TEST(DiagnosisReport, TextAndPageNameTheCause) {
   EXPECT_EQ(toHtml(made().report, {}).find("<circle"), std::string::npos);
 }
 
+/// Names as a person reads them, not the file's.
+TEST(DiagnosisReport, PageSaysWhatElseWasNoticed) {
+  DiagnosisReport report = made().report;
+  report.findings.push_back({Severity::info, "zero_wanders", "The zero <wanders>.", "Let it warm up.", {}});
+  report.causes.front().alternatives = {"motion_lag"};
+  report.check = {"other.csv", {0.5, 0.05}, {0.1, 0.01}};
+  const std::string page = toHtml(report, {});
+  for (const char* part : {"The zero &lt;wanders&gt;. Let it warm up.", "other.csv: 0.500 &rarr; 0.100 N",
+                           "Accelerations late", "Robot base tilted"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  for (const char* part : {"motion_lag", "gravity_tilt", "Unknown:"})
+    EXPECT_EQ(page.find(part), std::string::npos) << part;
+  report.verdict = Verdict::unexplained;
+  report.remaining = {"the load's size", 50.0, 0.25, 0.0, 0.0};
+  EXPECT_NE(toHtml(report, {}).find("25.0 % of what is left goes with the load"), std::string::npos);
+}
+
 TEST(DiagnosisReport, SaysByHowMuchThePayloadMoves) {
   DiagnosisReport report = made().report;
   report.before.payload.mass = 1.0;
