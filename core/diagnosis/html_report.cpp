@@ -168,7 +168,7 @@ std::string payloadRow(const char* name, const EstimateReport& report) {
   std::string out = fmt::format("<tr><th>{}</th><td>{:.4f} ± {:.4f}</td>", name, p.mass, 1.96 * s.mass);
   for (int i = 0; i < 3; ++i) out += fmt::format("<td>{:.2f} ± {:.2f}</td>", p.com(i) * 1e3, 1960.0 * s.com(i));
   for (int i = 0; i < 3; ++i)
-    out += fmt::format("<td>{:.3g} ± {:.1g}</td>", p.inertiaCom(i, i), 1.96 * s.inertiaCom(i, i));
+    out += fmt::format("<td>{:.3g} ± {:.1g}</td>", 1e4 * p.inertiaCom(i, i), 1.96e4 * s.inertiaCom(i, i));
   return out + "</tr>\n";
 }
 
@@ -219,7 +219,7 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
   }
   out +=
       "<section><h2>Payload</h2><table><tr><th></th><th>mass [kg]</th><th>x [mm]</th><th>y [mm]</th><th>z [mm]</th>"
-      "<th>Ixx [kg m²]</th><th>Iyy [kg m²]</th><th>Izz [kg m²]</th></tr>\n";
+      "<th>Ixx [kg cm²]</th><th>Iyy [kg cm²]</th><th>Izz [kg cm²]</th></tr>\n";
   out += payloadRow("before", report.before) + payloadRow("after", report.after) + "</table>";
   if (const auto moved = payloadShift(report); moved.maxCoeff() > 0.0)
     out += fmt::format("<p>In standard deviations before: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}.</p>",

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "core/base/say.h"
 #include "core/diagnosis/causes/common.h"
@@ -23,6 +25,9 @@ constexpr double kSeen = 1e3;  ///< Gain of what is seen without comparing likel
 /// hardly; what was hidden went 90 and more, a leak of a minute 41.
 constexpr double kBeyond = 60.0;
 constexpr double kBeyondCourse = 30.0;  ///< The same for a drift of any course: of three one came 15 beyond, a leak 40
+
+/// What remains where its share of the energy was not worked out.
+Structure seen(std::string goesWith, double gain = kSeen) { return {std::move(goesWith), gain, 0.0, 0.0, 0.0}; }
 
 /// A walk has waves for anything that is slow. What swings, or goes with the motion, beyond what the walk explains is
 /// none.
@@ -55,21 +60,18 @@ void sayHiddenInTime(const Work& work, DiagnosisReport& out) {
                                       std::ssize(leaps), leaps.front().time),
                             heft::say("Look at what switches there: a gripper, a valve, a part that slides."),
                             {}});
-    out.remaining.goesWith = heft::toSay("sudden changes");
-    out.remaining.gain = kSeen;
+    out.remaining = seen(heft::toSay("sudden changes"));
     hides = true;
   }
   if (const double excess = slowWave(work.signals, work.stretches, residual);
       excess > 1.0 && out.remaining.gain < 2.0 * kUnexplained) {
-    out.remaining.goesWith = heft::toSay("a slow wave in time");
-    out.remaining.gain = 2.0 * kUnexplained * excess;
+    out.remaining = seen(heft::toSay("a slow wave in time"), 2.0 * kUnexplained * excess);
     hides = true;
   }
   const bool onlyZero = std::ranges::all_of(
       steady.model.terms, [](const Term& t) { return causeOf(t) == "bias_drift" || causeOf(t) == "sensor_bias"; });
   if (onlyZero && out.remaining.gain <= kUnexplained && isUneven(work.signals, work.stretches, residual)) {
-    out.remaining.goesWith = heft::toSay("some channels of the sensor alone, slowly");
-    out.remaining.gain = kSeen;
+    out.remaining = seen(heft::toSay("some channels of the sensor alone, slowly"));
     hides = true;
   }
   if (!wanders) return;
@@ -125,8 +127,7 @@ void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
        heft::say("Look at what switches, shakes or turns on the tool at these moments."),
        {}});
   if ((known && work.oddGoesWith != kOneChannel) || out.remaining.gain > evidence) return;
-  out.remaining.goesWith = work.oddGoesWith;
-  out.remaining.gain = evidence;
+  out.remaining = seen(work.oddGoesWith, evidence);
 }
 
 /// Whether what remains is `hum` as blocks show it, folded down by their rate.
@@ -147,10 +148,8 @@ void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
                  : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."),
        {}});
   if (!unknown || (out.remaining.gain > kUnexplained && !isFolded(hum, blockRate, out.remaining))) return;
-  out.remaining.goesWith = fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz);
-  out.remaining.share = hum.share;
-  out.remaining.lowHz = out.remaining.highHz = hum.frequencyHz;
-  out.remaining.gain = kSeen;
+  out.remaining = {fmt::format("a rhythm of {:.0f} Hz", hum.frequencyHz), kSeen, hum.share, hum.frequencyHz,
+                   hum.frequencyHz};
 }
 
 /// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and
@@ -168,8 +167,7 @@ void sayKnocks(const Work& work, DiagnosisReport& out) {
        heft::say("Shake the tool by hand and listen: is a part of it loose?"),
        {}});
   if (out.remaining.gain > kUnexplained) return;
-  out.remaining.goesWith = heft::toSay("short knocks");
-  out.remaining.gain = kSeen;
+  out.remaining = seen(heft::toSay("short knocks"));
 }
 
 /// Nor is noise that is many times louder again and again.
@@ -184,8 +182,7 @@ void sayBursts(const Work& work, DiagnosisReport& out) {
        heft::say("The readings shake for a moment {} times, first at {:.1f} s.", std::ssize(bursts), bursts.front()),
        heft::say("Look at what switches, shakes or turns on the tool at these moments."),
        {}});
-  out.remaining.goesWith = heft::toSay("noise that comes and goes");
-  out.remaining.gain = kSeen;
+  out.remaining = seen(heft::toSay("noise that comes and goes"));
 }
 
 }  // namespace
@@ -213,9 +210,7 @@ void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out) {
          heft::say("Switch off the threshold or dead band in the sensor's driver and record once more."),
          {}});
   if (bands.empty()) return;
-  out.remaining.goesWith = heft::toSay("readings that stick at one value");
-  out.remaining.gain = kSeen;
-  out.remaining.share = 0.0;
+  out.remaining = seen(heft::toSay("readings that stick at one value"));
 }
 
 }  // namespace heft::diagnosis
