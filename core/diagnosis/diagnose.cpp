@@ -43,6 +43,7 @@ struct Readings {
   std::vector<Direct> directs;
   std::vector<DeadBand> deadBands;
   std::vector<bool> bad;  ///< Rows that are not judged: one a row, or none
+  bool cutsMost = false;  ///< Readings are cut off flat most of the time: those rows are judged, too
 };
 
 /// Marks the rows that dead bands leave nothing of as bad, unless hardly any others are left.
@@ -92,6 +93,13 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles or poses are not used, here or for the payload.
     if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") dropReportedVelocities(out.cleaned);
+    // Cut off flat for so long that nothing else would be left to judge: then those rows are better than none.
+    constexpr double kLeast = 3.0;  // [s]
+    const auto cut = std::ranges::count(direct.rows, true), judged = std::ssize(direct.rows) - cut;
+    if (direct.cause == "saturation" && judged < cut && static_cast<double>(judged) < kLeast * recording.rateHz()) {
+      out.cutsMost = true;
+      continue;
+    }
     for (std::size_t i = 0; i < direct.rows.size(); ++i) {
       out.bad.resize(direct.rows.size(), false);
       out.bad[i] = out.bad[i] || direct.rows[i];
@@ -119,7 +127,8 @@ struct Searched {
 Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
                           DiagnoseOptions options, const Progress& progress) {
   // Readings that are cut off flat are dealt with.
-  if (std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; }))
+  if (!readings.cutsMost &&
+      std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; }))
     options.hidden.emplace_back("saturation");
   struct Smoothing {
     double cutoff;
@@ -141,6 +150,9 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.back().putRight = readings.mistake.has_value();
   }
   lookForContact(ways.front(), readings.cleaned, options);
+  if (!readings.mistake)
+    if (const auto mistake = frameMistake(ways.front()))
+      for (Way& way : ways) way.mistake = mistake;
   weighSharpMotion(ways, wasHeld(readings));
   std::size_t at = 0;
   // The way that leaves most of the motion among those that are next to best.
@@ -307,7 +319,9 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
   if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
-  for (const auto& direct : readings->directs) out.causes.push_back(fromDirect(direct));
+  for (const auto& direct : readings->directs)
+    if (std::ranges::find(fitted.causes, direct.cause, &DiagnosedCause::id) == fitted.causes.end())
+      out.causes.push_back(fromDirect(direct));
   if (!work.contacts.empty()) {
     const bool named = contains(final.model, work.touchedOr);
     out.causes.push_back(

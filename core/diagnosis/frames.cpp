@@ -6,9 +6,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/statistics.h"
+
 namespace heft::diagnosis {
 
 namespace {
+
+/// What the fit leaves of the force in a usual block, whatever it leaves where somebody pushes [N].
+double usualForce(const Signals& signals, const Fit& fit) {
+  std::vector<double> left;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) left.push_back(fit.residual.col(n).head<3>().norm());
+  return median(std::move(left));
+}
 
 double forceRms(const Signals& signals, const Fit& fit) {
   double sum = 0.0, count = 0.0;
@@ -60,27 +70,42 @@ std::optional<Matrix3d> bestTurn(const Signals& signals, bool proper) {
 std::optional<Matrix3d> turnOfGravity(const Signals& signals) {
   constexpr double kKnown = 0.03, kSize = 0.08;      // Of the mass; of gravity
   constexpr double kOnAxis = 0.985, kAnother = 0.7;  // Cosines
+  constexpr int kRounds = 5;
+  constexpr double kPush = 4.0;  // Times what half of the blocks leave at most: somebody pushes there
   const Eigen::Matrix3Xd s = blockForce(signals);
   using Seven = Eigen::Matrix<double, 7, 7>;
-  Seven A = Seven::Zero();
-  Eigen::Matrix<double, 7, 1> b = Eigen::Matrix<double, 7, 1>::Zero();
-  double squares = 0.0, count = 0.0;
+  using Rows = Eigen::Matrix<double, 3, 7>;  // f = m a - R^T weight + bias
+  std::vector<Rows> rows;
+  std::vector<Vector3d> forces;
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
     if (!signals.usable[static_cast<std::size_t>(n)]) continue;
     const Matrix3d& R =
         signals.R_BS[static_cast<std::size_t>(n * signals.samplesPerBlock + signals.samplesPerBlock / 2)];
-    Eigen::Matrix<double, 3, 7> rows;  // f = m a - R^T weight + bias
-    rows << s.col(n) + R.transpose() * signals.gravity, -R.transpose(), Matrix3d::Identity();
-    const Vector3d f = signals.measured.col(n).head<3>();
-    A += rows.transpose() * rows;
-    b += rows.transpose() * f;
-    squares += f.squaredNorm();
-    count += 3.0;
+    rows.emplace_back();
+    rows.back() << s.col(n) + R.transpose() * signals.gravity, -R.transpose(), Matrix3d::Identity();
+    forces.emplace_back(signals.measured.col(n).head<3>());
   }
-  const Eigen::LDLT<Seven> ldlt(A);
-  const Eigen::Matrix<double, 7, 1> x = ldlt.solve(b);
-  const double mass = x(0), size = signals.gravity.norm(), left = std::max(0.0, squares - x.dot(b)),
-               std = std::sqrt(left / std::max(1.0, count) * Seven(A.inverse())(0, 0));
+  std::vector<double> left(rows.size(), 0.0);
+  double mass = 0.0, std = 0.0, most = 1.0;
+  Eigen::Matrix<double, 7, 1> x;
+  for (int round = 0; round < kRounds; ++round) {
+    Seven A = Seven::Zero();
+    Eigen::Matrix<double, 7, 1> b = Eigen::Matrix<double, 7, 1>::Zero();
+    double squares = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (left[i] > most) continue;
+      A += rows[i].transpose() * rows[i];
+      b += rows[i].transpose() * forces[i];
+      squares += forces[i].squaredNorm();
+      count += 3.0;
+    }
+    x = A.ldlt().solve(b);
+    mass = x(0);
+    std = std::sqrt(std::max(0.0, squares - x.dot(b)) / std::max(1.0, count) * Seven(A.inverse())(0, 0));
+    for (std::size_t i = 0; i < rows.size(); ++i) left[i] = (forces[i] - rows[i] * x).norm();
+    most = kPush * median(left);
+  }
+  const double size = signals.gravity.norm();
   const Vector3d weight = x.segment<3>(1);
   if (!(mass > 0.0) || !(std < kKnown * mass) || !(size > 0.0)) return std::nullopt;
   if (std::abs(weight.norm() / (mass * size) - 1.0) > kSize) return std::nullopt;
@@ -209,6 +234,9 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
     mistake.rmsAfter = forceRms(other, fit);
     const double m = fit.model.x(6);
     if (m < 3.0 * std::sqrt(fit.covariance(6, 6))) continue;  // A payload has a mass above zero.
+    // Where gravity points is worked out beside what pushes, which may be most of what is left.
+    if (mistake.kind == FrameMistake::Kind::gravityTurned && usualForce(other, fit) < 0.4 * usualForce(signals, null))
+      return mistake;
     const bool better = negative ? mistake.rmsAfter < 1.05 * before : mistake.rmsAfter < 0.4 * before;
     if (!better) continue;
     // The first of equals is the simplest.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace heft::diagnosis {
 
@@ -31,7 +32,8 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
   constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
-  Signals& least = ways.front().signals;
+  const std::optional<FrameMistake>& mistake = ways.front().mistake;
+  const Signals least = mistake ? corrected(ways.front().signals, *mistake) : ways.front().signals;
   const auto stretches = untouched(least, ways.front());
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});

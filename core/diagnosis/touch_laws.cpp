@@ -119,8 +119,8 @@ double readAt(bool later, const Signals& signals, const Fit& fit, const std::vec
 }
 
 /// Whether what seems to be contact are readings that come late at these moments, such as where a logger stalls or an
-/// output cannot follow: who pushes makes a sensor read what it did not read a moment before, nor will. In 90
-/// recordings that were touched, or not, late readings left 0.06 and less; of a touch that left 0.15, all others more.
+/// output cannot follow: who pushes makes a sensor read what it should not have read a moment before. In 370 recordings
+/// that were touched or seemed so, late readings left 0.06 and less; one touch left 0.15, all others more.
 bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   constexpr double kNearlyAll = 0.92, kMore = 0.5;
   const double before = contacts.empty() ? 0.0 : readAt(false, signals, fit, contacts);

@@ -233,7 +233,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
   smoothing.twicing = twicing;
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  Way out{std::move(*motion), {}, cutoff, {}};
+  Way out{std::move(*motion), {}, cutoff, {}, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
   if (cutoff < kDefaultCutoffHz) signals.keptHz = (twicing ? kKeptTwiced : kKept) * cutoff;
@@ -424,7 +424,8 @@ Result<Work> worked(const Way& way, const DiagnoseOptions& options, double thres
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
                            judged / way.signals.blockRate())};
   std::vector<Stretch> holes = holesOf(way);
-  const std::optional<FrameMistake> mistake = way.putRight ? std::nullopt : frameMistake(way);
+  std::optional<FrameMistake> mistake = way.putRight ? std::nullopt : frameMistake(way);
+  if (!mistake) mistake = way.mistake;
   Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, givesUp);
   if (!mistake || work.search.givenUp) return work;
   // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more

@@ -18,6 +18,7 @@ struct Way {
   Signals signals;
   double cutoffHz = 0.0;
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
+  std::optional<FrameMistake> mistake;  ///< That another way shows: where the motion is smoothed more, it may not show
   bool putRight = false;  ///< A mistake with frames was found in the recording and undone: no other is looked for
 };
 

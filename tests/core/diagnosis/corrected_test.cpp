@@ -116,6 +116,18 @@ TEST(Corrected, ARobotOnAWallHasAnotherGravity) {
   EXPECT_TRUE(out->meta.gravity.isApprox(down, 1e-6)) << out->meta.gravity.transpose();
 }
 
+/// The same where the tool also touches something at each place: that was a steady pull beside the touches.
+TEST(Corrected, TouchesHideNoOtherGravity) {
+  Recording recording = aRecording(MotionKind::pickAndPlace, 2);
+  recording.meta.marks.clear();
+  recording.meta.gravity = {9.81, 0.0, 0.0};
+  const auto report = diagnosed(recording);
+  ASSERT_FALSE(report.causes.empty()) << said(report);
+  EXPECT_EQ(report.causes.front().id, "frame_error") << said(report);
+  EXPECT_EQ(named(report, "constant_pull"), nullptr) << said(report);
+  EXPECT_NEAR(report.after.payload.mass, 0.75, 0.02) << said(report);
+}
+
 /// A balancer that carries half of the tool leaves less weight than the tool resists being accelerated with: no
 /// mistake.
 TEST(Corrected, ABalancerIsNoOtherGravity) {

@@ -276,5 +276,21 @@ TEST(SampleTests, EvenStampsAreThoseOfTheRows) {
   EXPECT_LT((left.array() - left.mean()).abs().maxCoeff(), 5e-5);
 }
 
+/// Hardly any reading of one channel was inside the sensor's range: it was refused, as if all of it were contact.
+TEST(SampleTests, AChannelCutOffNearlyAlwaysIsStillJudged) {
+  Recording recording = aRecording(MotionKind::free, 25);
+  std::vector<double> sorted(static_cast<std::size_t>(recording.rows()));
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) sorted[static_cast<std::size_t>(i)] = recording.wrench(i, 2);
+  std::ranges::sort(sorted);
+  const double level = sorted[sorted.size() / 6];
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) recording.wrench(i, 2) = std::min(recording.wrench(i, 2), level);
+  DiagnoseOptions options;
+  options.surrogates = 0;
+  const auto report = diagnose(recording, &RobotModel::panda(), options);
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_EQ(report->causes.front().id, "saturation") << said(*report);
+  EXPECT_EQ(std::ranges::count(report->causes, "saturation", &DiagnosedCause::id), 1) << said(*report);
+}
+
 }  // namespace
 }  // namespace heft::test
