@@ -204,8 +204,8 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
     return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form);
   };
   const bool matrixOnly = std::ranges::all_of(
-                 model.terms, [&](const Term& t) { return !changes(t) || t.form->cause->isMatrix(*t.form); }),
-             bends = std::ranges::any_of(model.terms, [](const Term& t) { return t.form->cause->bendsGeometry(); });
+                 model.terms, [&](const Term&t) { return !changes(t) || t.form->cause->isMatrix(*t.form); }),
+             bends = std::ranges::any_of(model.terms, [](const Term&t) { return t.form->cause->bendsGeometry(); });
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < plain_.size(); ++i)
     if (!wanted || wanted(plain_[i].form)) which.push_back(i);
