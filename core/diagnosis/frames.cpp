@@ -235,9 +235,10 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
     const double m = fit.model.x(6);
     if (m < 3.0 * std::sqrt(fit.covariance(6, 6))) continue;  // A payload has a mass above zero.
     // Where gravity points is worked out beside what pushes, which may be most of what is left.
-    if (mistake.kind == FrameMistake::Kind::gravityTurned && usualForce(other, fit) < 0.4 * usualForce(signals, null))
-      return mistake;
-    const bool better = negative ? mistake.rmsAfter < 1.05 * before : mistake.rmsAfter < 0.4 * before;
+    const bool better = mistake.kind == FrameMistake::Kind::gravityTurned
+                            ? usualForce(other, fit) < 0.4 * usualForce(signals, null)
+                        : negative ? mistake.rmsAfter < 1.05 * before
+                                   : mistake.rmsAfter < 0.4 * before;
     if (!better) continue;
     // The first of equals is the simplest.
     if (!best || mistake.rmsAfter < 0.9 * best->rmsAfter) best = mistake;
