@@ -147,12 +147,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   for (auto& way : smoothed) {
     if (!*way) return way->error();
     ways.push_back(std::move(**way));
-    ways.back().putRight = readings.mistake.has_value();
+    ways.back().mistakeKnown = readings.mistake.has_value();
   }
   lookForContact(ways.front(), readings.cleaned, options);
-  if (!readings.mistake)
-    if (const auto mistake = frameMistake(ways.front()))
-      for (Way& way : ways) way.mistake = mistake;
+  lookForMistake(ways.front());
   weighSharpMotion(ways, wasHeld(readings));
   std::size_t at = 0;
   // The way that leaves most of the motion among those that are next to best.
@@ -177,6 +175,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   }
   const auto searchedOn = [&](std::size_t i, double threshold, const GivesUp& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
+    lookForMistake(ways[i], ways.front().mistake);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better,

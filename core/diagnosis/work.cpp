@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
@@ -416,6 +417,12 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
   return frameMistake(way.signals, quiet, fitModel(way.signals, quiet, Model{}));
 }
 
+void lookForMistake(Way& way, const std::optional<FrameMistake>& otherwise) {
+  if (std::exchange(way.mistakeKnown, true)) return;
+  way.mistake = frameMistake(way);
+  if (!way.mistake) way.mistake = otherwise;
+}
+
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const GivesUp& givesUp) {
   constexpr double kClearly = 30.0;  ///< Evidence without a mistake over that with it
@@ -424,8 +431,7 @@ Result<Work> worked(const Way& way, const DiagnoseOptions& options, double thres
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
                            judged / way.signals.blockRate())};
   std::vector<Stretch> holes = holesOf(way);
-  std::optional<FrameMistake> mistake = way.putRight ? std::nullopt : frameMistake(way);
-  if (!mistake) mistake = way.mistake;
+  const std::optional<FrameMistake>& mistake = way.mistake;
   Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, givesUp);
   if (!mistake || work.search.givenUp) return work;
   // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more

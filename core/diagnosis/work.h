@@ -18,8 +18,8 @@ struct Way {
   Signals signals;
   double cutoffHz = 0.0;
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
-  std::optional<FrameMistake> mistake;  ///< That another way shows: where the motion is smoothed more, it may not show
-  bool putRight = false;  ///< A mistake with frames was found in the recording and undone: no other is looked for
+  std::optional<FrameMistake> mistake;        ///< With frames, once looked for
+  bool mistakeKnown = false;                  ///< It was, or the recording's was undone: no other is looked for
 };
 
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not
@@ -36,6 +36,10 @@ std::vector<Stretch> untouched(Signals judged, const Way& way);
 
 /// What is mixed up in it as far as nothing touches, where contact was looked for.
 std::optional<FrameMistake> frameMistake(const Way& way);
+
+/// Fills `way.mistake` the first time that it is asked: with frameMistake(), or `otherwise`, that of a way which
+/// smooths the motion less and may show what this one does not.
+void lookForMistake(Way& way, const std::optional<FrameMistake>& otherwise = std::nullopt);
 
 /// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the
 /// first way left out, frames and signs put right.
@@ -58,8 +62,8 @@ struct Work {
 /// SearchOptions::givesUp, of a work that has come as far.
 using GivesUp = std::function<bool(const Work& work, SoFar soFar)>;
 
-/// Contact on `way` must have been looked for. `givesUp`, if any, is asked by the first search, before anything is
-/// compared.
+/// Contact and a mistake on `way` must have been looked for. `givesUp`, if any, is asked by the first search, before
+/// anything is compared.
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const GivesUp& givesUp = {});
 

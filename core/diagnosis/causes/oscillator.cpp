@@ -149,9 +149,7 @@ class Oscillator : public Cause {
     Vector3d seat, way;
     double frequency = 0.0, damping = 0.0;
 
-    bool operator==(const Path& other) const {
-      return seat == other.seat && way == other.way && frequency == other.frequency && damping == other.damping;
-    }
+    bool operator==(const Path&) const = default;
   };
 
   static Path pathOf(const Form& form, const VectorXd& v) {
