@@ -9,14 +9,9 @@ ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, cons
     parts_[c].resize(blocks_, columns_);
     which_[c].reserve(static_cast<std::size_t>(columns_));
   }
-  const bool evens = noise.level != nullptr;
   ByChannel x(blocks_, 6);
   for (Eigen::Index i = 0; i < columns_; ++i) {
-    const Eigen::Map<const Wrenches> column(columns.col(i).data(), 6, blocks_);
-    if (evens)
-      x = column.cwiseProduct(noise.level->by.middleCols(first, blocks_)).transpose();
-    else
-      x = column.transpose();
+    evenByChannel(columns.col(i), noise, first, x);
     for (std::size_t c = 0; c < 6; ++c) {
       const auto channel = x.col(static_cast<Eigen::Index>(c));
       if (channel.isZero(0.0)) continue;

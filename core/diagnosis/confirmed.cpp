@@ -88,10 +88,11 @@ double lasts(const Term& term, const Signals& signals) {
   return out;
 }
 
-/// Shares of the unseen misfit that a cause must explain.
+/// What is asked of a cause.
 struct Needed {
-  double always = 0.0;
-  double ofFaint = 0.0;  ///< One that next to nothing speaks for; 0: as always, also beside a strong one
+  double always = 0.0;  ///< Share of the unseen misfit that it must explain
+  /// Whether more is asked where little evidence speaks for it: not where without such ones something unknown is left.
+  bool moreOfFaint = true;
 };
 
 /// Whether a cause holds that gains `gain` on unseen stretches. `strongest`: evidence of the strongest one.
@@ -100,7 +101,8 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   /// The share of that one's evidence. Of second causes in 544 recordings of two simulators, right ones had a ninth or
   /// more (but for one of two that either would do for); nine wrong ones had less and explained less than 0.03.
   constexpr double kFaintBeside = 0.12;
-  constexpr double kHarm = 0.1;  ///< Share of the unseen misfit that no cause may add
+  constexpr double kOfFaint = 0.012;  ///< Share for one that next to nothing speaks for
+  constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
   /// Noise that is slow takes some course, too. Of 22 drifts that took any, the faintest had 230; of three clean
   /// recordings with slow noise that had one, the strongest 160.
   constexpr double kAnyCourse = 200.0;
@@ -109,20 +111,22 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   const auto anyTerm = [&](const auto& is) {
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
   };
-  if (needed.ofFaint > 0.0 &&
+  if (needed.moreOfFaint &&
       found.gain < (anyTerm([](const Term& t) { return takesAnyCourse(*t.form); }) ? kAnyCourse : kNamed))
     return false;
   // Beside something unknown, what may as well be nothing is a part of that.
   if (needed.always > 0.0 && !standsOut(final, found.cause)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
-  const bool leftover = needed.ofFaint > 0.0 && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);
+  const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);
   // Where nearly all parts are better, one of them is not like the others, such as the first of a drift that settles.
   if (!leftover && !faint && 10 * gain.blocksBetter >= 8 * gain.blocks) return true;
   if (gain.explainedFraction < -kHarm) return false;
   // What has its place in time can hardly be seen elsewhere. What begins and stays is seen on all later blocks.
   if (anyTerm([&](const Term& t) { return t.form->local && (!faint || lasts(t, work.signals) < kBrief); })) return true;
-  const double least = leftover ? kOfLeftover : faint ? std::max(needed.always, needed.ofFaint) : needed.always;
+  const double least = leftover                      ? kOfLeftover
+                       : faint && needed.moreOfFaint ? std::max(needed.always, kOfFaint)
+                                                     : needed.always;
   if (gain.explainedFraction > least) return mostly;
   // What has chosen from many frequencies or speeds explains a little of any noise.
   const bool chose = anyTerm([](const Term& t) { return t.form->scan.size() < t.form->parameters.size(); });
@@ -179,12 +183,12 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool he
 }  // namespace
 
 Confirmed confirmed(Work& work, const Surrogates& chance, bool held) {
-  constexpr double kBesideUnknown = 0.03, kOfFaint = 0.012;
+  constexpr double kBesideUnknown = 0.03;
   keepOneOfTwo(work);
   const Structure beside = structureIn(work.signals, work.stretches, work.search.final);
   const Search before = work.search;
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
-  Needed needed{beside.gain > kUnexplained ? kBesideUnknown : 0.0, kOfFaint};
+  Needed needed{beside.gain > kUnexplained ? kBesideUnknown : 0.0};
   Confirmed out;
   out.first = heldOutResidual(work.signals, work.stretches, work.search.null);
   const auto judge = [&] {
@@ -197,7 +201,7 @@ Confirmed confirmed(Work& work, const Surrogates& chance, bool held) {
   if (beside.gain <= kUnexplained && out.remaining.gain > kUnexplained) {
     // Without what explains little, something unknown is left: then it does explain that.
     work.search = before;
-    needed.ofFaint = 0.0;
+    needed.moreOfFaint = false;
     judge();
   }
   return out;

@@ -139,24 +139,13 @@ void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size
   }
 }
 
-namespace {
-
-/// whitened() for the columns' rows of the blocks from `first` on; all blocks equally loud.
-MatrixXd innovations(const Eigen::Ref<const MatrixXd>& columns, const Noise& noise,
-                     const std::vector<Stretch>& stretches, Eigen::Index first) {
-  const Eigen::Index blocks = columns.rows() / 6;
-  MatrixXd out(columns.rows(), columns.cols());
-  ByChannel x(blocks, 6), e(blocks, 6);
-  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    x = Eigen::Map<const Wrenches>(columns.col(j).data(), 6, blocks).transpose();
-    for (Eigen::Index c = 0; c < 6; ++c)
-      innovate(x.col(c), noise, static_cast<std::size_t>(c), stretches, first, e.col(c));
-    Eigen::Map<Wrenches>(out.col(j).data(), 6, blocks) = e.transpose();
-  }
-  return out;
+void evenByChannel(const Eigen::Ref<const VectorXd>& rows, const Noise& noise, Eigen::Index first, ByChannel& out) {
+  const Eigen::Map<const Wrenches> wrench(rows.data(), 6, rows.size() / 6);
+  if (noise.level == nullptr)
+    out = wrench.transpose();
+  else
+    out = wrench.cwiseProduct(noise.level->by.middleCols(first, wrench.cols())).transpose();
 }
-
-}  // namespace
 
 Stretch reachOf(Stretch acts, Eigen::Index blocks) {
   return {std::max<Eigen::Index>(0, acts.from - kMaxOrder), std::min(blocks, acts.to + kMaxOrder)};
@@ -167,9 +156,16 @@ MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector
 }
 
 MatrixXd whitened(const MatrixXd& rows, const Noise& noise, const std::vector<Stretch>& stretches, Eigen::Index first) {
-  if (noise.level == nullptr) return innovations(rows, noise, stretches, first);
-  const auto by = flat(noise.level->by).segment(6 * first, rows.rows());
-  return innovations(by.asDiagonal() * rows, noise, stretches, first);
+  const Eigen::Index blocks = rows.rows() / 6;
+  MatrixXd out(rows.rows(), rows.cols());
+  ByChannel x(blocks, 6), e(blocks, 6);
+  for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+    evenByChannel(rows.col(j), noise, first, x);
+    for (Eigen::Index c = 0; c < 6; ++c)
+      innovate(x.col(c), noise, static_cast<std::size_t>(c), stretches, first, e.col(c));
+    Eigen::Map<Wrenches>(out.col(j).data(), 6, blocks) = e.transpose();
+  }
+  return out;
 }
 
 }  // namespace heft::diagnosis

@@ -40,6 +40,9 @@ Wrenches evenWrench(const Wrenches& wrench, const Noise& noise);
 
 using ByChannel = Eigen::Matrix<double, Eigen::Dynamic, 6>;  ///< A column a channel
 
+/// 6 rows a block (row 6 n + channel) of the blocks from `first` on, by channel, all blocks made equally loud.
+void evenByChannel(const Eigen::Ref<const VectorXd>& rows, const Noise& noise, Eigen::Index first, ByChannel& out);
+
 /// Unit innovations of one channel, all blocks made equally loud: `x` is of the blocks from `first` on, `out` as long;
 /// zero where nothing is judged.
 void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,

@@ -16,10 +16,7 @@ Vector3d velocityAt(const Signals& signals, const Kinematics& kin, Eigen::Index 
   return signals.velocity.col(k) + R_BS * Vector3d(kin.omega.col(k)).cross(r);
 }
 
-/// What both have in common: where the resistance acts, and that what is less than none pushes. form.choice: 0 the
-/// sensor's origin, 1 turning, 2 both, 3 a place away from the sensor, 4 and 5 the cause's own richer forms, 6
-/// different along each axis at a place away from the sensor, 7 a place away from the sensor and turning; from
-/// kFirstOwn on the cause's own, by name.
+/// What both have in common: where the resistance acts, and that what is less than none pushes.
 class Resistance : public Cause {
  public:
   double doubt(const Form& form, const VectorXd& v, const Signals&) const override {
@@ -37,6 +34,10 @@ class Resistance : public Cause {
   }
 
  protected:
+  /// Form::choice: at the sensor's origin, against turning, both; at a place away from the sensor, there different
+  /// along each axis, there and against turning. 4, 5 and from kFirstOwn on: the cause's own.
+  enum Kind { kMoving = 0, kTurning = 1, kBoth = 2, kAway = 3, kAwayPerAxis = 6, kAwayTurning = 7, kFirstOwn = 8 };
+
   /// Resistances that may be less than none.
   static std::vector<int> mayPush(const Form& form) {
     std::vector<int> out;
@@ -46,18 +47,17 @@ class Resistance : public Cause {
     }
     return out;
   }
-  static constexpr int kFirstOwn = 8;
   std::vector<Form> common(const Signals& signals, const Parameter& linear, const Parameter& angular) const {
     std::vector<Form> out;
-    add(out, 1, "turning", {angular});
+    add(out, kTurning, "turning", {angular});
     if (!signals.positionKnown) return out;
-    add(out, 0, "", {linear});
-    add(out, 2, "moving and turning", {linear, angular});
+    add(out, kMoving, "", {linear});
+    add(out, kBoth, "moving and turning", {linear, angular});
     return out;
   }
   /// At a place away from the sensor; `parameters` as of withPlace(), what follows the place at its end.
   void addAway(std::vector<Form>& out, std::vector<Parameter> parameters) const {
-    add(out, 3, "away from the sensor", std::move(parameters));
+    add(out, kAway, "away from the sensor", std::move(parameters));
     out.back().scan = {0};
   }
   /// Two of them would share what resists, and neither would say how much.
@@ -81,15 +81,15 @@ class ViscousDrag final : public Resistance {
     auto out = common(signals, linear, angular);
     if (!signals.positionKnown) return out;
     addAway(out, withPlace({linear}));
-    add(out, 7, "away from the sensor and turning", withPlace({linear, angular}));
+    add(out, kAwayTurning, "away from the sensor and turning", withPlace({linear, angular}));
     out.back().scan = {0, 1};
-    add(out, 4, "different along each axis",
+    add(out, kPerAxis, "different along each axis",
         {{"drag_x", "N s/m", 1.0, 0.3, 0.0, 200.0, true},
          {"drag_y", "N s/m", 1.0, 0.3, 0.0, 200.0, true},
          {"drag_z", "N s/m", 1.0, 0.3, 0.0, 200.0, true}});
     std::vector<Parameter> all = out.back().parameters;
     all.push_back({"turning_drag", "N m s/rad", 1.0, 0.01, 0.0, 10.0, true});
-    add(out, 6, "different along each axis, away from the sensor", withPlace(std::move(all)));
+    add(out, kAwayPerAxis, "different along each axis, away from the sensor", withPlace(std::move(all)));
     out.back().scan = {0, 1, 2, 3};
     // A flat tool, or a guide along a line: along any line of the base or of the tool.
     for (const auto& [kind, name] :
@@ -110,13 +110,13 @@ class ViscousDrag final : public Resistance {
              Wrenches& w) const override {
     const int kind = form.choice[0];
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
+    const bool away = kind == kAway || kind == kAwayPerAxis || kind == kAwayTurning || kind >= kFirstOwn;
+    const int turns = turningOf(kind);
     const Matrix3d along = kind == kLines || kind == kToolLines ? tensor(v.head<6>()) : Matrix3d(Matrix3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
-      if (kind == 1 || kind == 2) w.col(k).tail<3>() += v(kind - 1) * kin.omega.col(k);
-      if (kind == 1) continue;
-      if (kind == 6 || kind == 7) w.col(k).tail<3>() += v(kind == 6 ? 3 : 1) * kin.omega.col(k);
-      const bool away = kind == 3 || kind > 5;
+      if (turns >= 0) w.col(k).tail<3>() += v(turns) * kin.omega.col(k);
+      if (kind == kTurning) continue;
       const Vector3d r = away ? Vector3d(v.tail<3>()) : Vector3d(Vector3d::Zero());
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
       Vector3d f;
@@ -125,7 +125,8 @@ class ViscousDrag final : public Resistance {
       } else if (kind == kLines) {
         f = R.transpose() * (along * velocity);
       } else {
-        const Vector3d drag = kind == 4 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
+        const Vector3d drag =
+            kind == kPerAxis || kind == kAwayPerAxis ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0)));
         const double speed = kind == kSquare ? velocity.norm() : 1.0;
         f = R.transpose() * (speed * velocity.cwiseProduct(drag));
       }
@@ -143,7 +144,21 @@ class ViscousDrag final : public Resistance {
   }
 
  private:
-  static constexpr int kSquare = kFirstOwn, kLines = 9, kToolLines = 10;
+  /// Which parameter of a form is the resistance against turning; -1: none.
+  static int turningOf(int kind) {
+    switch (kind) {
+      case kTurning:
+        return 0;
+      case kBoth:
+      case kAwayTurning:
+        return 1;
+      case kAwayPerAxis:
+        return 3;
+      default:
+        return -1;
+    }
+  }
+  static constexpr int kPerAxis = 4, kSquare = kFirstOwn, kLines = 9, kToolLines = 10;
 };
 
 class CoulombFriction final : public Resistance {
@@ -154,7 +169,7 @@ class CoulombFriction final : public Resistance {
     const Parameter linear{"friction", "N", 1.0, 0.1, -60.0, 60.0};
     auto out = common(signals, linear, {"turning_friction", "N m", 1.0, 0.005, -5.0, 5.0});
     if (!signals.positionKnown) return out;
-    add(out, 5, "different along each axis",
+    add(out, kPerAxis, "different along each axis",
         {{"friction_x", "N", 1.0, 0.1, 0.0, 60.0, true},
          {"friction_y", "N", 1.0, 0.1, 0.0, 60.0, true},
          {"friction_z", "N", 1.0, 0.1, 0.0, 60.0, true}});
@@ -163,13 +178,13 @@ class CoulombFriction final : public Resistance {
     auto all = withPlace(out.back().parameters), away = withPlace({linear});
     all.push_back(stick);
     away.push_back(stick);
-    add(out, 6, "different along each axis, away from the sensor", std::move(all));
+    add(out, kAwayPerAxis, "different along each axis, away from the sensor", std::move(all));
     out.back().scan = {0, 1, 2};
     out.back().start(6) = kStick;
     addAway(out, std::move(away));
     out.back().start(4) = kStick;
     for (const double way : {0.003, 0.015, 0.06}) {
-      add(out, 4, "giving way", withPlace({linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}}));
+      add(out, kGivesWay, "giving way", withPlace({linear, {"way", "mm", kMilli, 0.005, 0.0005, 0.5}}));
       out.back().start(1) = way;
       out.back().scan = {0};
     }
@@ -187,21 +202,21 @@ class CoulombFriction final : public Resistance {
     const int kind = form.choice[0];
     const std::vector<Matrix3d>& R_BS = axesOf(signals, kin);
     const double dt = 1.0 / signals.rateHz;
+    const int place = placeOf(kind);
     Vector3d z = Vector3d::Zero();
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const Matrix3d& R = R_BS[static_cast<std::size_t>(k)];
-      if (kind == 1 || kind == 2) {
+      if (kind == kTurning || kind == kBoth) {
         const Vector3d omega = kin.omega.col(k);
-        w.col(k).tail<3>() += v(kind - 1) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
+        w.col(k).tail<3>() +=
+            v(kind == kBoth ? 1 : 0) * omega / std::sqrt(omega.squaredNorm() + kStickAngular * kStickAngular);
       }
-      if (kind == 1) continue;
-      const bool away = kind == 3 || kind == 4 || kind == 6 || kind == kStribeck;
-      const Vector3d r =
-          away ? Vector3d(v.segment<3>(kind == 6 || kind == kStribeck ? 3 : kind - 2)) : Vector3d(Vector3d::Zero());
+      if (kind == kTurning) continue;
+      const Vector3d r = place < 0 ? Vector3d(Vector3d::Zero()) : Vector3d(v.segment<3>(place));
       const Vector3d velocity = velocityAt(signals, kin, k, R, r);
-      const double stick = kind == 3 ? v(4) : kind == 6 ? v(6) : kStick;
+      const double stick = kind == kAway ? v(4) : kind == kAwayPerAxis ? v(6) : kStick;
       Vector3d direction = velocity / std::sqrt(velocity.squaredNorm() + stick * stick);
-      if (kind == 4) {
+      if (kind == kGivesWay) {
         // Dahl: z' = v - |v| z / way, the exact step for a velocity that is constant over it.
         const double speed = velocity.norm(), way = v(1);
         const double keep = std::exp(-speed * dt / way);
@@ -210,7 +225,7 @@ class CoulombFriction final : public Resistance {
       }
       const double more = kind == kStribeck ? v(1) * std::exp(-velocity.squaredNorm() / (v(2) * v(2))) : 0.0;
       const Vector3d friction =
-          kind == 5 || kind == 6 ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0) + more));
+          kind == kPerAxis || kind == kAwayPerAxis ? Vector3d(v.head<3>()) : Vector3d(Vector3d::Constant(v(0) + more));
       const Vector3d f = R.transpose() * direction.cwiseProduct(friction);
       w.col(k).head<3>() += f;
       w.col(k).tail<3>() += r.cross(f);
@@ -218,7 +233,21 @@ class CoulombFriction final : public Resistance {
   }
 
  private:
-  static constexpr int kStribeck = kFirstOwn;
+  /// Which of a form's parameters is the first of the place where it acts; -1: the sensor's origin.
+  static int placeOf(int kind) {
+    switch (kind) {
+      case kAway:
+        return 1;
+      case kGivesWay:
+        return 2;
+      case kAwayPerAxis:
+      case kStribeck:
+        return 3;
+      default:
+        return -1;
+    }
+  }
+  static constexpr int kGivesWay = 4, kPerAxis = 5, kStribeck = kFirstOwn;
 };
 
 }  // namespace
