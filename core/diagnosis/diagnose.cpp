@@ -15,6 +15,7 @@
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/payload_after.h"
+#include "core/diagnosis/ringing.h"
 #include "core/diagnosis/sharp_motion.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
@@ -76,7 +77,9 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   if (!motion) return motion.error();
   out.stated = recording;
   if (recording.hasOrientation()) {
-    auto way = wayOf(recording, out.cleaned, robot, kDefaultCutoffHz, true, options, {});
+    smoothing.twicing = true;
+    auto way = wayOf(recording, out.cleaned, robot, smoothing, options, {});
+    smoothing.twicing = false;
     if (!way) return way.error();
     lookForContact(*way, out.cleaned, options);
     if (const auto mistake = frameMistake(*way); mistake && mistake->ofOrientation()) {
@@ -120,6 +123,7 @@ struct Searched {
   double threshold = kThreshold;
   Surrogates chance;  ///< Empty where none were asked for, or nothing was found
   std::optional<NoisyMotion> noisy;
+  std::optional<Ringing> ringing;
 };
 
 /// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
@@ -131,17 +135,27 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
       std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; }))
     options.hidden.emplace_back("saturation");
   struct Smoothing {
+    double place;  ///< Among those that smooth less and those that smooth more
     double cutoff;
     bool twicing;  ///< Lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the
                    ///< better
+    bool denoise = false;
   };
-  constexpr std::array<Smoothing, 6> kSmoothings{
-      {{kDefaultCutoffHz, true}, {17.0, true}, {12.0, true}, {12.0, false}, {8.5, false}, {6.0, false}}};
+  constexpr std::array<Smoothing, 7> kSmoothings{{{0.0, kDefaultCutoffHz, true},
+                                                  {1.0, 17.0, true},
+                                                  {1.5, kDefaultCutoffHz, true, true},
+                                                  {2.0, 12.0, true},
+                                                  {3.0, 12.0, false},
+                                                  {4.0, 8.5, false},
+                                                  {5.0, 6.0, false}}};
   constexpr double kClearly = 30.0;  // Evidence for another way than this one
   std::array<std::optional<Result<Way>>, kSmoothings.size()> smoothed;
   onTwoThreads(smoothed.size(), [&](std::size_t i) {
-    smoothed[i] =
-        wayOf(recording, readings.cleaned, robot, kSmoothings[i].cutoff, kSmoothings[i].twicing, options, readings.bad);
+    MotionOptions smoothing;
+    smoothing.cutoffHz = kSmoothings[i].cutoff;
+    smoothing.twicing = kSmoothings[i].twicing;
+    smoothing.denoise = kSmoothings[i].denoise;
+    smoothed[i] = wayOf(recording, readings.cleaned, robot, smoothing, options, readings.bad);
   });
   std::vector<Way> ways;
   for (auto& way : smoothed) {
@@ -184,7 +198,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     std::vector<double> gains(ways.size(), 0.0);
     const auto ask = [&](bool neighbours) {
       onTwoThreads(ways.size(), [&](std::size_t i) {
-        const bool beside = i + 1 == at || i == at + 1;
+        const bool beside = std::abs(kSmoothings[i].place - kSmoothings[at].place) <= 1.0;
         if (i != at && beside == neighbours) gains[i] = evidenceOf(ways[i]);
       });
       return *std::ranges::max_element(gains) > kClearly;
@@ -226,6 +240,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   if (progress.cancelled()) return Error{"Stopped.", true};
   out.work = std::move(*found);
   out.work.madeByMotion = madeByMotion(out.work, ways, at);
+  if (!contains(options.hidden, "flexible_mount")) out.ringing = setRingingAside(out.work, ways.front());
   return out;
 }
 
@@ -234,7 +249,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
 /// last.
 void sortByStrength(std::vector<DiagnosedCause>& causes) {
   const auto rank = [](const DiagnosedCause& c) {
-    return c.id == "contact" ? -1e300 : c.id == "quantisation" ? 0.0 : c.direct ? 1e300 : c.deltaBic;
+    return c.id == "contact"               ? -1e300
+           : c.id == "quantisation"        ? 0.0
+           : c.direct && c.deltaBic == 0.0 ? 1e300
+                                           : c.deltaBic;
   };
   std::ranges::stable_sort(causes, [&](const DiagnosedCause& a, const DiagnosedCause& b) { return rank(a) > rank(b); });
 }
@@ -318,6 +336,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
   if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
+  if (found->ringing && std::ranges::find(fitted.causes, "flexible_mount", &DiagnosedCause::id) == fitted.causes.end())
+    out.causes.push_back(fromRinging(*found->ringing));
   for (const auto& direct : readings->directs)
     if (std::ranges::find(fitted.causes, direct.cause, &DiagnosedCause::id) == fitted.causes.end())
       out.causes.push_back(fromDirect(direct));

@@ -99,6 +99,23 @@ bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where) 
   return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kJumps * most;
 }
 
+/// Whether most of what is left in a stretch beyond the usual is what some motion smoothed less has there.
+bool isLost(const Signals& signals, const Fit& fit, const Stretch& where) {
+  constexpr double kLeft = 0.5;  // Share of the power; of what has nothing to do with the motion more than all
+  if (signals.lost == nullptr) return false;
+  const Eigen::Index count = where.to - where.from;
+  const Vector6d scale = usualSize(signals, fit).cwiseInverse();
+  // So scaled, each channel has a power of 1 where it is judged.
+  const auto judged = static_cast<double>(std::ranges::count(signals.usable, true));
+  const auto beyond = [&](const Wrenches& left) {
+    return (scale.asDiagonal() * left).squaredNorm() - 6.0 * static_cast<double>(count) / std::max(1.0, judged);
+  };
+  const Wrenches left = fit.residual.middleCols(where.from, count);
+  return std::ranges::any_of(*signals.lost, [&](const Wrenches& lost) {
+    return beyond(left - lost.middleCols(where.from, count)) < kLeft * beyond(left);
+  });
+}
+
 }  // namespace
 
 double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Index from, Eigen::Index to) {
@@ -138,7 +155,8 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
       contact.instead = kOneChannel;
     else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
-    contact.rings = contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch);
+    contact.smoothed =
+        (contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch)) || isLost(signals, fit, stretch);
     out.push_back(contact);
   }
   return out;

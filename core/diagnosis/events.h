@@ -15,8 +15,7 @@ struct Contact {
   double evidence = 0;      ///< Gained by leaving the stretch out
   Stretch blocks;           ///< The same in blocks
   std::string instead;      ///< What is there that no push makes; empty: nothing. Not translated
-  bool rings = false;  ///< It is short and turns round from block to block: left by the smoothing of the motion where a
-                       ///< motor's force jumps
+  bool smoothed = false;    ///< Left by the smoothing of the motion where a motor's force jumps
 };
 
 /// Evidence for leaving blocks [from, to) out of `fit`: what they would cost under its noise, less the price of a force

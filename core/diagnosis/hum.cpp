@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/diagnosis/periodogram.h"
 #include "core/diagnosis/two_threads.h"
+#include "core/math/periodogram.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {

@@ -131,6 +131,18 @@ DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy) {
   return out;
 }
 
+DiagnosedCause fromRinging(const Ringing& ringing) {
+  DiagnosedCause out;
+  out.id = "flexible_mount";
+  out.direct = true;
+  out.parameters = {{"frequency", "Hz", ringing.frequencyHz, ringing.frequencyStd},
+                    {"damping", "", ringing.damping, ringing.dampingStd}};
+  out.when = ringing.when;
+  out.deltaBic = ringing.evidence;
+  out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
+  return out;
+}
+
 DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left, const std::string& touchedOr,
                             double noise) {
   DiagnosedCause out;

@@ -3,6 +3,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/events.h"
 #include "core/diagnosis/noisy_motion.h"
+#include "core/diagnosis/ringing.h"
 
 namespace heft::diagnosis {
 
@@ -16,6 +17,7 @@ DiagnosedCause fromDirect(const Direct& direct);
 /// `before` and `after` undoing the mistake.
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
 DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy);
+DiagnosedCause fromRinging(const Ringing& ringing);
 /// `contacts` must not be empty. `left`, 6 x blocks, is what all causes together leave: its mean over three blocks is
 /// at its greatest the force, known to `noise` [N] (one block by itself adds the most that the noise does in any).
 /// `touchedOr`: a cause that may be meant instead, or none.

@@ -44,8 +44,9 @@ std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& us
                                        double evidence) {
   // Of 260 recordings, whatever was wrong with them, noise became 2.4 times smaller at most, and 1.75 times where a
   // robot reports its angles late and unevenly; noisy angles began at 2.7. So did, now and then, motion with the noise
-  // that a robot's has, 2.5e-5 at most, under a quiet sensor; where somebody had made it noisy, it had 3e-4 or more.
-  constexpr double kTimes = 2.2, kPlain = 1e-4;
+  // that a robot's has, 1e-4 at most and up to 1.5e-4 where poses were worked out from it, under a quiet sensor; where
+  // somebody had made it noisy, it had 3e-4 or more.
+  constexpr double kTimes = 2.2, kPlain = 2e-4;
   const auto judged = static_cast<double>(std::ranges::count(usual.signals.usable, true));
   if (evidence < 12.0 * judged * std::log(kTimes)) return {};
   NoisyMotion out{leftOver(usual), leftOver(smoothed), smoothed.cutoffHz, noiseOfMotion(recording) > kPlain};

@@ -33,7 +33,11 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   const std::optional<FrameMistake>& mistake = ways.front().mistake;
-  const Signals least = mistake ? corrected(ways.front().signals, *mistake) : ways.front().signals;
+  std::optional<Signals> right;  // Of the way that was asked for last
+  const auto signalsOf = [&](const Way& way) -> const Signals& {
+    return mistake ? right.emplace(corrected(way.signals, *mistake)) : way.signals;
+  };
+  const Signals& least = signalsOf(ways.front());
   const auto stretches = untouched(least, ways.front());
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});
@@ -44,14 +48,25 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   const Vector10d payload = fit.model.x.tail<10>();
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;
-  Wrenches made = averaged(least, payloadWrench(least.kinematics, payload));
-  for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
-    const Signals& smoother = ways[i + 1].signals;
-    if (smoother.blocks() != made.cols()) return;
-    Wrenches next = averaged(smoother, payloadWrench(smoother.kinematics, payload));
-    Wrenches louder = blurred((noise.cwiseInverse().asDiagonal() * (made - next)).cwiseAbs2(), kReach);
+  const auto madeOf = [&](const Way& way) {
+    const Signals& signals = signalsOf(way);
+    return averaged(signals, payloadWrench(signals.kinematics, payload));
+  };
+  std::vector<Wrenches> made;
+  for (const Way& way : ways) {
+    made.push_back(madeOf(way));
+    if (made.back().cols() != made.front().cols()) return;
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    std::vector<Wrenches> lost;
+    for (std::size_t less = 0; less < i; ++less) lost.emplace_back(made[less] - made[i]);
+    ways[i].signals.lost = std::make_shared<const std::vector<Wrenches>>(std::move(lost));
+    // What was denoised may be smoother at a stop than one with a low corner.
+    std::size_t next = i + 1;
+    while (next < ways.size() && ways[next].denoised) ++next;
+    if (next >= ways.size()) continue;
+    Wrenches louder = blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kReach);
     if (louder.maxCoeff() > kNoticed) ways[i].signals.louder = std::make_shared<const Loudness>(std::move(louder));
-    made = std::move(next);
   }
 }
 

@@ -5,9 +5,10 @@
 
 namespace heft::diagnosis {
 
-/// Sets Signals::louder of each way, the least smoothed first: by how much the wrench that the payload makes of the
-/// motion differs from that of the next smoother one, over the noise. Contact on the first way must have been looked
-/// for. `held`: readings of the motion stood still and caught up, which looks sharp and says nothing of the payload.
+/// Sets Signals::lost of each way, and Signals::louder, the least smoothed first: by how much the wrench that the
+/// payload makes of the motion differs from that of the next smoother one, over the noise. Contact on the first way
+/// must have been looked for. `held`: readings of the motion stood still and caught up, which looks sharp and says
+/// nothing of the payload.
 void weighSharpMotion(std::vector<Way>& ways, bool held);
 
 }  // namespace heft::diagnosis

@@ -53,6 +53,7 @@ struct Signals {
   double smoothedAway = 0.0;
   /// Above which smoothing takes more than 1.5 % of what moves, since noise made it useless; 0: nowhere
   double keptHz = 0.0;
+  bool denoised = false;  ///< Its motion was, see MotionOptions: `keptHz` is the top of a tremor, no corner
 
   const RobotModel* robot = nullptr;  ///< With joints only: for causes that bend them.
   int link = 0;
@@ -66,6 +67,9 @@ struct Signals {
   Wrenches measured;  ///< 6 x N: their averages
   /// Of noise where the motion is less well known; null: nowhere.
   std::shared_ptr<const Loudness> louder;
+  /// What the payload makes of motion smoothed less, each way, over what it makes of this one, as far as bias and
+  /// payload alone know it; null: not asked for.
+  std::shared_ptr<const std::vector<Wrenches>> lost;
   std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
 
   Eigen::Index size() const { return kinematics.omega.cols(); }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/diagnosis/periodogram.h"
+#include "core/math/periodogram.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {
@@ -82,23 +82,27 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
   constexpr double kLimit = 8.0;  // Of 134 recordings without any, the highest was 2.5
   constexpr Eigen::Index kBins = 24, kSlowest = 5, kFastest = 22, kBeside = 2;  // A hertz each, the first about 1 Hz
   if (signals.blockRate() < 2.0 * (kBins + 0.5)) return {};
-  MatrixXd density = MatrixXd::Zero(6, kBins);
-  VectorXd count = VectorXd::Zero(kBins);
-  for (const auto& s : stretches) {
-    const Eigen::Index length = s.to - s.from;
-    if (length < kShortest) continue;
-    const double resolution = signals.blockRate() / static_cast<double>(length);
-    const auto lines = static_cast<Eigen::Index>((kBins + 0.5) / resolution);
-    const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
-    for (Eigen::Index k = 1; k <= lines; ++k) {
-      const auto bin = static_cast<Eigen::Index>(std::lround(static_cast<double>(k) * resolution)) - 1;
-      if (bin < 0 || bin >= kBins) continue;
-      density.col(bin) += here.col(k - 1);
-      count(bin) += 1.0;
+  const auto densityOf = [&](const Wrenches& course) {
+    MatrixXd density = MatrixXd::Zero(6, kBins);
+    VectorXd count = VectorXd::Constant(kBins, 1e-300);
+    for (const auto& s : stretches) {
+      const Eigen::Index length = s.to - s.from;
+      if (length < kShortest) continue;
+      const double resolution = signals.blockRate() / static_cast<double>(length);
+      const auto lines = static_cast<Eigen::Index>((kBins + 0.5) / resolution);
+      const MatrixXd here = taperedPower(course.middleCols(s.from, length), lines);
+      for (Eigen::Index k = 1; k <= lines; ++k) {
+        const auto bin = static_cast<Eigen::Index>(std::lround(static_cast<double>(k) * resolution)) - 1;
+        if (bin < 0 || bin >= kBins) continue;
+        density.col(bin) += here.col(k - 1);
+        count(bin) += 1.0;
+      }
     }
-  }
-  if (count.minCoeff() < 1.0) return {};
-  density = density * count.cwiseInverse().asDiagonal();
+    if (count.minCoeff() < 1.0) return MatrixXd();
+    return MatrixXd(density * count.cwiseInverse().asDiagonal());
+  };
+  const MatrixXd density = densityOf(residual);
+  if (density.size() == 0) return {};
   const auto usual = [&](Eigen::Index channel, Eigen::Index from, Eigen::Index to) {
     std::vector<double> all;
     for (Eigen::Index b = from; b < to; ++b) all.push_back(density(channel, b));
@@ -110,12 +114,24 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
   constexpr double kBelow = 0.7, kCorner = 1.8, kLimitAtCorner = 400.0;
   const auto atCorner = [&](Eigen::Index bin) {
     const double low = static_cast<double>(bin) + 0.5, high = low + 1.0;
-    return signals.keptHz > 0.0 && high > kBelow * signals.keptHz && low < kCorner * signals.keptHz;
+    return signals.keptHz > 0.0 && !signals.denoised && high > kBelow * signals.keptHz &&
+           low < kCorner * signals.keptHz;
   };
+  // A motion that was denoised has the noise of a tremor's own frequencies: what was taken above tells how much, since
+  // that of accelerations rises with the fourth power of the frequency.
+  constexpr Eigen::Index kTakenFrom = 15, kTakenTo = 19;
+  MatrixXd passed = MatrixXd::Zero(6, kBins);
+  if (signals.denoised && signals.lost != nullptr && !signals.lost->empty()) {
+    const MatrixXd taken = densityOf(signals.lost->front());
+    for (Eigen::Index b = 0; b < kBins; ++b)
+      passed.col(b) = taken.middleCols(kTakenFrom, kTakenTo - kTakenFrom).rowwise().mean() *
+                      std::pow(2.0 * static_cast<double>(b + 1) / static_cast<double>(kTakenFrom + kTakenTo + 1), 4);
+  }
   Swell out;
   for (Eigen::Index c = 0; c < 6; ++c)
     for (Eigen::Index b = kSlowest - 1; b < kFastest; ++b) {
-      const double floor = std::max(usual(c, 0, b - kBeside + 1), usual(c, std::min(b + kBeside, kBins - 1), kBins));
+      const double floor =
+          std::max({passed(c, b), usual(c, 0, b - kBeside + 1), usual(c, std::min(b + kBeside, kBins - 1), kBins)});
       const double excess = density(c, b) / std::max(1e-300, floor) / (atCorner(b) ? kLimitAtCorner : kLimit);
       if (excess <= out.excess) continue;
       Eigen::Index first = b, last = b;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/say.h"
-#include "core/diagnosis/periodogram.h"
+#include "core/math/periodogram.h"
 
 namespace heft::diagnosis {
 

@@ -85,9 +85,9 @@ Elsewise unlessElsewise(const Signals& whole, SignatureBank& bank, const Search&
 }
 
 /// Contacts that show what no push makes, or that all obey a law of how the tool moves, are something else. Those that
-/// ring are left out as well, but they are nothing: a motion that is smoothed can do no better there.
+/// smoothing leaves are left out as well, but they are nothing: a motion that is smoothed can do no better there.
 void setOddAside(Work& work, const Signals& whole) {
-  std::erase_if(work.contacts, [](const Contact& c) { return c.rings; });
+  std::erase_if(work.contacts, [](const Contact& c) { return c.smoothed; });
   std::vector<Contact> pushes;
   for (const Contact& contact : work.contacts) (contact.instead.empty() ? pushes : work.odd).push_back(contact);
   if (!work.odd.empty()) work.oddGoesWith = std::ranges::max_element(work.odd, {}, &Contact::evidence)->instead;
@@ -227,18 +227,20 @@ void setKnocksAside(Work& work) {
 
 }  // namespace
 
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
-                  bool twicing, const DiagnoseOptions& options, const std::vector<bool>& badRows) {
-  MotionOptions smoothing;
-  smoothing.cutoffHz = cutoff;
-  smoothing.twicing = twicing;
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
+                  const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  Way out{std::move(*motion), {}, cutoff, {}, {}};
+  Way out{std::move(*motion), {}, smoothing.denoise, smoothing.cutoffHz, {}, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
-  if (cutoff < kDefaultCutoffHz) signals.keptHz = (twicing ? kKeptTwiced : kKept) * cutoff;
-  const double edge = std::max(0.3, 3.0 / cutoff);
+  if (smoothing.denoise)
+    signals.keptHz = out.motion.keptHz;
+  else if (smoothing.cutoffHz < kDefaultCutoffHz)
+    signals.keptHz = (smoothing.twicing ? kKeptTwiced : kKept) * smoothing.cutoffHz;
+  signals.denoised = smoothing.denoise;
+  if (signals.keptHz > 0.0 && smoothing.denoise) out.cutoffHz = std::min(out.cutoffHz, signals.keptHz);
+  const double edge = smoothing.denoise ? 1.0 : std::max(0.3, 3.0 / smoothing.cutoffHz);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
   if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(out.motion, 50.0), mode).labels;

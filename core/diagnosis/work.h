@@ -16,7 +16,8 @@ namespace heft::diagnosis {
 struct Way {
   Motion motion;
   Signals signals;
-  double cutoffHz = 0.0;
+  bool denoised = false;                      ///< See MotionOptions
+  double cutoffHz = 0.0;                      ///< Above which next to nothing is left
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
   std::optional<FrameMistake> mistake;        ///< With frames, once looked for
   bool mistakeKnown = false;                  ///< It was, or the recording's was undone: no other is looked for
@@ -24,8 +25,8 @@ struct Way {
 
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not
 /// judged.
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot, double cutoff,
-                  bool twicing, const DiagnoseOptions& options, const std::vector<bool>& badRows);
+Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
+                  const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows);
 
 /// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);

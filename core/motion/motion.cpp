@@ -8,6 +8,7 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/math/statistics.h"
+#include "core/motion/denoiser.h"
 #include "core/motion/mount_link.h"
 #include "core/motion/resample.h"
 #include "core/motion/savitzky_golay.h"
@@ -42,22 +43,26 @@ class Smoother {
       savitzkyGolay_ = SavitzkyGolay(options.order, options.window);
     } else {
       twicing_ = options.twicing;
+      denoise_ = options.denoise;
       cutoff_ = std::min(options.cutoffHz > 0.0 ? options.cutoffHz : kDefaultCutoffHz, 0.4 * grid.rateHz);
       sections_ = butterworthLowPass(6, cutoff_, grid.rateHz);
       // Derivatives commute with the average, so one set of weights does both.
       kernels_[0] = averagingKernel(output_.stride);
       for (const int d : {1, 2})
         kernels_[static_cast<std::size_t>(d)] = convolved(kernels_[0], centralDifferenceKernel(d, grid.rateHz));
-      pad_ = static_cast<Eigen::Index>(std::ceil(2.0 * grid.rateHz / cutoff_)) + output_.stride + 4;
+      const double remembers = denoise_ ? 1.0 : 2.0 / cutoff_;  // [s]
+      pad_ = static_cast<Eigen::Index>(std::ceil(remembers * grid.rateHz)) + output_.stride + 4;
     }
   }
 
   const Output& output() const { return output_; }
   double cutoffHz() const { return cutoff_; }
   double rateHz() const { return rate_; }
+  /// Of what was denoised so far, as Motion::keptHz.
+  double keptHz() const { return std::isfinite(keptHz_) ? keptHz_ : 0.0; }
 
   /// Derivatives up to `order` (0, 1 or 2); what is not asked for stays empty.
-  Derivatives run(const Channels& signal, int order) const {
+  Derivatives run(const Channels& signal, int order) {
     Derivatives out;
     if (kind_ == SmoothingKind::savitzkyGolay) {
       out.value = picked(savitzkyGolay_.apply(signal, 0, rate_));
@@ -73,6 +78,11 @@ class Smoother {
       taken -= work;
       filterForwardBackward(sections_, taken);
       work += taken;
+    }
+    if (denoise_) {
+      const Denoiser denoiser(signal, rate_);
+      denoiser.apply(work);
+      keptHz_ = std::max(keptHz_, denoiser.keptHz());
     }
     out.value = weighted(work, kernels_[0], pad_);
     if (order > 0) out.first = weighted(work, kernels_[1], pad_);
@@ -109,8 +119,8 @@ class Smoother {
 
   SmoothingKind kind_ = SmoothingKind::lowPass;
   double rate_;
-  double cutoff_ = 0.0;
-  bool twicing_ = false;
+  double cutoff_ = 0.0, keptHz_ = 0.0;
+  bool twicing_ = false, denoise_ = false;
   Output output_;
   SavitzkyGolay savitzkyGolay_;
   std::vector<Biquad> sections_;
@@ -131,7 +141,7 @@ double sampleNoise(const Channels& signal, Eigen::Index column) {
 
 /// Derivatives of positions, helped by reported velocities where these are the less noisy source of acceleration and
 /// agree in time. A lag of more than two milliseconds disqualifies them.
-Derivatives withReportedVelocity(const Smoother& smoother, const Channels& positions, const Channels& velocities,
+Derivatives withReportedVelocity(Smoother& smoother, const Channels& positions, const Channels& velocities,
                                  const std::string& what, Findings& findings) {
   Derivatives fromPositions = smoother.run(positions, 2);
   if (velocities.rows() == 0) return fromPositions;
@@ -191,7 +201,7 @@ Result<int> checkedJoints(const Recording& recording, const RobotModel* robot) {
   return mountLink(recording.meta.mount, *robot);
 }
 
-Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, const Smoother& smoother,
+Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smoother& smoother,
                         const UniformGrid& grid, Motion& motion) {
   const auto link = checkedJoints(recording, robot);
   if (!link) return link.error();
@@ -213,7 +223,7 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, con
   return true;
 }
 
-void fromPoses(const Recording& recording, const Smoother& smoother, const UniformGrid& grid, Motion& motion) {
+void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid& grid, Motion& motion) {
   // Quaternion components are smooth functions of time once their sign is continuous.
   MatrixXd quaternion = recording.quaternion;
   for (Eigen::Index i = 1; i < quaternion.rows(); ++i)
@@ -312,7 +322,7 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
         heft::say("The time steps differ too much: {} rows span {:.1f} s but most are {:.2g} s apart. Cut the "
                   "recording at its gaps.",
                   recording.rows(), recording.duration(), 1.0 / grid.rateHz)};
-  const Smoother smoother(options, grid);
+  Smoother smoother(options, grid);
   Motion motion;
   motion.rateHz = grid.rateHz / smoother.output().stride;
   motion.startTime = grid.start + static_cast<double>(smoother.output().first) / grid.rateHz;
@@ -323,6 +333,7 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
   } else if (auto done = fromJoints(recording, robot, smoother, grid, motion); !done) {
     return done.error();
   }
+  motion.keptHz = smoother.keptHz();
   motion.wrench = smoother.wrench(onGrid(grid, recording.time, recording.wrench, true)).transpose();
   return motion;
 }

@@ -22,6 +22,8 @@ struct MotionOptions {
   /// lowPass: what the filter took is filtered once more and given back (twicing, Tukey 1977), so that of a loss e
   /// below the corner e^2 is left. Lets more noise through above it: only where noise asks for little smoothing.
   bool twicing = false;
+  /// lowPass: each channel keeps only what stands out of its own noise (denoiser.h).
+  bool denoise = false;
   int order = 3;    ///< savitzkyGolay: polynomial order
   int window = 11;  ///< savitzkyGolay: samples; an even window is widened by one (the paper's ten becomes 11).
   double outputRateHz = 200.0;  ///< The motion is evaluated at this rate at most (0: every sample of the grid).
@@ -38,6 +40,8 @@ struct Motion {
   Eigen::Matrix3Xd position;       ///< p_BSo_B [m], B axes
   std::vector<Matrix3d> R_BS;
   MatrixXd q, dq, ddq;  ///< dof x K, smoothed joint motion [rad], [rad/s], [rad/s2]; empty without joints
+  double keptHz =
+      0.0;  ///< With MotionOptions::denoise: the highest frequency that was kept nearly whole; 0: all of them
   bool originAccelerationKnown = true;  ///< False with orientation only: a was taken as zero.
   MatrixXd wrench;                      ///< 6 x K: the recording's wrench, averaged and smoothed in the same way.
   Findings findings;

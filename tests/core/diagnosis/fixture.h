@@ -2,11 +2,14 @@
 // Recordings for tests of the diagnosis.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "core/diagnosis/diagnose.h"
 #include "core/motion/motion.h"
+#include "core/simulation/random.h"
 #include "core/simulation/simulate.h"
+#include "core/wrench/regressor.h"
 
 namespace heft::test {
 
@@ -48,6 +51,68 @@ inline Recording withLoop(const Recording& still, double height) {
       bend = std::clamp(bend + load - last, -reach, reach);
       last = load;
       out.wrench(i, c) += bend;
+    }
+  }
+  return out;
+}
+
+/// How the joints stand and move at one instant.
+struct JointMotion {
+  VectorXd q, dq, ddq;
+};
+
+struct Sampling {
+  double rateHz = 0.0;
+  double angles = 0.0;               ///< Noise [rad]
+  double speeds = 0.0;               ///< Of reported velocities [rad/s]; 0: none are reported
+  double force = 0.0, torque = 0.0;  ///< Of the sensor [N], [N m]
+};
+
+/// A mount that gives: the load comes through a spring.
+struct Mount {
+  double frequencyHz = 0.0;  ///< 0: it is rigid
+  double damping = 0.0;
+};
+
+/// 20 s of a Panda that carries `tool` along `path`(time).
+template <class Path>
+Recording along(Path&& path, const Payload& tool, const Sampling& sampling, RandomStream& random,
+                const Mount& mount = {}) {
+  const RobotModel& robot = RobotModel::panda();
+  Recording out = aRecording(MotionKind::pickAndPlace, 282);
+  const auto rows = static_cast<Eigen::Index>(20.0 * sampling.rateHz);
+  const int link = *robot.findLink(out.meta.mount.parent);
+  const Isometry3d X_LS = poseFromXyzRpy(out.meta.mount.xyz, out.meta.mount.rpy);
+  out.time = VectorXd::LinSpaced(rows, 0.0, static_cast<double>(rows - 1) / sampling.rateHz);
+  out.q.resize(rows, 7);
+  out.dq.resize(sampling.speeds > 0.0 ? rows : 0, 7);
+  out.wrench.resize(rows, 6);
+  Vector6d last = Vector6d::Zero(), felt = last, rate = last;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const JointMotion at = path(out.time(i));
+    const FrameMotion S = robot.frameMotion(link, X_LS, at.q, at.dq, at.ddq);
+    const Matrix3d back = S.X_BS.linear().transpose();
+    const Vector6d load =
+        predictWrench(tool, {back * (S.a_BSo_B - out.meta.gravity), back * S.w_BS_B, back * S.alpha_BS_B});
+    if (i == 0) felt = last = load;
+    if (mount.frequencyHz > 0.0) {
+      constexpr int kSteps = 20;
+      const double w = 2.0 * std::numbers::pi * mount.frequencyHz, dt = 1.0 / sampling.rateHz / kSteps;
+      const Vector6d slope = sampling.rateHz * (load - last);
+      for (int step = 1; step <= kSteps; ++step) {
+        const Vector6d now = last + step * dt * slope;
+        rate += dt * (w * w * (now - felt) + 2.0 * mount.damping * w * (slope - rate));
+        felt += dt * rate;
+      }
+    } else {
+      felt = load;
+    }
+    last = load;
+    for (Eigen::Index c = 0; c < 6; ++c)
+      out.wrench(i, c) = felt(c) + (c < 3 ? sampling.force : sampling.torque) * random.normal();
+    for (Eigen::Index j = 0; j < 7; ++j) {
+      out.q(i, j) = at.q(j) + sampling.angles * random.normal();
+      if (out.dq.rows() > 0) out.dq(i, j) = at.dq(j) + sampling.speeds * random.normal();
     }
   }
   return out;

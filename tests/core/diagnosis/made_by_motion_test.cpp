@@ -15,7 +15,7 @@ namespace {
 std::vector<Way> waysOf(const Recording& recording) {
   std::vector<Way> out;
   for (const double cutoff : {25.0, 12.0, 8.5, 6.0}) {
-    out.push_back(wayOf(recording, recording, &RobotModel::panda(), cutoff, false, {}, {}).value());
+    out.push_back(wayOf(recording, recording, &RobotModel::panda(), {.cutoffHz = cutoff}, {}, {}).value());
     lookForContact(out.back(), recording, {});
   }
   return out;

@@ -7,7 +7,6 @@
 
 #include "core/diagnosis/joint_turns.h"
 #include "core/simulation/random.h"
-#include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -106,39 +105,56 @@ TEST(Diagnose, CornersOfTheMotionAreNoCause) {
   tool.inertiaCom = Vector3d(3.5e-3, 3.8e-3, 4.8e-3).asDiagonal();
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     RandomStream random(seed, RandomPurpose::effect);
-    Recording recording = aRecording(MotionKind::pickAndPlace, 282);
-    constexpr double kRate = 100.0, kMove = 0.75, kRest = 0.5;
-    constexpr Eigen::Index kRows = 2000;
-    const int link = *robot.findLink(recording.meta.mount.parent);
-    const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
-    recording.time = VectorXd::LinSpaced(kRows, 0.0, (kRows - 1) / kRate);
-    recording.q.resize(kRows, 7);
-    recording.dq.resize(kRows, 7);
-    recording.wrench.resize(kRows, 6);
+    constexpr double kMove = 0.75, kRest = 0.5;
     VectorXd from = robot.homePosture(), to = from;
     double starts = -kMove - kRest;
-    for (Eigen::Index i = 0; i < kRows; ++i) {
-      const double t = recording.time(i);
+    const auto path = [&](double t) {
       if (t >= starts + kMove + kRest) {
         starts += kMove + kRest;
         from = to;
         for (Eigen::Index j = 0; j < 7; ++j) to(j) = robot.homePosture()(j) + random.uniform(-0.4, 0.4);
       }
       const double u = std::clamp((t - starts) / kMove, 0.0, 1.0);
-      const VectorXd way = to - from, q = from + u * u * u * (10.0 + u * (6.0 * u - 15.0)) * way;
-      const VectorXd dq = 30.0 * u * u * (1.0 - u) * (1.0 - u) / kMove * way;
-      const VectorXd ddq = 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (kMove * kMove) * way;
-      const FrameMotion S = robot.frameMotion(link, X_LS, q, dq, ddq);
-      const Matrix3d back = S.X_BS.linear().transpose();
-      const Vector6d load =
-          predictWrench(tool, {back * (S.a_BSo_B - recording.meta.gravity), back * S.w_BS_B, back * S.alpha_BS_B});
-      for (Eigen::Index c = 0; c < 6; ++c) recording.wrench(i, c) = load(c) + (c < 3 ? 0.03 : 0.001) * random.normal();
-      for (Eigen::Index j = 0; j < 7; ++j) {
-        recording.q(i, j) = q(j) + 1e-5 * random.normal();
-        recording.dq(i, j) = dq(j) + 3e-4 * random.normal();
-      }
+      const VectorXd way = to - from;
+      return JointMotion{from + u * u * u * (10.0 + u * (6.0 * u - 15.0)) * way,
+                         30.0 * u * u * (1.0 - u) * (1.0 - u) / kMove * way,
+                         60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (kMove * kMove) * way};
+    };
+    const auto report = diagnosed(along(path, tool, {100.0, 1e-5, 3e-4, 0.03, 0.001}, random));
+    EXPECT_EQ(report.verdict, Verdict::clean) << seed << ": " << said(report);
+  }
+}
+
+/// A hand that trembles, each joint at a frequency of its own, under angles as noisy as they may be. A low-pass with a
+/// corner that keeps this noise away takes a tenth of the tremor: that was a mount that gives at 12 Hz, in four of five
+/// such recordings.
+TEST(Diagnose, ATrembleUnderNoisyAnglesIsNoCause) {
+  const RobotModel& robot = RobotModel::panda();
+  Payload tool = aTool();
+  tool.mass = 2.4;
+  tool.com = {0.03, -0.06, 0.07};
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    RandomStream random(seed, RandomPurpose::effect);
+    struct Swing {
+      double size, rate, phase;  ///< [rad], [rad/s], [rad]
+    };
+    std::vector<std::vector<Swing>> joints(7);
+    for (auto& swings : joints) {
+      for (int i = 0; i < 6; ++i)
+        swings.push_back({random.uniform(0.03, 0.15), random.uniform(0.5, 6.0), random.uniform(0.0, 6.0)});
+      swings.push_back({random.uniform(1.5e-4, 5e-4), random.uniform(50.0, 75.0), random.uniform(0.0, 6.0)});
     }
-    const auto report = diagnosed(recording);
+    const auto path = [&](double t) {
+      JointMotion out{robot.homePosture(), VectorXd::Zero(7), VectorXd::Zero(7)};
+      for (Eigen::Index j = 0; j < 7; ++j)
+        for (const auto& [size, rate, phase] : joints[static_cast<std::size_t>(j)]) {
+          out.q(j) += size * std::sin(rate * t + phase);
+          out.dq(j) += size * rate * std::cos(rate * t + phase);
+          out.ddq(j) -= size * rate * rate * std::sin(rate * t + phase);
+        }
+      return out;
+    };
+    const auto report = diagnosed(along(path, tool, {1000.0, 7e-5, 0.0, 0.06, 0.0012}, random));
     EXPECT_EQ(report.verdict, Verdict::clean) << seed << ": " << said(report);
   }
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+#include "core/recording/csv_reader.h"
 #include "core/motion/motion.h"
 #include "tests/core/diagnosis/fixture.h"
 
@@ -55,6 +57,66 @@ TEST(Swinging, APartWhoseWeightStaysInPlace) {
     ASSERT_NE(found, nullptr) << name;
     EXPECT_NEAR(found->value, truth, 4.0 * found->std) << name;
   }
+}
+
+/// Moves from place to place, each cut short at its fastest by a stop of 80 ms.
+class HardStops {
+ public:
+  explicit HardStops(RandomStream& random) : random_(random), from_(RobotModel::panda().homePosture()), way_(from_) {
+    way_.setZero();
+  }
+  /// Asked for in the order of time.
+  JointMotion operator()(double t) {
+    while (t >= starts_ + kMove + kRest) {
+      from_ = at(kMove).q;
+      starts_ += kMove + kRest;
+      for (Eigen::Index j = 0; j < 7; ++j)
+        way_(j) = RobotModel::panda().homePosture()(j) + random_.uniform(-0.5, 0.5) - from_(j);
+    }
+    return at(t - starts_);
+  }
+
+ private:
+  static constexpr double kMove = 1.2, kRest = 0.8, kStop = 0.08, kCut = 0.5;  // [s], the last of the move
+
+  JointMotion at(double t) const {
+    const double u = std::min(t / kMove, kCut), v = 1.0 - u;
+    JointMotion out{from_ + u * u * u * (10.0 + u * (6.0 * u - 15.0)) * way_, 30.0 * u * u * v * v / kMove * way_,
+                    60.0 * u * v * (1.0 - 2.0 * u) / (kMove * kMove) * way_};
+    if (t < kCut * kMove) return out;
+    const double s = std::min((t - kCut * kMove) / kStop, 1.0), s3 = s * s * s;
+    out.q += kStop * (s - s3 * s * (2.5 - s * (3.0 - s))) * out.dq;
+    out.ddq = -30.0 * s * s * (1.0 - s) * (1.0 - s) / kStop * out.dq;
+    out.dq *= 1.0 - s3 * (10.0 - s * (15.0 - 6.0 * s));
+    return out;
+  }
+
+  RandomStream& random_;
+  double starts_ = -kMove - kRest;
+  VectorXd from_, way_;
+};
+
+/// After a hard stop a motion that is smoothed differs from the true one by newtons: that is neither a touch nor noise
+/// that comes and goes. What rings on afterwards, always at the same pitch, is the mount, also faster than blocks show.
+TEST(Diagnose, WhatRingsAfterAHardStopIsTheMount) {
+  Payload tool = aTool();
+  tool.mass = 1.6;
+  for (const double frequency : {0.0, 16.0, 24.0})
+    for (const std::uint64_t seed : {1, 2}) {
+      RandomStream random(seed, RandomPurpose::effect);
+      HardStops path(random);
+      const auto rec = along(path, tool, {1000.0, 4e-5, 0.0, 0.08, 0.0016}, random, Mount{frequency, 0.03}); (void)writeRecording(rec, fmt::format("/tmp/run/hs{:.0f}_{}.csv", frequency, seed));
+      const auto report = diagnosed(rec);
+      if (frequency == 0.0) {
+        EXPECT_EQ(report.verdict, Verdict::clean) << seed << ": " << said(report);
+        continue;
+      }
+      const DiagnosedCause* mount = named(report, "flexible_mount");
+      ASSERT_NE(mount, nullptr) << frequency << " Hz, " << seed << ": " << said(report);
+      const CauseParameter* told = parameter(*mount, "frequency");
+      EXPECT_NEAR(told->value, frequency, 3.0 * told->std) << seed;
+      EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+    }
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
+#include "core/motion/denoiser.h"
 #include "core/motion/low_pass.h"
 #include "core/motion/resample.h"
 #include "core/motion/savitzky_golay.h"
@@ -45,6 +47,45 @@ TEST(LowPass, LeavesConstantsAndRampsAloneEvenAtTheEnds) {
 TEST(LowPass, RefusesImpossibleCorners) {
   EXPECT_THROW(butterworthLowPass(6, 500.0, 1000.0), std::invalid_argument);
   EXPECT_THROW(butterworthLowPass(5, 20.0, 1000.0), std::invalid_argument);
+}
+
+/// A guided motion with a tremor on top keeps both whole; what is noise between them and above goes.
+TEST(Denoiser, KeepsWhatStandsOutOfTheNoise) {
+  constexpr double kRate = 1000.0, kNoise = 1e-4, kTremor = 4e-4;
+  constexpr Eigen::Index kRows = 20000;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  Channels truth(kRows, 2), recorded(kRows, 2);
+  for (Eigen::Index k = 0; k < kRows; ++k) {
+    const double t = static_cast<double>(k) / kRate;
+    truth(k, 0) = 0.4 * std::sin(2.1 * t) + 0.1 * std::sin(5.3 * t + 1.0) + kTremor * std::sin(2 * kPi * 10.2 * t);
+    truth(k, 1) = 0.3 * std::sin(1.7 * t);
+    for (Eigen::Index c = 0; c < 2; ++c) recorded(k, c) = truth(k, c) + kNoise * normal(random);
+  }
+  const Denoiser denoiser(recorded, kRate);
+  EXPECT_NEAR(denoiser.keptHz(), 10.2, 1.6);  // A line is three wide
+  Channels kept = padded(recorded, 1000);
+  denoiser.apply(kept);
+  const MatrixXd off = (kept.middleRows(1000, kRows) - truth).middleRows(1000, kRows - 2000);
+  // Some 6 Hz of 500 that noise fills are left to it, and a little of the tremor goes with its neighbours' noise.
+  for (Eigen::Index c = 0; c < 2; ++c)
+    EXPECT_LT(std::sqrt(off.col(c).squaredNorm() / static_cast<double>(off.rows())), 0.2 * kNoise) << c;
+  // Of a motion that is not its own, the same is kept.
+  Channels other = padded(sine(10.2, kRate, kRows).replicate(1, 2), 1000);
+  denoiser.apply(other);
+  EXPECT_GT(middleAmplitude(other.col(0)), 0.9);
+  EXPECT_LT(middleAmplitude(other.col(1)), 0.02);
+}
+
+TEST(Denoiser, KeepsAllWhereNoiseCannotBeTold) {
+  for (const auto& [rate, rows] : {std::pair{100.0, Eigen::Index{3000}}, std::pair{1000.0, Eigen::Index{5000}}}) {
+    const Channels signal = sine(20.0, rate, rows);
+    const Denoiser denoiser(signal, rate);
+    Channels kept = signal;
+    denoiser.apply(kept);
+    EXPECT_EQ(kept, signal);
+    EXPECT_TRUE(std::isinf(denoiser.keptHz()));
+  }
 }
 
 TEST(CentralDifference, IsExactToATenthOfTheRate) {

@@ -1,9 +1,9 @@
-#include "core/diagnosis/periodogram.h"
+#include "core/math/periodogram.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace heft::diagnosis {
+namespace heft {
 
 Eigen::MatrixXd taperedPower(const Eigen::MatrixXd& x, Eigen::Index lines) {
   const Eigen::Index length = x.cols();
@@ -28,4 +28,4 @@ Eigen::MatrixXd taperedPower(const Eigen::MatrixXd& x, Eigen::Index lines) {
   return out / taper.squaredNorm();
 }
 
-}  // namespace heft::diagnosis
+}  // namespace heft

@@ -1,0 +1,195 @@
+#include "core/diagnosis/ringing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kSoftest = 11.0, kStiffest = 70.0;  // [Hz]
+constexpr double kLeast = 0.003, kMost = 0.25;       // Damping
+
+/// What is left for a while after a stop, a channel a column, each over its usual size; its mean, slope and bend taken
+/// off.
+struct Window {
+  std::size_t contact = 0;
+  Eigen::Index from = 0;
+  ByChannel left;
+  MatrixXd slow;  ///< Orthonormal: what was taken off
+  double power = 0.0;
+  double setOff = 0.0;  ///< By how much the wrench that the model expects changes at once just before, in the same unit
+};
+
+MatrixXd slowCourses(Eigen::Index count) {
+  MatrixXd out(count, 3);
+  const VectorXd t = VectorXd::LinSpaced(count, -1.0, 1.0);
+  out << VectorXd::Ones(count), t, t.cwiseAbs2();
+  return Eigen::HouseholderQR<MatrixXd>(out).householderQ() * MatrixXd::Identity(count, 3);
+}
+
+/// An orthonormal basis of free swings over a window, its slow courses taken off.
+MatrixXd swingsOf(const Window& window, double frequency, double damping, double rateHz) {
+  const double w = 2.0 * std::numbers::pi * frequency, fast = w * std::sqrt(1.0 - damping * damping);
+  const Eigen::Index count = window.left.rows();
+  MatrixXd out(count, 2);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / rateHz, size = std::exp(-damping * w * t);
+    out.row(i) << size * std::cos(fast * t), size * std::sin(fast * t);
+  }
+  out -= window.slow * (window.slow.transpose() * out);
+  return Eigen::HouseholderQR<MatrixXd>(out).householderQ() * MatrixXd::Identity(count, 2);
+}
+
+double explainedBy(const Window& window, double frequency, double damping, double rateHz) {
+  return (swingsOf(window, frequency, damping, rateHz).transpose() * window.left).squaredNorm();
+}
+
+double explainedBy(const std::vector<Window>& windows, double frequency, double damping, double rateHz) {
+  double out = 0.0;
+  for (const Window& window : windows) out += explainedBy(window, frequency, damping, rateHz);
+  return out;
+}
+
+/// From a little after the loudest block of each contact to the next one, or as long as a swing takes to die away.
+std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Signals& signals, const Wrenches& expected,
+                                 const Wrenches& left) {
+  constexpr double kAfter = 0.06, kShortest = 0.15, kLongest = 0.5, kBefore = 0.15, kSudden = 0.06;  // [s]
+  const auto samples = [&](double seconds) { return static_cast<Eigen::Index>(std::lround(seconds * signals.rateHz)); };
+  const Eigen::Index m = signals.samplesPerBlock;
+  std::vector<Window> out;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Stretch& where = contacts[i].blocks;
+    Eigen::Index loudest = where.from * m;
+    for (Eigen::Index k = loudest; k < std::min(left.cols(), where.to * m); ++k)
+      if (left.col(k).squaredNorm() > left.col(loudest).squaredNorm()) loudest = k;
+    Window window;
+    window.contact = i;
+    window.from = loudest + samples(kAfter);
+    const Eigen::Index next = i + 1 < contacts.size() ? contacts[i + 1].blocks.from * m : left.cols(),
+                       to = std::min(next, window.from + samples(kLongest));
+    if (to - window.from < samples(kShortest)) continue;
+    window.left = left.middleCols(window.from, to - window.from).transpose();
+    window.slow = slowCourses(window.left.rows());
+    window.left -= window.slow * (window.slow.transpose() * window.left);
+    window.power = window.left.squaredNorm();
+    const Eigen::Index begins = std::max<Eigen::Index>(0, where.from * m - samples(kBefore));
+    for (Eigen::Index k = begins; k + samples(kSudden) < window.from; ++k)
+      window.setOff = std::max(window.setOff, (expected.col(k + samples(kSudden)) - expected.col(k)).norm());
+    out.push_back(std::move(window));
+  }
+  return out;
+}
+
+/// Root mean square of what is left of each channel from reading to reading, where it is judged.
+Vector6d usualOf(const Signals& signals, const Wrenches& left) {
+  Vector6d out = Vector6d::Constant(1e-24);
+  double count = 1.0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+    if (!signals.usable[static_cast<std::size_t>(n)]) continue;
+    const auto block = left.middleCols(n * signals.samplesPerBlock, signals.samplesPerBlock);
+    out += block.rowwise().squaredNorm();
+    count += static_cast<double>(signals.samplesPerBlock);
+  }
+  return (out / count).cwiseSqrt();
+}
+
+}  // namespace
+
+std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, const std::vector<Contact>& contacts) {
+  constexpr double kPlain = 0.6, kPlainAlone = 0.85;  // Share of what is left after a stop beyond the noise
+  constexpr double kLoud = 2.0, kLoudAlone = 6.0;     // Times the power of the noise
+  constexpr double kAtMost = 2.0;                     // A spring is thrown twice as far by a jump as that holds it
+  if (signals.rateHz < 2.5 * kSoftest || contacts.empty()) return std::nullopt;
+  const Wrenches expected = predicted(signals, model);
+  const Wrenches raw = signals.readings - expected;
+  const Vector6d usual = usualOf(signals, raw);
+  const auto scaled = [&](const Wrenches& w) { return Wrenches(usual.cwiseInverse().asDiagonal() * w); };
+  auto windows = windowsAfter(contacts, signals, scaled(expected), scaled(raw));
+  std::erase_if(windows, [&](const Window& w) { return w.power < kLoud * static_cast<double>(w.left.size()); });
+  if (windows.empty()) return std::nullopt;
+  const bool alone = windows.size() == 1;
+  if (alone && windows.front().power < kLoudAlone * static_cast<double>(windows.front().left.size()))
+    return std::nullopt;
+
+  Ringing out;
+  double most = -1.0;
+  const double fastest = std::min(kStiffest, 0.45 * signals.rateHz);
+  for (double frequency = kSoftest; frequency < fastest; frequency *= 1.01)
+    for (const double damping : {0.01, 0.025, 0.06, 0.15})
+      if (const double explained = explainedBy(windows, frequency, damping, signals.rateHz); explained > most) {
+        most = explained;
+        out.frequencyHz = frequency;
+        out.damping = damping;
+      }
+  // Closer and closer.
+  for (double step = 0.005; step > 1e-5; step *= 0.6)
+    for (const double f : {1.0 - step, 1.0, 1.0 + step})
+      for (const double d : {1.0 - 30.0 * step, 1.0, 1.0 + 30.0 * step}) {
+        const double frequency = std::clamp(out.frequencyHz * f, kSoftest, fastest),
+                     damping = std::clamp(out.damping * d, kLeast, kMost),
+                     explained = explainedBy(windows, frequency, damping, signals.rateHz);
+        if (explained <= most) continue;
+        most = explained;
+        out.frequencyHz = frequency;
+        out.damping = damping;
+      }
+  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping >= kMost) return std::nullopt;
+
+  out.rings.assign(contacts.size(), false);
+  double left = 0.0, count = 0.0;
+  for (const Window& window : windows) {
+    const MatrixXd swings = swingsOf(window, out.frequencyHz, out.damping, signals.rateHz);
+    const MatrixXd amplitudes = swings.transpose() * window.left;
+    const auto size = static_cast<double>(window.left.size());
+    const double explained = amplitudes.squaredNorm(),
+                 begins = (swings * amplitudes).topRows(4).rowwise().norm().maxCoeff();
+    if (explained < (alone ? kPlainAlone : kPlain) * (window.power - size) || begins > kAtMost * window.setOff)
+      continue;
+    out.rings[window.contact] = true;
+    out.evidence += contacts[window.contact].evidence;
+    out.when.emplace_back(contacts[window.contact].from, signals.time(window.from + window.left.rows() - 1));
+    left += window.power - explained;
+    count += size;
+  }
+  if (out.when.empty()) return std::nullopt;
+  // How far either may be off before the sum of squares grows by what one reading's leaves on average.
+  const double unit = left / count;
+  const auto deviation = [&](double df, double dd) {
+    const double lost = 2.0 * most - explainedBy(windows, out.frequencyHz + df, out.damping + dd, signals.rateHz) -
+                        explainedBy(windows, out.frequencyHz - df, out.damping - dd, signals.rateHz);
+    return std::sqrt(2.0 * unit / std::max(lost, 1e-12));
+  };
+  const double df = 1e-3 * out.frequencyHz, dd = 0.1 * out.damping;
+  // No mount is a spring that is the same however far it gives.
+  constexpr double kOfFrequency = 0.004, kOfDamping = 0.08;
+  out.frequencyStd = std::hypot(df * deviation(df, 0.0), kOfFrequency * out.frequencyHz);
+  out.dampingStd = std::hypot(dd * deviation(0.0, dd), kOfDamping * out.damping);
+  return out;
+}
+
+std::optional<Ringing> setRingingAside(Work& work, const Way& way) {
+  // One that the blocks show a little of is the same mount.
+  const Model model = without(work.search.final.model, "flexible_mount");
+  const auto signals = asIn(work, way);
+  if (!signals) return std::nullopt;
+  std::vector<Contact> all = work.contacts;
+  all.insert(all.end(), work.odd.begin(), work.odd.end());
+  std::ranges::sort(all, {}, &Contact::from);
+  auto out = ringingIn(*signals, model, all);
+  if (!out) return out;
+  const auto rings = [&](const Contact& contact) {
+    const auto at = std::ranges::find(all, contact.from, &Contact::from);
+    return out->rings[static_cast<std::size_t>(at - all.begin())];
+  };
+  std::erase_if(work.contacts, rings);
+  std::erase_if(work.odd, rings);
+  // Where it rings less, that is odd, too.
+  double others = 0.0;
+  for (const Contact& contact : work.odd) others += contact.evidence;
+  if (others < out->evidence) work.odd.clear();
+  return out;
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,28 @@
+#pragma once
+// What rings on after the tool was stopped or started hard: a mount that gives, at the same pitch each time.
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/diagnosis/work.h"
+
+namespace heft::diagnosis {
+
+/// Damped swings of one frequency, each from one moment on.
+struct Ringing {
+  double frequencyHz = 0.0, frequencyStd = 0.0;
+  double damping = 0.0, dampingStd = 0.0;       ///< Share of the critical one
+  double evidence = 0.0;                        ///< Of the contacts that it takes the place of
+  std::vector<std::pair<double, double>> when;  ///< [s]
+  std::vector<bool> rings;                      ///< Whether each contact does
+};
+
+/// Whether what `model` leaves of the readings after some of `contacts`, stretches in which it does not hold, is the
+/// free ringing of a mass on a spring, no larger than the force that the motion set it off with. `signals`: of the
+/// motion smoothed as little as can be, since at a stop smoothing leaves more than rings.
+std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, const std::vector<Contact>& contacts);
+
+/// Looks for it in what `work` has set aside, on the least smoothed `way`, and takes that out of the contacts.
+std::optional<Ringing> setRingingAside(Work& work, const Way& way);
+
+}  // namespace heft::diagnosis
