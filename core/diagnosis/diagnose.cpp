@@ -123,7 +123,6 @@ struct Searched {
   double threshold = kThreshold;
   Surrogates chance;  ///< Empty where none were asked for, or nothing was found
   std::optional<NoisyMotion> noisy;
-  std::optional<Ringing> ringing;
 };
 
 /// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
@@ -240,7 +239,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   if (progress.cancelled()) return Error{"Stopped.", true};
   out.work = std::move(*found);
   out.work.madeByMotion = madeByMotion(out.work, ways, at);
-  if (!contains(options.hidden, "flexible_mount")) out.ringing = setRingingAside(out.work, ways.front());
+  if (!contains(options.hidden, "flexible_mount")) setRingingAside(out.work, ways.front());
   return out;
 }
 
@@ -336,8 +335,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
   if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
-  if (found->ringing && std::ranges::find(fitted.causes, "flexible_mount", &DiagnosedCause::id) == fitted.causes.end())
-    out.causes.push_back(fromRinging(*found->ringing));
+  if (work.ringing && std::ranges::find(fitted.causes, "flexible_mount", &DiagnosedCause::id) == fitted.causes.end())
+    out.causes.push_back(fromRinging(*work.ringing));
   for (const auto& direct : readings->directs)
     if (std::ranges::find(fitted.causes, direct.cause, &DiagnosedCause::id) == fitted.causes.end())
       out.causes.push_back(fromDirect(direct));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/work.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -169,27 +171,26 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   return out;
 }
 
-std::optional<Ringing> setRingingAside(Work& work, const Way& way) {
+void setRingingAside(Work& work, const Way& way) {
   // One that the blocks show a little of is the same mount.
   const Model model = without(work.search.final.model, "flexible_mount");
   const auto signals = asIn(work, way);
-  if (!signals) return std::nullopt;
+  if (!signals) return;
   std::vector<Contact> all = work.contacts;
-  all.insert(all.end(), work.odd.begin(), work.odd.end());
+  for (const auto* more : {&work.odd, &work.smoothed}) all.insert(all.end(), more->begin(), more->end());
   std::ranges::sort(all, {}, &Contact::from);
-  auto out = ringingIn(*signals, model, all);
-  if (!out) return out;
+  work.ringing = ringingIn(*signals, model, all);
+  if (!work.ringing) return;
   const auto rings = [&](const Contact& contact) {
     const auto at = std::ranges::find(all, contact.from, &Contact::from);
-    return out->rings[static_cast<std::size_t>(at - all.begin())];
+    return work.ringing->rings[static_cast<std::size_t>(at - all.begin())];
   };
   std::erase_if(work.contacts, rings);
   std::erase_if(work.odd, rings);
   // Where it rings less, that is odd, too.
   double others = 0.0;
   for (const Contact& contact : work.odd) others += contact.evidence;
-  if (others < out->evidence) work.odd.clear();
-  return out;
+  if (others < work.ringing->evidence) work.odd.clear();
 }
 
 }  // namespace heft::diagnosis

@@ -4,9 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/work.h"
+#include "core/diagnosis/events.h"
 
 namespace heft::diagnosis {
+
+struct Way;
+struct Work;
 
 /// Damped swings of one frequency, each from one moment on.
 struct Ringing {
@@ -22,7 +25,7 @@ struct Ringing {
 /// motion smoothed as little as can be, since at a stop smoothing leaves more than rings.
 std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, const std::vector<Contact>& contacts);
 
-/// Looks for it in what `work` has set aside, on the least smoothed `way`, and takes that out of the contacts.
-std::optional<Ringing> setRingingAside(Work& work, const Way& way);
+/// Looks for it in what `work` has set aside, on the least smoothed `way`: Work::ringing, which then are no contacts.
+void setRingingAside(Work& work, const Way& way);
 
 }  // namespace heft::diagnosis

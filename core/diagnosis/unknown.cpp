@@ -157,7 +157,7 @@ void sayHum(const Hum& hum, double blockRate, DiagnosisReport& out) {
 void sayKnocks(const Work& work, DiagnosisReport& out) {
   constexpr std::size_t kFewest = 3;
   const Model& final = work.search.final.model;
-  if (contains(final, "loose_mass") || contains(final, "coulomb_friction")) return;
+  if (work.ringing || contains(final, "loose_mass") || contains(final, "coulomb_friction")) return;
   const auto knocks = knocksIn(work.signals, work.stretches, final);
   if (knocks.size() < kFewest) return;
   out.findings.push_back(
@@ -173,7 +173,7 @@ void sayKnocks(const Work& work, DiagnosisReport& out) {
 /// Nor is noise that is many times louder again and again.
 void sayBursts(const Work& work, DiagnosisReport& out) {
   constexpr std::size_t kFewest = 3;
-  if (out.remaining.gain > kUnexplained) return;
+  if (work.ringing || out.remaining.gain > kUnexplained) return;
   const auto bursts = burstsIn(work.signals, work.stretches, work.search.final);
   if (bursts.size() < kFewest) return;
   out.findings.push_back(

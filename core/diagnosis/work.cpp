@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -87,6 +88,7 @@ Elsewise unlessElsewise(const Signals& whole, SignatureBank& bank, const Search&
 /// Contacts that show what no push makes, or that all obey a law of how the tool moves, are something else. Those that
 /// smoothing leaves are left out as well, but they are nothing: a motion that is smoothed can do no better there.
 void setOddAside(Work& work, const Signals& whole) {
+  std::ranges::copy_if(work.contacts, std::back_inserter(work.smoothed), &Contact::smoothed);
   std::erase_if(work.contacts, [](const Contact& c) { return c.smoothed; });
   std::vector<Contact> pushes;
   for (const Contact& contact : work.contacts) (contact.instead.empty() ? pushes : work.odd).push_back(contact);
@@ -240,7 +242,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
     signals.keptHz = (smoothing.twicing ? kKeptTwiced : kKept) * smoothing.cutoffHz;
   signals.denoised = smoothing.denoise;
   if (signals.keptHz > 0.0 && smoothing.denoise) out.cutoffHz = std::min(out.cutoffHz, signals.keptHz);
-  const double edge = smoothing.denoise ? 1.0 : std::max(0.3, 3.0 / smoothing.cutoffHz);
+  const double edge = smoothing.denoise ? 0.5 : std::max(0.3, 3.0 / smoothing.cutoffHz);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   std::vector<MarkLabel> labels(static_cast<std::size_t>(signals.blocks()), MarkLabel::free);
   if (mode != SegmentMode::automatic) labels = segmentRows(cleaned, rowsOf(out.motion, 50.0), mode).labels;

@@ -7,6 +7,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/events.h"
 #include "core/diagnosis/frames.h"
+#include "core/diagnosis/ringing.h"
 #include "core/diagnosis/search.h"
 #include "core/motion/motion.h"
 
@@ -51,9 +52,11 @@ struct Work {
   Signals signals;
   std::vector<Stretch> stretches;
   std::vector<Contact> contacts;
-  std::string touchedOr;     ///< A cause that takes the place of most of the contacts, or none
-  std::vector<Contact> odd;  ///< Set aside like contact, but no push
-  std::string oddGoesWith;   ///< Not translated
+  std::string touchedOr;          ///< A cause that takes the place of most of the contacts, or none
+  std::vector<Contact> odd;       ///< Set aside like contact, but no push
+  std::string oddGoesWith;        ///< Not translated
+  std::vector<Contact> smoothed;  ///< Left out as well, but nothing: left by the smoothing of the motion
+  std::optional<Ringing> ringing;
   std::optional<FrameMistake> mistake;
   std::vector<std::string> madeByMotion;  ///< Causes found that are part of the model but nothing of the rig
   SignatureBank bank;                     ///< Of `signals`
