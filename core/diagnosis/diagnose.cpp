@@ -77,9 +77,9 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   if (!motion) return motion.error();
   out.stated = recording;
   if (recording.hasOrientation()) {
-    smoothing.twicing = true;
-    auto way = wayOf(recording, out.cleaned, robot, smoothing, options, {});
-    smoothing.twicing = false;
+    MotionOptions twiced = smoothing;
+    twiced.twicing = true;
+    auto way = wayOf(recording, out.cleaned, robot, twiced, options, {});
     if (!way) return way.error();
     lookForContact(*way, out.cleaned, options);
     if (const auto mistake = frameMistake(*way); mistake && mistake->ofOrientation()) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "core/base/say.h"
 
@@ -99,10 +101,10 @@ bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where) 
   return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kJumps * most;
 }
 
-/// Whether most of what is left in a stretch beyond the usual is what some motion smoothed less has there.
-bool isLost(const Signals& signals, const Fit& fit, const Stretch& where) {
-  constexpr double kLeft = 0.5;  // Share of the power; of what has nothing to do with the motion more than all
-  if (signals.lost == nullptr) return false;
+/// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
+/// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less.
+std::optional<double> shareNotLost(const Signals& signals, const Fit& fit, const Stretch& where) {
+  if (signals.lost == nullptr || signals.lost->empty()) return std::nullopt;
   const Eigen::Index count = where.to - where.from;
   const Vector6d scale = usualSize(signals, fit).cwiseInverse();
   // So scaled, each channel has a power of 1 where it is judged.
@@ -111,9 +113,19 @@ bool isLost(const Signals& signals, const Fit& fit, const Stretch& where) {
     return (scale.asDiagonal() * left).squaredNorm() - 6.0 * static_cast<double>(count) / std::max(1.0, judged);
   };
   const Wrenches left = fit.residual.middleCols(where.from, count);
-  return std::ranges::any_of(*signals.lost, [&](const Wrenches& lost) {
-    return beyond(left - lost.middleCols(where.from, count)) < kLeft * beyond(left);
-  });
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wrenches& lost : *signals.lost) least = std::min(least, beyond(left - lost.middleCols(where.from, count)));
+  return least / std::max(beyond(left), 1e-300);
+}
+
+/// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
+bool isSmoothed(const Signals& signals, const Fit& fit, const Wrenches& scaled, const Contact& contact) {
+  constexpr double kMostly = 0.5, kPartly = 0.95;
+  constexpr double kRings = 0.4;  // [s]
+  const auto left = shareNotLost(signals, fit, contact.blocks);
+  if (left && *left < kMostly) return true;
+  return contact.to - contact.from < kRings && (!left || *left < kPartly) &&
+         turnsRound(signals, scaled, contact.blocks);
 }
 
 }  // namespace
@@ -139,7 +151,6 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
   constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
-  constexpr double kRings = 0.4;                    // [s]
   std::vector<Contact> out;
   const Wrenches scaled = usualSize(signals, fit).cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
@@ -155,8 +166,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
       contact.instead = kOneChannel;
     else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
-    contact.smoothed =
-        (contact.to - contact.from < kRings && turnsRound(signals, scaled, stretch)) || isLost(signals, fit, stretch);
+    contact.smoothed = isSmoothed(signals, fit, scaled, contact);
     out.push_back(contact);
   }
   return out;

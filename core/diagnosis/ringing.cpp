@@ -11,7 +11,8 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr double kSoftest = 11.0, kStiffest = 70.0;  // [Hz]
-constexpr double kLeast = 0.003, kMost = 0.25;       // Damping
+/// Damping. Of what rang, 0.035 at most; what smoothing left of a stop in a clean recording looked like 0.21.
+constexpr double kLeast = 0.003, kMost = 0.12;
 
 /// What is left for a while after a stop, a channel a column, each over its usual size; its mean, slope and bend taken
 /// off.
@@ -119,7 +120,7 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   double most = -1.0;
   const double fastest = std::min(kStiffest, 0.45 * signals.rateHz);
   for (double frequency = kSoftest; frequency < fastest; frequency *= 1.01)
-    for (const double damping : {0.01, 0.025, 0.06, 0.15})
+    for (const double damping : {0.01, 0.025, 0.06})
       if (const double explained = explainedBy(windows, frequency, damping, signals.rateHz); explained > most) {
         most = explained;
         out.frequencyHz = frequency;

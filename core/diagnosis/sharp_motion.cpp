@@ -63,7 +63,7 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
     ways[i].signals.lost = std::make_shared<const std::vector<Wrenches>>(std::move(lost));
     // What was denoised may be smoother at a stop than one with a low corner.
     std::size_t next = i + 1;
-    while (next < ways.size() && ways[next].denoised) ++next;
+    while (next < ways.size() && ways[next].signals.denoised) ++next;
     if (next >= ways.size()) continue;
     Wrenches louder = blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kReach);
     if (louder.maxCoeff() > kNoticed) ways[i].signals.louder = std::make_shared<const Loudness>(std::move(louder));

@@ -233,7 +233,7 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
                   const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  Way out{std::move(*motion), {}, smoothing.denoise, smoothing.cutoffHz, {}, {}};
+  Way out{std::move(*motion), {}, smoothing.cutoffHz, {}, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
   if (smoothing.denoise)

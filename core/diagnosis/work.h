@@ -17,7 +17,6 @@ namespace heft::diagnosis {
 struct Way {
   Motion motion;
   Signals signals;
-  bool denoised = false;                      ///< See MotionOptions
   double cutoffHz = 0.0;                      ///< Above which next to nothing is left
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
   std::optional<FrameMistake> mistake;        ///< With frames, once looked for

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
 #include "core/motion/motion.h"
-#include "core/recording/csv_reader.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
