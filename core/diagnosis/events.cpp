@@ -121,11 +121,12 @@ std::optional<double> shareNotLost(const Signals& signals, const Fit& fit, const
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
 bool isSmoothed(const Signals& signals, const Fit& fit, const Wrenches& scaled, const Contact& contact) {
   constexpr double kMostly = 0.5, kPartly = 0.95;
-  constexpr double kRings = 0.4;  // [s]
+  constexpr double kRings = 0.4;    // [s]
+  constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
   const auto left = shareNotLost(signals, fit, contact.blocks);
   if (left && *left < kMostly) return true;
-  return contact.to - contact.from < kRings && (!left || *left < kPartly) &&
-         turnsRound(signals, scaled, contact.blocks);
+  const bool has = !left || *left < kPartly || signals.lost->size() < kTold;
+  return has && contact.to - contact.from < kRings && turnsRound(signals, scaled, contact.blocks);
 }
 
 }  // namespace
