@@ -135,26 +135,21 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     options.hidden.emplace_back("saturation");
   struct Smoothing {
     double place;  ///< Among those that smooth less and those that smooth more
-    double cutoff;
-    bool twicing;  ///< Lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the
-                   ///< better
-    bool denoise = false;
+    MotionOptions options;
   };
-  constexpr std::array<Smoothing, 7> kSmoothings{{{0.0, kDefaultCutoffHz, true},
-                                                  {1.0, 17.0, true},
-                                                  {1.5, kDefaultCutoffHz, true, true},
-                                                  {2.0, 12.0, true},
-                                                  {3.0, 12.0, false},
-                                                  {4.0, 8.5, false},
-                                                  {5.0, 6.0, false}}};
+  // Twicing lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the better.
+  constexpr std::array<Smoothing, 7> kSmoothings{
+      {{0.0, {.cutoffHz = kDefaultCutoffHz, .twicing = true}},
+       {1.0, {.cutoffHz = 17.0, .twicing = true}},
+       {1.5, {.cutoffHz = kDefaultCutoffHz, .twicing = true, .denoise = true}},
+       {2.0, {.cutoffHz = 12.0, .twicing = true}},
+       {3.0, {.cutoffHz = 12.0}},
+       {4.0, {.cutoffHz = 8.5}},
+       {5.0, {.cutoffHz = 6.0}}}};
   constexpr double kClearly = 30.0;  // Evidence for another way than this one
   std::array<std::optional<Result<Way>>, kSmoothings.size()> smoothed;
   onTwoThreads(smoothed.size(), [&](std::size_t i) {
-    MotionOptions smoothing;
-    smoothing.cutoffHz = kSmoothings[i].cutoff;
-    smoothing.twicing = kSmoothings[i].twicing;
-    smoothing.denoise = kSmoothings[i].denoise;
-    smoothed[i] = wayOf(recording, readings.cleaned, robot, smoothing, options, readings.bad);
+    smoothed[i] = wayOf(recording, readings.cleaned, robot, kSmoothings[i].options, options, readings.bad);
   });
   std::vector<Way> ways;
   for (auto& way : smoothed) {
@@ -335,11 +330,12 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
   if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
-  if (work.ringing && std::ranges::find(fitted.causes, "flexible_mount", &DiagnosedCause::id) == fitted.causes.end())
-    out.causes.push_back(fromRinging(*work.ringing));
+  const auto isFitted = [&](std::string_view id) {
+    return std::ranges::find(fitted.causes, id, &DiagnosedCause::id) != fitted.causes.end();
+  };
+  if (work.ringing && !isFitted("flexible_mount")) out.causes.push_back(fromRinging(*work.ringing));
   for (const auto& direct : readings->directs)
-    if (std::ranges::find(fitted.causes, direct.cause, &DiagnosedCause::id) == fitted.causes.end())
-      out.causes.push_back(fromDirect(direct));
+    if (!isFitted(direct.cause)) out.causes.push_back(fromDirect(direct));
   if (!work.contacts.empty()) {
     const bool named = contains(final.model, work.touchedOr);
     out.causes.push_back(

@@ -102,28 +102,30 @@ bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where) 
 }
 
 /// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
-/// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less.
-std::optional<double> shareNotLost(const Signals& signals, const Fit& fit, const Stretch& where) {
+/// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less. `usual`: as of
+/// usualSize(), and `scaled` what is left over that.
+std::optional<double> shareNotLost(const Signals& signals, const Vector6d& usual, const Wrenches& scaled,
+                                   const Stretch& where) {
   if (signals.lost == nullptr || signals.lost->empty()) return std::nullopt;
   const Eigen::Index count = where.to - where.from;
-  const Vector6d scale = usualSize(signals, fit).cwiseInverse();
   // So scaled, each channel has a power of 1 where it is judged.
   const auto judged = static_cast<double>(std::ranges::count(signals.usable, true));
   const auto beyond = [&](const Wrenches& left) {
-    return (scale.asDiagonal() * left).squaredNorm() - 6.0 * static_cast<double>(count) / std::max(1.0, judged);
+    return left.squaredNorm() - 6.0 * static_cast<double>(count) / std::max(1.0, judged);
   };
-  const Wrenches left = fit.residual.middleCols(where.from, count);
+  const Wrenches left = scaled.middleCols(where.from, count);
   double least = std::numeric_limits<double>::infinity();
-  for (const Wrenches& lost : *signals.lost) least = std::min(least, beyond(left - lost.middleCols(where.from, count)));
+  for (const Wrenches& lost : *signals.lost)
+    least = std::min(least, beyond(left - usual.cwiseInverse().asDiagonal() * lost.middleCols(where.from, count)));
   return least / std::max(beyond(left), 1e-300);
 }
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
-bool isSmoothed(const Signals& signals, const Fit& fit, const Wrenches& scaled, const Contact& contact) {
+bool isSmoothed(const Signals& signals, const Vector6d& usual, const Wrenches& scaled, const Contact& contact) {
   constexpr double kMostly = 0.5, kPartly = 0.95;
   constexpr double kRings = 0.4;    // [s]
   constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
-  const auto left = shareNotLost(signals, fit, contact.blocks);
+  const auto left = shareNotLost(signals, usual, scaled, contact.blocks);
   if (left && *left < kMostly) return true;
   const bool has = !left || *left < kPartly || signals.lost->size() < kTold;
   return has && contact.to - contact.from < kRings && turnsRound(signals, scaled, contact.blocks);
@@ -153,7 +155,8 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
   constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
-  const Wrenches scaled = usualSize(signals, fit).cwiseInverse().asDiagonal() * fit.residual;
+  const Vector6d usual = usualSize(signals, fit);
+  const Wrenches scaled = usual.cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from),
                     signals.blockTime(stretch.to - 1),
@@ -167,7 +170,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
       contact.instead = kOneChannel;
     else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
-    contact.smoothed = isSmoothed(signals, fit, scaled, contact);
+    contact.smoothed = isSmoothed(signals, usual, scaled, contact);
     out.push_back(contact);
   }
   return out;

@@ -140,7 +140,6 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
       }
   if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping >= kMost) return std::nullopt;
 
-  out.rings.assign(contacts.size(), false);
   double left = 0.0, count = 0.0;
   for (const Window& window : windows) {
     const MatrixXd swings = swingsOf(window, out.frequencyHz, out.damping, signals.rateHz);
@@ -150,7 +149,6 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
                  begins = (swings * amplitudes).topRows(4).rowwise().norm().maxCoeff();
     if (explained < (alone ? kPlainAlone : kPlain) * (window.power - size) || begins > kAtMost * window.setOff)
       continue;
-    out.rings[window.contact] = true;
     out.evidence += contacts[window.contact].evidence;
     out.when.emplace_back(contacts[window.contact].from, signals.time(window.from + window.left.rows() - 1));
     left += window.power - explained;
@@ -183,8 +181,7 @@ void setRingingAside(Work& work, const Way& way) {
   work.ringing = ringingIn(*signals, model, all);
   if (!work.ringing) return;
   const auto rings = [&](const Contact& contact) {
-    const auto at = std::ranges::find(all, contact.from, &Contact::from);
-    return work.ringing->rings[static_cast<std::size_t>(at - all.begin())];
+    return std::ranges::any_of(work.ringing->when, [&](const auto& when) { return when.first == contact.from; });
   };
   std::erase_if(work.contacts, rings);
   std::erase_if(work.odd, rings);

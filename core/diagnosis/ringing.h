@@ -16,8 +16,7 @@ struct Ringing {
   double frequencyHz = 0.0, frequencyStd = 0.0;
   double damping = 0.0, dampingStd = 0.0;       ///< Share of the critical one
   double evidence = 0.0;                        ///< Of the contacts that it takes the place of
-  std::vector<std::pair<double, double>> when;  ///< [s]
-  std::vector<bool> rings;                      ///< Whether each contact does
+  std::vector<std::pair<double, double>> when;  ///< [s], each from where a contact begins
 };
 
 /// Whether what `model` leaves of the readings after some of `contacts`, stretches in which it does not hold, is the

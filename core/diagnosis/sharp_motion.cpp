@@ -34,10 +34,10 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
   const std::optional<FrameMistake>& mistake = ways.front().mistake;
   std::optional<Signals> right;  // Of the way that was asked for last
-  const auto signalsOf = [&](const Way& way) -> const Signals& {
+  const auto rightOf = [&](const Way& way) -> const Signals& {
     return mistake ? right.emplace(corrected(way.signals, *mistake)) : way.signals;
   };
-  const Signals& least = signalsOf(ways.front());
+  const Signals& least = rightOf(ways.front());
   const auto stretches = untouched(least, ways.front());
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});
@@ -49,7 +49,7 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;
   const auto madeOf = [&](const Way& way) {
-    const Signals& signals = signalsOf(way);
+    const Signals& signals = rightOf(way);
     return averaged(signals, payloadWrench(signals.kinematics, payload));
   };
   std::vector<Wrenches> made;

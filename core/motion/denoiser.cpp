@@ -43,14 +43,16 @@ Denoiser::Denoiser(const Channels& signal, double rateHz) : rateHz_(rateHz) {
     white(k) = std::pow(2.0 * std::sin(std::numbers::pi * static_cast<double>(k + 1) / static_cast<double>(length)),
                         2 * kDifferences);
   MatrixXd mean = MatrixXd::Zero(x.rows(), kLines);
+  double windows = 0.0;
   std::vector<std::vector<double>> high(static_cast<std::size_t>(x.rows()));
   for (Eigen::Index from = 0; from + length <= x.cols(); from += length / 2) {
     const MatrixXd power = taperedPower(x.middleCols(from, length), kLines) * white.cwiseInverse().asDiagonal();
     mean += power;
+    windows += 1.0;
     for (Eigen::Index c = 0; c < x.rows(); ++c)
       for (Eigen::Index k = kNoiseFrom; k < kLines; ++k) high[static_cast<std::size_t>(c)].push_back(power(c, k));
   }
-  mean *= static_cast<double>(kLines - kNoiseFrom) / static_cast<double>(high.front().size());
+  mean /= windows;
   gains_ = MatrixXd::Ones(x.rows(), kLines + 1);
   for (Eigen::Index c = 0; c < x.rows(); ++c) {
     // Half of what is spread as a square of two normal numbers is below ln 2 of its mean; knocks do not count.

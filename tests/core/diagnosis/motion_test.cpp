@@ -126,8 +126,7 @@ TEST(Diagnose, CornersOfTheMotionAreNoCause) {
 }
 
 /// A hand that trembles, each joint at a frequency of its own, under angles as noisy as they may be. A low-pass with a
-/// corner that keeps this noise away takes a tenth of the tremor: that was a mount that gives at 12 Hz, in four of five
-/// such recordings.
+/// corner that keeps this noise away takes a tenth of the tremor: that was a shaking, or a mount that gives at 12 Hz.
 TEST(Diagnose, ATrembleUnderNoisyAnglesIsNoCause) {
   const RobotModel& robot = RobotModel::panda();
   Payload tool = aTool();

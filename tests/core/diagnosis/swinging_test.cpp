@@ -97,7 +97,7 @@ class HardStops {
 };
 
 /// After a hard stop a motion that is smoothed differs from the true one by newtons: that is neither a touch nor noise
-/// that comes and goes. What rings on afterwards, always at the same pitch, is the mount, also faster than blocks show.
+/// that comes and goes. What rings on afterwards, always at the same pitch, is the mount.
 TEST(Diagnose, WhatRingsAfterAHardStopIsTheMount) {
   Payload tool = aTool();
   tool.mass = 1.6;
