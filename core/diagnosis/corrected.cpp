@@ -145,7 +145,7 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
     return std::any_of(report.model.terms.begin(), report.model.terms.end(),
                        [&](const Term& term) { return term.form->cause->id() == cause.id; });
   if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
-  if (cause.id == "contact") return !cause.when.empty();
+  if (cause.id == "contact" || cause.id == "payload_change") return !cause.when.empty();
   // Noisy angles were smoothed more, which every estimate does by itself.
   const bool noisy =
       std::ranges::any_of(cause.parameters, [](const CauseParameter& p) { return p.name == "force_noise"; });
@@ -168,8 +168,9 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
       const auto mistake = mistakeFromJson(memberOf(found, "frame_mistake"));
       if (!mistake) return other;
       out = undone(std::move(out), *mistake);
-    } else if (id == "contact") {
-      for (const auto& [from, to] : cause->when) out.meta.marks.push_back({from, to, MarkLabel::contact});
+    } else if (id == "contact" || id == "payload_change") {
+      const MarkLabel label = id == "contact" ? MarkLabel::contact : MarkLabel::ignore;
+      for (const auto& [from, to] : cause->when) out.meta.marks.push_back({from, to, label});
     } else if (id == "jitter") {
       if (auto stamps = unevenStamps(out)) out.time = std::move(stamps->even);
     } else if (id == "motion_lag" || id == "derivative_noise") {

@@ -334,6 +334,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     return std::ranges::find(fitted.causes, id, &DiagnosedCause::id) != fitted.causes.end();
   };
   if (work.ringing && !isFitted("flexible_mount")) out.causes.push_back(fromRinging(*work.ringing));
+  if (work.carried) out.causes.push_back(fromCarried(*work.carried));
   for (const auto& direct : readings->directs)
     if (!isFitted(direct.cause)) out.causes.push_back(fromDirect(direct));
   if (!work.contacts.empty()) {

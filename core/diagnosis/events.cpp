@@ -74,22 +74,22 @@ bool swings(const Wrenches& scaled, const Stretch& where) {
   return lobes >= kLobes;
 }
 
-/// Whether next to all that a stretch has beyond the usual is on one channel, which jumps there between two readings:
-/// what pushes turns the sensor as well, and takes its time.
-bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where) {
+/// Whether next to all that a stretch has beyond the usual, as it is outside of all `stretches`, is on one channel,
+/// which jumps there between two readings: what pushes turns the sensor as well, and takes its time.
+bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where, const std::vector<Stretch>& stretches) {
   constexpr double kAlone = 0.99;      // Share of the power, in units of the usual
   constexpr double kPlain = 20.0;      // Of these units: what is fainter may be chance
   constexpr double kJumps = 0.25;      // Of its most; a push that lasts 0.2 s changes by 0.1 at most
   constexpr Eigen::Index kAround = 5;  // Blocks: where it begins is not known better
+  std::vector<bool> usual = signals.usable;
+  for (const Stretch& s : stretches) std::fill(usual.begin() + s.from, usual.begin() + s.to, false);
   Vector6d inside = Vector6d::Zero(), outside = Vector6d::Constant(1e-300);
-  double count = 0.0;
   for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (n >= where.from && n < where.to) {
+    if (n >= where.from && n < where.to)
       inside += fit.residual.col(n).cwiseAbs2();
-    } else if (signals.usable[static_cast<std::size_t>(n)]) {
+    else if (usual[static_cast<std::size_t>(n)])
       outside += fit.residual.col(n).cwiseAbs2();
-      count += 1.0;
-    }
+  const auto count = static_cast<double>(std::ranges::count(usual, true));
   const double lasts = static_cast<double>(where.to - where.from);
   const Vector6d excess = ((inside / lasts).cwiseQuotient(outside / std::max(1.0, count)).array() - 1.0).max(0.0);
   Eigen::Index channel = 0;
@@ -166,7 +166,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
     if (contact.evidence < kThreshold) continue;
     if (contact.to - contact.from >= kBounce && steadiness(scaled, stretch, signals.blockRate()) <= kSteady)
       contact.instead = heft::toSay("noise that comes and goes");
-    else if (isOneChannel(signals, fit, stretch))
+    else if (isOneChannel(signals, fit, stretch, candidates))
       contact.instead = kOneChannel;
     else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");

@@ -143,6 +143,17 @@ DiagnosedCause fromRinging(const Ringing& ringing) {
   return out;
 }
 
+DiagnosedCause fromCarried(const Carried& carried) {
+  DiagnosedCause out;
+  out.id = "payload_change";
+  out.direct = true;
+  out.parameters = {{"mass", "g", 1e3 * carried.mass, 1e3 * carried.massStd}};
+  out.when = carried.when;
+  out.deltaBic = carried.evidence;
+  out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
+  return out;
+}
+
 DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left, const std::string& touchedOr,
                             double noise) {
   DiagnosedCause out;

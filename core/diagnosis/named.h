@@ -1,5 +1,6 @@
 #pragma once
 // What is said of a cause, by the way in which it was found.
+#include "core/diagnosis/carried.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/events.h"
 #include "core/diagnosis/noisy_motion.h"
@@ -18,6 +19,7 @@ DiagnosedCause fromDirect(const Direct& direct);
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
 DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy);
 DiagnosedCause fromRinging(const Ringing& ringing);
+DiagnosedCause fromCarried(const Carried& carried);
 /// `contacts` must not be empty. `left`, 6 x blocks, is what all causes together leave: its mean over three blocks is
 /// at its greatest the force, known to `noise` [N] (one block by itself adds the most that the noise does in any).
 /// `touchedOr`: a cause that may be meant instead, or none.

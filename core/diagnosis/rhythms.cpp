@@ -25,20 +25,83 @@ MatrixXd courseOf(const VectorXd& angle, double multiple) {
   return out;
 }
 
+/// Sines and cosines of waves, one after the other. Where a multiple of an angle is followed by larger ones in equal
+/// steps, each is turned on from the one before, which takes a fraction of the time.
+class Courses {
+ public:
+  /// `angles`, each N, must outlive this.
+  explicit Courses(const std::vector<VectorXd>& angles) : angles_(angles) {}
+
+  /// Sine and cosine, N x 2.
+  const Eigen::MatrixX2d& to(const Wave& wave) {
+    const VectorXd& angle = angles_[wave.of];
+    if (course_.rows() == 0 || wave.of != at_.of) {
+      course_ = courseOf(angle, wave.multiple).transpose();
+    } else {
+      if (const double step = wave.multiple - at_.multiple; std::abs(step - step_) > 1e-9 * std::abs(step)) {
+        turn_ = courseOf(angle, step).transpose();
+        step_ = step;
+      }
+      const Eigen::ArrayXd sine = course_.col(0);
+      const auto cosine = course_.col(1).array(), sineOfTurn = turn_.col(0).array(),
+                 cosineOfTurn = turn_.col(1).array();
+      course_.col(0) = sine * cosineOfTurn + cosine * sineOfTurn;
+      course_.col(1) = cosine * cosineOfTurn - sine * sineOfTurn;
+    }
+    if (wave.of != at_.of) step_ = 0.0;
+    at_ = wave;
+    return course_;
+  }
+
+ private:
+  const std::vector<VectorXd>& angles_;
+  Wave at_;
+  double step_ = 0.0;
+  Eigen::MatrixX2d course_, turn_;
+};
+
+/// Waves on single channels, whitened one at a time, and what is left on these.
+class OnChannels {
+ public:
+  explicit OnChannels(const Ground& ground)
+      : ground_(ground), r_(Eigen::Map<const Wrenches>(ground.r.data(), 6, ground.r.size() / 6).transpose()) {}
+
+  /// Innovations of sine and cosine, N x 2, on a channel.
+  const Eigen::MatrixX2d& whitened(const Eigen::MatrixX2d& course, std::size_t channel) {
+    const Loudness::Level* level = ground_.noise.level;
+    innovations_.resize(course.rows(), 2);
+    for (Eigen::Index part = 0; part < 2; ++part) {
+      if (level == nullptr) {
+        innovate(course.col(part), ground_.noise, channel, ground_.stretches, 0, innovations_.col(part));
+        continue;
+      }
+      even_ = course.col(part).cwiseProduct(level->by.row(static_cast<Eigen::Index>(channel)).transpose());
+      innovate(even_, ground_.noise, channel, ground_.stretches, 0, innovations_.col(part));
+    }
+    return innovations_;
+  }
+
+  /// What is left on a channel, N.
+  auto left(std::size_t channel) const { return r_.col(static_cast<Eigen::Index>(channel)); }
+
+ private:
+  const Ground& ground_;
+  ByChannel r_;
+  Eigen::MatrixX2d innovations_;
+  VectorXd even_;
+};
+
 /// What sine and cosine of each candidate explain of the whitened residual in all channels, each for itself.
 std::vector<double> powersOnChannels(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
                                      const Ground& ground) {
-  const Eigen::Index blocks = angles.front().size();
   std::vector<double> out(candidates.size());
+  Courses courses(angles);
+  OnChannels on(ground);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const MatrixXd course = courseOf(angles[candidates[i].of], candidates[i].multiple);
-    MatrixXd columns(6 * blocks, 2);
-    for (Eigen::Index n = 0; n < blocks; ++n)
-      for (Eigen::Index part = 0; part < 2; ++part) columns.block<6, 1>(6 * n, part).setConstant(course(part, n));
-    const MatrixXd C = whitened(columns, ground.noise, ground.stretches);
-    for (Eigen::Index part = 0; part < 2; ++part) {
-      const Eigen::Map<const Wrenches> u(C.col(part).data(), 6, blocks), r(ground.r.data(), 6, blocks);
-      const Vector6d dots = u.cwiseProduct(r).rowwise().sum(), sizes = u.rowwise().squaredNorm();
+    const Eigen::MatrixX2d& course = courses.to(candidates[i]);
+    for (std::size_t c = 0; c < 6; ++c) {
+      const Eigen::MatrixX2d& u = on.whitened(course, c);
+      const Eigen::Vector2d dots = u.transpose() * on.left(c), sizes = u.colwise().squaredNorm();
       out[i] += dots.cwiseAbs2().cwiseQuotient(sizes.cwiseMax(1e-9)).sum();
     }
   }
@@ -53,11 +116,11 @@ std::vector<Matrix3d> orientations(const Signals& signals) {
   return out;
 }
 
-/// The same of forces and torques along the axes of B. The tool turns slowly against the waves, so that whitening only
-/// makes them larger and shifts them, as the noise's spectrum says.
-std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const VectorXd& time,
+/// The same of forces and torques along the axes of B, of waves in time. The tool turns slowly against the waves, so
+/// that whitening only makes them larger and shifts them, as the noise's spectrum says.
+std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const std::vector<VectorXd>& time,
                                      const std::vector<Wave>& candidates, const Ground& ground, double blockRate) {
-  const Eigen::Index blocks = time.size();
+  const Eigen::Index blocks = time.front().size();
   const Eigen::Map<const Wrenches> r(ground.r.data(), 6, blocks);
   MatrixXd turned = MatrixXd::Zero(blocks, 18);  // Row c of the channel times axis i of B: column 3 c + i
   VectorXd sizes = VectorXd::Zero(18);
@@ -70,9 +133,10 @@ std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const Ve
           sizes(3 * c + i) += 0.5 * along * along;
         }
   std::vector<double> out(candidates.size());
+  Courses courses(time);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const double omega = candidates[k].multiple;
-    const MatrixXd sums = courseOf(time, omega) * turned;  // 2 x 18: sine, cosine
+    const MatrixXd sums = courses.to(candidates[k]).transpose() * turned;  // 2 x 18: sine, cosine
     std::array<std::complex<double>, 6> response;
     for (std::size_t c = 0; c < 6; ++c) {
       const ArModel& model = ground.noise.channels[c];
@@ -121,11 +185,12 @@ MatrixXd onOwnChannels(const MatrixXd& courses, const std::vector<Wave>& waves) 
 std::vector<double> powersOnOwn(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
                                 const Ground& ground) {
   std::vector<double> out(candidates.size());
+  Courses courses(angles);
+  OnChannels on(ground);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const MatrixXd course = courseOf(angles[candidates[i].of], candidates[i].multiple);
-    const MatrixXd C = whitened(onOwnChannels(course, {candidates[i]}), ground.noise, ground.stretches);
-    const VectorXd dots = C.transpose() * ground.r;
-    MatrixXd products = C.transpose() * C;
+    const Eigen::MatrixX2d& u = on.whitened(courses.to(candidates[i]), candidates[i].of);
+    const Eigen::Vector2d dots = u.transpose() * on.left(candidates[i].of);
+    Eigen::Matrix2d products = u.transpose() * u;
     products.diagonal().array() += 1e-9;
     out[i] = dots.dot(products.ldlt().solve(dots));
   }
@@ -243,7 +308,7 @@ BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, d
   };
   if (kind == WaveKind::inTheWorld) {
     const auto R_BS = orientations(signals);
-    judged(powersInTheWorld(R_BS, angles[0], candidates, ground, signals.blockRate()),
+    judged(powersInTheWorld(R_BS, angles, candidates, ground, signals.blockRate()),
            [&](const MatrixXd& courses, const auto&) { return inTheWorld(R_BS, courses); });
   } else if (kind == WaveKind::overReadings) {
     judged(powersOnOwn(angles, candidates, ground), onOwnChannels);

@@ -45,9 +45,13 @@ double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
 /// One way of weighting the rows.
 class Weighting {
  public:
-  /// `jacobian`: of the fit's model; like all others it must outlive this.
+  /// `jacobian`: of the fit's model. All others must outlive this.
   Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian)
-      : noise_(noise), stretches_(stretches), fit_(fit), jacobian_(jacobian), J_(jacobian, noise, stretches) {
+      : noise_(noise),
+        stretches_(stretches),
+        fit_(fit),
+        jacobian_(jacobian, Noise{}, {{0, jacobian.rows() / 6}}),
+        J_(jacobian, noise, stretches) {
     r_ = whitened(flat(fit.residual), noise, stretches);
     inverse_ = Normal(J_, whisper(fit.model)).inverse();
     Jr_ = J_.transposeTimes(r_);
@@ -139,7 +143,7 @@ class Weighting {
     if (answer.others.size() == 0) return;
     Wrenches residual = fit_.residual;
     Eigen::Map<VectorXd> left(residual.data(), residual.size());
-    left -= jacobian_ * answer.others;
+    left -= jacobian_.times(answer.others);
     left.segment(6 * signature.reach.from, signature.columns->rows()) -= *signature.columns * answer.gamma;
     score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence,
           lnN);
@@ -161,7 +165,7 @@ class Weighting {
   const Noise& noise_;
   const std::vector<Stretch>& stretches_;
   const Fit& fit_;
-  const MatrixXd& jacobian_;
+  ChannelColumns jacobian_;  ///< As it is, not whitened: in what is about one channel alone, zeros need no product
   ChannelColumns J_;
   MatrixXd inverse_;
   VectorXd r_, Jr_;

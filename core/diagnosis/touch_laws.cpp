@@ -8,6 +8,7 @@
 
 #include "core/base/say.h"
 #include "core/math/rigid.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
@@ -43,12 +44,13 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
 /// payload's centre of mass, as where the robot's base moves unrecorded, or inside the sensor, as where its readings of
 /// force alone are wrong. Not translated; empty where it is neither.
 std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr std::size_t kFewest = 3;
   constexpr double kNear = 4e-3, kKnown = 8e-3;  // [m] To be there; largest deviation of where it acts
-  constexpr double kLeft = 0.1;                  // Share of the torques' power beside what the forces turn there
-  constexpr double kUsual = 2.0;                 // Times the torques' power elsewhere: there is none
+  // One or two may be there by chance, unless it is known exactly: of 24 touches none acted within 25 mm.
+  constexpr std::size_t kFew = 3;
+  constexpr double kExactly = 3e-3;  // [m]
+  constexpr double kLeft = 0.1;        // Share of the torques' power beside what the forces turn there
+  constexpr double kUsual = 2.0;       // Times the torques' power elsewhere: there is none
   const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(0.1 * signals.blockRate())));
-  if (contacts.size() < kFewest) return {};
   Matrix3d A = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
   std::vector<Vector6d> means;
@@ -81,8 +83,9 @@ std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const
     all += w.tail<3>().squaredNorm();
   }
   const double deviation = std::sqrt(A.inverse().diagonal().maxCoeff() * left / (3.0 * many));
-  if (deviation > kKnown) return {};
-  const double near = std::max(kNear, 3.0 * deviation);
+  const bool few = contacts.size() < kFew;
+  if (deviation > (few ? kExactly : kKnown)) return {};
+  const double near = few ? kNear : std::max(kNear, 3.0 * deviation);
   if (left < kLeft * all && (place - centre).norm() < near)
     return heft::toSay("the centre of mass, as if the robot's base moved");
   if (all < kUsual * torqueNoise / count * many && place.norm() < near && centre.norm() > 2.0 * near)
@@ -90,20 +93,34 @@ std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const
   return {};
 }
 
+/// What is left in contacts beyond the usual, in units of it.
+class Beyond {
+ public:
+  Beyond(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+    std::vector<bool> usual = signals.usable;
+    for (const Contact& contact : contacts)
+      std::fill(usual.begin() + contact.blocks.from, usual.begin() + contact.blocks.to, false);
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      if (usual[static_cast<std::size_t>(n)]) power_ += fit.residual.col(n).cwiseAbs2();
+    power_ /= std::max(1.0, static_cast<double>(std::ranges::count(usual, true)));
+  }
+
+  /// Of a reading that is `off` on a channel.
+  double of(double off, Eigen::Index channel) const { return std::max(0.0, off * off / power_(channel) - 1.0); }
+  /// In units in which the usual is 1 on each channel.
+  Wrenches scaled(const Wrenches& wrench) const { return power_.cwiseSqrt().cwiseInverse().asDiagonal() * wrench; }
+
+ private:
+  Vector6d power_ = Vector6d::Constant(1e-300);
+};
+
 /// Share of the power left in the contacts, beyond the usual, that is gone where each channel may read what the model
 /// says for any moment up to a tenth of a second before, or after where `later`.
 double readAt(bool later, const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   constexpr double kReach = 0.1;  // [s]
   const Eigen::Index blocks = signals.blocks(), reach = std::lround(kReach * signals.blockRate());
   const Wrenches should = signals.measured - fit.residual;
-  std::vector<bool> usual = signals.usable;
-  for (const Contact& contact : contacts)
-    std::fill(usual.begin() + contact.blocks.from, usual.begin() + contact.blocks.to, false);
-  Vector6d power = Vector6d::Constant(1e-300);
-  for (Eigen::Index n = 0; n < blocks; ++n)
-    if (usual[static_cast<std::size_t>(n)]) power += fit.residual.col(n).cwiseAbs2();
-  power /= std::max(1.0, static_cast<double>(std::ranges::count(usual, true)));
-  const auto beyond = [&](double off, Eigen::Index c) { return std::max(0.0, off * off / power(c) - 1.0); };
+  const Beyond beyond(signals, fit, contacts);
   double all = 1e-300, left = 0.0;
   for (const Contact& contact : contacts)
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
@@ -112,8 +129,8 @@ double readAt(bool later, const Signals& signals, const Fit& fit, const std::vec
                            to = later ? std::min(blocks - 1, n + reach) : n;
         const auto may = should.row(c).segment(from, to - from + 1);
         const double is = signals.measured(c, n);
-        all += beyond(fit.residual(c, n), c);
-        left += beyond(is - std::clamp(is, may.minCoeff(), may.maxCoeff()), c);
+        all += beyond.of(fit.residual(c, n), c);
+        left += beyond.of(is - std::clamp(is, may.minCoeff(), may.maxCoeff()), c);
       }
   return 1.0 - left / all;
 }
@@ -123,8 +140,86 @@ double readAt(bool later, const Signals& signals, const Fit& fit, const std::vec
 /// that were touched or seemed so, late readings left 0.06 and less; one touch left 0.15, all others more.
 bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   constexpr double kNearlyAll = 0.92, kMore = 0.5;
-  const double before = contacts.empty() ? 0.0 : readAt(false, signals, fit, contacts);
+  const double before = readAt(false, signals, fit, contacts);
   return before > kNearlyAll && before > readAt(true, signals, fit, contacts) + kMore;
+}
+
+/// Whether what seems to be contact are channels that are mixed up for a while, as by a cable or a parser out of step:
+/// in each of the contacts two of them read what the model says for each other, or one with the other sign.
+bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kNearlyAll = 0.92;
+  const Wrenches should = signals.measured - fit.residual;
+  const Beyond beyond(signals, fit, contacts);
+  double all = 1e-300, left = 0.0;
+  for (const Contact& contact : contacts) {
+    const auto [from, to] = contact.blocks;
+    VectorXd asTheyAre = VectorXd::Zero(to - from);
+    for (Eigen::Index n = from; n < to; ++n)
+      for (Eigen::Index c = 0; c < 6; ++c) asTheyAre(n - from) += beyond.of(fit.residual(c, n), c);
+    double least = asTheyAre.sum();
+    all += least;
+    for (Eigen::Index a = 0; a < 6; ++a)
+      for (Eigen::Index b = a; b < 6; ++b) {
+        double mixed = 0.0;
+        for (Eigen::Index n = from; n < to; ++n) {
+          const auto readsAs = [&](Eigen::Index channel, Eigen::Index other, double value) {
+            return beyond.of(signals.measured(channel, n) - value, other) -
+                   beyond.of(fit.residual(channel, n), channel);
+          };
+          const double change =
+              a == b ? readsAs(a, a, -should(a, n)) : readsAs(a, b, should(b, n)) + readsAs(b, a, should(a, n));
+          mixed += std::min(0.0, change) + asTheyAre(n - from);  // It begins and ends somewhere in the stretch
+        }
+        least = std::min(least, mixed);
+      }
+    left += least;
+  }
+  return left < (1.0 - kNearlyAll) * all;
+}
+
+/// Whether all channels, the zero with them, read too little or too much by one factor at a time, as where the
+/// amplifier's supply dips: of 24 touches, such factors left 0.42 and more.
+bool growTogether(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kLeft = 0.08;
+  const Beyond beyond(signals, fit, contacts);
+  const Wrenches scaled = beyond.scaled(fit.residual), should = beyond.scaled(signals.measured - fit.residual);
+  double all = 1e-300, left = 0.0;
+  for (const Contact& contact : contacts)
+    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
+      const double factor = scaled.col(n).dot(should.col(n)) / std::max(1e-300, should.col(n).squaredNorm());
+      all += scaled.col(n).squaredNorm();
+      left += (scaled.col(n) - factor * should.col(n)).squaredNorm();
+    }
+  return left < kLeft * all;
+}
+
+/// Whether the contacts come like clockwork while the tool moves, each like the others in the tool's axes, as where a
+/// valve switches: no hand and no place that the tool comes to does.
+bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr std::size_t kFewest = 5;
+  constexpr double kRegular = 0.04, kAlike = 0.25;  // Share of the time between two; of the force
+  constexpr double kMoves = 0.05, kTurns = 0.15;    // [m/s], [rad/s]
+  if (contacts.size() < kFewest) return false;
+  std::vector<double> between;
+  for (std::size_t i = 1; i < contacts.size(); ++i)
+    between.push_back(0.5 * (contacts[i].from + contacts[i].to - contacts[i - 1].from - contacts[i - 1].to));
+  const double usual = median(between);
+  Wrenches means(6, std::ssize(contacts));
+  std::size_t moving = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Eigen::Index from = contacts[i].blocks.from, count = contacts[i].blocks.to - from,
+                       m = signals.samplesPerBlock;
+    means.col(static_cast<Eigen::Index>(i)) = fit.residual.middleCols(from, count).rowwise().mean();
+    const auto during = [&](const auto& of) { return of.middleCols(from * m, count * m).colwise().norm().mean(); };
+    moving += during(signals.velocity) > kMoves || during(signals.kinematics.omega) > kTurns ? 1 : 0;
+  }
+  const Vector3d mean = means.topRows<3>().rowwise().mean();
+  const double differs = (means.topRows<3>().colwise() - mean).colwise().norm().mean();
+  const bool regular = std::ranges::all_of(between, [&](double time) {
+    const double times = std::max(1.0, std::round(time / usual));  // One may have gone unseen
+    return std::abs(time - times * usual) < kRegular * usual;
+  });
+  return regular && 2 * moving > contacts.size() && differs < kAlike * mean.norm();
 }
 
 /// A way in which something that is no touch may go with the motion.
@@ -157,9 +252,13 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
 }  // namespace
 
 std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  if (contacts.empty()) return {};
   if (comesLate(signals, fit, contacts)) return heft::toSay("what the channels read before");
-  if (contacts.size() < 2) return {};
+  if (areMixedUp(signals, fit, contacts)) return heft::toSay("channels that are mixed up for a while");
+  if (growTogether(signals, fit, contacts)) return heft::toSay("the size of all readings together");
+  if (areClockwork(signals, fit, contacts)) return heft::toSay("time alone, as regular as a clock");
   if (std::string place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;
+  if (contacts.size() < 2) return {};
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   Wrenches motion = Wrenches::Zero(6, blocks);  // Velocity and turning, S axes
   for (Eigen::Index k = 0; k < blocks * m; ++k) {

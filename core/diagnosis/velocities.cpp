@@ -72,6 +72,15 @@ class Comparison {
     return out;
   }
 
+  /// What the reported velocities lack of the slopes, in units of what a mean over `reach` [s] to either side would
+  /// take of themselves; noise of either makes it less, not more.
+  double lacks(double reach) const {
+    const MatrixXd mean = delayed(meanSince(reported_, 2.0 * reach, rateHz_), -reach, rateHz_);
+    const MatrixXd taken = (mean - reported_).middleCols(edge_, count_),
+                   lacking = (reported_ - slope_).middleCols(edge_, count_);
+    return (taken.array() * lacking.array()).sum() / std::max(1e-300, taken.squaredNorm());
+  }
+
   /// Root mean square [rad/s, m/s] of what a match leaves, and of the motion's own speed.
   double leftOver(const Match& match) const { return std::sqrt(match.left / static_cast<double>(count_ * q_.rows())); }
   double speed() const {
@@ -104,6 +113,11 @@ const std::array<Reporting, 3>& reportings() {
         return (q - delayed(q, 2.0 * lag, rateHz)) / (2.0 * lag);
       }};
   return kAll;
+}
+
+/// As the mean over so long to either side, which is not late.
+MatrixXd meanAround(const MatrixXd& q, const MatrixXd&, double reach, double rateHz) {
+  return (delayed(q, -reach, rateHz) - delayed(q, reach, rateHz)) / (2.0 * reach);
 }
 
 /// Rows of `values` (rows x D) at the motion's instants, D x K.
@@ -164,7 +178,19 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
       way = &reporting;
     }
   // Less than a lag would gain by chance is none.
-  const bool lags = late.lag > kLagNamed && late.left < 0.98 * plain.left;
+  constexpr double kByChance = 0.98;
+  // A mean takes noise of the slopes, too, whatever was reported: hence the second question.
+  constexpr double kLacks = 0.3;
+  if (const Match mean = comparison.best(meanAround); mean.lag > kLagNamed &&
+                                                      mean.left < kByChance * std::min(plain.left, late.left) &&
+                                                      comparison.lacks(mean.lag) > kLacks) {
+    Direct found;
+    found.cause = "derivative_noise";
+    found.parameters = {{"window", "ms", 2e3 * mean.lag, 2e3 * comparison.deviation(meanAround, mean)}};
+    out.push_back(std::move(found));
+    return out;
+  }
+  const bool lags = late.lag > kLagNamed && late.left < kByChance * plain.left;
   if (lags) {
     Direct found;
     found.cause = "motion_lag";

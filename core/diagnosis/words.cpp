@@ -313,6 +313,12 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
                      number(v.value("frequency"), 1));
   if (id == "flexible_mount")
     return heft::say("The tool's mount gives and rings at {} Hz.", number(v.value("frequency"), 0));
+  if (id == "payload_change" && cause.direct)
+    return cause.when.size() == 1
+               ? heft::say("From {} to {} s the tool carried {} g more.", number(cause.when[0].first, 1),
+                           number(cause.when[0].second, 1), v.size("mass"))
+               : heft::say("The tool carried {} g more {} times, first from {} to {} s.", v.size("mass"),
+                           cause.when.size(), number(cause.when[0].first, 1), number(cause.when[0].second, 1));
   if (id == "payload_change" && v.value("duration") > 1.0) {
     const std::string from = number(v.value("time") - 0.5 * v.value("duration"), 1),
                       to = number(v.value("time") + 0.5 * v.value("duration"), 1);
@@ -353,6 +359,11 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return heft::say(
         "The reported velocities are noisy, by {} % of the motion's speed; Heft can use the positions instead.",
         v.size("noise"));
+  if (id == "derivative_noise" && v.find("window"))
+    return heft::say(
+        "The reported velocities are means over {} ms, so that what is fast in them is too small; Heft can use the "
+        "positions instead.",
+        v.size("window"));
   if (id == "derivative_noise" && v.find("force_noise"))
     return heft::say(
         "The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.",

@@ -346,6 +346,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     lookBack(signals, work.stretches, work.bank, searching, work.search, progress);
     setTouchesAside(work);
     setKnocksAside(work);
+    setCarriedAside(work, options.hidden);
     return work;
   }
   // Contact first; what the causes found elsewhere account for is no contact. Only what is left in the end is compared.
@@ -409,6 +410,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   setOddAside(work, whole);
   setTouchesAside(work);
   setKnocksAside(work);
+  setCarriedAside(work, options.hidden);
   return work;
 }
 

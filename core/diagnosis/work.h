@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "core/diagnosis/carried.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/events.h"
 #include "core/diagnosis/frames.h"
@@ -56,6 +57,7 @@ struct Work {
   std::string oddGoesWith;        ///< Not translated
   std::vector<Contact> smoothed;  ///< Left out as well, but nothing: left by the smoothing of the motion
   std::optional<Ringing> ringing;
+  std::optional<Carried> carried;
   std::optional<FrameMistake> mistake;
   std::vector<std::string> madeByMotion;  ///< Causes found that are part of the model but nothing of the rig
   SignatureBank bank;                     ///< Of `signals`

@@ -43,7 +43,7 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
 }
 
 bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& segments) {
-  if (!cause.direct || cause.id != "contact") return false;
+  if (!cause.direct || (cause.id != "contact" && cause.id != "payload_change")) return false;
   double touched = 0, left = 0;
   for (const auto& [from, to] : cause.when) {
     touched += to - from;

@@ -130,6 +130,35 @@ TEST(SampleTests, TheLagOfReportedVelocitiesIsWithinItsDeviations) {
     }
 }
 
+/// Velocities may be means over a while to either side, which are not late; noise of angles and velocities is no mean.
+TEST(SampleTests, MeansOfVelocitiesAreFoundAndNoiseIsNone) {
+  Recording recording = aRecording(MotionKind::free, 18);
+  MotionOptions options;
+  options.cutoffHz = 25.0;
+  const MatrixXd q = recording.q;
+  RandomStream random(18, RandomPurpose::effect);
+  const auto foundWith = [&](Eigen::Index reach) {
+    for (Eigen::Index i = 0; i < q.rows(); ++i) {
+      const Eigen::Index from = std::max<Eigen::Index>(0, i - reach), to = std::min(q.rows() - 1, i + reach);
+      recording.dq.row(i) = (q.row(to) - q.row(from)) / (recording.time(to) - recording.time(from));
+      for (Eigen::Index j = 0; j < q.cols(); ++j) {
+        recording.q(i, j) = q(i, j) + 2e-5 * random.normal();
+        recording.dq(i, j) += 2e-3 * random.normal();
+      }
+    }
+    return diagnosis::reportedVelocities(recording, motionOf(recording, &RobotModel::panda(), options).value());
+  };
+  EXPECT_TRUE(foundWith(2).empty());
+  for (const Eigen::Index reach : {25, 50}) {
+    const auto found = foundWith(reach);
+    ASSERT_EQ(found.size(), 1u) << reach;
+    EXPECT_EQ(found.front().cause, "derivative_noise");
+    const auto& window = found.front().parameters.front();
+    EXPECT_EQ(window.name, "window");
+    EXPECT_NEAR(window.value, 2e3 * static_cast<double>(reach) / recording.rateHz(), 3.0 * window.std) << reach;
+  }
+}
+
 /// The same of a tool's velocity, where poses were recorded and no joints.
 TEST(SampleTests, TheLagOfReportedTwistsIsWithinItsDeviations) {
   const Recording joints = aRecording(MotionKind::free, 17);

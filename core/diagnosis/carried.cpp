@@ -1,0 +1,114 @@
+#include "core/diagnosis/carried.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/diagnosis/work.h"
+#include "core/math/rigid.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+/// How a block's wrench (6) depends on some parameters, over the usual size of each channel.
+using Rows = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+struct Best {
+  VectorXd parameters;
+  MatrixXd information;
+  double left = 0.0;  ///< Sum of squares
+};
+
+/// The parameters that leave least of `scaled` (6 x N) in the contacts, of which each block may be left as it is: they
+/// begin and end somewhere in their stretches. `rows`: of a block, with `count` columns.
+template <class OfBlock>
+Best bestOf(const Wrenches& scaled, const std::vector<Contact>& contacts, const OfBlock& rows, Eigen::Index count) {
+  constexpr int kRounds = 3;  // Which blocks are left shows once the parameters are known
+  Best out;
+  out.parameters = VectorXd::Zero(count);
+  for (int round = 0; round < kRounds; ++round) {
+    MatrixXd information = 1e-12 * MatrixXd::Identity(count, count);
+    VectorXd g = VectorXd::Zero(count);
+    for (const Contact& contact : contacts)
+      for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
+        const Rows A = rows(n);
+        const Vector6d w = scaled.col(n);
+        if (round > 0 && (w - A * out.parameters).squaredNorm() > w.squaredNorm()) continue;
+        information += A.transpose() * A;
+        g += A.transpose() * w;
+      }
+    out.parameters = information.ldlt().solve(g);
+    out.information = std::move(information);
+  }
+  for (const Contact& contact : contacts)
+    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
+      const Vector6d w = scaled.col(n);
+      out.left += std::min(w.squaredNorm(), (w - rows(n) * out.parameters).squaredNorm());
+    }
+  return out;
+}
+
+}  // namespace
+
+std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kShortest = 0.8;  // [s]
+  // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
+  // eight that were touched as long, the most like a load left 0.16 and seven times.
+  constexpr double kLeft = 0.05, kOfHolding = 0.5;
+  if (contacts.empty() || std::ranges::any_of(contacts, [](const Contact& c) { return c.to - c.from < kShortest; }))
+    return std::nullopt;
+  Vector6d power = Vector6d::Constant(1e-24);
+  double count = 1.0;
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (signals.usable[static_cast<std::size_t>(n)]) {
+      power += fit.residual.col(n).cwiseAbs2();
+      count += 1.0;
+    }
+  const Vector6d weight = (power / count).cwiseSqrt().cwiseInverse();
+  const Wrenches scaled = weight.asDiagonal() * fit.residual;
+  const Eigen::Index m = signals.samplesPerBlock;
+  const auto ofLoad = [&](Eigen::Index n) -> Rows {
+    const auto mean = [&](const Eigen::Matrix3Xd& of) { return Vector3d(of.middleCols(n * m, m).rowwise().mean()); };
+    const Vector3d s = mean(signals.kinematics.specificForce), o = mean(signals.kinematics.omega),
+                   a = mean(signals.kinematics.alpha);
+    Rows out = Rows::Zero(6, 4);  // Mass, and mass times its place
+    out.block<3, 1>(0, 0) = s;
+    out.block<3, 3>(0, 1) = skew(a) + skew(o) * skew(o);
+    out.block<3, 3>(3, 1) = -skew(s);
+    return weight.asDiagonal() * out;
+  };
+  // Somebody who holds on to the tool pulls one way in the world, and turns it one way.
+  const auto ofHolding = [&](Eigen::Index n) -> Rows {
+    Rows out = Rows::Zero(6, 6);
+    out.topLeftCorner<3, 3>() = signals.R_BS[static_cast<std::size_t>(n * m + m / 2)].transpose();
+    out.bottomRightCorner<3, 3>().setIdentity();
+    return weight.asDiagonal() * out;
+  };
+  const Best load = bestOf(scaled, contacts, ofLoad, 4);
+  double all = 1e-300, leftByHolding = 0.0, blocks = 0.0;
+  for (const Contact& contact : contacts) {
+    const Eigen::Index length = contact.blocks.to - contact.blocks.from;
+    all += scaled.middleCols(contact.blocks.from, length).squaredNorm();
+    leftByHolding += bestOf(scaled, {contact}, ofHolding, 6).left;
+    blocks += static_cast<double>(length);
+  }
+  if (load.left > kLeft * all || load.left > kOfHolding * leftByHolding) return std::nullopt;
+  Carried out;
+  out.mass = load.parameters(0);
+  out.massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * load.information.inverse()(0, 0));
+  for (const Contact& contact : contacts) {
+    out.evidence += contact.evidence;
+    out.when.emplace_back(contact.from, contact.to);
+  }
+  return out.mass > 3.0 * out.massStd ? std::optional(out) : std::nullopt;
+}
+
+void setCarriedAside(Work& work, const std::vector<std::string>& hidden) {
+  constexpr std::string_view kCause = "payload_change";
+  if (std::ranges::find(hidden, kCause) != hidden.end() || contains(work.search.final.model, kCause)) return;
+  work.carried = carriedIn(work.signals, work.search.final, work.contacts);
+  if (work.carried) work.contacts.clear();
+}
+
+}  // namespace heft::diagnosis

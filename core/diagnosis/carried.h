@@ -1,0 +1,28 @@
+#pragma once
+// What seems to be contact and is a part that the tool carries for a while.
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/diagnosis/events.h"
+
+namespace heft::diagnosis {
+
+struct Work;
+
+struct Carried {
+  double mass = 0.0, massStd = 0.0;             ///< [kg]
+  double evidence = 0.0;                        ///< Of the contacts that it takes the place of
+  std::vector<std::pair<double, double>> when;  ///< [s]
+};
+
+/// The load, at one place of the tool, whose weight and inertial forces account for next to all that the fit leaves in
+/// all of `contacts`, and clearly more than somebody does who holds on to the tool; nothing where it is another thing.
+std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
+
+/// Looks for it in the contacts of `work`: Work::carried, which then are none. Not where a load that changes is among
+/// the causes already, or hidden.
+void setCarriedAside(Work& work, const std::vector<std::string>& hidden);
+
+}  // namespace heft::diagnosis

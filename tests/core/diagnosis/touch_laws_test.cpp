@@ -1,0 +1,149 @@
+// What looks like touches, and keeps a law that none does.
+#include "core/diagnosis/touch_laws.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "core/diagnosis/corrected.h"
+#include "core/motion/motion.h"
+#include "core/robot/robot_model.h"
+#include "core/wrench/regressor.h"
+#include "tests/core/diagnosis/fixture.h"
+
+namespace heft::test {
+namespace {
+
+/// Adds `wrench(motion, k, t)` to each row, k the motion's sample at its time t [s].
+template <class OfSample>
+void add(Recording& recording, const OfSample& wrench) {
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double t = recording.time(i);
+    recording.wrench.row(i) += Vector6d(wrench(motion, sampleAt(motion, t), t)).transpose();
+  }
+}
+
+void expectUnknown(const Recording& recording, std::string_view goesWith) {
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, goesWith) << said(report);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+}
+
+/// A plug is loose: for a moment two channels arrive in each other's place.
+TEST(TouchLaws, ChannelsThatAreMixedUpAreNone) {
+  Recording recording = aRecording(MotionKind::free, 331);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    if (recording.time(i) > 4.1 && recording.time(i) < 4.9) std::swap(recording.wrench(i, 3), recording.wrench(i, 4));
+  expectUnknown(recording, "channels that are mixed up for a while");
+}
+
+/// The amplifier's supply dips, and with it everything that it says.
+TEST(TouchLaws, ASupplyThatDipsIsNone) {
+  Recording recording = aRecording(MotionKind::excitation, 332);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (const auto& [from, lasts] : {std::pair{2.0, 0.3}, {4.3, 0.25}, {5.9, 0.4}, {9.1, 0.3}})
+      if (recording.time(i) > from && recording.time(i) < from + lasts) recording.wrench.row(i) *= 0.88;
+  expectUnknown(recording, "the size of all readings together");
+}
+
+/// Somebody leans on the table once: the base gives by two degrees, and gravity pulls another way. That acts at the
+/// centre of mass; a hand that pulls the same way an inch beside it is one.
+TEST(TouchLaws, ALeaningTableIsNone) {
+  const Vector3d change = 9.81 * 2.0 * std::numbers::pi / 180.0 * Vector3d(0.8, -0.6, 0.0);  // [m/s2] Of a - g
+  const auto lawFor = [&](const Vector3d& place) {
+    Recording recording = aRecording(MotionKind::excitation, 333);
+    add(recording, [&](const Motion& motion, Eigen::Index k, double t) {
+      const double share = std::clamp(std::min(t - 4.0, 8.5 - t) / 0.8, 0.0, 1.0);
+      const Vector3d force = aTool().mass * share * (motion.R_BS[static_cast<std::size_t>(k)].transpose() * change);
+      Vector6d out;
+      out << force, place.cross(force);
+      return out;
+    });
+    diagnosis::Signals signals =
+        diagnosis::signalsOf(recording, motionOf(recording, &RobotModel::panda(), {}).value(), &RobotModel::panda());
+    diagnosis::Contact contact{4.0, 8.5, 1e4, {signals.blocks(), 0}, {}};
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      if (signals.blockTime(n) > contact.from && signals.blockTime(n) < contact.to) {
+        contact.blocks = {std::min(contact.blocks.from, n), n + 1};
+        signals.usable[static_cast<std::size_t>(n)] = false;
+      }
+    const auto fit = diagnosis::fitModel(signals, diagnosis::stretchesOf(signals.usable), {});
+    return diagnosis::lawOf(signals, fit, {contact});
+  };
+  EXPECT_EQ(lawFor(aTool().com), "the centre of mass, as if the robot's base moved");
+  EXPECT_EQ(lawFor(aTool().com + Vector3d(0.0, 0.0, 0.025)), "");
+}
+
+/// A valve on the tool switches every 1.3 s, wherever the tool is.
+TEST(TouchLaws, WhatComesLikeClockworkIsNone) {
+  Recording recording = aRecording(MotionKind::excitation, 334);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    if (const double u = std::fmod(recording.time(i) + 0.4, 1.3) / 0.12; u < 1.0) {
+      recording.wrench(i, 0) += 1.6 * std::sin(std::numbers::pi * u);
+      recording.wrench(i, 4) += 0.13 * std::sin(std::numbers::pi * u);
+    }
+  expectUnknown(recording, "time alone, as regular as a clock");
+}
+
+/// One channel's plug makes bad contact again and again: each time less of it comes through.
+TEST(TouchLaws, AChannelThatIsWeakAtTimesIsNone) {
+  Recording recording = aRecording(MotionKind::free, 335);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    for (const auto& [from, lasts] : {std::pair{1.6, 0.3}, {3.7, 0.25}, {5.2, 0.35}, {8.0, 0.3}, {9.9, 0.2}})
+      if (recording.time(i) > from && recording.time(i) < from + lasts) recording.wrench(i, 2) *= 0.8;
+  expectUnknown(recording, "one channel of the sensor alone");
+}
+
+/// A part of 180 g that is picked up and put down twice is a load, and touches nothing.
+TEST(TouchLaws, APartThatIsCarriedIsALoad) {
+  Recording recording = aRecording(MotionKind::free, 336);
+  Payload part;
+  part.mass = 0.18;
+  part.com = {-0.03, 0.02, 0.15};
+  part.inertiaCom = Vector3d(2e-5, 2e-5, 2e-5).asDiagonal();
+  add(recording, [&](const Motion& motion, Eigen::Index k, double t) {
+    const auto carried = [t](double from, double to) {
+      return std::clamp(std::min(t - from, to - t) / 0.08, 0.0, 1.0);
+    };
+    return Vector6d(std::max(carried(2.1, 4.3), carried(6.8, 8.6)) *
+                    predictWrench(part, {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)}));
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
+  const DiagnosedCause* load = named(report, "payload_change");
+  ASSERT_NE(load, nullptr) << said(report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  const CauseParameter* mass = parameter(*load, "mass");
+  EXPECT_NEAR(mass->value, 180.0, 3.0 * mass->std + 2.0);
+  ASSERT_EQ(load->when.size(), 2u);
+  EXPECT_NEAR(load->when[0].first, 2.1, 0.3);
+  EXPECT_NEAR(load->when[1].second, 8.6, 0.3);
+  EXPECT_TRUE(canApply(report, *load));
+}
+
+/// Doors slam, and the floor shakes the base for a moment while the arm moves smoothly: nothing set a mount ringing.
+TEST(TouchLaws, AFloorThatRingsIsNoMount) {
+  Recording recording = aRecording(MotionKind::excitation, 337);
+  add(recording, [](const Motion& motion, Eigen::Index k, double t) {
+    double a = 0.0;
+    for (const double at : {2.4, 5.1, 8.3})
+      if (t > at) a += 1.4 * std::exp((at - t) / 0.22) * std::sin(2.0 * std::numbers::pi * 14.5 * (t - at));
+    const Vector3d force =
+        aTool().mass * a * (motion.R_BS[static_cast<std::size_t>(k)].transpose() * Vector3d(0.6, 0.0, 0.8));
+    Vector6d out;
+    out << force, aTool().com.cross(force);
+    return out;
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(named(report, "flexible_mount"), nullptr) << said(report);
+}
+
+}  // namespace
+}  // namespace heft::test
