@@ -1,6 +1,7 @@
 #include "core/diagnosis/alternatives.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -24,17 +25,30 @@ double swingingShare(const Fit& fit, const Found& found) {
   return (firstOf(fit, found.cause) + more) / std::max(0.02, fit.model.x(6));
 }
 
+/// The force of a steady pull that acts at the payload's centre of mass, or closer to it than `near` [m]; none if there
+/// is no such pull.
+std::optional<Vector3d> pullAtCentre(const Fit& fit, double near) {
+  const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
+  for (const Term& term : fit.model.terms)
+    if (causeOf(term) == "constant_pull" && !term.form->local && term.v.size() >= 6 &&
+        (term.v.segment<3>(3) - com).norm() < near)
+      return term.v.head<3>();
+  return std::nullopt;
+}
+
 /// Whether a pull acts straight up or down where the tool's weight does: then gravity may be another than stated, or be
 /// taken out of the readings already, which no motion can tell from it.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
-  const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
-  return std::ranges::any_of(fit.model.terms, [&](const Term& term) {
-    if (causeOf(term) != "constant_pull" || term.form->local || term.v.size() < 6) return false;
-    const Vector3d force = term.v.head<3>();
-    return force.cross(gravity).norm() < kAside * force.norm() * gravity.norm() &&
-           (term.v.segment<3>(3) - com).norm() < kNear;
-  });
+  const auto force = pullAtCentre(fit, kNear);
+  return force && force->cross(gravity).norm() < kAside * force->norm() * gravity.norm();
+}
+
+/// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either.
+bool pullsAsTiltDoes(const Fit& fit, const Vector3d& gravity) {
+  constexpr double kAlong = 0.08, kNear = 0.008;  // Share of the force; [m]
+  const auto force = pullAtCentre(fit, kNear);
+  return force && std::abs(force->dot(gravity)) < kAlong * force->norm() * gravity.norm();
 }
 
 /// What the scanned parameters of each term of `cause`, whose first one is a time, come to over what is realistic, in
@@ -102,6 +116,7 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   // What weighs as much as the tool is the tool on its mount.
   if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
   if (found.cause == "constant_pull" && pullsAsWeightDoes(fit, gravity)) add("derivative_noise");
+  if (found.cause == "constant_pull" && pullsAsTiltDoes(fit, gravity)) add("gravity_tilt");
   // What is held until the next reading comes late and cut down at once.
   if (held && found.cause == "time_offset") add("low_pass_lag");
   if (held && found.cause == "low_pass_lag") add("time_offset");

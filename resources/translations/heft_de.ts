@@ -6786,6 +6786,30 @@ Bitte prüfen Sie den Namen.</translation>
         <source>load</source>
         <translation>Last</translation>
     </message>
+    <message>
+        <source>channels that are mixed up for a while</source>
+        <translation>Kanälen, die eine Weile vertauscht sind</translation>
+    </message>
+    <message>
+        <source>the size of all readings together</source>
+        <translation>der Größe aller Anzeigen zugleich</translation>
+    </message>
+    <message>
+        <source>time alone, as regular as a clock</source>
+        <translation>der Zeit allein, so regelmäßig wie eine Uhr</translation>
+    </message>
+    <message>
+        <source>From {} to {} s the tool carried {} g more.</source>
+        <translation>Von {} bis {} s trug das Werkzeug {} g mehr.</translation>
+    </message>
+    <message>
+        <source>The tool carried {} g more {} times, first from {} to {} s.</source>
+        <translation>{} g mehr trug das Werkzeug {}-mal, zuerst von {} bis {} s.</translation>
+    </message>
+    <message>
+        <source>The reported velocities are means over {} ms, so that what is fast in them is too small; Heft can use the positions instead.</source>
+        <translation>Die gemeldeten Geschwindigkeiten sind Mittelwerte über {} ms, sodass Schnelles darin zu klein ist; Heft kann stattdessen die Positionen nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

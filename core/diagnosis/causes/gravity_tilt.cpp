@@ -39,7 +39,8 @@ class GravityTilt final : public Cause {
   double doubt(const Form& form, const VectorXd&, const Signals&) const override {
     return form.choice.empty() ? 0.0 : 20.0;
   }
-  int order() const override { return 10; }
+  // After what delays or scales the inertial part, which is told from the gravity that was stated.
+  int order() const override { return 15; }
   bool bendsGeometry() const override { return true; }
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     const auto [x, y] = acrossGravity(signals.gravity);
