@@ -174,7 +174,7 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool he
   for (const Found& found : search.found) {
     const auto cause = kept.find(&found);
     if (cause == kept.end()) continue;
-    describe(cause->second, search.final, found.spread, work.signals);
+    describe(cause->second, search.final, found.spread, work.signals, work.stretches);
     out.causes.push_back(std::move(cause->second));
   }
   return out;

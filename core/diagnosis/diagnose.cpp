@@ -300,6 +300,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
+  out.ofPoses = recording.q.rows() == 0;
   progress(0.02, heft::say("Looking at single readings"));
   const auto readings = readingsOf(recording, robot, options);
   if (!readings) return readings.error();
@@ -362,7 +363,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   for (auto& cause : out.causes) {
     cause.title = causeTitle(cause.id);
     cause.sentence = causeSentence(cause, out.mistake);
-    cause.check = causeCheck(cause, out.mistake);
+    cause.check = causeCheck(cause, out);
     cause.tellApart = causeDecides(cause.id);
   }
   out.sentence = verdictSentence(out);

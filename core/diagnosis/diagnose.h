@@ -49,6 +49,9 @@ struct DiagnosedCause {
   std::string tellApart;
 };
 
+/// Whether it means that the sensor sits elsewhere, or turned another way, than stated.
+bool mountIsWrong(const DiagnosedCause& cause);
+
 /// Root mean squares per component.
 struct WrenchRms {
   double force = 0.0, torque = 0.0;  ///< [N], [N m]
@@ -70,6 +73,7 @@ struct DiagnosisSeries {
 
 struct DiagnosisReport {
   std::string file;
+  bool ofPoses = false;  ///< The sensor's pose was recorded and no joints: where the meta file mounts it is not used
   Verdict verdict = Verdict::clean;
   std::string sentence;       ///< The verdict in plain words
   WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor

@@ -31,11 +31,11 @@ Model moved(const Model& from, const VectorXd& step, double factor) {
   return out;
 }
 
-/// `value`: what the model predicts.
-double misfit(const Signals& signals, const std::vector<Stretch>& stretches, const Noise& noise, const Model& model,
+/// `value`: what the model predicts; `off`: how far its parameters are from where they were thought, to `sd`.
+double misfit(const Signals& signals, const std::vector<Stretch>& stretches, const Noise& noise, const VectorXd& off,
               const Wrenches& value, const VectorXd& sd) {
   const Wrenches r = signals.measured - value;
-  return whitened(flat(r), noise, stretches).squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
+  return whitened(flat(r), noise, stretches).squaredNorm() + off.cwiseQuotient(sd).squaredNorm();
 }
 
 /// Information that is left of the parameters in `own` when all in `others` are unknown; both are indices.
@@ -261,7 +261,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     const auto betters = [&](Model model) {
       next = std::move(model);
       value = valueOf(signals, next);
-      return next.terms.empty() || misfit(signals, stretches, fit.noise, next, value, sd) <= before;
+      return next.terms.empty() || misfit(signals, stretches, fit.noise, next.packed(), value, sd) <= before;
     };
     double factor = 1.0;
     for (int half = 0; half < 4; ++half, factor *= 0.4) {
@@ -330,15 +330,18 @@ Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit f
 }
 
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns) {
-  // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say.
+  // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say;
+  // what has no order, such as when something happened, stays where it was.
   constexpr double kOrder = 3.0, kLittle = 0.1;
-  VectorXd sd = whisper(fit.model);
+  VectorXd sd = whisper(fit.model), thought = VectorXd::Zero(fit.model.size());
   Eigen::Index at = kLinear;
   for (const auto& term : fit.model.terms) {
     for (const int p : term.form->scan)
       if (term.form->start(p) == 0.0)
         sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term.v(p)) +
                                               kLittle * term.form->parameters[static_cast<std::size_t>(p)].size);
+    for (Eigen::Index p = 0; p < term.v.size(); ++p)
+      if (!isAmplitude(*term.form, p)) thought(at + p) = term.v(p);
     at += term.v.size();
   }
   Model model = fit.model;
@@ -346,13 +349,14 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
     if (round > 0) columns.follow(model);
     const Wrenches residual = round == 0 ? fit.residual : Wrenches(signals.measured - valueOf(signals, model));
     const ChannelColumns J(columns.jacobian(), fit.noise, stretches);
-    const VectorXd r = whitened(flat(residual), fit.noise, stretches);
-    const VectorXd step = Normal(J, sd).solve(J.transposeTimes(r) - model.packed().cwiseQuotient(sd.cwiseAbs2()));
+    const VectorXd r = whitened(flat(residual), fit.noise, stretches), off = model.packed() - thought;
+    const VectorXd step = Normal(J, sd).solve(J.transposeTimes(r) - off.cwiseQuotient(sd.cwiseAbs2()));
     Model next = moved(model, step, 1.0);
     // A step too far, such as between two forms that do nearly the same, is a shorter one.
-    const double before = r.squaredNorm() + model.packed().cwiseQuotient(sd).squaredNorm();
+    const double before = r.squaredNorm() + off.cwiseQuotient(sd).squaredNorm();
     for (double factor = 0.3; factor > 0.01 && !fit.model.terms.empty(); factor *= 0.3) {
-      if (misfit(signals, stretches, fit.noise, next, valueOf(signals, next), sd) <= before) break;
+      const VectorXd nextOff = next.packed() - thought;
+      if (misfit(signals, stretches, fit.noise, nextOff, valueOf(signals, next), sd) <= before) break;
       next = moved(model, step, factor);
     }
     model = std::move(next);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "core/math/statistics.h"
@@ -179,6 +180,29 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
   return out;
 }
 
+namespace {
+
+/// bestTurn() knows of weight and acceleration alone and is degrees off where the tool turns fast: beside all that a
+/// payload does, the turn is known many times better.
+void refineTurn(FrameMistake& mistake, const Signals& signals, const std::vector<Stretch>& stretches) {
+  constexpr int kRounds = 3;
+  constexpr double kRests = 1e-4;  // [rad]
+  const auto form = std::make_shared<const Form>(findCause("sensor_rotation")->forms(signals).front());
+  for (int round = 0; round < kRounds; ++round) {
+    const Signals other = corrected(signals, mistake);
+    Model model;
+    model.terms.push_back({form, VectorXd::Zero(3), {}});
+    const Fit fit = fitModel(other, stretches, std::move(model));
+    const Vector3d more = fit.model.terms.front().v;
+    mistake.turn = rotationFromVector(more) * mistake.turn;
+    mistake.turnStd = fit.std().segment<3>(kLinear);
+    if (more.norm() < kRests) break;
+  }
+  mistake.angle = vectorFromRotation(mistake.turn).norm();
+}
+
+}  // namespace
+
 std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches,
                                          const Fit& null) {
   const double before = forceRms(signals, null);
@@ -199,32 +223,31 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
   const bool negative = mass < -5.0 * massStd && mass < -0.02;
   if (before < 0.12 * spread && !negative) return std::nullopt;
 
+  const auto told = [before](FrameMistake::Kind kind) {
+    FrameMistake out;
+    out.rmsBefore = before;
+    out.kind = kind;
+    return out;
+  };
   std::vector<FrameMistake> all;
-  all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::wrenchSign});
-  all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, FrameMistake::Kind::gravitySign});
+  all.push_back(told(FrameMistake::Kind::wrenchSign));
+  all.push_back(told(FrameMistake::Kind::gravitySign));
   if (const auto turn = turnOfGravity(signals)) {
-    FrameMistake m;
-    m.rmsBefore = before;
+    FrameMistake m = told(FrameMistake::Kind::gravityTurned);
     m.turn = *turn;
-    m.kind = FrameMistake::Kind::gravityTurned;
     m.angle = vectorFromRotation(*turn).norm();
     all.push_back(m);
   }
   if (!signals.robot)
     for (const auto kind : {FrameMistake::Kind::transposed, FrameMistake::Kind::quaternionOrder})
-      all.push_back({Matrix3d::Identity(), before, 0.0, 0.0, kind});
+      all.push_back(told(kind));
   for (const bool proper : {true, false})
     if (const auto turn = bestTurn(signals, proper)) {
-      FrameMistake m;
-      m.rmsBefore = before;
+      const bool turned = turn->determinant() > 0.0;
+      FrameMistake m = told(turned ? FrameMistake::Kind::turned : FrameMistake::Kind::mirrored);
       m.turn = *turn;
-      if (turn->determinant() > 0.0) {
-        m.kind = FrameMistake::Kind::turned;
-        m.angle = vectorFromRotation(*turn).norm();
-        if (m.angle < 20.0 * std::numbers::pi / 180.0) continue;
-      } else {
-        m.kind = FrameMistake::Kind::mirrored;
-      }
+      if (turned) m.angle = vectorFromRotation(*turn).norm();
+      if (turned && m.angle < 20.0 * std::numbers::pi / 180.0) continue;
       all.push_back(m);
     }
   std::optional<FrameMistake> best;
@@ -243,6 +266,7 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
     // The first of equals is the simplest.
     if (!best || mistake.rmsAfter < 0.9 * best->rmsAfter) best = mistake;
   }
+  if (best && best->kind == FrameMistake::Kind::turned) refineTurn(*best, signals, stretches);
   return best;
 }
 

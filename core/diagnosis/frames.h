@@ -9,8 +9,9 @@ namespace heft::diagnosis {
 struct FrameMistake {
   /// Readings in true sensor axes = turn * readings as stated; or gravity = turn * gravity as stated
   Matrix3d turn = Matrix3d::Identity();
-  double rmsBefore = 0, rmsAfter = 0;  ///< Force [N]
-  double angle = 0;                    ///< Of a turned mount or gravity [rad]; 0 for other mistakes
+  Vector3d turnStd = Vector3d::Zero();  ///< Of a turned mount [rad]
+  double rmsBefore = 0, rmsAfter = 0;   ///< Force [N]
+  double angle = 0;                     ///< Of a turned mount or gravity [rad]; 0 for other mistakes
   enum class Kind {
     none,
     gravitySign,

@@ -67,13 +67,43 @@ void describeTerm(DiagnosedCause& cause, const Term& term, int event, VectorXd d
   for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) cause.when.push_back(stretch);
 }
 
+/// How far a parameter of a term may move, on average of either way, before the judged blocks notice: of what changes
+/// between two samples, or where nothing is judged, derivatives say nothing. Half a block at least.
+double unnoticed(const Fit& fit, const Term& term, Eigen::Index p, const Signals& signals,
+                 const std::vector<Stretch>& stretches) {
+  constexpr int kMost = 100;  // Half blocks
+  const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+  const double step = 0.5 / signals.blockRate();
+  const Wrenches value = valueOf(signals, fit.model);
+  double sum = 0.0, ways = 0.0;
+  for (const double way : {-step, step}) {
+    Model model = fit.model;
+    Term& moved =
+        *std::ranges::find_if(model.terms, [&](const Term& t) { return t.form == term.form && t.v == term.v; });
+    for (int k = 1; k <= kMost; ++k) {
+      moved.v(p) = term.v(p) + k * way;
+      if (moved.v(p) < parameter.lower || moved.v(p) > parameter.upper) break;
+      const Wrenches change = valueOf(signals, model) - value;
+      if (k < kMost && whitened(flat(change), fit.noise, stretches).squaredNorm() < 1.0) continue;
+      sum += (k - 0.5) * step;
+      ways += 1.0;
+      break;
+    }
+  }
+  return ways > 0.0 ? std::max(step, sum / ways) : parameter.size;
+}
+
 }  // namespace
 
-void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals) {
+void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals,
+              const std::vector<Stretch>& stretches) {
   const VectorXd std = fit.std();
   int events = 0;
   for (const auto& [term, at] : termsOf(cause.id, fit.model)) {
     VectorXd deviation = std.segment(at, term->v.size());
+    for (Eigen::Index p = 0; term->form->atOnce && p < deviation.size(); ++p)
+      if (!isAmplitude(*term->form, p) && deviation(p) * signals.blockRate() > 1.0)
+        deviation(p) = std::min(deviation(p), unnoticed(fit, *term, p, signals, stretches));
     for (const VectorXd& more : {term->form->cause->modelStd(*term->form, term->v), spread})
       if (more.size() == deviation.size()) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
     if (term->form->local) ++events;
@@ -112,8 +142,11 @@ DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before,
   out.id = mount ? "sensor_rotation" : "frame_error";
   out.direct = true;
   if (mistake.kind == FrameMistake::Kind::turned) {
-    const Vector3d v = vectorFromRotation(mistake.turn) * (180.0 / 3.14159265358979323846);
-    out.parameters = {{"rx", "deg", v.x(), 0.5}, {"ry", "deg", v.y(), 0.5}, {"rz", "deg", v.z(), 0.5}};
+    constexpr double kDegrees = 180.0 / 3.14159265358979323846, kKnown = 0.1;  // [deg] Whatever the fit says
+    const Vector3d v = vectorFromRotation(mistake.turn) * kDegrees;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      out.parameters.push_back(
+          {std::string("r") + "xyz"[i], "deg", v(i), std::hypot(mistake.turnStd(i) * kDegrees, kKnown)});
     out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
   }
   if (mistake.kind == FrameMistake::Kind::gravityTurned) out.alternatives = {"gravity_tilt"};

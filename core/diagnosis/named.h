@@ -11,8 +11,9 @@ namespace heft::diagnosis {
 /// Root mean squares of the blocks in `stretches`; `residual` 6 x N.
 WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual);
 
-/// Fills parameters and time of a cause of `fit`. `spread`: see Found.
-void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals);
+/// Fills parameters and time of a cause of `fit`, which judges `stretches`. `spread`: see Found.
+void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals,
+              const std::vector<Stretch>& stretches);
 
 DiagnosedCause fromDirect(const Direct& direct);
 /// `before` and `after` undoing the mistake.

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/diagnose.h"
@@ -59,24 +61,30 @@ std::string payloadLine(const EstimateReport& report) {
 
 }  // namespace
 
+bool mountIsWrong(const DiagnosedCause& cause) {
+  return cause.id == "sensor_rotation" || cause.id == "lever_arm" ||
+         (cause.id == "frame_error" && !cause.parameters.empty());
+}
+
 nlohmann::json DiagnosisReport::metaChanges() const {
   json out = json::object();
   for (const auto& cause : causes) {
-    const auto value = [&](std::string_view name) {
-      for (const auto& p : cause.parameters)
-        if (p.name == name) return p.value;
-      return 0.0;
+    if (ofPoses || !mountIsWrong(cause)) continue;
+    const auto vectorOf = [&](std::array<std::string_view, 3> names) {
+      Vector3d v = Vector3d::Zero();
+      for (std::size_t i = 0; i < names.size(); ++i)
+        for (const auto& p : cause.parameters)
+          if (p.name == names[i]) v(static_cast<Eigen::Index>(i)) = p.value;
+      return v;
     };
     constexpr double kRad = 3.14159265358979323846 / 180.0;
-    if (cause.id == "sensor_rotation" || (cause.id == "frame_error" && !cause.parameters.empty())) {
-      const Matrix3d R =
-          rotationFromRpy(meta.mount.rpy) * rotationFromVector(Vector3d(value("rx"), value("ry"), value("rz")) * kRad);
-      const Vector3d rpy = rpyFromRotation(R);
-      out["sensor"]["mount"]["rpy_rad"] = {rpy.x(), rpy.y(), rpy.z()};
-    } else if (cause.id == "lever_arm") {
-      const Vector3d xyz =
-          meta.mount.xyz + rotationFromRpy(meta.mount.rpy) * Vector3d(value("dx"), value("dy"), value("dz")) * 1e-3;
+    const Matrix3d R = rotationFromRpy(meta.mount.rpy);
+    if (cause.id == "lever_arm") {
+      const Vector3d xyz = meta.mount.xyz + R * vectorOf({"dx", "dy", "dz"}) * 1e-3;
       out["sensor"]["mount"]["xyz_m"] = {xyz.x(), xyz.y(), xyz.z()};
+    } else {
+      const Vector3d rpy = rpyFromRotation(R * rotationFromVector(vectorOf({"rx", "ry", "rz"}) * kRad));
+      out["sensor"]["mount"]["rpy_rad"] = {rpy.x(), rpy.y(), rpy.z()};
     }
   }
   for (const auto& term : model.terms) {

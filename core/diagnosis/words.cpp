@@ -392,9 +392,13 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
 
 }  // namespace
 
-std::string causeCheck(const DiagnosedCause& cause, const std::optional<FrameMistake>& mistake) {
+std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& report) {
+  if (report.ofPoses && mountIsWrong(cause))
+    return heft::say(
+        "Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, "
+        "and the meta file's mount is not used.");
   const bool mixedUp = cause.direct && (cause.id == "frame_error" || cause.id == "sensor_rotation");
-  switch (mixedUp && mistake ? mistake->kind : FrameMistake::Kind::none) {
+  switch (mixedUp && report.mistake ? report.mistake->kind : FrameMistake::Kind::none) {
     case FrameMistake::Kind::wrenchSign:
       return remedy(Remedy::turnWrench);
     case FrameMistake::Kind::gravitySign:

@@ -14,8 +14,8 @@ namespace heft {
 std::string causeTitle(std::string_view id);
 /// "The force readings arrive 12.0 ± 0.1 ms late."; `mistake`: the report's.
 std::string causeSentence(const DiagnosedCause& cause, const std::optional<diagnosis::FrameMistake>& mistake);
-/// What to look at on the rig; with a mistake of frames or signs, what to write into the meta file.
-std::string causeCheck(const DiagnosedCause& cause, const std::optional<diagnosis::FrameMistake>& mistake);
+/// What to look at on the rig; with a mistake of frames or signs in `report`, which found the cause, what to correct.
+std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& report);
 std::string causeCheck(std::string_view id);
 /// The motion that decides between this cause and what it looks like.
 std::string causeDecides(std::string_view id);

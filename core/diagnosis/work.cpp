@@ -212,6 +212,11 @@ void setTouchesAside(Work& work) {
     }
   }
   search.final = fitModel(signals, work.stretches, std::move(model));
+  if (const std::string law = lawOf(signals, search.final, work.contacts); !law.empty()) {
+    work.odd = std::move(work.contacts);
+    work.contacts.clear();
+    work.oddGoesWith = law;
+  }
 }
 
 /// Nobody touches a tool again and again for no longer than it takes to knock at it.
@@ -379,6 +384,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   // Of 20 that were touched, the best cause took 0.47 at most; where nobody touched, 0.6 and more. What takes long may
   // be several of them.
   constexpr double kMuch = 0.5, kLong = 0.3;
+  constexpr double kHardlyAny = 0.15;  // Of the evidence for contact, where a cause in a form of its own takes the rest
   double lasts = 0.0;
   for (const Contact& contact : work.contacts) lasts += contact.to - contact.from;
   const bool maybeNot = elsewise.share > kMuch || lasts > kLong * signals.duration();
@@ -397,14 +403,19 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     untouched.stretches = stretchesOf(whole.usable);
     untouched.bank = work.bank;
     untouched.search = search(whole, untouched.stretches, untouched.bank, searching, progress);
-    const auto accountsForAll = [&] {
+    const auto contactsLeft = [&] {
       Fit judged = untouched.search.final;
       judged.noise = work.search.final.noise;
-      return contactsIn(whole, judged, candidates).empty();
+      return contactsIn(whole, judged, candidates);
     };
-    if (!untouched.search.givenUp && accountsForAll()) {
+    const auto left = untouched.search.givenUp ? work.contacts : contactsLeft();
+    if (left.empty()) {
       lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
-      if (accountsForAll()) work = std::move(untouched);
+      if (contactsLeft().empty()) work = std::move(untouched);
+    } else if (work.touchedOr.empty() && evidenceOf(left) < kHardlyAny * evidenceOf(work.contacts)) {
+      const auto first = std::ranges::find_if(untouched.search.order,
+                                              [](const auto& id) { return id != kWandering && id != "contact"; });
+      if (first != untouched.search.order.end()) work.touchedOr = *first;
     }
   }
   setOddAside(work, whole);

@@ -29,7 +29,7 @@ QString sentenceOf(const DiagnosedCause& cause, const DiagnosisReport& report) {
   return typeset(causeSentence(cause, report.mistake));
 }
 QString checkOf(const DiagnosedCause& cause, const DiagnosisReport& report) {
-  return typeset(causeCheck(cause, report.mistake));
+  return typeset(causeCheck(cause, report));
 }
 QString checkOf(const std::string& id) { return typeset(causeCheck(id)); }
 QString decidesOf(const std::string& id) { return typeset(causeDecides(id)); }

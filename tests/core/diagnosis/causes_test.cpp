@@ -301,7 +301,7 @@ TEST(Described, ADeviationKnowsOfOtherAnswers) {
   const auto std = [&](const VectorXd& spread) {
     DiagnosedCause cause;
     cause.id = "time_offset";
-    describe(cause, fit, spread, p.signals);
+    describe(cause, fit, spread, p.signals, {});
     return cause.parameters.front().std;
   };
   EXPECT_NEAR(std({}), 1.0, 1e-9) << "ms";

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "core/diagnosis/views.h"
+#include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -100,6 +103,39 @@ TEST(Corrected, AWrongSignIsTurnedRoundAndAContactMarked) {
   EXPECT_EQ(marked->meta.marks.back().label, MarkLabel::contact);
 }
 
+/// [rad]
+Vector3d turnOf(const DiagnosedCause& cause) {
+  Vector3d out;
+  for (Eigen::Index i = 0; i < 3; ++i) out(i) = parameter(cause, std::string("r") + "xyz"[i])->value;
+  return out * std::numbers::pi / 180.0;
+}
+
+/// A sensor that is mounted turned by a quarter: beside joints the meta file says how it is mounted, and is to be
+/// corrected; where the recording states the sensor's poses, nothing in that file would change anything.
+TEST(Corrected, AMetaFileIsNotBlamedForPosesThatWereRecorded) {
+  Recording joints = aRecording(MotionKind::free, 83);
+  const Matrix3d turn = rotationFromVector({0.0, 0.0, std::numbers::pi / 2.0});
+  joints.wrench.leftCols<3>() = (joints.wrench.leftCols<3>() * turn).eval();
+  joints.wrench.rightCols<3>() = (joints.wrench.rightCols<3>() * turn).eval();
+  for (const bool ofPoses : {false, true}) {
+    const Recording recording = ofPoses ? asPoses(joints) : joints;
+    const auto report = diagnosed(recording);
+    const auto wrong = std::ranges::find_if(report.causes, mountIsWrong);
+    ASSERT_NE(wrong, report.causes.end()) << said(report);
+    EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01);
+    // To a fraction of a degree, not as far as weight and acceleration alone tell.
+    EXPECT_LT((rotationFromVector(turnOf(*wrong)) * turn.transpose() - Matrix3d::Identity()).norm(), 0.01);
+    EXPECT_EQ(report.metaChanges().empty(), ofPoses);
+    EXPECT_EQ(wrong->check.find("recorded poses") != std::string::npos, ofPoses) << wrong->check;
+    // Put right in the numbers it can be either way.
+    EXPECT_TRUE(canApply(report, *wrong));
+    const auto applied = corrected(recording, &RobotModel::panda(), toJson(report), {wrong->id});
+    ASSERT_TRUE(applied.ok());
+    const auto again = diagnosed(*applied);
+    EXPECT_TRUE(again.causes.empty()) << said(again);
+  }
+}
+
 /// The meta file of a robot on a floor, for one that hangs on a wall: that was a steady pull of a load and a half.
 TEST(Corrected, ARobotOnAWallHasAnotherGravity) {
   Recording recording = aRecording(MotionKind::free, 84);
@@ -179,6 +215,35 @@ TEST(Views, TheSpectrumFallsToTheFloor) {
   const auto last = spectrum.after.size() - 2;
   EXPECT_LT(spectrum.before(last), 0.1 * spectrum.before(0));
   EXPECT_NEAR(spectrum.after(last), spectrum.floor, spectrum.floor);
+}
+
+/// A part is taken up between two readings: when is known to about a reading, and a stretch that is left out with that
+/// moment in it is predicted all the same. It was "6.5 +- 1.0 s", and gained a third of what it does.
+TEST(Corrected, WhatHappensAtOnceHasItsTimeAndItsGain) {
+  Recording recording = aRecording(MotionKind::free, 85);
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  Payload part;
+  part.mass = 0.25;
+  part.com = {0.02, -0.01, 0.12};
+  part.inertiaCom = Vector3d(2e-5, 2e-5, 2e-5).asDiagonal();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    if (recording.time(i) > 6.4617) {
+      const auto k = sampleAt(motion, recording.time(i));
+      recording.wrench.row(i) +=
+          predictWrench(part, {motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)}).transpose();
+    }
+  const auto report = diagnosed(recording);
+  const DiagnosedCause* load = named(report, "payload_change");
+  ASSERT_NE(load, nullptr) << said(report);
+  const CauseParameter* time = parameter(*load, "time");
+  EXPECT_NEAR(time->value, 6.4617, 3.0 * time->std);
+  EXPECT_LT(time->std, 0.02);
+  const CauseParameter* lasts = parameter(*load, "duration");
+  ASSERT_NE(lasts, nullptr);
+  EXPECT_LT(lasts->std, 0.1);
+  EXPECT_LT(load->gain.forceAfter, 1.15 * report.noise.force);
+  EXPECT_LT(load->gain.torqueAfter, 1.15 * report.noise.torque);
+  EXPECT_EQ(load->gain.blocksBetter, load->gain.blocks);
 }
 
 }  // namespace

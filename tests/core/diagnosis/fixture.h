@@ -124,6 +124,25 @@ inline Eigen::Index sampleAt(const Motion& motion, double t) {
                                   motion.size() - 1);
 }
 
+/// A recording of joints as one of the sensor's poses and twists.
+inline Recording asPoses(Recording recording) {
+  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  const Eigen::Index rows = recording.rows();
+  recording.q.resize(0, 0);
+  recording.dq.resize(0, 0);
+  recording.position.resize(rows, 3);
+  recording.quaternion.resize(rows, 4);
+  recording.twist.resize(rows, 6);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const auto k = sampleAt(motion, recording.time(i));
+    const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
+    recording.position.row(i) = motion.position.col(k).transpose();
+    recording.quaternion.row(i) = Quaterniond(R).coeffs().transpose();
+    recording.twist.row(i) << motion.velocity.col(k).transpose(), (R * motion.omega.col(k)).transpose();
+  }
+  return recording;
+}
+
 /// Only the rows `kept` of a recording of joints.
 inline Recording withRows(Recording recording, const std::vector<Eigen::Index>& kept) {
   recording.time = VectorXd(recording.time(kept));

@@ -496,23 +496,13 @@ TEST(Diagnose, FrameMistakes) {
 /// With their twist recorded as it was: what was told about velocities is not at odds with orientations that were put
 /// right.
 TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
-  const Recording joints = aRecording(MotionKind::free, 502);
-  const auto motion = motionOf(joints, &RobotModel::panda(), {}).value();
+  const Recording poses = asPoses(aRecording(MotionKind::free, 502));
   for (const bool wFirst : {true, false}) {
-    Recording recording = joints;
-    recording.q.resize(0, 0);
-    recording.dq.resize(0, 0);
-    recording.position.resize(joints.rows(), 3);
-    recording.quaternion.resize(joints.rows(), 4);
-    recording.twist.resize(joints.rows(), 6);
-    for (Eigen::Index i = 0; i < joints.rows(); ++i) {
-      const auto k = sampleAt(motion, joints.time(i));
-      const Matrix3d& R = motion.R_BS[static_cast<std::size_t>(k)];
-      const Quaterniond q(R);
-      recording.position.row(i) = motion.position.col(k).transpose();
+    Recording recording = poses;
+    for (Eigen::Index i = 0; i < poses.rows(); ++i) {
+      const Eigen::RowVector4d q = poses.quaternion.row(i);  // x, y, z, w
       recording.quaternion.row(i) =
-          wFirst ? Eigen::RowVector4d(q.w(), q.x(), q.y(), q.z()) : Eigen::RowVector4d(-q.x(), -q.y(), -q.z(), q.w());
-      recording.twist.row(i) << motion.velocity.col(k).transpose(), (R * motion.omega.col(k)).transpose();
+          wFirst ? Eigen::RowVector4d(q(3), q(0), q(1), q(2)) : Eigen::RowVector4d(-q(0), -q(1), -q(2), q(3));
     }
     const auto report = diagnosed(recording);
     ASSERT_EQ(report.causes.size(), 1u) << said(report);
