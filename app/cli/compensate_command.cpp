@@ -9,7 +9,8 @@
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
-#include "core/compensation/diagnosed_effect.h"
+#include "core/compensation/compensation.h"
+#include "core/diagnosis/corrected.h"
 
 namespace heft::cli {
 namespace {
@@ -28,13 +29,14 @@ void run(const Options& options) {
   const Overwrite overwriteCsv{options.force, {}};
   if (!options.json.empty()) requireWritable(options.json, overwriteJson);
   if (!options.output.empty()) requireWritable(options.output, overwriteCsv);
-  CompensateOptions settings = orFail(compensateOptionsFromJson(orFail(readJsonFile(options.result)), options.result));
+  const CompensateOptions settings =
+      orFail(compensateOptionsFromJson(orFail(readJsonFile(options.result)), options.result));
 
   ProgressLine line;
-  const Input input = readInput(options.recording, options.import, options.robot, line.progress());
+  Input input = readInput(options.recording, options.import, options.robot, line.progress());
   if (!options.diagnosis.empty())
-    settings.effects.push_back(orFail(
-        diagnosedEffect(orFail(readJsonFile(options.diagnosis)), input.recording, input.model(), options.diagnosis)));
+    input.recording = orFail(
+        correctedByAll(input.recording, input.model(), orFail(readJsonFile(options.diagnosis)), options.diagnosis));
   Compensated compensated = orFail(compensate(input.recording, input.model(), settings, line.progress()));
   line.clear();
   compensated.findings.insert(compensated.findings.begin(), input.findings.begin(), input.findings.end());

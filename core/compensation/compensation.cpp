@@ -125,7 +125,6 @@ Result<Compensated> compensate(const Recording& recording, const RobotModel* rob
   out.findings = std::move(segmented->findings);
   out.time = recording.time;
   out.wrench = recording.wrench;
-  for (const auto& effect : options.effects) effect->remove(out.time, segmented->motion, out.wrench);
   out.wrench -= payloadShare(out.time, segmented->motion, toParameters(options.payload.payload));
   out.segments = phasesOf(segmented->segmentation.segments, segmented->motion);
   out.phase = phaseOfRows(out.time, out.segments);

@@ -1,7 +1,6 @@
 #pragma once
 // What is left of the measured wrench without the payload's share: the contact forces of a demonstration, and its
 // phases, as input for hybrid motion-force programs.
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -17,17 +16,6 @@
 namespace heft {
 
 using WrenchSamples = Eigen::Matrix<double, Eigen::Dynamic, 6>;
-
-/// Something besides the rigid payload that shaped the measured wrench (a delay, a cable, friction). Whoever finds one
-/// derives from this and hands it to compensate().
-class WrenchEffect {
- public:
-  virtual ~WrenchEffect() = default;
-  /// Stable machine name, for instance "cable_pull".
-  virtual std::string_view id() const = 0;
-  /// Takes the effect out of the wrench measured at `time` (N rows); `motion` covers these times, on its own grid.
-  virtual void remove(const VectorXd& time, const Motion& motion, WrenchSamples& wrench) const = 0;
-};
 
 enum class Phase {
   free,      ///< Touches nothing.
@@ -54,12 +42,11 @@ struct CompensateOptions {
   EstimateOptions estimate;          ///< How the motion is smoothed and the recording segmented.
   PayloadGuess payload;              ///< What is taken off.
   Vector6d bias = Vector6d::Zero();  ///< Of the result [N], [N m]: used where the recording has too little free motion.
-  std::vector<std::shared_ptr<const WrenchEffect>> effects;  ///< Removed first, in this order.
 };
 
 struct Compensated {
-  VectorXd time;         ///< The recording's rows [s]
-  WrenchSamples wrench;  ///< F_PSo_S less the payload's share, effects and bias [N], [N m]; the sensor's sign, S axes
+  VectorXd time;             ///< The recording's rows [s]
+  WrenchSamples wrench;      ///< F_PSo_S less the payload's share and bias [N], [N m]; the sensor's sign, S axes
   std::vector<Phase> phase;  ///< One a row.
   std::vector<PhaseSegment> segments;
   Vector6d bias = Vector6d::Zero();            ///< That was taken off.

@@ -203,6 +203,32 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
   return out;
 }
 
+Result<Recording> correctedByAll(const Recording& recording, const RobotModel* robot, const json& found,
+                                 const std::string& where) {
+  if (memberOf(found, "schema") != "heft.diagnose/1" || !memberOf(found, "causes").is_array() ||
+      !memberOf(found, "model").is_object())
+    return Error{heft::say("{} is no result of heft diagnose; write one with heft diagnose REC --json FILE.", where)};
+  const bool another = memberOf(found, "file") != recording.file;
+  json kept = found;
+  std::vector<std::string> causes, left;
+  for (const json& cause : found["causes"]) {
+    const json& id = memberOf(cause, "cause");
+    if (!id.is_string()) continue;
+    const json& when = memberOf(cause, "when");
+    (another && when.is_array() && !when.empty() ? left : causes).push_back(id.get<std::string>());
+  }
+  // Where the zero went that day it went that day.
+  if (another) left.emplace_back(kWandering);
+  if (json& terms = kept["model"]["terms"]; terms.is_array())
+    terms.erase(std::remove_if(terms.begin(), terms.end(),
+                               [&](const json& term) {
+                                 const json& id = memberOf(term, "cause");
+                                 return id.is_string() && has(left, id.get<std::string>());
+                               }),
+                terms.end());
+  return corrected(recording, robot, kept, causes);
+}
+
 Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                     const json& found, const std::vector<std::string>& causes,
                                     const Progress& progress) {

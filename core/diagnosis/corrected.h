@@ -22,6 +22,12 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause);
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const nlohmann::json& found,
                             const std::vector<std::string>& causes, std::vector<std::string>* unknown = nullptr);
 
+/// `recording` without all that a result of heft diagnose accounts for, which was read from the file `where`. Of
+/// another recording than the one that it was made on, what has a place in time stays. Fails if `found` is no such
+/// result.
+Result<Recording> correctedByAll(const Recording& recording, const RobotModel* robot, const nlohmann::json& found,
+                                 const std::string& where);
+
 /// estimate() with the causes in the model: the payload comes from the corrected recording, its deviations are at least
 /// those of the joint fit, and the simulated wrench holds what the causes add, so that it compares with the recording.
 /// What another version of Heft saved and this one does not know stays out, and the findings say so.

@@ -141,7 +141,7 @@ Signals reoriented(const Signals& signals, const Orientation& of) {
 }  // namespace
 
 Vector3d FrameMistake::gravity(const Vector3d& stated) const {
-  if (kind == Kind::gravitySign) return -stated;
+  if (kind == Kind::gravitySign) return Vector3d::Zero() - stated;  // Without zeros below zero
   if (kind != Kind::gravityTurned) return stated;
   const Vector3d turned = turn * stated;  // Along an axis, but for rounding
   return (turned.array().abs() > 1e-9).select(turned, 0.0);

@@ -6810,6 +6810,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The reported velocities are means over {} ms, so that what is fast in them is too small; Heft can use the positions instead.</source>
         <translation>Die gemeldeten Geschwindigkeiten sind Mittelwerte über {} ms, sodass Schnelles darin zu klein ist; Heft kann stattdessen die Positionen nehmen.</translation>
     </message>
+    <message>
+        <source>{} is no result of heft diagnose; write one with heft diagnose REC --json FILE.</source>
+        <translation>{} ist kein Ergebnis von heft diagnose; schreiben Sie eines mit heft diagnose REC --json DATEI.</translation>
+    </message>
+    <message>
+        <source>Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, and the meta file&apos;s mount is not used.</source>
+        <translation>Berichtigen Sie den Einbau des Sensors dort, wo die aufgezeichneten Lagen berechnet werden: Die Aufnahme nennt sie selbst, der Einbau in der Metadatei wird nicht benutzt.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

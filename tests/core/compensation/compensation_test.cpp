@@ -124,26 +124,6 @@ TEST(Compensation, AWrongPayloadIsSaid) {
                           [](const Finding& finding) { return finding.code == "above_noise"; }));
 }
 
-/// The sensor's z force creeps.
-class Creep final : public WrenchEffect {
- public:
-  std::string_view id() const override { return "bias_drift"; }
-  void remove(const VectorXd& time, const Motion& motion, WrenchSamples& wrench) const override {
-    EXPECT_GE(motion.size(), 100);
-    wrench.col(2) -= 0.1 * time;
-  }
-};
-
-TEST(Compensation, FoundEffectsAreRemovedFirst) {
-  Simulated simulation = simulated(MotionKind::free, 8);
-  simulation.recording.wrench.col(2) += 0.1 * simulation.recording.time;
-  simulation.recording.meta.marks = {{-1.0, 1e3, MarkLabel::free}};
-  CompensateOptions options = byTruth(simulation.truth);
-  EXPECT_GT(compensate(simulation.recording, &RobotModel::panda(), options)->freeForceRms, 3.0 * kForceNoise);
-  options.effects.push_back(std::make_shared<Creep>());
-  EXPECT_LT(compensate(simulation.recording, &RobotModel::panda(), options)->freeForceRms, 1.1 * kForceNoise);
-}
-
 TEST(Compensation, CsvHasARowASampleAndJsonThePhases) {
   const Simulated simulation = simulated(MotionKind::pickAndPlace, 9);
   const auto out = compensate(simulation.recording, &RobotModel::panda(), byTruth(simulation.truth));

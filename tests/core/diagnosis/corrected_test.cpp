@@ -246,5 +246,29 @@ TEST(Corrected, WhatHappensAtOnceHasItsTimeAndItsGain) {
   EXPECT_EQ(load->gain.blocksBetter, load->gain.blocks);
 }
 
+/// All at once, as for the forces of a demonstration: on the recording itself, and on another of the same rig, where
+/// what happened at one moment did not.
+TEST(Corrected, ByAllThatWasFound) {
+  const auto& p = pulled();
+  auto found = p.found;
+  found["causes"].push_back({{"cause", "contact"}, {"direct", true}, {"when", {{2.0, 3.0}}}});
+  const auto own = correctedByAll(p.recording, &RobotModel::panda(), found, "found.json");
+  ASSERT_TRUE(own.ok()) << own.error().message;
+  EXPECT_EQ(own->meta.marks.size(), p.recording.meta.marks.size() + 1);
+  const auto one = corrected(p.recording, &RobotModel::panda(), p.found, {"cable_pull"});
+  EXPECT_LT((own->wrench - one->wrench).cwiseAbs().maxCoeff(), 1e-12);
+  Recording other = aRecording(MotionKind::free, 82, {{"cable_pull", "", 4.0}});
+  other.file = "another.csv";
+  const auto corrected = correctedByAll(other, &RobotModel::panda(), found, "found.json");
+  ASSERT_TRUE(corrected.ok()) << corrected.error().message;
+  EXPECT_EQ(corrected->meta.marks.size(), other.meta.marks.size());
+  EXPECT_GT((corrected->wrench - other.wrench).norm(), 0.1 * std::sqrt(static_cast<double>(other.rows())));
+  for (const nlohmann::json& strange : {nlohmann::json::array(), nlohmann::json{{"schema", "heft.estimate/1"}}}) {
+    const auto refused = correctedByAll(other, &RobotModel::panda(), strange, "other.json");
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().message.find("other.json is no result of heft diagnose"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace heft::test
