@@ -25,14 +25,21 @@ double swingingShare(const Fit& fit, const Found& found) {
   return (firstOf(fit, found.cause) + more) / std::max(0.02, fit.model.x(6));
 }
 
-/// The force of a steady pull that acts at the payload's centre of mass, or closer to it than `near` [m]; none if there
-/// is no such pull.
-std::optional<Vector3d> pullAtCentre(const Fit& fit, double near) {
+/// The force of a pull, `cause`, that acts at the payload's centre of mass, or closer to it than `near` [m]; none if
+/// there is no such pull.
+std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, double near) {
   const Vector3d com = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
-  for (const Term& term : fit.model.terms)
-    if (causeOf(term) == "constant_pull" && !term.form->local && term.v.size() >= 6 &&
-        (term.v.segment<3>(3) - com).norm() < near)
-      return term.v.head<3>();
+  for (const Term& term : fit.model.terms) {
+    if (causeOf(term) != cause || term.form->local) continue;
+    const auto vectorFrom = [&](const char* first) -> std::optional<Vector3d> {
+      const auto& all = term.form->parameters;
+      const auto found = std::ranges::find(all, first, &Parameter::name);
+      if (found == all.end()) return std::nullopt;
+      return term.v.segment<3>(found - all.begin());
+    };
+    const auto place = vectorFrom("at_x"), force = vectorFrom("force_x");
+    if (place && force && (*place - com).norm() < near) return force;
+  }
   return std::nullopt;
 }
 
@@ -40,14 +47,15 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, double near) {
 /// taken out of the readings already, which no motion can tell from it.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
-  const auto force = pullAtCentre(fit, kNear);
+  const auto force = pullAtCentre(fit, "constant_pull", kNear);
   return force && force->cross(gravity).norm() < kAside * force->norm() * gravity.norm();
 }
 
-/// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either.
-bool pullsAsTiltDoes(const Fit& fit, const Vector3d& gravity) {
+/// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either, or give
+/// under the arm as it reaches out, as no cable does that is tied to the tool anywhere else.
+bool pullsAsTiltDoes(const Fit& fit, std::string_view cause, const Vector3d& gravity) {
   constexpr double kAlong = 0.08, kNear = 0.008;  // Share of the force; [m]
-  const auto force = pullAtCentre(fit, kNear);
+  const auto force = pullAtCentre(fit, cause, kNear);
   return force && std::abs(force->dot(gravity)) < kAlong * force->norm() * gravity.norm();
 }
 
@@ -116,7 +124,8 @@ std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool
   // What weighs as much as the tool is the tool on its mount.
   if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
   if (found.cause == "constant_pull" && pullsAsWeightDoes(fit, gravity)) add("derivative_noise");
-  if (found.cause == "constant_pull" && pullsAsTiltDoes(fit, gravity)) add("gravity_tilt");
+  if ((found.cause == "constant_pull" || found.cause == "cable_pull") && pullsAsTiltDoes(fit, found.cause, gravity))
+    add("gravity_tilt");
   // What is held until the next reading comes late and cut down at once.
   if (held && found.cause == "time_offset") add("low_pass_lag");
   if (held && found.cause == "low_pass_lag") add("time_offset");

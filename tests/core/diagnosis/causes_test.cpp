@@ -308,30 +308,33 @@ TEST(Described, ADeviationKnowsOfOtherAnswers) {
   EXPECT_NEAR(std(VectorXd::Constant(1, 0.003)), std::sqrt(10.0), 1e-9);
 }
 
-/// A base that is tilted pulls across gravity where the tool's weight does: no motion tells it from a pull that is
-/// there by chance.
+/// A base that is tilted, or gives under the arm, pulls across gravity where the tool's weight does: no motion tells it
+/// from a pull that is there by chance.
 TEST(Alternatives, APullAcrossGravityAtTheCentreOfMassMayBeATilt) {
   const Recording recording = aRecording(MotionKind::free, 215);
   const Signals signals =
       signalsOf(recording, motionOf(recording, &RobotModel::panda(), {}).value(), &RobotModel::panda());
   const Vector3d com = aTool().com;
-  const auto mayBe = [&](const Vector3d& force, const Vector3d& place) {
-    const auto forms = findCause("constant_pull")->forms(signals);
+  const auto mayBe = [&](const char* cause, const Vector3d& force, const Vector3d& place) {
+    const auto forms = findCause(cause)->forms(signals);
     const auto form = std::ranges::find(forms, "away from the sensor", &Form::name);
     Fit fit;
     fit.model.x(6) = aTool().mass;
     fit.model.x.segment<3>(7) = aTool().mass * com;
-    VectorXd v = form->start;
-    v << force, place;
+    VectorXd v = VectorXd::Ones(form->start.size());
+    v.tail<6>() << force, place;
     fit.model.terms.push_back({std::make_shared<const Form>(*form), v, {}});
     Found found;
-    found.cause = "constant_pull";
+    found.cause = cause;
     return alternativesOf(found, fit, false, signals.gravity);
   };
-  EXPECT_EQ(mayBe({0.3, -0.2, 0.01}, com), std::vector<std::string>{"gravity_tilt"});
-  EXPECT_TRUE(mayBe({0.3, -0.2, 0.1}, com).empty());
-  EXPECT_TRUE(mayBe({0.3, -0.2, 0.01}, com + Vector3d(0.0, 0.0, 0.02)).empty());
-  EXPECT_EQ(mayBe({0.0, 0.0, -0.3}, com), std::vector<std::string>{"derivative_noise"});
+  const std::vector<std::string> tilt{"gravity_tilt"};
+  for (const char* cause : {"constant_pull", "cable_pull"}) {
+    EXPECT_EQ(mayBe(cause, {0.3, -0.2, 0.01}, com), tilt) << cause;
+    EXPECT_TRUE(mayBe(cause, {0.3, -0.2, 0.1}, com).empty()) << cause;
+    EXPECT_TRUE(mayBe(cause, {0.3, -0.2, 0.01}, com + Vector3d(0.0, 0.0, 0.02)).empty()) << cause;
+  }
+  EXPECT_EQ(mayBe("constant_pull", {0.0, 0.0, -0.3}, com), std::vector<std::string>{"derivative_noise"});
 }
 
 }  // namespace
