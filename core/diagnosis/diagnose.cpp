@@ -238,15 +238,23 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   return out;
 }
 
+/// Whether hardly any reading is a spike: what knocks makes a few.
+bool hardlySpikes(const DiagnosedCause& cause) {
+  constexpr double kFew = 0.05;  // [%]
+  return cause.id == "spikes" && std::ranges::any_of(cause.parameters, [](const CauseParameter& p) {
+           return p.name == "share" && p.value < kFew;
+         });
+}
+
 /// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in
-/// coarse steps: these add a little noise and no more. Contact belongs to the task more often than to the rig: it comes
-/// last.
+/// coarse steps and a few that are spikes: these add a little noise and no more. Contact belongs to the task more often
+/// than to the rig: it comes last.
 void sortByStrength(std::vector<DiagnosedCause>& causes) {
   const auto rank = [](const DiagnosedCause& c) {
-    return c.id == "contact"               ? -1e300
-           : c.id == "quantisation"        ? 0.0
-           : c.direct && c.deltaBic == 0.0 ? 1e300
-                                           : c.deltaBic;
+    return c.id == "contact"                           ? -1e300
+           : c.id == "quantisation" || hardlySpikes(c) ? 0.0
+           : c.direct && c.deltaBic == 0.0             ? 1e300
+                                                       : c.deltaBic;
   };
   std::ranges::stable_sort(causes, [&](const DiagnosedCause& a, const DiagnosedCause& b) { return rank(a) > rank(b); });
 }

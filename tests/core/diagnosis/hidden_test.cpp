@@ -448,6 +448,16 @@ TEST(Diagnose, CoarseReadingsComeAfterWhatMattersMore) {
   EXPECT_TRUE(std::ranges::any_of(report.causes, [](const auto& c) { return c.id == "quantisation"; })) << said(report);
 }
 
+TEST(Diagnose, AFewSpikesComeAfterWhatMattersMore) {
+  Recording recording = aRecording(MotionKind::free, 306, {{"time_offset", "", 15.0}});
+  for (const double at : {0.21, 0.48, 0.77})
+    recording.wrench(static_cast<Eigen::Index>(at * static_cast<double>(recording.rows())), 0) += 14.0;
+  const auto report = diagnosed(recording);
+  ASSERT_GE(report.causes.size(), 2u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "time_offset") << said(report);
+  EXPECT_NE(named(report, "spikes"), nullptr) << said(report);
+}
+
 TEST(Diagnose, TwoAtOnce) {
   const auto report =
       diagnosed(aRecording(MotionKind::free, 301, {{"time_offset", "", 15.0}, {"gravity_tilt", "", 2.0}}));
