@@ -123,7 +123,8 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   if (!leftover && !faint && 10 * gain.blocksBetter >= 8 * gain.blocks) return true;
   if (gain.explainedFraction < -kHarm) return false;
   // What has its place in time can hardly be seen elsewhere. What begins and stays is seen on all later blocks.
-  if (anyTerm([&](const Term& t) { return t.form->local && (!faint || lasts(t, work.signals) < kBrief); })) return true;
+  const bool helps = !faint && gain.explainedFraction > 0.0;
+  if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, work.signals) < kBrief); })) return true;
   const double least = leftover                      ? kOfLeftover
                        : faint && needed.moreOfFaint ? std::max(needed.always, kOfFaint)
                                                      : needed.always;

@@ -24,6 +24,10 @@ std::vector<Held> heldRows(const Recording& recording);
 /// None if channels that stand still independently of each other would make a third as many.
 Runs staleRuns(const Recording& recording);
 
+/// Runs of rows [from, to) whose readings are, row by row and to the last digit, those of some rows before, as where a
+/// driver hands out a buffer a second time. Noise makes no such run of 15 rows and 15 ms.
+Runs replayedRuns(const Recording& recording);
+
 /// Runs of rows [from, to) in which all readings are zero, as a driver writes where it has nothing; none if there are
 /// fewer than three such rows.
 Runs zeroRuns(const Recording& recording);

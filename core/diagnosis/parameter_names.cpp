@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 37> kNames = {{
+constexpr std::array<Name, 38> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -43,6 +43,7 @@ constexpr std::array<Name, 37> kNames = {{
     {"length", heft::toSay("Length when slack L")},
     {"count", heft::toSay("Number")},
     {"share", heft::toSay("Share of the readings")},
+    {"replayed", heft::toSay("Handed out again")},
     {"spread", heft::toSay("Spread of the time stamps")},
     {"repeated", heft::toSay("Readings that repeat")},
     {"zero", heft::toSay("Readings that are zero")},

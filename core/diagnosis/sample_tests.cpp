@@ -96,8 +96,9 @@ Direct jitter(const UnevenStamps& stamps) {
 /// Readings that were held, zeroed or left out. Rows that are held for long are not to be trusted.
 std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts) {
   const Eigen::Index n = recording.rows();
-  Eigen::Index held = 0, zeros = 0, missing = 0;
+  Eigen::Index held = 0, zeros = 0, missing = 0, replayed = 0;
   for (const auto& [from, to] : facts.stale) held += to - from;
+  for (const auto& [from, to] : facts.replayed) replayed += to - from;
   const auto blanks = zeroRuns(recording);
   for (const auto& [from, to] : blanks) zeros += to - from;
   const double step = !facts.stamps && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
@@ -107,17 +108,22 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   }
   const double total = static_cast<double>(n);
   const double lost = static_cast<double>(held + missing) / total;
-  if (lost < 0.002 && blanks.empty()) return std::nullopt;
+  if (lost < 0.002 && blanks.empty() && facts.replayed.empty()) return std::nullopt;
   Direct out;
   out.cause = "dropouts";
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
                     {"zero", "%", 100.0 * static_cast<double>(zeros) / total, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
+  if (replayed > 0) out.parameters.push_back({"replayed", "%", 100.0 * static_cast<double>(replayed) / total, 0.0});
   out.rows.assign(static_cast<std::size_t>(n), false);
   constexpr double kGap = 0.015, kBeside = 0.1;  // [s] Shorter ones are bridged well enough
   for (const auto& [from, to] : blanks)
     if (recording.time(to - 1) - recording.time(from) > kGap)
       std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
+  for (const auto& [from, to] : facts.replayed) {
+    std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
+    out.when.emplace_back(recording.time(from), recording.time(to - 1));
+  }
   // Where the motion was held, too, or nothing was recorded, its derivatives are wrong a little further.
   const auto beside = static_cast<Eigen::Index>(kBeside * recording.rateHz());
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i)
@@ -141,6 +147,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   out.deadBands = deadBands(recording);
   out.held = heldRows(recording);
   out.stale = staleRuns(recording);
+  out.replayed = replayedRuns(recording);
   Unclipped clipping =
       unclipped(withoutSpikes(withoutZeros(recording, out.deadBands), out.spikes), out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);

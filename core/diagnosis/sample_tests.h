@@ -36,6 +36,7 @@ struct RowFacts {
   Eigen::Index spikes = 0;             ///< Readings that were replaced: as of withoutSpikes()
   std::vector<Held> held;              ///< As of heldRows(recording)
   Runs stale;                          ///< As of staleRuns(recording)
+  Runs replayed;                       ///< As of replayedRuns(recording)
   /// The wrench with what zeros, spikes and flat tops hide put in again, as far as that can be told
   Eigen::Matrix<double, Eigen::Dynamic, 6> restored;
 };

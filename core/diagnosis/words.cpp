@@ -146,6 +146,8 @@ std::string mistakeSentence(const FrameMistake& mistake) {
 std::string dropoutSentence(const Values& v) {
   if (v.value("zero") > 0.0)
     return heft::say("{} % of the readings are zero throughout: lost packets.", v.size("zero"));
+  if (v.find("replayed") && v.value("replayed") > std::max(v.value("repeated"), v.value("missing")))
+    return heft::say("{} % of the readings were handed out a second time, in place of new ones.", v.size("replayed"));
   if (v.value("missing") > v.value("repeated"))
     return heft::say("{} % of the readings are missing.", v.size("missing"));
   return heft::say("{} % of the force readings repeat the one before.", v.size("repeated"));

@@ -6818,6 +6818,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, and the meta file&apos;s mount is not used.</source>
         <translation>Berichtigen Sie den Einbau des Sensors dort, wo die aufgezeichneten Lagen berechnet werden: Die Aufnahme nennt sie selbst, der Einbau in der Metadatei wird nicht benutzt.</translation>
     </message>
+    <message>
+        <source>Handed out again</source>
+        <translation>Erneut ausgegeben</translation>
+    </message>
+    <message>
+        <source>{} % of the readings were handed out a second time, in place of new ones.</source>
+        <translation>{} % der Anzeigen wurden ein zweites Mal ausgegeben, statt neuer.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

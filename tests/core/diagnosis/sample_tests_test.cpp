@@ -130,6 +130,28 @@ TEST(SampleTests, TheLagOfReportedVelocitiesIsWithinItsDeviations) {
     }
 }
 
+/// A driver hands out its last buffer once more: the readings are those of a quarter of a second before, to the last
+/// digit.
+TEST(SampleTests, ReadingsHandedOutTwiceAreNoTouch) {
+  const Recording whole = aRecording(MotionKind::excitation, 19);
+  EXPECT_TRUE(diagnosis::replayedRuns(whole).empty());
+  Recording recording = whole;
+  const Eigen::Index back = std::lround(0.25 * recording.rateHz());
+  for (const double at : {2.1, 5.4, 8.9}) {
+    const Eigen::Index from = std::lround(at * recording.rateHz());
+    recording.wrench.middleRows(from, back) = whole.wrench.middleRows(from - back, back);
+  }
+  const auto runs = diagnosis::replayedRuns(recording);
+  ASSERT_EQ(runs.size(), 3u);
+  EXPECT_NEAR(recording.time(runs[1].first), 5.4, 0.002);
+  EXPECT_EQ(runs[1].second - runs[1].first, back);
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "dropouts") << said(report);
+  EXPECT_EQ(report.causes.front().when.size(), 3u);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+}
+
 /// Velocities may be means over a while to either side, which are not late; noise of angles and velocities is no mean.
 TEST(SampleTests, MeansOfVelocitiesAreFoundAndNoiseIsNone) {
   Recording recording = aRecording(MotionKind::free, 18);
