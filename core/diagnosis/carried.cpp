@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/diagnosis/work.h"
-#include "core/math/rigid.h"
+#include "core/wrench/regressor.h"
 
 namespace heft::diagnosis {
 
@@ -58,25 +58,14 @@ std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const s
   constexpr double kLeft = 0.05, kOfHolding = 0.5;
   if (contacts.empty() || std::ranges::any_of(contacts, [](const Contact& c) { return c.to - c.from < kShortest; }))
     return std::nullopt;
-  Vector6d power = Vector6d::Constant(1e-24);
-  double count = 1.0;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) {
-      power += fit.residual.col(n).cwiseAbs2();
-      count += 1.0;
-    }
-  const Vector6d weight = (power / count).cwiseSqrt().cwiseInverse();
+  const Vector6d weight = usualPower(signals, fit, blocksOf(contacts)).cwiseSqrt().cwiseInverse();
   const Wrenches scaled = weight.asDiagonal() * fit.residual;
   const Eigen::Index m = signals.samplesPerBlock;
   const auto ofLoad = [&](Eigen::Index n) -> Rows {
     const auto mean = [&](const Eigen::Matrix3Xd& of) { return Vector3d(of.middleCols(n * m, m).rowwise().mean()); };
-    const Vector3d s = mean(signals.kinematics.specificForce), o = mean(signals.kinematics.omega),
-                   a = mean(signals.kinematics.alpha);
-    Rows out = Rows::Zero(6, 4);  // Mass, and mass times its place
-    out.block<3, 1>(0, 0) = s;
-    out.block<3, 3>(0, 1) = skew(a) + skew(o) * skew(o);
-    out.block<3, 3>(3, 1) = -skew(s);
-    return weight.asDiagonal() * out;
+    const Kinematics& kin = signals.kinematics;
+    // Mass, and mass times its place.
+    return weight.asDiagonal() * regressor({mean(kin.specificForce), mean(kin.omega), mean(kin.alpha)}).leftCols<4>();
   };
   // Somebody who holds on to the tool pulls one way in the world, and turns it one way.
   const auto ofHolding = [&](Eigen::Index n) -> Rows {

@@ -209,7 +209,6 @@ Result<Recording> correctedByAll(const Recording& recording, const RobotModel* r
       !memberOf(found, "model").is_object())
     return Error{heft::say("{} is no result of heft diagnose; write one with heft diagnose REC --json FILE.", where)};
   const bool another = memberOf(found, "file") != recording.file;
-  json kept = found;
   std::vector<std::string> causes, left;
   for (const json& cause : found["causes"]) {
     const json& id = memberOf(cause, "cause");
@@ -217,16 +216,14 @@ Result<Recording> correctedByAll(const Recording& recording, const RobotModel* r
     const json& when = memberOf(cause, "when");
     (another && when.is_array() && !when.empty() ? left : causes).push_back(id.get<std::string>());
   }
-  // Where the zero went that day it went that day.
-  if (another) left.emplace_back(kWandering);
-  if (json& terms = kept["model"]["terms"]; terms.is_array())
-    terms.erase(std::remove_if(terms.begin(), terms.end(),
-                               [&](const json& term) {
-                                 const json& id = memberOf(term, "cause");
-                                 return id.is_string() && has(left, id.get<std::string>());
-                               }),
-                terms.end());
-  return corrected(recording, robot, kept, causes);
+  if (!another) return corrected(recording, robot, found, causes);
+  left.emplace_back(kWandering);  // Where the zero went that day it went that day
+  json lasting = found, terms = json::array();
+  for (const json& term : memberOf(found["model"], "terms"))
+    if (const json& id = memberOf(term, "cause"); !id.is_string() || !has(left, id.get<std::string>()))
+      terms.push_back(term);
+  lasting["model"]["terms"] = std::move(terms);
+  return corrected(recording, robot, lasting, causes);
 }
 
 Result<EstimateReport> estimateWith(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,

@@ -81,17 +81,8 @@ bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where, 
   constexpr double kPlain = 20.0;      // Of these units: what is fainter may be chance
   constexpr double kJumps = 0.25;      // Of its most; a push that lasts 0.2 s changes by 0.1 at most
   constexpr Eigen::Index kAround = 5;  // Blocks: where it begins is not known better
-  std::vector<bool> usual = signals.usable;
-  for (const Stretch& s : stretches) std::fill(usual.begin() + s.from, usual.begin() + s.to, false);
-  Vector6d inside = Vector6d::Zero(), outside = Vector6d::Constant(1e-300);
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (n >= where.from && n < where.to)
-      inside += fit.residual.col(n).cwiseAbs2();
-    else if (usual[static_cast<std::size_t>(n)])
-      outside += fit.residual.col(n).cwiseAbs2();
-  const auto count = static_cast<double>(std::ranges::count(usual, true));
-  const double lasts = static_cast<double>(where.to - where.from);
-  const Vector6d excess = ((inside / lasts).cwiseQuotient(outside / std::max(1.0, count)).array() - 1.0).max(0.0);
+  const Vector6d inside = fit.residual.middleCols(where.from, where.to - where.from).cwiseAbs2().rowwise().mean(),
+                 excess = (inside.cwiseQuotient(usualPower(signals, fit, stretches)).array() - 1.0).max(0.0);
   Eigen::Index channel = 0;
   if (excess.maxCoeff(&channel) < std::max(kPlain, kAlone * excess.sum())) return false;
   const Eigen::Index m = signals.samplesPerBlock, from = std::max<Eigen::Index>(0, where.from - kAround) * m,
@@ -132,6 +123,21 @@ bool isSmoothed(const Signals& signals, const Vector6d& usual, const Wrenches& s
 }
 
 }  // namespace
+
+std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts) {
+  std::vector<Stretch> out;
+  for (const Contact& contact : contacts) out.push_back(contact.blocks);
+  return out;
+}
+
+Vector6d usualPower(const Signals& signals, const Fit& fit, const std::vector<Stretch>& stretches) {
+  std::vector<bool> usual = signals.usable;
+  for (const Stretch& s : stretches) std::fill(usual.begin() + s.from, usual.begin() + s.to, false);
+  Vector6d sum = Vector6d::Constant(1e-300);
+  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+    if (usual[static_cast<std::size_t>(n)]) sum += fit.residual.col(n).cwiseAbs2();
+  return sum / std::max(1.0, static_cast<double>(std::ranges::count(usual, true)));
+}
 
 double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Index from, Eigen::Index to) {
   // A little of what lies around it starts the memory, as far as it is to be trusted.

@@ -1,6 +1,7 @@
 #pragma once
 // Contact as a cause: stretches in which no model of the whole recording holds.
 #include <string>
+#include <vector>
 
 #include "core/base/say.h"
 #include "core/diagnosis/search.h"
@@ -17,6 +18,12 @@ struct Contact {
   std::string instead;      ///< What is there that no push makes; empty: nothing. Not translated
   bool smoothed = false;    ///< Left by the smoothing of the motion where a motor's force jumps
 };
+
+/// The contacts' stretches.
+std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts);
+
+/// Mean power of what the fit leaves on each channel, where it is judged and outside of `stretches`.
+Vector6d usualPower(const Signals& signals, const Fit& fit, const std::vector<Stretch>& stretches);
 
 /// Evidence for leaving blocks [from, to) out of `fit`: what they would cost under its noise, less the price of a force
 /// that may change freely every tenth of a second.

@@ -67,29 +67,28 @@ void describeTerm(DiagnosedCause& cause, const Term& term, int event, VectorXd d
   for (const auto& stretch : term.form->cause->when(*term.form, term.v, signals)) cause.when.push_back(stretch);
 }
 
-/// How far a parameter of a term may move, on average of either way, before the judged blocks notice: of what changes
-/// between two samples, or where nothing is judged, derivatives say nothing. Half a block at least.
-double unnoticed(const Fit& fit, const Term& term, Eigen::Index p, const Signals& signals,
+/// How far the parameter `at` (in Model::packed()) may move, on average of either way, before the judged blocks notice:
+/// of what changes between two samples, or where nothing is judged, derivatives say nothing. Half a block at least.
+double unnoticed(const Fit& fit, Eigen::Index at, const Parameter& parameter, const Signals& signals,
                  const std::vector<Stretch>& stretches) {
   constexpr int kMost = 100;  // Half blocks
-  const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
   const double step = 0.5 / signals.blockRate();
+  const VectorXd packed = fit.model.packed();
   const Wrenches value = valueOf(signals, fit.model);
+  Model model = fit.model;
   double sum = 0.0, ways = 0.0;
-  for (const double way : {-step, step}) {
-    Model model = fit.model;
-    Term& moved =
-        *std::ranges::find_if(model.terms, [&](const Term& t) { return t.form == term.form && t.v == term.v; });
+  for (const double way : {-step, step})
     for (int k = 1; k <= kMost; ++k) {
-      moved.v(p) = term.v(p) + k * way;
-      if (moved.v(p) < parameter.lower || moved.v(p) > parameter.upper) break;
+      VectorXd moved = packed;
+      moved(at) += k * way;
+      if (moved(at) < parameter.lower || moved(at) > parameter.upper) break;
+      model.unpack(moved);
       const Wrenches change = valueOf(signals, model) - value;
       if (k < kMost && whitened(flat(change), fit.noise, stretches).squaredNorm() < 1.0) continue;
       sum += (k - 0.5) * step;
       ways += 1.0;
       break;
     }
-  }
   return ways > 0.0 ? std::max(step, sum / ways) : parameter.size;
 }
 
@@ -103,7 +102,9 @@ void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, con
     VectorXd deviation = std.segment(at, term->v.size());
     for (Eigen::Index p = 0; term->form->atOnce && p < deviation.size(); ++p)
       if (!isAmplitude(*term->form, p) && deviation(p) * signals.blockRate() > 1.0)
-        deviation(p) = std::min(deviation(p), unnoticed(fit, *term, p, signals, stretches));
+        deviation(p) =
+            std::min(deviation(p),
+                     unnoticed(fit, at + p, term->form->parameters[static_cast<std::size_t>(p)], signals, stretches));
     for (const VectorXd& more : {term->form->cause->modelStd(*term->form, term->v), spread})
       if (more.size() == deviation.size()) deviation = (deviation.cwiseAbs2() + more.cwiseAbs2()).cwiseSqrt();
     if (term->form->local) ++events;
@@ -136,13 +137,14 @@ void setGain(DiagnosedCause& cause, const WrenchRms& before, const WrenchRms& af
 
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after) {
   DiagnosedCause out;
-  const double degrees = mistake.angle * 180.0 / 3.14159265358979323846;
+  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+  const double degrees = mistake.angle * kDegrees;
   // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
   const bool mount = mistake.kind == FrameMistake::Kind::turned && std::abs(degrees - 180.0) > 4.0;
   out.id = mount ? "sensor_rotation" : "frame_error";
   out.direct = true;
   if (mistake.kind == FrameMistake::Kind::turned) {
-    constexpr double kDegrees = 180.0 / 3.14159265358979323846, kKnown = 0.1;  // [deg] Whatever the fit says
+    constexpr double kKnown = 0.1;  // [deg] Whatever the fit says
     const Vector3d v = vectorFromRotation(mistake.turn) * kDegrees;
     for (Eigen::Index i = 0; i < 3; ++i)
       out.parameters.push_back(
@@ -164,6 +166,12 @@ DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy) {
   return out;
 }
 
+namespace {
+
+double chanceOf(double evidence) { return std::exp(-0.5 * std::min(1000.0, evidence)); }
+
+}  // namespace
+
 DiagnosedCause fromRinging(const Ringing& ringing) {
   DiagnosedCause out;
   out.id = "flexible_mount";
@@ -172,7 +180,7 @@ DiagnosedCause fromRinging(const Ringing& ringing) {
                     {"damping", "", ringing.damping, ringing.dampingStd}};
   out.when = ringing.when;
   out.deltaBic = ringing.evidence;
-  out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
+  out.pValue = chanceOf(out.deltaBic);
   return out;
 }
 
@@ -183,7 +191,7 @@ DiagnosedCause fromCarried(const Carried& carried) {
   out.parameters = {{"mass", "g", 1e3 * carried.mass, 1e3 * carried.massStd}};
   out.when = carried.when;
   out.deltaBic = carried.evidence;
-  out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
+  out.pValue = chanceOf(out.deltaBic);
   return out;
 }
 
@@ -201,7 +209,7 @@ DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches
     out.deltaBic += contact.evidence;
   }
   out.parameters = {{"peak_force", "N", peak, noise}};
-  out.pValue = std::exp(-0.5 * std::min(1000.0, out.deltaBic));
+  out.pValue = chanceOf(out.deltaBic);
   out.direct = true;
   if (!touchedOr.empty()) out.alternatives = {touchedOr};
   return out;

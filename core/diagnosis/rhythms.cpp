@@ -37,6 +37,7 @@ class Courses {
     const VectorXd& angle = angles_[wave.of];
     if (course_.rows() == 0 || wave.of != at_.of) {
       course_ = courseOf(angle, wave.multiple).transpose();
+      step_ = 0.0;
     } else {
       if (const double step = wave.multiple - at_.multiple; std::abs(step - step_) > 1e-9 * std::abs(step)) {
         turn_ = courseOf(angle, step).transpose();
@@ -48,7 +49,6 @@ class Courses {
       course_.col(0) = sine * cosineOfTurn + cosine * sineOfTurn;
       course_.col(1) = cosine * cosineOfTurn - sine * sineOfTurn;
     }
-    if (wave.of != at_.of) step_ = 0.0;
     at_ = wave;
     return course_;
   }

@@ -93,41 +93,36 @@ std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const
   return {};
 }
 
-/// What is left in contacts beyond the usual, in units of it.
+/// What the channels should read, and what they read beyond that and the usual, in units of it.
 class Beyond {
  public:
-  Beyond(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-    std::vector<bool> usual = signals.usable;
-    for (const Contact& contact : contacts)
-      std::fill(usual.begin() + contact.blocks.from, usual.begin() + contact.blocks.to, false);
-    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-      if (usual[static_cast<std::size_t>(n)]) power_ += fit.residual.col(n).cwiseAbs2();
-    power_ /= std::max(1.0, static_cast<double>(std::ranges::count(usual, true)));
-  }
+  Beyond(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts)
+      : should(signals.measured - fit.residual), power_(usualPower(signals, fit, blocksOf(contacts))) {}
 
   /// Of a reading that is `off` on a channel.
   double of(double off, Eigen::Index channel) const { return std::max(0.0, off * off / power_(channel) - 1.0); }
   /// In units in which the usual is 1 on each channel.
   Wrenches scaled(const Wrenches& wrench) const { return power_.cwiseSqrt().cwiseInverse().asDiagonal() * wrench; }
 
+  const Wrenches should;
+
  private:
-  Vector6d power_ = Vector6d::Constant(1e-300);
+  Vector6d power_;
 };
 
 /// Share of the power left in the contacts, beyond the usual, that is gone where each channel may read what the model
 /// says for any moment up to a tenth of a second before, or after where `later`.
-double readAt(bool later, const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+double readAt(bool later, const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
+              const Beyond& beyond) {
   constexpr double kReach = 0.1;  // [s]
   const Eigen::Index blocks = signals.blocks(), reach = std::lround(kReach * signals.blockRate());
-  const Wrenches should = signals.measured - fit.residual;
-  const Beyond beyond(signals, fit, contacts);
   double all = 1e-300, left = 0.0;
   for (const Contact& contact : contacts)
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
       for (Eigen::Index c = 0; c < 6; ++c) {
         const Eigen::Index from = later ? n : std::max<Eigen::Index>(0, n - reach),
                            to = later ? std::min(blocks - 1, n + reach) : n;
-        const auto may = should.row(c).segment(from, to - from + 1);
+        const auto may = beyond.should.row(c).segment(from, to - from + 1);
         const double is = signals.measured(c, n);
         all += beyond.of(fit.residual(c, n), c);
         left += beyond.of(is - std::clamp(is, may.minCoeff(), may.maxCoeff()), c);
@@ -138,18 +133,16 @@ double readAt(bool later, const Signals& signals, const Fit& fit, const std::vec
 /// Whether what seems to be contact are readings that come late at these moments, such as where a logger stalls or an
 /// output cannot follow: who pushes makes a sensor read what it should not have read a moment before. In 370 recordings
 /// that were touched or seemed so, late readings left 0.06 and less; one touch left 0.15, all others more.
-bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kNearlyAll = 0.92, kMore = 0.5;
-  const double before = readAt(false, signals, fit, contacts);
-  return before > kNearlyAll && before > readAt(true, signals, fit, contacts) + kMore;
+  const double before = readAt(false, signals, fit, contacts, beyond);
+  return before > kNearlyAll && before > readAt(true, signals, fit, contacts, beyond) + kMore;
 }
 
 /// Whether what seems to be contact are channels that are mixed up for a while, as by a cable or a parser out of step:
 /// in each of the contacts two of them read what the model says for each other, or one with the other sign.
-bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kNearlyAll = 0.92;
-  const Wrenches should = signals.measured - fit.residual;
-  const Beyond beyond(signals, fit, contacts);
   double all = 1e-300, left = 0.0;
   for (const Contact& contact : contacts) {
     const auto [from, to] = contact.blocks;
@@ -166,8 +159,8 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
             return beyond.of(signals.measured(channel, n) - value, other) -
                    beyond.of(fit.residual(channel, n), channel);
           };
-          const double change =
-              a == b ? readsAs(a, a, -should(a, n)) : readsAs(a, b, should(b, n)) + readsAs(b, a, should(a, n));
+          const double change = a == b ? readsAs(a, a, -beyond.should(a, n))
+                                       : readsAs(a, b, beyond.should(b, n)) + readsAs(b, a, beyond.should(a, n));
           mixed += std::min(0.0, change) + asTheyAre(n - from);  // It begins and ends somewhere in the stretch
         }
         least = std::min(least, mixed);
@@ -179,10 +172,9 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
 
 /// Whether all channels, the zero with them, read too little or too much by one factor at a time, as where the
 /// amplifier's supply dips: of 24 touches, such factors left 0.42 and more.
-bool growTogether(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kLeft = 0.08;
-  const Beyond beyond(signals, fit, contacts);
-  const Wrenches scaled = beyond.scaled(fit.residual), should = beyond.scaled(signals.measured - fit.residual);
+  const Wrenches scaled = beyond.scaled(fit.residual), should = beyond.scaled(beyond.should);
   double all = 1e-300, left = 0.0;
   for (const Contact& contact : contacts)
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
@@ -255,9 +247,10 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
 
 std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   if (contacts.empty()) return {};
-  if (comesLate(signals, fit, contacts)) return heft::toSay("what the channels read before");
-  if (areMixedUp(signals, fit, contacts)) return heft::toSay("channels that are mixed up for a while");
-  if (growTogether(signals, fit, contacts)) return heft::toSay("the size of all readings together");
+  const Beyond beyond(signals, fit, contacts);
+  if (comesLate(signals, fit, contacts, beyond)) return heft::toSay("what the channels read before");
+  if (areMixedUp(signals, fit, contacts, beyond)) return heft::toSay("channels that are mixed up for a while");
+  if (growTogether(fit, contacts, beyond)) return heft::toSay("the size of all readings together");
   if (areClockwork(signals, fit, contacts)) return heft::toSay("time alone, as regular as a clock");
   if (std::string place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;
   if (contacts.size() < 2) return {};

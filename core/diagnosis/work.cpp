@@ -85,6 +85,13 @@ Elsewise unlessElsewise(const Signals& whole, SignatureBank& bank, const Search&
   return out;
 }
 
+/// All contacts are something else, which `goesWith` that. Not translated.
+void setAllAside(Work& work, std::string goesWith) {
+  work.odd = std::move(work.contacts);
+  work.contacts.clear();
+  work.oddGoesWith = std::move(goesWith);
+}
+
 /// Contacts that show what no push makes, or that all obey a law of how the tool moves, are something else. Those that
 /// smoothing leaves are left out as well, but they are nothing: a motion that is smoothed can do no better there.
 void setOddAside(Work& work, const Signals& whole) {
@@ -99,8 +106,7 @@ void setOddAside(Work& work, const Signals& whole) {
     pushes.clear();
   }
   if (const std::string law = lawOf(whole, work.search.final, pushes); !law.empty()) {
-    work.odd = std::move(work.contacts);
-    work.oddGoesWith = law;
+    setAllAside(work, law);
     pushes.clear();
   }
   work.contacts = std::move(pushes);
@@ -197,10 +203,8 @@ void setTouchesAside(Work& work) {
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
   if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && touched) {
-    std::vector<Stretch> holes;
-    for (const auto& touch : touches) holes.push_back(touch.blocks);
     Signals less = signals;
-    leaveOut(less, holes);
+    leaveOut(less, blocksOf(touches));
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
       signals = std::move(less);
       work.stretches = std::move(stretches);
@@ -212,11 +216,7 @@ void setTouchesAside(Work& work) {
     }
   }
   search.final = fitModel(signals, work.stretches, std::move(model));
-  if (const std::string law = lawOf(signals, search.final, work.contacts); !law.empty()) {
-    work.odd = std::move(work.contacts);
-    work.contacts.clear();
-    work.oddGoesWith = law;
-  }
+  if (const std::string law = lawOf(signals, search.final, work.contacts); !law.empty()) setAllAside(work, law);
 }
 
 /// Nobody touches a tool again and again for no longer than it takes to knock at it.
@@ -227,9 +227,7 @@ void setKnocksAside(Work& work) {
   if (std::ssize(work.contacts) < kKnocks ||
       std::ranges::any_of(work.contacts, [](const Contact& c) { return c.to - c.from > kKnock; }))
     return;
-  work.odd = std::move(work.contacts);
-  work.contacts.clear();
-  work.oddGoesWith = heft::toSay("short knocks");
+  setAllAside(work, heft::toSay("short knocks"));
 }
 
 }  // namespace
@@ -378,8 +376,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
       work.contacts = contactsIn(whole, work.search.final, holes);
     if (last()) break;
     searching.start = work.search.final.model;
-    holes.clear();
-    for (const auto& contact : work.contacts) holes.push_back(contact.blocks);
+    holes = blocksOf(work.contacts);
   }
   // Of 20 that were touched, the best cause took 0.47 at most; where nobody touched, 0.6 and more. What takes long may
   // be several of them.
