@@ -59,9 +59,9 @@ void keepOneOfTwo(Work& work) {
   }
 }
 
-/// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
-bool standsOut(const Fit& fit, std::string_view cause) {
-  constexpr double kDeviations = 3.0;
+/// Whether any amplitude of `cause` is known to differ from none by that many deviations, or all of them together where
+/// it has several terms.
+bool standsOut(const Fit& fit, std::string_view cause, double deviations) {
   const VectorXd std = fit.std();
   std::vector<Eigen::Index> all;
   std::vector<double> sizes;
@@ -71,14 +71,14 @@ bool standsOut(const Fit& fit, std::string_view cause) {
       if (term.form->cause->id() != cause || !term.moves(p)) continue;
       all.push_back(at + p);
       sizes.push_back(term.v(p) - term.form->start(p));
-      if (std::abs(sizes.back()) > kDeviations * std(all.back())) return true;
+      if (std::abs(sizes.back()) > deviations * std(all.back())) return true;
     }
     at += term.v.size();
   }
   if (all.size() < 2) return false;
   const Eigen::Map<const VectorXd> size(sizes.data(), std::ssize(sizes));
   return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) >
-         kDeviations * kDeviations * static_cast<double>(all.size());
+         deviations * deviations * static_cast<double>(all.size());
 }
 
 /// How long a term with a place in time acts [s].
@@ -114,8 +114,10 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   if (needed.moreOfFaint &&
       found.gain < (anyTerm([](const Term& t) { return takesAnyCourse(*t.form); }) ? kAnyCourse : kNamed))
     return false;
-  // Beside something unknown, what may as well be nothing is a part of that.
-  if (needed.always > 0.0 && !standsOut(final, found.cause)) return false;
+  // Beside something unknown, what may as well be nothing is a part of that. What is nothing gained by how the noise
+  // was learned, such as around a zero that walked until then.
+  constexpr double kNothing = 1.0, kBesideUnknown = 3.0;  // Deviations
+  if (!standsOut(final, found.cause, needed.always > 0.0 ? kBesideUnknown : kNothing)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
   const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);

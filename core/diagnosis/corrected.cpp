@@ -147,8 +147,7 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
   if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
   if (cause.id == "contact" || cause.id == "payload_change") return !cause.when.empty();
   // Noisy angles were smoothed more, which every estimate does by itself.
-  const bool noisy =
-      std::ranges::any_of(cause.parameters, [](const CauseParameter& p) { return p.name == "force_noise"; });
+  const bool noisy = findParameter(cause.parameters, "force_noise") != nullptr;
   return cause.id == "jitter" || cause.id == "motion_lag" || (cause.id == "derivative_noise" && !noisy);
 }
 

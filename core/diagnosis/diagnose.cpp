@@ -17,6 +17,7 @@
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/ringing.h"
 #include "core/diagnosis/sharp_motion.h"
+#include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/surrogates.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/two_threads.h"
@@ -43,6 +44,7 @@ struct Readings {
   Motion motion;
   std::vector<Direct> directs;
   std::vector<DeadBand> deadBands;
+  std::vector<StuckBit> stuckBits;
   std::vector<bool> bad;  ///< Rows that are not judged: one a row, or none
   bool cutsMost = false;  ///< Readings are cut off flat most of the time: those rows are judged, too
 };
@@ -92,7 +94,11 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   }
   out.motion = std::move(*motion);
   out.directs = sampleTests(out.stated, out.motion, facts);
-  std::erase_if(out.directs, [&](const Direct& d) { return contains(options.hidden, d.cause); });
+  out.stuckBits = stuckBits(out.stated);
+  std::erase_if(out.directs, [&](const Direct& d) {
+    // Where a bit of a converter is stuck, readings leap again and again.
+    return contains(options.hidden, d.cause) || (d.cause == "spikes" && !out.stuckBits.empty());
+  });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles or poses are not used, here or for the payload.
     if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") dropReportedVelocities(out.cleaned);
@@ -241,9 +247,8 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
 /// Whether hardly any reading is a spike: what knocks makes a few.
 bool hardlySpikes(const DiagnosedCause& cause) {
   constexpr double kFew = 0.05;  // [%]
-  return cause.id == "spikes" && std::ranges::any_of(cause.parameters, [](const CauseParameter& p) {
-           return p.name == "share" && p.value < kFew;
-         });
+  const CauseParameter* share = cause.id == "spikes" ? findParameter(cause.parameters, "share") : nullptr;
+  return share != nullptr && share->value < kFew;
 }
 
 /// Strongest first. What was tested on samples has no evidence to compare and stays in front, but for readings in
@@ -330,6 +335,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.noise.torque *= quiet;
   sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
   sayDeadBands(readings->deadBands, out);
+  sayStuckBits(readings->stuckBits, out);
 
   out.mistake = readings->mistake ? readings->mistake : work.mistake;
   if (out.mistake) {

@@ -34,6 +34,9 @@ struct CauseParameter {
   double value = 0.0, std = 0.0;  ///< In `unit`
 };
 
+/// The one of that name, or null.
+const CauseParameter* findParameter(const std::vector<CauseParameter>& parameters, std::string_view name);
+
 struct DiagnosedCause {
   std::string id;
   std::string title;     ///< "Force readings out of step"

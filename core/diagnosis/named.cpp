@@ -52,11 +52,8 @@ void describeTerm(DiagnosedCause& cause, const Term& term, int event, VectorXd d
     const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
     // A step shorter than the blocks show: how long it takes is less than usual, and no more is known.
     if (parameter.lowerIsFine && term.v(p) <= parameter.lower) deviation(p) = std::min(deviation(p), parameter.size);
-    const auto taken = [&](const std::string& name) {
-      return std::ranges::any_of(out, [&](const CauseParameter& o) { return o.name == name; });
-    };
     std::string name = event > 1 ? fmt::format("{}_{}", parameter.name, event) : parameter.name;
-    for (int i = 2; taken(name); ++i) name = fmt::format("{}_{}", parameter.name, i);
+    for (int i = 2; findParameter(out, name); ++i) name = fmt::format("{}_{}", parameter.name, i);
     const auto told = [&](double value) {
       return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale;
     };

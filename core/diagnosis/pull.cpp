@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kMetre = 1e-3;  ///< Places and lengths are told in mm
 
-const CauseParameter* find(const std::vector<CauseParameter>& parameters, const std::string& name) {
-  const auto at = std::ranges::find(parameters, name, &CauseParameter::name);
-  return at == parameters.end() ? nullptr : &*at;
-}
-
 /// 3 x N; empty if one of them is missing.
 Eigen::Matrix3Xd positions(const std::vector<Witness>& witnesses) {
   std::array<const VectorXd*, 3> axes{};
@@ -34,7 +29,7 @@ Eigen::Matrix3Xd positions(const std::vector<Witness>& witnesses) {
 Matrix3d tensorOf(std::string_view what, const std::vector<CauseParameter>& parameters, std::string_view ending) {
   const std::string alike(what), along = alike + "_";
   const auto valueOf = [&](std::string name) {
-    const CauseParameter* parameter = find(parameters, name.append(ending));
+    const CauseParameter* parameter = findParameter(parameters, name.append(ending));
     return parameter ? parameter->value : 0.0;
   };
   Matrix3d out = valueOf(alike) * Matrix3d::Identity();
@@ -50,18 +45,18 @@ std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witnes
   const Eigen::Matrix3Xd tool = positions(witnesses);
   if (tool.cols() == 0) return std::nullopt;
   const Matrix3d stiffness = tensorOf("stiffness", cable.parameters);
-  const CauseParameter* alike = find(cable.parameters, "stiffness");
-  const CauseParameter* slack = find(cable.parameters, "length");
+  const CauseParameter* alike = findParameter(cable.parameters, "stiffness");
+  const CauseParameter* slack = findParameter(cable.parameters, "length");
   Vector3d stiffnessStd = Vector3d::Zero(), force = Vector3d::Zero(), forceStd = Vector3d::Zero();
   Pull out;
   bool placed = false;
   for (int i = 0; i < 3; ++i) {
     const char axis = "xyz"[i];
-    const CauseParameter* along = find(cable.parameters, std::string("stiffness_") + axis);
+    const CauseParameter* along = findParameter(cable.parameters, std::string("stiffness_") + axis);
     if (const CauseParameter* told = along ? along : alike) stiffnessStd(i) = told->std;
-    if (const CauseParameter* f = find(cable.parameters, std::string("force_") + axis))
+    if (const CauseParameter* f = findParameter(cable.parameters, std::string("force_") + axis))
       force(i) = f->value, forceStd(i) = f->std;
-    if (const CauseParameter* anchor = find(cable.parameters, std::string("anchor_") + axis)) {
+    if (const CauseParameter* anchor = findParameter(cable.parameters, std::string("anchor_") + axis)) {
       placed = true;
       out.anchor(i) = kMetre * anchor->value;
       out.anchorStd = std::max(out.anchorStd, kMetre * anchor->std);
@@ -76,7 +71,7 @@ std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witnes
     for (int i = 0; i < 3; ++i)
       out.anchorStd = std::max(out.anchorStd, std::hypot(forceStd(i), away(i) * stiffnessStd(i)) / stiffness(i, i));
   }
-  const CauseParameter* grows = find(cable.parameters, "hardening");
+  const CauseParameter* grows = findParameter(cable.parameters, "hardening");
   const double length = slack ? kMetre * slack->value : 0.0, hardening = grows ? grows->value : 0.0;
   for (Eigen::Index n = 0; n < tool.cols(); ++n) {
     const Vector3d way = tool.col(n) - out.anchor;

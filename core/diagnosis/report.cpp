@@ -66,6 +66,11 @@ bool mountIsWrong(const DiagnosedCause& cause) {
          (cause.id == "frame_error" && !cause.parameters.empty());
 }
 
+const CauseParameter* findParameter(const std::vector<CauseParameter>& parameters, std::string_view name) {
+  const auto at = std::ranges::find(parameters, name, &CauseParameter::name);
+  return at == parameters.end() ? nullptr : &*at;
+}
+
 nlohmann::json DiagnosisReport::metaChanges() const {
   json out = json::object();
   for (const auto& cause : causes) {
@@ -73,8 +78,7 @@ nlohmann::json DiagnosisReport::metaChanges() const {
     const auto vectorOf = [&](std::array<std::string_view, 3> names) {
       Vector3d v = Vector3d::Zero();
       for (std::size_t i = 0; i < names.size(); ++i)
-        for (const auto& p : cause.parameters)
-          if (p.name == names[i]) v(static_cast<Eigen::Index>(i)) = p.value;
+        if (const auto* p = findParameter(cause.parameters, names[i])) v(static_cast<Eigen::Index>(i)) = p->value;
       return v;
     };
     constexpr double kRad = 3.14159265358979323846 / 180.0;

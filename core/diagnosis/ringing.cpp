@@ -11,8 +11,9 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr double kSoftest = 11.0, kStiffest = 70.0;  // [Hz]
-/// Damping. Of what rang, 0.035 at most; what smoothing left of a stop in a clean recording looked like 0.21.
-constexpr double kLeast = 0.003, kMost = 0.12;
+/// Damping. Of what rang, 0.035 at most; what smoothing left of a stop in a clean recording looked like 0.21. A rotor
+/// that was switched on looked like 0.004.
+constexpr double kLeast = 0.005, kMost = 0.12;
 
 /// What is left for a while after a stop, a channel a column, each over its usual size; its mean, slope and bend taken
 /// off.
@@ -58,7 +59,7 @@ double explainedBy(const std::vector<Window>& windows, double frequency, double 
 /// From a little after the loudest block of each contact to the next one, or as long as a swing takes to die away.
 std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Signals& signals, const Wrenches& expected,
                                  const Wrenches& left) {
-  constexpr double kAfter = 0.06, kShortest = 0.15, kLongest = 0.5, kBefore = 0.15, kSudden = 0.03;  // [s]
+  constexpr double kAfter = 0.06, kShortest = 0.15, kLongest = 0.5, kBefore = 0.15, kLate = 0.4, kSudden = 0.03;  // [s]
   const auto samples = [&](double seconds) { return static_cast<Eigen::Index>(std::lround(seconds * signals.rateHz)); };
   const Eigen::Index m = signals.samplesPerBlock;
   std::vector<Window> out;
@@ -77,7 +78,8 @@ std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Sig
     window.slow = slowCourses(window.left.rows());
     window.left -= window.slow * (window.slow.transpose() * window.left);
     window.power = window.left.squaredNorm();
-    const Eigen::Index begins = std::max<Eigen::Index>(0, where.from * m - samples(kBefore));
+    const Eigen::Index begins =
+        std::max({Eigen::Index{0}, where.from * m - samples(kBefore), loudest - samples(kLate)});
     // What changes steadily, however fast, sets nothing swinging.
     const Eigen::Index apart = samples(kSudden);
     for (Eigen::Index k = begins; k + 2 * apart < window.from; ++k)
@@ -143,7 +145,8 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
         out.frequencyHz = frequency;
         out.damping = damping;
       }
-  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping >= kMost) return std::nullopt;
+  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kLeast || out.damping >= kMost)
+    return std::nullopt;
 
   double left = 0.0, count = 0.0;
   for (const Window& window : windows) {

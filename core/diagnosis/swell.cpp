@@ -144,8 +144,8 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
 }
 
 bool isUneven(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
-  constexpr double kMuch = 25.0;        // Of the fast noise's density
-  constexpr double kTimes = 25.0;       // One channel over another of its kind
+  constexpr double kMuch = 80.0;        // Of the fast noise's density; 57 where channels have unlike noise
+  constexpr double kTimes = 40.0;       // One channel over another of its kind; 28 between channels of unlike noise
   constexpr double kTimesForce = 15.0;  // The torques over the forces
   constexpr std::array<Band, 2> kBands{{{0.1, 0.8}, {8.0, 20.0}}};
   const auto power = powerIn(kBands, signals, stretches, residual);

@@ -213,4 +213,17 @@ void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out) {
   out.remaining = seen(heft::toSay("readings that stick at one value"));
 }
 
+void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out) {
+  for (const StuckBit& bit : bits)
+    out.findings.push_back(
+        {Severity::warning,
+         "stuck_bit",
+         heft::say("{} leaves out every other step of {:.2g} {}: a bit of its converter never changes.",
+                   channelName(bit.channel), bit.worth, bit.channel < 3 ? "N" : "N m"),
+         heft::say("Restart the sensor's electronics; if that does not help, have them mended."),
+         {}});
+  if (bits.empty()) return;
+  out.remaining = seen(heft::toSay("steps that a channel never reads"));
+}
+
 }  // namespace heft::diagnosis

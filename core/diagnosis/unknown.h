@@ -2,6 +2,7 @@
 // What no cause of the catalogue accounts for, beside what goes with the motion (structure.h).
 #include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/work.h"
 
 namespace heft::diagnosis {
@@ -16,5 +17,8 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
 
 /// Says which channels give one value for all that is small: the catalogue has no such cause, so that is what remains.
 void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out);
+
+/// The same of channels that leave out steps.
+void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out);
 
 }  // namespace heft::diagnosis

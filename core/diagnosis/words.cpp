@@ -43,9 +43,7 @@ struct Values {
   std::string ending;
 
   const CauseParameter* find(std::string_view name) const {
-    const auto it = std::find_if(cause.parameters.begin(), cause.parameters.end(),
-                                 [&](const CauseParameter& p) { return p.name == std::string(name) + ending; });
-    return it == cause.parameters.end() ? nullptr : &*it;
+    return findParameter(cause.parameters, std::string(name) + ending);
   }
   double value(std::string_view name) const {
     const auto* p = find(name);

@@ -149,6 +149,23 @@ bool wereTouches(double peak, double evidence, double longest, const Work& work)
   return peak > (evidence > kFaintTouch ? kOfNoise : 1.0) * rmsOf(work.stretches, work.search.final.residual).force;
 }
 
+/// Contacts that follow each other within `apart` [s], or that overlap, as one. Rising in time.
+std::vector<Contact> joined(std::vector<Contact> contacts, double apart) {
+  std::ranges::sort(contacts, {}, &Contact::from);
+  std::vector<Contact> out;
+  for (Contact& contact : contacts) {
+    if (out.empty() || contact.from > out.back().to + apart) {
+      out.push_back(std::move(contact));
+      continue;
+    }
+    Contact& same = out.back();
+    same.to = std::max(same.to, contact.to);
+    same.blocks.to = std::max(same.blocks.to, contact.blocks.to);
+    same.evidence += contact.evidence;
+  }
+  return out;
+}
+
 /// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are
 /// none.
 void setTouchesAside(Work& work) {
@@ -175,19 +192,7 @@ void setTouchesAside(Work& work) {
     }
   }
   // One touch may have taken several terms.
-  constexpr double kApart = 0.3;  // [s]
-  std::sort(touches.begin(), touches.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
-  std::vector<Contact> apart;
-  for (const Contact& touch : touches) {
-    if (apart.empty() || touch.from > apart.back().to + kApart) {
-      apart.push_back(touch);
-      continue;
-    }
-    Contact& same = apart.back();
-    same.to = std::max(same.to, touch.to);
-    same.blocks.to = std::max(same.blocks.to, touch.blocks.to);
-  }
-  touches = std::move(apart);
+  touches = joined(std::move(touches), 0.3);
   for (const Contact& touch : touches) {
     lasts += touch.to - touch.from;
     longest = std::max(longest, touch.to - touch.from);
@@ -211,7 +216,7 @@ void setTouchesAside(Work& work) {
       // Where something else than contact comes and goes, a little more of it is no touch either.
       auto& known = work.odd.empty() ? work.contacts : work.odd;
       known.insert(known.end(), touches.begin(), touches.end());
-      std::sort(known.begin(), known.end(), [](const Contact& a, const Contact& b) { return a.from < b.from; });
+      known = joined(std::move(known), 0.0);
       search.null = fitModel(signals, work.stretches, Model{});
     }
   }

@@ -106,7 +106,7 @@ TEST(Corrected, AWrongSignIsTurnedRoundAndAContactMarked) {
 /// [rad]
 Vector3d turnOf(const DiagnosedCause& cause) {
   Vector3d out;
-  for (Eigen::Index i = 0; i < 3; ++i) out(i) = parameter(cause, std::string("r") + "xyz"[i])->value;
+  for (Eigen::Index i = 0; i < 3; ++i) out(i) = findParameter(cause.parameters, std::string("r") + "xyz"[i])->value;
   return out * std::numbers::pi / 180.0;
 }
 
@@ -235,10 +235,10 @@ TEST(Corrected, WhatHappensAtOnceHasItsTimeAndItsGain) {
   const auto report = diagnosed(recording);
   const DiagnosedCause* load = named(report, "payload_change");
   ASSERT_NE(load, nullptr) << said(report);
-  const CauseParameter* time = parameter(*load, "time");
+  const CauseParameter* time = findParameter(load->parameters, "time");
   EXPECT_NEAR(time->value, 6.4617, 3.0 * time->std);
   EXPECT_LT(time->std, 0.02);
-  const CauseParameter* lasts = parameter(*load, "duration");
+  const CauseParameter* lasts = findParameter(load->parameters, "duration");
   ASSERT_NE(lasts, nullptr);
   EXPECT_LT(lasts->std, 0.1);
   EXPECT_LT(load->gain.forceAfter, 1.15 * report.noise.force);

@@ -158,12 +158,6 @@ inline const DiagnosedCause* named(const DiagnosisReport& report, std::string_vi
   return found == report.causes.end() ? nullptr : &*found;
 }
 
-/// Its parameter of that name, or null.
-inline const CauseParameter* parameter(const DiagnosedCause& cause, std::string_view name) {
-  const auto found = std::ranges::find_if(cause.parameters, [&](const auto& p) { return p.name == name; });
-  return found == cause.parameters.end() ? nullptr : &*found;
-}
-
 /// What a failing test shows of a report.
 inline std::string said(const DiagnosisReport& report) {
   std::string out(toString(report.verdict));

@@ -123,8 +123,8 @@ TEST(Diagnose, WhatIsPouredInIsAChangeOfLoad) {
   const auto report = diagnosed(aRecording(MotionKind::free, 182, {{"payload_change", "pour", 60.0}}));
   ASSERT_TRUE(namedFirstOrTied(report, "payload_change")) << said(report);
   const auto& parameters = report.causes.front().parameters;
-  const auto mass = std::ranges::find(parameters, "mass", &CauseParameter::name);
-  ASSERT_NE(mass, parameters.end());
+  const auto mass = findParameter(parameters, "mass");
+  ASSERT_NE(mass, nullptr);
   EXPECT_NEAR(mass->value, 60.0, 4.0 * mass->std);
   EXPECT_NE(report.causes.front().sentence.find("heavier"), std::string::npos) << report.causes.front().sentence;
 }
@@ -143,9 +143,8 @@ TEST(Diagnose, ALargeJumpOfTheZeroIsNoContact) {
     const auto report = diagnosed(recording);
     ASSERT_TRUE(namedFirstOrTied(report, "sensor_bias")) << at << ": " << said(report);
     const auto& parameters = report.causes.front().parameters;
-    const auto time = std::ranges::find(parameters, "time", &CauseParameter::name),
-               jump = std::ranges::find(parameters, "fx", &CauseParameter::name);
-    ASSERT_TRUE(time != parameters.end() && jump != parameters.end());
+    const auto time = findParameter(parameters, "time"), jump = findParameter(parameters, "fx");
+    ASSERT_TRUE(time && jump);
     EXPECT_NEAR(time->value, at, 0.03);
     EXPECT_NEAR(jump->value, 1.5, 0.15);
   }
@@ -254,7 +253,7 @@ TEST(Diagnose, NumbersMeanTheSameInEveryForm) {
     ASSERT_FALSE(report.causes.empty());
     const auto& found = report.causes.front();
     EXPECT_EQ(found.id, c.effect.id) << c.effect.form << ": " << said(report);
-    const CauseParameter* number = parameter(found, c.parameter);
+    const CauseParameter* number = findParameter(found.parameters, c.parameter);
     ASSERT_NE(number, nullptr) << said(report);
     EXPECT_NEAR(number->value, c.value, 4.0 * number->std) << c.effect.form << ": " << said(report);
   }
@@ -311,7 +310,7 @@ TEST(Diagnose, MotionThatWasSmoothedBeforeItWasRecorded) {
     EXPECT_NE(report.verdict, Verdict::unexplained) << toString(c.motion) << ": " << said(report);
     ASSERT_FALSE(report.causes.empty());
     ASSERT_EQ(report.causes.front().id, "derivative_noise") << toString(c.motion) << ": " << said(report);
-    const CauseParameter* width = parameter(report.causes.front(), "smoothing");
+    const CauseParameter* width = findParameter(report.causes.front().parameters, "smoothing");
     ASSERT_NE(width, nullptr) << toString(c.motion);
     EXPECT_NEAR(width->value, c.width_ms, 3.0 * width->std) << toString(c.motion);
     EXPECT_LT(width->std, 0.25 * c.width_ms) << toString(c.motion);

@@ -8,6 +8,7 @@
 #include <random>
 #include <tuple>
 
+#include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/touch_laws.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
@@ -52,12 +53,13 @@ TEST(NoContact, ASlackHoseIsOne) {
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   const DiagnosedCause* cable = named(report, "cable_pull");
   ASSERT_NE(cable, nullptr) << said(report);
-  ASSERT_NE(parameter(*cable, "anchor_x"), nullptr);
+  ASSERT_NE(findParameter(cable->parameters, "anchor_x"), nullptr);
   for (int axis = 0; axis < 3; ++axis) {
-    const CauseParameter* at = parameter(*cable, std::string("anchor_") + "xyz"[axis]);
+    const CauseParameter* at = findParameter(cable->parameters, std::string("anchor_") + "xyz"[axis]);
     EXPECT_NEAR(at->value, 1e3 * anchor(axis), 4.0 * at->std + 5.0) << at->name;
   }
-  EXPECT_NEAR(parameter(*cable, "stiffness")->value, 12.0, 4.0 * parameter(*cable, "stiffness")->std);
+  EXPECT_NEAR(findParameter(cable->parameters, "stiffness")->value, 12.0,
+              4.0 * findParameter(cable->parameters, "stiffness")->std);
 }
 
 /// A taut rope of rubber on 120 mm of hook: a spring towards one spot would be too soft, and different to each side.
@@ -75,11 +77,13 @@ TEST(NoContact, ATautCableHasALength) {
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   const DiagnosedCause* cable = named(report, "cable_pull");
   ASSERT_NE(cable, nullptr) << said(report);
-  ASSERT_NE(parameter(*cable, "length"), nullptr) << said(report);
-  EXPECT_NEAR(parameter(*cable, "length")->value, 120.0, 4.0 * parameter(*cable, "length")->std + 2.0);
-  EXPECT_NEAR(parameter(*cable, "stiffness")->value, 8.0, 4.0 * parameter(*cable, "stiffness")->std + 0.05);
+  ASSERT_NE(findParameter(cable->parameters, "length"), nullptr) << said(report);
+  EXPECT_NEAR(findParameter(cable->parameters, "length")->value, 120.0,
+              4.0 * findParameter(cable->parameters, "length")->std + 2.0);
+  EXPECT_NEAR(findParameter(cable->parameters, "stiffness")->value, 8.0,
+              4.0 * findParameter(cable->parameters, "stiffness")->std + 0.05);
   for (int axis = 0; axis < 3; ++axis) {
-    const CauseParameter* at = parameter(*cable, std::string("anchor_") + "xyz"[axis]);
+    const CauseParameter* at = findParameter(cable->parameters, std::string("anchor_") + "xyz"[axis]);
     EXPECT_NEAR(at->value, 1e3 * anchor(axis), 4.0 * at->std + 5.0) << at->name;
   }
 }
@@ -167,7 +171,7 @@ TEST(NoContact, AZeroTakenAgainAndAgainIsNone) {
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "sensor_bias") << said(report);
   for (const auto& [name, truth] : {std::pair{"time", times[0]}, {"time_2", times[1]}, {"time_3", times[2]}}) {
-    const auto* at = parameter(report.causes.front(), name);
+    const auto* at = findParameter(report.causes.front().parameters, name);
     ASSERT_NE(at, nullptr) << name << ": " << said(report);
     EXPECT_NEAR(at->value, truth, 0.02) << name;
   }
@@ -253,6 +257,33 @@ TEST(NoContact, ADeadBandIsUnknownAndACoarseZeroIsNone) {
   EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
 }
 
+/// One bit of the converter stays zero: half of all readings are lower by its worth. They were spikes.
+TEST(NoContact, ABitThatIsStuckIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  const Recording whole = recording;
+  auto fy = recording.wrench.col(1);
+  const double worth = 0.04 * (fy.maxCoeff() - fy.minCoeff());
+  for (double& reading : fy) {
+    const double steps = std::floor(reading / worth);
+    if (std::fmod(std::abs(steps), 2.0) == 1.0) reading -= worth;
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "steps that a channel never reads") << said(report);
+  EXPECT_EQ(named(report, "spikes"), nullptr) << said(report);
+  const auto bits = diagnosis::stuckBits(recording);
+  ASSERT_EQ(bits.size(), 1u);
+  EXPECT_EQ(bits.front().channel, 1);
+  EXPECT_NEAR(bits.front().worth, worth, 0.1 * worth);
+
+  EXPECT_TRUE(diagnosis::stuckBits(whole).empty());
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const double step = 0.02 * recording.wrench.col(c).cwiseAbs().maxCoeff();
+    recording.wrench.col(c) = (whole.wrench.col(c) / step).array().round().matrix() * step;
+  }
+  EXPECT_TRUE(diagnosis::stuckBits(recording).empty());
+}
+
 TEST(NoContact, AChannelThatNeverChangesIsSaid) {
   Recording recording = aRecording(MotionKind::free, 304);
   recording.wrench.col(5).setConstant(0.012);
@@ -310,7 +341,7 @@ TEST(NoContact, AllThreeAnglesOfATurnedSensor) {
   ASSERT_NE(rotation, nullptr) << said(report);
   EXPECT_EQ(named(report, "joint_offset"), nullptr) << said(report);
   for (int axis = 0; axis < 3; ++axis) {
-    const CauseParameter* angle = parameter(*rotation, std::string("r") + "xyz"[axis]);
+    const CauseParameter* angle = findParameter(rotation->parameters, std::string("r") + "xyz"[axis]);
     ASSERT_NE(angle, nullptr) << said(report);
     EXPECT_NEAR(angle->value, turned(axis) * 180.0 / std::numbers::pi, 4.0 * angle->std) << angle->name;
   }
@@ -375,7 +406,7 @@ TEST(NoContact, ADriftThatIsFastAtFirstIsOne) {
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "bias_drift") << said(report);
   EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
-  const auto* constant = parameter(report.causes.front(), "time_constant");
+  const auto* constant = findParameter(report.causes.front().parameters, "time_constant");
   ASSERT_NE(constant, nullptr) << said(report);
   EXPECT_NEAR(constant->value, 1.2, 4.0 * constant->std);
 }
@@ -390,7 +421,7 @@ TEST(NoContact, ADriftThatBeginsAtSomeMomentIsOne) {
   EXPECT_EQ(report.causes.front().id, "bias_drift") << said(report);
   EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
   for (const auto& [name, truth] : {std::pair{"time", kBegins}, {"time_constant", kSettles}}) {
-    const auto* found = parameter(report.causes.front(), name);
+    const auto* found = findParameter(report.causes.front().parameters, name);
     ASSERT_NE(found, nullptr) << name << ": " << said(report);
     EXPECT_NEAR(found->value, truth, 4.0 * found->std) << name;
   }

@@ -51,7 +51,7 @@ TEST(Swinging, APartWhoseWeightStaysInPlace) {
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "loose_mass") << said(report);
   for (const auto& [name, truth] : {std::pair{"mass", 1e3 * kMass}, {"frequency", kFrequency}, {"damping", kDamping}}) {
-    const auto* found = parameter(report.causes.front(), name);
+    const auto* found = findParameter(report.causes.front().parameters, name);
     ASSERT_NE(found, nullptr) << name;
     EXPECT_NEAR(found->value, truth, 4.0 * found->std) << name;
   }
@@ -113,7 +113,7 @@ TEST(Diagnose, WhatRingsAfterAHardStopIsTheMount) {
       }
       const DiagnosedCause* mount = named(report, "flexible_mount");
       ASSERT_NE(mount, nullptr) << frequency << " Hz, " << seed << ": " << said(report);
-      const CauseParameter* told = parameter(*mount, "frequency");
+      const CauseParameter* told = findParameter(mount->parameters, "frequency");
       EXPECT_NEAR(told->value, frequency, 3.0 * told->std) << seed;
       EXPECT_EQ(named(report, "contact"), nullptr) << said(report);
     }

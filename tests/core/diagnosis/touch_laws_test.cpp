@@ -119,7 +119,7 @@ TEST(TouchLaws, APartThatIsCarriedIsALoad) {
   const DiagnosedCause* load = named(report, "payload_change");
   ASSERT_NE(load, nullptr) << said(report);
   EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
-  const CauseParameter* mass = parameter(*load, "mass");
+  const CauseParameter* mass = findParameter(load->parameters, "mass");
   EXPECT_NEAR(mass->value, 180.0, 3.0 * mass->std + 2.0);
   ASSERT_EQ(load->when.size(), 2u);
   EXPECT_NEAR(load->when[0].first, 2.1, 0.3);

@@ -94,8 +94,8 @@ TEST(Diagnose, ADriftThatAllChannelsTakeTogetherHasAnyCourse) {
   EXPECT_EQ(cause.id, "bias_drift") << said(report);
   EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
   EXPECT_NE(cause.sentence.find("to and fro"), std::string::npos) << cause.sentence;
-  const auto fx = std::ranges::find(cause.parameters, "fx", &CauseParameter::name);
-  ASSERT_NE(fx, cause.parameters.end()) << said(report);
+  const auto fx = findParameter(cause.parameters, "fx");
+  ASSERT_NE(fx, nullptr) << said(report);
   EXPECT_NEAR(std::abs(fx->value), range(0), 0.05);
   // Whoever leaves it out of the catalogue does not get it by way of a walk.
   const auto without = diagnosed(recording, {"bias_drift"});
