@@ -59,9 +59,9 @@ void keepOneOfTwo(Work& work) {
   }
 }
 
-/// Whether any amplitude of `cause` is known to differ from none by that many deviations, or all of them together where
-/// it has several terms.
-bool standsOut(const Fit& fit, std::string_view cause, double deviations) {
+/// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
+bool standsOut(const Fit& fit, std::string_view cause) {
+  constexpr double kDeviations = 3.0;
   const VectorXd std = fit.std();
   std::vector<Eigen::Index> all;
   std::vector<double> sizes;
@@ -71,14 +71,33 @@ bool standsOut(const Fit& fit, std::string_view cause, double deviations) {
       if (term.form->cause->id() != cause || !term.moves(p)) continue;
       all.push_back(at + p);
       sizes.push_back(term.v(p) - term.form->start(p));
-      if (std::abs(sizes.back()) > deviations * std(all.back())) return true;
+      if (std::abs(sizes.back()) > kDeviations * std(all.back())) return true;
     }
     at += term.v.size();
   }
   if (all.size() < 2) return false;
   const Eigen::Map<const VectorXd> size(sizes.data(), std::ssize(sizes));
   return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) >
-         deviations * deviations * static_cast<double>(all.size());
+         kDeviations * kDeviations * static_cast<double>(all.size());
+}
+
+/// Whether a cause of one number is nothing, as far as that is known.
+bool isNothing(const Fit& fit, const Found& found) {
+  const Term* only = nullptr;
+  Eigen::Index at = kLinear, from = kLinear;
+  for (const Term& term : fit.model.terms) {
+    if (causeOf(term) == found.cause) {
+      if (only != nullptr) return false;
+      only = &term;
+      from = at;
+    }
+    at += term.v.size();
+  }
+  if (only == nullptr || only->v.size() != 1) return false;
+  double variance = fit.covariance(from, from);
+  for (const VectorXd& more : {only->form->cause->modelStd(*only->form, only->v), found.spread})
+    if (more.size() == 1) variance += more(0) * more(0);
+  return std::pow(only->v(0) - only->form->start(0), 2) < variance;
 }
 
 /// How long a term with a place in time acts [s].
@@ -111,13 +130,12 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   const auto anyTerm = [&](const auto& is) {
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
   };
+  if (isNothing(final, found)) return false;
   if (needed.moreOfFaint &&
       found.gain < (anyTerm([](const Term& t) { return takesAnyCourse(*t.form); }) ? kAnyCourse : kNamed))
     return false;
-  // Beside something unknown, what may as well be nothing is a part of that. What is nothing gained by how the noise
-  // was learned, such as around a zero that walked until then.
-  constexpr double kNothing = 1.0, kBesideUnknown = 3.0;  // Deviations
-  if (!standsOut(final, found.cause, needed.always > 0.0 ? kBesideUnknown : kNothing)) return false;
+  // Beside something unknown, what may as well be nothing is a part of that.
+  if (needed.always > 0.0 && !standsOut(final, found.cause)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
   const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);
@@ -174,6 +192,14 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool he
     cause.before = std::move(before);
     cause.after = out.last;
   }
+  // What only made up for another one that did not hold.
+  if (out.dropped)
+    std::erase_if(kept, [&](const auto& each) {
+      if (!isNothing(search.final, *each.first)) return false;
+      search.final = fitModel(work.signals, work.stretches, without(search.final.model, each.first->cause));
+      out.last = heldOutResidual(work.signals, work.stretches, search.final);
+      return true;
+    });
   for (const Found& found : search.found) {
     const auto cause = kept.find(&found);
     if (cause == kept.end()) continue;

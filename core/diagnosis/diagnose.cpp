@@ -101,7 +101,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles or poses are not used, here or for the payload.
-    if (direct.cause == "motion_lag" || direct.cause == "derivative_noise") dropReportedVelocities(out.cleaned);
+    if (direct.ofVelocities) dropReportedVelocities(out.cleaned);
     // Cut off flat for so long that nothing else would be left to judge: then those rows are better than none.
     constexpr double kLeast = 3.0;  // [s]
     const auto cut = std::ranges::count(direct.rows, true), judged = std::ssize(direct.rows) - cut;
@@ -344,7 +344,10 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
     out.causes.push_back(fromMistake(*out.mistake, was, out.baseline));
     out.baseline.force = std::max(out.baseline.force, was.force);
   }
-  if (found->noisy) out.causes.push_back(fromNoisyMotion(*found->noisy));
+  // Coarse angles or poses say why their accelerations are noisy.
+  const bool coarse = std::ranges::any_of(
+      readings->directs, [](const Direct& d) { return d.cause == "derivative_noise" && !d.ofVelocities; });
+  if (found->noisy && !coarse) out.causes.push_back(fromNoisyMotion(*found->noisy));
   const auto isFitted = [&](std::string_view id) {
     return std::ranges::find(fitted.causes, id, &DiagnosedCause::id) != fitted.causes.end();
   };
@@ -352,7 +355,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (work.carried) out.causes.push_back(fromCarried(*work.carried));
   for (const auto& direct : readings->directs)
     if (!isFitted(direct.cause)) out.causes.push_back(fromDirect(direct));
-  if (!work.contacts.empty()) {
+  if (!work.contacts.empty() && !sayFaintTouches(work, fitted.causes, out)) {
     const bool named = contains(final.model, work.touchedOr);
     out.causes.push_back(
         fromContacts(work.contacts, final.residual, named ? std::string() : work.touchedOr, out.noise.force));

@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 38> kNames = {{
+constexpr std::array<Name, 42> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -54,6 +54,10 @@ constexpr std::array<Name, 38> kNames = {{
     {"turning_way", heft::toSay("Forgotten after, of the load's range")},
     {"warm_up", heft::toSay("Time constant of warming up T")},
     {"step_force", heft::toSay("Step of the force readings")},
+    {"line", heft::toSay("Time from corner to corner")},
+    {"step_angle", heft::toSay("Step of the angles")},
+    {"step_place", heft::toSay("Step of the positions")},
+    {"window", heft::toSay("Mean over T")},
     {"growth", heft::toSay("Gain of all channels changes by")},
 }};
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/diagnosis/clipping.h"
+#include "core/diagnosis/coarse_motion.h"
+#include "core/diagnosis/steps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
 
@@ -61,28 +64,26 @@ std::optional<Direct> quantisation(const Recording& recording) {
       ++fresh;
       still += y(i) == y(i - 1) ? 1 : 0;
     }
-    std::vector<double> levels(y.data(), y.data() + n);
-    std::sort(levels.begin(), levels.end());
-    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    if (levels.size() < 4 || static_cast<double>(still) < kStill * static_cast<double>(fresh)) continue;
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < levels.size(); ++i) steps.push_back(levels[i] - levels[i - 1]);
-    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-    const double usual = steps[steps.size() / 2], range = levels.back() - levels.front();
-    const double step = range / std::round(range / usual);  // The digits of the file are little of all steps together
-    // Every level is a whole number of steps away from the lowest, but for the digits of the file or a finer converter
-    // behind it.
-    const bool regular = std::all_of(levels.begin(), levels.end(), [&](double level) {
-      const double count = (level - levels.front()) / step;
-      return std::abs(count - std::nearbyint(count)) < 0.1;
-    });
-    if (!regular) continue;
-    coarsest[c / 3] = std::max(coarsest[c / 3], step);
+    if (static_cast<double>(still) < kStill * static_cast<double>(fresh)) continue;
+    if (const auto step = stepOf({y.begin(), y.end()})) coarsest[c / 3] = std::max(coarsest[c / 3], *step);
   }
   if (coarsest[0] > 0.0) out.parameters.push_back({"step_force", "N", coarsest[0], 0.0});
   if (coarsest[1] > 0.0) out.parameters.push_back({"step_torque", "N m", coarsest[1], 0.0});
   if (out.parameters.empty()) return std::nullopt;
   out.cause = "quantisation";
+  return out;
+}
+
+/// Angles or poses from which no acceleration can be worked out as it was.
+std::optional<Direct> coarse(const Recording& recording) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const auto motion = coarseMotion(recording);
+  if (!motion) return std::nullopt;
+  Direct out;
+  out.cause = "derivative_noise";
+  if (motion->every > 0.0) out.parameters.push_back({"line", "ms", 1e3 * motion->every, 0.0});
+  if (motion->stepAngle > 0.0) out.parameters.push_back({"step_angle", "deg", kDegrees * motion->stepAngle, 0.0});
+  if (motion->stepPlace > 0.0) out.parameters.push_back({"step_place", "mm", 1e3 * motion->stepPlace, 0.0});
   return out;
 }
 
@@ -162,7 +163,12 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));
   if (auto found = spikes(facts.spikes, recording.rows())) out.push_back(std::move(*found));
-  for (auto& found : reportedVelocities(recording, motion)) out.push_back(std::move(found));
+  const auto rough = coarse(recording);
+  for (auto& found : reportedVelocities(recording, motion)) {
+    // What does not agree with coarse positions may well be right.
+    if (!rough) out.push_back(std::move(found));
+  }
+  if (rough) out.push_back(*rough);
   return out;
 }
 

@@ -24,7 +24,8 @@ struct Direct {
   std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
   double pValue = 0.0;
   std::vector<std::string> alternatives;
-  std::vector<bool> rows;  ///< Of the recording: not to be trusted; empty: all are fine.
+  std::vector<bool> rows;     ///< Of the recording: not to be trusted; empty: all are fine.
+  bool ofVelocities = false;  ///< Those that were reported are wrong; the positions are fine.
 };
 
 /// What is known of the rows before they are judged.

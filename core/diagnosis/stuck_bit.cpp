@@ -28,8 +28,8 @@ std::vector<Gap> gapsIn(const std::vector<double>& ordered) {
 }  // namespace
 
 std::vector<StuckBit> stuckBits(const Recording& recording) {
-  constexpr std::size_t kFewest = 4;          // Gaps
-  constexpr double kOff = 0.15, kMost = 0.8;  // How far a gap may be off in width and place, and how many must not be
+  constexpr std::size_t kFewest = 4;         // Gaps
+  constexpr double kOff = 0.2, kMost = 0.8;  // How far a gap may be off in width and place, and how many must not be
   std::vector<StuckBit> out;
   for (Eigen::Index c = 0; c < 6; ++c) {
     std::vector<double> ordered(recording.wrench.col(c).begin(), recording.wrench.col(c).end());
@@ -41,9 +41,8 @@ std::vector<StuckBit> stuckBits(const Recording& recording) {
     const double worth = median(widths);
     std::size_t fits = 0;
     for (std::size_t i = 1; i < gaps.size(); ++i) {
-      // Where nothing was read for a while, some are not seen.
-      const double steps = (gaps[i].from - gaps[i - 1].from) / (2.0 * worth);
-      fits += std::abs(gaps[i].width / worth - 1.0) < kOff && steps > 0.5 && std::abs(steps - std::round(steps)) < kOff;
+      const double apart = (gaps[i].from - gaps[i - 1].from) / worth;
+      fits += std::abs(gaps[i].width / worth - 1.0) < kOff && std::abs(apart - 2.0) < kOff ? 1 : 0;
     }
     if (static_cast<double>(fits) > kMost * static_cast<double>(gaps.size() - 1)) out.push_back({c, worth});
   }

@@ -15,6 +15,10 @@ constexpr double kUnexplained = 18.5;
 /// and makes it what remains, unless something else does. `known`: single readings tell of something wrong with them.
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out);
 
+/// Says so where contacts are too faint to tell a touch from whatever else lasts a moment; true if they are. Then they
+/// are what remains, unless that is little beside what `fitted` causes explain.
+bool sayFaintTouches(const Work& work, const std::vector<DiagnosedCause>& fitted, DiagnosisReport& out);
+
 /// Says which channels give one value for all that is small: the catalogue has no such cause, so that is what remains.
 void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out);
 

@@ -186,6 +186,7 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
                                                       comparison.lacks(mean.lag) > kLacks) {
     Direct found;
     found.cause = "derivative_noise";
+    found.ofVelocities = true;
     found.parameters = {{"window", "ms", 2e3 * mean.lag, 2e3 * comparison.deviation(meanAround, mean)}};
     out.push_back(std::move(found));
     return out;
@@ -194,6 +195,7 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
   if (lags) {
     Direct found;
     found.cause = "motion_lag";
+    found.ofVelocities = true;
     // A robot smooths its joints' velocities; what that makes of the tool's depends on how the arm stands.
     constexpr double kOfJoints = 0.06;
     const double ofJoints = motion.q.cols() == motion.size() ? 0.0 : kOfJoints * late.lag;
@@ -204,12 +206,14 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
   if (std::abs(scale - 1.0) > kLossNamed) {
     Direct found;
     found.cause = "derivative_noise";
+    found.ofVelocities = true;
     found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
     out.push_back(std::move(found));
   } else if (const double noise = comparison.leftOver(lags ? late : plain);
              !lags && noise > std::max(kNoiseMatters, kNoiseNamed * comparison.speed())) {
     Direct found;
     found.cause = "derivative_noise";
+    found.ofVelocities = true;
     found.parameters = {{"noise", "%", 100.0 * noise / std::max(1e-9, comparison.speed()), 0.5}};
     out.push_back(std::move(found));
   }

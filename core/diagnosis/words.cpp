@@ -368,6 +368,18 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return heft::say(
         "The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.",
         number(v.value("force_noise"), 2), number(v.value("corner"), 0));
+  if (id == "derivative_noise" && v.find("line"))
+    return heft::say(
+        "The motion is recorded every {} ms only, with straight lines between: accelerations from it are wrong at "
+        "every "
+        "corner.",
+        number(v.value("line"), 0));
+  if (id == "derivative_noise" && v.find("step_angle"))
+    return heft::say("The joint angles come in steps of {} degrees: accelerations from them are rough.",
+                     number(v.value("step_angle"), 2));
+  if (id == "derivative_noise" && v.find("step_place"))
+    return heft::say("The positions come in steps of {} mm: accelerations from them are rough.",
+                     number(v.value("step_place"), 2));
   if (id == "derivative_noise" && v.find("smoothing"))
     return heft::say(
         "The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too "

@@ -6826,6 +6826,62 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} % of the readings were handed out a second time, in place of new ones.</source>
         <translation>{} % der Anzeigen wurden ein zweites Mal ausgegeben, statt neuer.</translation>
     </message>
+    <message>
+        <source>Time from corner to corner</source>
+        <translation>Zeit von Ecke zu Ecke</translation>
+    </message>
+    <message>
+        <source>Step of the angles</source>
+        <translation>Stufe der Winkel</translation>
+    </message>
+    <message>
+        <source>Step of the positions</source>
+        <translation>Stufe der Positionen</translation>
+    </message>
+    <message>
+        <source>Mean over T</source>
+        <translation>Mittel über T</translation>
+    </message>
+    <message>
+        <source>readings of another moment</source>
+        <translation>Messwerten eines anderen Augenblicks</translation>
+    </message>
+    <message>
+        <source>{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch from anything else.</source>
+        <translation>{} Abschnitte, zusammen {:.1f} s, wurden ausgelassen: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Record the motion once more and keep clear of everything.</source>
+        <translation>Nehmen Sie die Bewegung noch einmal auf und halten Sie dabei von allem Abstand.</translation>
+    </message>
+    <message>
+        <source>a few moments alone</source>
+        <translation>einigen Augenblicken allein</translation>
+    </message>
+    <message>
+        <source>{} leaves out every other step of {:.2g} {}: a bit of its converter never changes.</source>
+        <translation>{} lässt jede zweite Stufe von {:.2g} {} aus: Ein Bit des Wandlers ändert sich nie.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor&apos;s electronics; if that does not help, have them mended.</source>
+        <translation>Starten Sie die Elektronik des Sensors neu; hilft das nicht, lassen Sie sie reparieren.</translation>
+    </message>
+    <message>
+        <source>steps that a channel never reads</source>
+        <translation>Stufen, die ein Kanal nie anzeigt</translation>
+    </message>
+    <message>
+        <source>The motion is recorded every {} ms only, with straight lines between: accelerations from it are wrong at every corner.</source>
+        <translation>Die Bewegung wurde nur alle {} ms aufgezeichnet, dazwischen gerade Linien: Beschleunigungen daraus sind an jeder Ecke falsch.</translation>
+    </message>
+    <message>
+        <source>The joint angles come in steps of {} degrees: accelerations from them are rough.</source>
+        <translation>Die Gelenkwinkel kommen in Stufen von {} Grad: Beschleunigungen daraus sind grob.</translation>
+    </message>
+    <message>
+        <source>The positions come in steps of {} mm: accelerations from them are rough.</source>
+        <translation>Die Positionen kommen in Stufen von {} mm: Beschleunigungen daraus sind grob.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "core/diagnosis/clipping.h"
+#include "core/diagnosis/coarse_motion.h"
+#include "core/diagnosis/corrected.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
@@ -325,6 +329,33 @@ TEST(SampleTests, EvenStampsAreThoseOfTheRows) {
   // All of them are late by the mean of the lateness; nothing else is left.
   const VectorXd left = found->even - exact.time;
   EXPECT_LT((left.array() - left.mean()).abs().maxCoeff(), 5e-5);
+}
+
+/// Angles that are rounded to a quarter of a degree, or interpolated between a few: accelerations from them are not
+/// what they were. Nothing was said of either.
+TEST(SampleTests, CoarseAnglesAreNamed) {
+  const Recording fine = aRecording(MotionKind::excitation, 16);
+  Recording rounded = fine;
+  const double step = std::numbers::pi / 720.0;
+  rounded.q = (fine.q / step).array().round().matrix() * step;
+  Recording lines = fine;
+  const auto every = static_cast<Eigen::Index>(0.05 * fine.rateHz());
+  for (Eigen::Index i = 0; i < fine.rows(); ++i) {
+    const Eigen::Index from = i / every * every, to = std::min(fine.rows() - 1, from + every);
+    const double share = to > from ? static_cast<double>(i - from) / static_cast<double>(to - from) : 0.0;
+    lines.q.row(i) = (1.0 - share) * fine.q.row(from) + share * fine.q.row(to);
+  }
+  for (const auto& [recording, parameter, size] : {std::tuple{rounded, "step_angle", 0.25}, {lines, "line", 50.0}}) {
+    const auto report = diagnosed(recording);
+    const DiagnosedCause* cause = named(report, "derivative_noise");
+    ASSERT_NE(cause, nullptr) << said(report);
+    const CauseParameter* found = findParameter(cause->parameters, parameter);
+    ASSERT_NE(found, nullptr) << parameter;
+    EXPECT_NEAR(found->value, size, 0.02 * size);
+    EXPECT_NE(cause->sentence.find("ccelerations"), std::string::npos) << cause->sentence;
+    EXPECT_FALSE(canApply(report, *cause));
+  }
+  EXPECT_FALSE(diagnosis::coarseMotion(fine));
 }
 
 /// Hardly any reading of one channel was inside the sensor's range: it was refused, as if all of it were contact.

@@ -119,5 +119,25 @@ TEST(Diagnose, WhatRingsAfterAHardStopIsTheMount) {
     }
 }
 
+/// A motor with a rotor out of balance runs for two seconds, hard stops among them: it does not die away as a mount
+/// does.
+TEST(Diagnose, ARotorThatRunsForAWhileIsNoMount) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    RandomStream random(seed, RandomPurpose::effect);
+    HardStops path(random);
+    Recording recording = along(path, aTool(), {1000.0, 4e-6, 0.0, 0.02, 0.0016}, random, Mount{});
+    for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+      const double t = recording.time(i), size = 0.4 * std::clamp(std::min(t - 5.8, 8.6 - t) / 0.3, 0.0, 1.0),
+                   phase = 2.0 * std::numbers::pi * 14.7 * t;
+      const Vector3d force(size * std::cos(phase), size * std::sin(phase), 0.0);
+      recording.wrench.row(i).head<3>() += force.transpose();
+      recording.wrench.row(i).tail<3>() += Vector3d(0.01, 0.02, 0.09).cross(force).transpose();
+    }
+    const auto report = diagnosed(recording);
+    EXPECT_EQ(report.verdict, Verdict::unexplained) << seed << ": " << said(report);
+    EXPECT_EQ(named(report, "flexible_mount"), nullptr) << seed << ": " << said(report);
+  }
+}
+
 }  // namespace
 }  // namespace heft::test

@@ -127,6 +127,17 @@ TEST(TouchLaws, APartThatIsCarriedIsALoad) {
   EXPECT_TRUE(canApply(report, *load));
 }
 
+/// Somebody sets the sensor computer's clock for a while: the readings there are of a moment later.
+TEST(TouchLaws, AClockThatIsSetIsNone) {
+  Recording recording = aRecording(MotionKind::excitation, 338);
+  const Recording asItWas = recording;
+  const auto later = static_cast<Eigen::Index>(0.14 * recording.rateHz());
+  for (Eigen::Index i = 0; i + later + 1 < recording.rows(); ++i)
+    if (recording.time(i) > 5.0 && recording.time(i) < 6.0)
+      recording.wrench.row(i) = 0.5 * (asItWas.wrench.row(i + later) + asItWas.wrench.row(i + later + 1));
+  expectUnknown(recording, "readings of another moment");
+}
+
 /// Doors slam, and the floor shakes the base for a moment while the arm moves smoothly: nothing set a mount ringing.
 TEST(TouchLaws, AFloorThatRingsIsNoMount) {
   Recording recording = aRecording(MotionKind::excitation, 337);
