@@ -64,7 +64,7 @@ double coarsestOf(const MatrixXd& columns) {
 
 std::optional<CoarseMotion> coarseMotion(const Recording& recording) {
   // Robots report angles to a few thousandths of a degree at worst, trackers places to a tenth of a millimetre.
-  constexpr double kFineAngle = 5e-4, kFinePlace = 5e-4;
+  constexpr double kFineAngle = 2e-4, kFinePlace = 3e-4;
   CoarseMotion out;
   if (recording.rateHz() > 0.0) out.every = cornersEvery(motionColumns(recording), recording.rateHz());
   if (recording.q.rows() > 0)

@@ -104,6 +104,9 @@ class Beyond {
   /// In units in which the usual is 1 on each channel.
   Wrenches scaled(const Wrenches& wrench) const { return power_.cwiseSqrt().cwiseInverse().asDiagonal() * wrench; }
 
+  /// Power that is usual on the channels [N^2, (N m)^2].
+  const Vector6d& usual() const { return power_; }
+
   const Wrenches should;
 
  private:
@@ -166,6 +169,20 @@ bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, co
     left += least;
   }
   return left < (1.0 - kMostly) * all;
+}
+
+/// Whether there is hardly any force to the torques of the contacts, as where a rotor is turned: who pushes would have
+/// to do so farther away than the tool reaches.
+bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
+  constexpr double kReach = 0.6;  // [m]
+  double force = 0.0, torque = 0.0;
+  for (const Contact& contact : contacts) {
+    const Eigen::Index count = contact.blocks.to - contact.blocks.from;
+    const auto here = fit.residual.middleCols(contact.blocks.from, count);
+    force += here.topRows<3>().squaredNorm() - static_cast<double>(count) * beyond.usual().head<3>().sum();
+    torque += here.bottomRows<3>().squaredNorm() - static_cast<double>(count) * beyond.usual().tail<3>().sum();
+  }
+  return torque > kReach * kReach * std::max(0.0, force);
 }
 
 /// Whether what seems to be contact are channels that are mixed up for a while, as by a cable or a parser out of step:
@@ -282,6 +299,7 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   if (areMixedUp(signals, fit, contacts, beyond)) return heft::toSay("channels that are mixed up for a while");
   if (growTogether(fit, contacts, beyond)) return heft::toSay("the size of all readings together");
   if (areClockwork(signals, fit, contacts)) return heft::toSay("time alone, as regular as a clock");
+  if (areTorquesAlone(fit, contacts, beyond)) return heft::toSay("torques without a force");
   if (std::string place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;
   if (contacts.size() < 2) return {};
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;

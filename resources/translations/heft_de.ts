@@ -6882,6 +6882,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>The positions come in steps of {} mm: accelerations from them are rough.</source>
         <translation>Die Positionen kommen in Stufen von {} mm: Beschleunigungen daraus sind grob.</translation>
     </message>
+    <message>
+        <source>torques without a force</source>
+        <translation>Drehmomenten ohne eine Kraft</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -138,6 +138,19 @@ TEST(TouchLaws, AClockThatIsSetIsNone) {
   expectUnknown(recording, "readings of another moment");
 }
 
+/// A spindle spins up twice: turning the tool takes a torque then, and no force.
+TEST(TouchLaws, ASpindleThatIsTurnedIsNone) {
+  Recording recording = aRecording(MotionKind::free, 339);
+  add(recording, [](const Motion& motion, Eigen::Index k, double t) {
+    const double spins = std::clamp(std::min(t - 3.0, 5.5 - t) / 0.3, 0.0, 1.0) +
+                         std::clamp(std::min(t - 8.0, 10.0 - t) / 0.3, 0.0, 1.0);
+    Vector6d out = Vector6d::Zero();
+    out.tail<3>() = motion.omega.col(k).cross(Vector3d(0.0, 0.05, 0.2)) * spins;
+    return out;
+  });
+  expectUnknown(recording, "torques without a force");
+}
+
 /// Doors slam, and the floor shakes the base for a moment while the arm moves smoothly: nothing set a mount ringing.
 TEST(TouchLaws, AFloorThatRingsIsNoMount) {
   Recording recording = aRecording(MotionKind::excitation, 337);
