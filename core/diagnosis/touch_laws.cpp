@@ -149,7 +149,7 @@ bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, co
   constexpr double kMostly = 0.6;
   constexpr double kReach = 0.3, kStep = 0.25;  // [s], [blocks]
   const auto most = static_cast<int>(kReach * signals.blockRate() / kStep);
-  double all = 1e-300, left = 0.0;
+  double all = 0.0, left = 0.0;
   for (const Contact& contact : contacts) {
     double least = 1e300, asItIs = 0.0;
     for (int i = -most; i <= most; ++i) {
@@ -175,21 +175,23 @@ bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, co
 /// to do so farther away than the tool reaches.
 bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kReach = 0.6;  // [m]
-  double force = 0.0, torque = 0.0;
+  constexpr double kLoud = 2.0;   // Times the power elsewhere: there are torques
+  double force = 0.0, torque = 0.0, usual = 0.0;
   for (const Contact& contact : contacts) {
     const Eigen::Index count = contact.blocks.to - contact.blocks.from;
     const auto here = fit.residual.middleCols(contact.blocks.from, count);
     force += here.topRows<3>().squaredNorm() - static_cast<double>(count) * beyond.usual().head<3>().sum();
-    torque += here.bottomRows<3>().squaredNorm() - static_cast<double>(count) * beyond.usual().tail<3>().sum();
+    torque += here.bottomRows<3>().squaredNorm();
+    usual += static_cast<double>(count) * beyond.usual().tail<3>().sum();
   }
-  return torque > kReach * kReach * std::max(0.0, force);
+  return torque > kLoud * usual && torque - usual > kReach * kReach * std::max(0.0, force);
 }
 
 /// Whether what seems to be contact are channels that are mixed up for a while, as by a cable or a parser out of step:
 /// in each of the contacts two of them read what the model says for each other, or one with the other sign.
 bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kNearlyAll = 0.92;
-  double all = 1e-300, left = 0.0;
+  double all = 0.0, left = 0.0;
   for (const Contact& contact : contacts) {
     const auto [from, to] = contact.blocks;
     VectorXd asTheyAre = VectorXd::Zero(to - from);
