@@ -213,6 +213,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   };
   const bool smooth = at > 0;
   auto found = searchedOn(at, kThreshold, [&](const Work& work, SoFar soFar) {
+    if (soFar == SoFar::anotherCause) return false;
     return smooth && soFar == SoFar::firstCause
                ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); })
                : betterElsewhere(work);

@@ -142,7 +142,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
     out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
     out.accepted = std::move(latest);
-    if (step == 0 && options.givesUp && options.givesUp(out.final, SoFar::firstCause)) {
+    if (options.givesUp && options.givesUp(out.final, step == 0 ? SoFar::firstCause : SoFar::anotherCause)) {
       out.givenUp = true;
       return out;
     }

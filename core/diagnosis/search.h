@@ -25,14 +25,14 @@ constexpr double kTie = 10.0;
 constexpr double kFaint = 50.0;
 
 /// How far a search has come when it is asked whether it ends there.
-enum class SoFar { firstCause, allCauses };
+enum class SoFar { firstCause, anotherCause, allCauses };
 
 struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;
   Model start;  ///< Terms to begin with, as a search on nearly the same blocks found them
-  /// Asked with the first cause accepted, and once more with all of them if these are several: whether the search is
-  /// given up there. Empty: never.
+  /// Asked with each cause accepted, and once more with all of them if these are several: whether the search is given
+  /// up there. Empty: never.
   std::function<bool(const Fit& fit, SoFar soFar)> givesUp;
 };
 

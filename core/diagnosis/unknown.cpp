@@ -122,8 +122,11 @@ void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
   out.findings.push_back(
       {Severity::warning,
        "odd_stretches",
-       heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
-                 std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
+       work.odd.size() == 1
+           ? heft::say("A stretch of {:.1f} s was left out: what acts there goes with {} and is no touch.", lasts,
+                       goesWithWords(work.oddGoesWith))
+           : heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
+                       std::ssize(work.odd), lasts, goesWithWords(work.oddGoesWith)),
        heft::say("Look at what switches, shakes or turns on the tool at these moments."),
        {}});
   if ((known && work.oddGoesWith != kOneChannel) || out.remaining.gain > evidence) return;
@@ -215,9 +218,14 @@ bool sayFaintTouches(const Work& work, const std::vector<DiagnosedCause>& fitted
   out.findings.push_back(
       {counts ? Severity::warning : Severity::info,
        "faint_stretches",
-       heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch from "
-                 "anything else.",
-                 std::ssize(work.contacts), lasts),
+       work.contacts.size() == 1
+           ? heft::say(
+                 "A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
+                 "else.",
+                 lasts)
+           : heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
+                       "from anything else.",
+                       std::ssize(work.contacts), lasts),
        heft::say("Record the motion once more and keep clear of everything."),
        {}});
   if (counts && evidence > out.remaining.gain) out.remaining = seen(heft::toSay("a few moments alone"), evidence);

@@ -394,9 +394,9 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     if (elsewise.share > kMuch) work.touchedOr = elsewise.cause;
     // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
     searching.start = Model{};
-    // A touch as the first cause says that somebody did.
+    // A touch among the causes says that somebody did.
     searching.givesUp = [](const Fit& fit, SoFar soFar) {
-      return soFar == SoFar::firstCause && contains(fit.model, "contact");
+      return soFar != SoFar::allCauses && contains(fit.model, "contact");
     };
     Work untouched;
     untouched.mistake = mistake;
@@ -406,11 +406,14 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     untouched.bank = work.bank;
     untouched.search = search(whole, untouched.stretches, untouched.bank, searching, progress);
     const auto contactsLeft = [&] {
-      Fit judged = untouched.search.final;
+      const Fit& final = untouched.search.final;
+      Fit judged = contains(final.model, "contact")
+                       ? fitModel(whole, untouched.stretches, without(final.model, "contact"))
+                       : final;
       judged.noise = work.search.final.noise;
       return contactsIn(whole, judged, candidates);
     };
-    const auto left = untouched.search.givenUp ? work.contacts : contactsLeft();
+    const auto left = untouched.search.order.size() > 1 || !untouched.search.givenUp ? contactsLeft() : work.contacts;
     if (left.empty()) {
       lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
       if (contactsLeft().empty()) work = std::move(untouched);

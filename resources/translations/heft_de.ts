@@ -6848,7 +6848,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch from anything else.</source>
-        <translation>{} Abschnitte, zusammen {:.1f} s, wurden ausgelassen: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
+        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
     </message>
     <message>
         <source>Record the motion once more and keep clear of everything.</source>
@@ -6885,6 +6885,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>torques without a force</source>
         <translation>Drehmomenten ohne eine Kraft</translation>
+    </message>
+    <message>
+        <source>A stretch of {:.1f} s was left out: what acts there goes with {} and is no touch.</source>
+        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
+    </message>
+    <message>
+        <source>A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything else.</source>
+        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
     </message>
 </context>
 <context>
