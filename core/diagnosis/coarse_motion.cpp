@@ -46,10 +46,9 @@ double cornersEvery(const MatrixXd& columns, double rateHz) {
   const double usual = median(apart);
   const auto regular = std::ranges::count_if(
       apart, [&](double rows) { return std::abs(rows - usual * std::max(1.0, std::round(rows / usual))) < 1.5; });
+  if (static_cast<double>(regular) <= kRegular * static_cast<double>(apart.size())) return 0.0;
   const double every = usual / rateHz;
-  return every > kLeast && every<kMost&& static_cast<double>(regular)> kRegular * static_cast<double>(apart.size())
-             ? every
-             : 0.0;
+  return every > kLeast && every < kMost ? every : 0.0;
 }
 
 /// The coarsest step of a few columns; 0 where none is regular.

@@ -124,6 +124,18 @@ bool isSmoothed(const Signals& signals, const Vector6d& usual, const Wrenches& s
 
 }  // namespace
 
+double evidenceOf(const std::vector<Contact>& contacts) {
+  double sum = 0.0;
+  for (const Contact& contact : contacts) sum += contact.evidence;
+  return sum;
+}
+
+double durationOf(const std::vector<Contact>& contacts) {
+  double sum = 0.0;
+  for (const Contact& contact : contacts) sum += contact.to - contact.from;
+  return sum;
+}
+
 std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts) {
   std::vector<Stretch> out;
   for (const Contact& contact : contacts) out.push_back(contact.blocks);

@@ -22,6 +22,10 @@ struct Contact {
 /// The contacts' stretches.
 std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts);
 
+/// Evidence for all of the contacts, and how long they last together [s].
+double evidenceOf(const std::vector<Contact>& contacts);
+double durationOf(const std::vector<Contact>& contacts);
+
 /// Mean power of what the fit leaves on each channel, where it is judged and outside of `stretches`.
 Vector6d usualPower(const Signals& signals, const Fit& fit, const std::vector<Stretch>& stretches);
 

@@ -194,9 +194,7 @@ void setRingingAside(Work& work, const Way& way) {
   std::erase_if(work.contacts, rings);
   std::erase_if(work.odd, rings);
   // Where it rings less, that is odd, too.
-  double others = 0.0;
-  for (const Contact& contact : work.odd) others += contact.evidence;
-  if (others < work.ringing->evidence) work.odd.clear();
+  if (evidenceOf(work.odd) < work.ringing->evidence) work.odd.clear();
 }
 
 }  // namespace heft::diagnosis

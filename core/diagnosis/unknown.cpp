@@ -114,11 +114,7 @@ void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
 
 /// What was set aside and is no contact is unknown, unless single readings are `known` to be wrong all over.
 void saySomethingOdd(const Work& work, bool known, DiagnosisReport& out) {
-  double evidence = 0.0, lasts = 0.0;
-  for (const Contact& odd : work.odd) {
-    evidence += odd.evidence;
-    lasts += odd.to - odd.from;
-  }
+  const double evidence = evidenceOf(work.odd), lasts = durationOf(work.odd);
   out.findings.push_back(
       {Severity::warning,
        "odd_stretches",
@@ -207,11 +203,8 @@ bool sayFaintTouches(const Work& work, const std::vector<DiagnosedCause>& fitted
   constexpr double kTouch = 350.0;
   constexpr double kLittle = 0.15;  ///< Of the evidence of the other causes: what their forms do not quite have
   constexpr double kNoise = 75.0;   ///< With nothing else, chance: of 190 clean recordings one had 60
-  double evidence = 0.0, lasts = 0.0, others = 0.0;
-  for (const Contact& contact : work.contacts) {
-    evidence += contact.evidence;
-    lasts += contact.to - contact.from;
-  }
+  const double evidence = evidenceOf(work.contacts), lasts = durationOf(work.contacts);
+  double others = 0.0;
   if (evidence >= kTouch) return false;
   for (const DiagnosedCause& cause : fitted) others += cause.deltaBic;
   const bool counts = evidence > (fitted.empty() ? kNoise : kLittle * others);

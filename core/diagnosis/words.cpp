@@ -371,8 +371,7 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "derivative_noise" && v.find("line"))
     return heft::say(
         "The motion is recorded every {} ms only, with straight lines between: accelerations from it are wrong at "
-        "every "
-        "corner.",
+        "every corner.",
         number(v.value("line"), 0));
   if (id == "derivative_noise" && v.find("step_angle"))
     return heft::say("The joint angles come in steps of {} degrees: accelerations from them are rough.",

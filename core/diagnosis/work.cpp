@@ -46,12 +46,6 @@ void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
       signals.usable[static_cast<std::size_t>(n)] = false;
 }
 
-double evidenceOf(const std::vector<Contact>& contacts) {
-  double sum = 0.0;
-  for (const auto& contact : contacts) sum += contact.evidence;
-  return sum;
-}
-
 /// What is left of `contacts` if one cause is behind most of it, such as the end of the sensor's range, a jump of its
 /// zero or a cable that is slack elsewhere: that one looks like contact as long as it is set aside.
 struct Elsewise {
@@ -177,7 +171,7 @@ void setTouchesAside(Work& work) {
   if (found == search.found.end()) return;
   Signals& signals = work.signals;
   std::vector<Contact> touches;
-  double lasts = 0.0, longest = 0.0, peak = 0.0;
+  double longest = 0.0, peak = 0.0;
   for (const auto& term : search.final.model.terms) {
     if (term.form->cause->id() != "contact") continue;
     for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) {
@@ -193,10 +187,7 @@ void setTouchesAside(Work& work) {
   }
   // One touch may have taken several terms.
   touches = joined(std::move(touches), 0.3);
-  for (const Contact& touch : touches) {
-    lasts += touch.to - touch.from;
-    longest = std::max(longest, touch.to - touch.from);
-  }
+  for (const Contact& touch : touches) longest = std::max(longest, touch.to - touch.from);
   for (auto& touch : touches) touch.evidence = found->gain / static_cast<double>(touches.size());
   // Where the noise is louder for a while, something of it looks like a touch.
   const Wrenches& residual = search.final.residual;
@@ -207,7 +198,7 @@ void setTouchesAside(Work& work) {
   const bool touched = wereTouches(peak, evidence, longest, work);
   search.found.erase(found);
   Model model = without(search.final.model, "contact");
-  if (lasts < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && touched) {
+  if (durationOf(touches) < kMostOfTime * signals.duration() && std::ssize(touches) <= kMost && touched) {
     Signals less = signals;
     leaveOut(less, blocksOf(touches));
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
@@ -387,9 +378,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   // be several of them.
   constexpr double kMuch = 0.5, kLong = 0.3;
   constexpr double kHardlyAny = 0.15;  // Of the evidence for contact, where a cause in a form of its own takes the rest
-  double lasts = 0.0;
-  for (const Contact& contact : work.contacts) lasts += contact.to - contact.from;
-  const bool maybeNot = elsewise.share > kMuch || lasts > kLong * signals.duration();
+  const bool maybeNot = elsewise.share > kMuch || durationOf(work.contacts) > kLong * signals.duration();
   if (!work.contacts.empty() && maybeNot && !progress.cancelled()) {
     if (elsewise.share > kMuch) work.touchedOr = elsewise.cause;
     // Nobody need have touched anything where causes account for all of it together, such as a load that changes twice.
