@@ -147,10 +147,7 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
   if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
   if (cause.id == "contact" || cause.id == "payload_change") return !cause.when.empty();
   // Noisy or coarse angles are smoothed more, which every estimate does by itself.
-  constexpr std::array<std::string_view, 4> kOfPositions{"force_noise", "line", "step_angle", "step_place"};
-  const bool ofPositions = std::ranges::any_of(
-      kOfPositions, [&](std::string_view name) { return findParameter(cause.parameters, name) != nullptr; });
-  return cause.id == "jitter" || cause.id == "motion_lag" || (cause.id == "derivative_noise" && !ofPositions);
+  return cause.id == "jitter" || cause.ofVelocities;
 }
 
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,

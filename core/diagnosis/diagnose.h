@@ -45,6 +45,7 @@ struct DiagnosedCause {
   std::vector<CauseParameter> parameters;
   std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
   bool direct = false;                          ///< Seen in the samples themselves; evidence and gain are then empty.
+  bool ofVelocities = false;                    ///< Seen directly in the reported ones: they are wrong and not used.
   double deltaBic = 0.0, pValue = 0.0;
   diagnosis::Gain gain;               ///< On blocks that were held out, the other causes in place
   diagnosis::Wrenches before, after;  ///< 6 x N, left over on such blocks without and with it; empty if seen directly

@@ -115,6 +115,7 @@ DiagnosedCause fromDirect(const Direct& direct) {
   for (const auto& p : direct.parameters) out.parameters.push_back({p.name, p.unit, p.value, p.std});
   out.when = direct.when;
   out.direct = true;
+  out.ofVelocities = direct.ofVelocities;
   out.pValue = direct.pValue;
   out.alternatives = direct.alternatives;
   return out;

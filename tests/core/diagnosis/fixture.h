@@ -158,6 +158,11 @@ inline const DiagnosedCause* named(const DiagnosisReport& report, std::string_vi
   return found == report.causes.end() ? nullptr : &*found;
 }
 
+/// Whether a finding of that code is among the report's.
+inline bool finds(const DiagnosisReport& report, std::string_view code) {
+  return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.code == code; });
+}
+
 /// What a failing test shows of a report.
 inline std::string said(const DiagnosisReport& report) {
   std::string out(toString(report.verdict));

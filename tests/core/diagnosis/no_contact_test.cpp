@@ -8,7 +8,6 @@
 #include <random>
 #include <tuple>
 
-#include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/touch_laws.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
@@ -17,10 +16,6 @@
 
 namespace heft::test {
 namespace {
-
-bool finds(const DiagnosisReport& report, std::string_view code) {
-  return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
-}
 
 /// Adds `amplitude(t)` to force x and a tenth of a metre times it to torque y.
 template <class Amplitude>
@@ -234,63 +229,6 @@ TEST(NoContact, AFanIsHeardAndSoAreTheMains) {
   EXPECT_EQ(mains.remaining.goesWith, "a rhythm of 50 Hz");
   EXPECT_TRUE(finds(mains, "readings_hum"));
   EXPECT_FALSE(finds(diagnosed(aRecording(MotionKind::free, 304)), "readings_hum"));
-}
-
-/// A driver that gives zero for what is small made spikes and touches; a coarse converter's zero is a step like others.
-TEST(NoContact, ADeadBandIsUnknownAndACoarseZeroIsNone) {
-  Recording recording = aRecording(MotionKind::free, 304);
-  auto fx = recording.wrench.col(0);
-  const double width = 0.1 * fx.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < fx.size(); ++i)
-    fx(i) = (std::abs(fx(i)) < width ? 0.0 : fx(i)) - 0.7;  // The zero was set afterwards
-  const auto report = diagnosed(recording);
-  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "readings that stick at one value") << said(report);
-  EXPECT_TRUE(report.causes.empty()) << said(report);
-  EXPECT_TRUE(finds(report, "dead_band"));
-
-  Recording coarse = aRecording(MotionKind::free, 304);
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const double step = 0.02 * coarse.wrench.col(c).cwiseAbs().maxCoeff();
-    coarse.wrench.col(c) = (coarse.wrench.col(c) / step).array().round().matrix() * step;
-  }
-  EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
-}
-
-/// One bit of the converter stays zero: half of all readings are lower by its worth. They were spikes.
-TEST(NoContact, ABitThatIsStuckIsUnknown) {
-  Recording recording = aRecording(MotionKind::free, 304);
-  const Recording whole = recording;
-  auto fy = recording.wrench.col(1);
-  const double worth = 0.04 * (fy.maxCoeff() - fy.minCoeff());
-  for (double& reading : fy) {
-    const double steps = std::floor(reading / worth);
-    if (std::fmod(std::abs(steps), 2.0) == 1.0) reading -= worth;
-  }
-  const auto report = diagnosed(recording);
-  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "steps that a channel never reads") << said(report);
-  EXPECT_EQ(named(report, "spikes"), nullptr) << said(report);
-  const auto bits = diagnosis::stuckBits(recording);
-  ASSERT_EQ(bits.size(), 1u);
-  EXPECT_EQ(bits.front().channel, 1);
-  EXPECT_NEAR(bits.front().worth, worth, 0.1 * worth);
-
-  EXPECT_TRUE(diagnosis::stuckBits(whole).empty());
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const double step = 0.02 * recording.wrench.col(c).cwiseAbs().maxCoeff();
-    recording.wrench.col(c) = (whole.wrench.col(c) / step).array().round().matrix() * step;
-  }
-  EXPECT_TRUE(diagnosis::stuckBits(recording).empty());
-}
-
-TEST(NoContact, AChannelThatNeverChangesIsSaid) {
-  Recording recording = aRecording(MotionKind::free, 304);
-  recording.wrench.col(5).setConstant(0.012);
-  const auto report = diagnose(recording, &RobotModel::panda(), {});
-  ASSERT_FALSE(report);
-  EXPECT_NE(report.error().message.find("tz stays the same in nearly all rows"), std::string::npos)
-      << report.error().message;
 }
 
 /// Two gauges at their end bend the torques that they are a part of, too: what is set aside as contact explains

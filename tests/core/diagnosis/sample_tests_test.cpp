@@ -11,6 +11,7 @@
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/coarse_motion.h"
 #include "core/diagnosis/corrected.h"
+#include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
@@ -372,6 +373,63 @@ TEST(SampleTests, AChannelCutOffNearlyAlwaysIsStillJudged) {
   ASSERT_TRUE(report.ok()) << report.error().message;
   EXPECT_EQ(report->causes.front().id, "saturation") << said(*report);
   EXPECT_EQ(std::ranges::count(report->causes, "saturation", &DiagnosedCause::id), 1) << said(*report);
+}
+
+/// A driver that gives zero for what is small made spikes and touches; a coarse converter's zero is a step like others.
+TEST(SampleTests, ADeadBandIsUnknownAndACoarseZeroIsNone) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  auto fx = recording.wrench.col(0);
+  const double width = 0.1 * fx.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < fx.size(); ++i)
+    fx(i) = (std::abs(fx(i)) < width ? 0.0 : fx(i)) - 0.7;  // The zero was set afterwards
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "readings that stick at one value") << said(report);
+  EXPECT_TRUE(report.causes.empty()) << said(report);
+  EXPECT_TRUE(finds(report, "dead_band"));
+
+  Recording coarse = aRecording(MotionKind::free, 304);
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const double step = 0.02 * coarse.wrench.col(c).cwiseAbs().maxCoeff();
+    coarse.wrench.col(c) = (coarse.wrench.col(c) / step).array().round().matrix() * step;
+  }
+  EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
+}
+
+/// One bit of the converter stays zero: half of all readings are lower by its worth. They were spikes.
+TEST(SampleTests, ABitThatIsStuckIsUnknown) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  const Recording whole = recording;
+  auto fy = recording.wrench.col(1);
+  const double worth = 0.04 * (fy.maxCoeff() - fy.minCoeff());
+  for (double& reading : fy) {
+    const double steps = std::floor(reading / worth);
+    if (std::fmod(std::abs(steps), 2.0) == 1.0) reading -= worth;
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "steps that a channel never reads") << said(report);
+  EXPECT_EQ(named(report, "spikes"), nullptr) << said(report);
+  const auto bits = diagnosis::stuckBits(recording);
+  ASSERT_EQ(bits.size(), 1u);
+  EXPECT_EQ(bits.front().channel, 1);
+  EXPECT_NEAR(bits.front().worth, worth, 0.1 * worth);
+
+  EXPECT_TRUE(diagnosis::stuckBits(whole).empty());
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const double step = 0.02 * recording.wrench.col(c).cwiseAbs().maxCoeff();
+    recording.wrench.col(c) = (whole.wrench.col(c) / step).array().round().matrix() * step;
+  }
+  EXPECT_TRUE(diagnosis::stuckBits(recording).empty());
+}
+
+TEST(SampleTests, AChannelThatNeverChangesIsSaid) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  recording.wrench.col(5).setConstant(0.012);
+  const auto report = diagnose(recording, &RobotModel::panda(), {});
+  ASSERT_FALSE(report);
+  EXPECT_NE(report.error().message.find("tz stays the same in nearly all rows"), std::string::npos)
+      << report.error().message;
 }
 
 }  // namespace
