@@ -176,6 +176,7 @@ DiagnosedCause fromRinging(const Ringing& ringing) {
   out.direct = true;
   out.parameters = {{"frequency", "Hz", ringing.frequencyHz, ringing.frequencyStd},
                     {"damping", "", ringing.damping, ringing.dampingStd}};
+  if (ringing.struck) out.parameters.push_back({"strikes", "", static_cast<double>(ringing.when.size()), 0.0});
   out.when = ringing.when;
   out.deltaBic = ringing.evidence;
   out.pValue = chanceOf(out.deltaBic);

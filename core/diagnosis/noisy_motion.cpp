@@ -16,17 +16,17 @@ WrenchRms leftOver(const Way& way) {
   return rmsOf(stretches, fitModel(way.signals, stretches, Model{}).residual);
 }
 
-/// Standard deviation of what changes from row to row of the noisiest column and is no motion: third differences.
+/// Standard deviation of what changes within `apart` rows of the noisiest column and is no motion: third differences.
 template <class Columns>
-double noiseFromRowToRow(const Columns& columns) {
+double noiseWithin(Eigen::Index apart, const Columns& columns) {
   constexpr double kThird = 4.472135955;  // Root of 1 + 9 + 9 + 1
   double out = 0.0;
-  const Eigen::Index n = columns.rows() - 3;
+  const Eigen::Index n = columns.rows() - 3 * apart;
   for (Eigen::Index c = 0; c < columns.cols() && n > 0; ++c) {
     std::vector<double> differences(static_cast<std::size_t>(n));
     for (Eigen::Index i = 0; i < n; ++i)
-      differences[static_cast<std::size_t>(i)] =
-          std::abs(columns(i + 3, c) - 3.0 * columns(i + 2, c) + 3.0 * columns(i + 1, c) - columns(i, c));
+      differences[static_cast<std::size_t>(i)] = std::abs(columns(i + 3 * apart, c) - 3.0 * columns(i + 2 * apart, c) +
+                                                          3.0 * columns(i + apart, c) - columns(i, c));
     out = std::max(out, 1.4826 * median(std::move(differences)) / kThird);
   }
   return out;
@@ -34,8 +34,11 @@ double noiseFromRowToRow(const Columns& columns) {
 
 /// Of the angles [rad], or of the pose: position [m] and orientation [rad], whichever is greater.
 double noiseOfMotion(const Recording& recording) {
-  if (recording.q.rows() > 0) return noiseFromRowToRow(recording.q);
-  return std::max(noiseFromRowToRow(recording.position), 2.0 * noiseFromRowToRow(recording.quaternion));
+  // Coarse steps change little from row to row, and a hand little within this time.
+  constexpr double kApart = 0.012;  // [s]
+  const auto apart = std::max<Eigen::Index>(1, std::lround(kApart * recording.rateHz()));
+  if (recording.q.rows() > 0) return noiseWithin(apart, recording.q);
+  return std::max(noiseWithin(apart, recording.position), 2.0 * noiseWithin(apart, recording.quaternion));
 }
 
 }  // namespace

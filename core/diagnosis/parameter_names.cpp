@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 42> kNames = {{
+constexpr std::array<Name, 43> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -35,6 +35,7 @@ constexpr std::array<Name, 42> kNames = {{
     {"mass", heft::toSay("Mass m")},
     {"frequency", heft::toSay("Frequency f")},
     {"damping", heft::toSay("Damping ratio ζ")},
+    {"strikes", heft::toSay("Struck from outside, times")},
     {"time", heft::toSay("At the time t")},
     {"duration", heft::toSay("Duration")},
     {"loss", heft::toSay("Missing share")},

@@ -1,10 +1,12 @@
 #include "core/diagnosis/ringing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/diagnosis/work.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
@@ -90,17 +92,24 @@ std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Sig
   return out;
 }
 
-/// Root mean square of what is left of each channel from reading to reading, where it is judged.
-Vector6d usualOf(const Signals& signals, const Wrenches& left) {
-  Vector6d out = Vector6d::Constant(1e-24);
-  double count = 1.0;
+/// Root of the usual power of what is left of each channel from reading to reading, where it is judged and outside
+/// `contacts`. What still rings there is not the usual.
+Vector6d usualOf(const Signals& signals, const Wrenches& left, const std::vector<Contact>& contacts) {
+  std::vector<bool> judged = signals.usable;
+  for (const Contact& contact : contacts)
+    std::fill(judged.begin() + contact.blocks.from, judged.begin() + contact.blocks.to, false);
+  std::array<std::vector<double>, 6> powers;
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
-    if (!signals.usable[static_cast<std::size_t>(n)]) continue;
-    const auto block = left.middleCols(n * signals.samplesPerBlock, signals.samplesPerBlock);
-    out += block.rowwise().squaredNorm();
-    count += static_cast<double>(signals.samplesPerBlock);
+    if (!judged[static_cast<std::size_t>(n)]) continue;
+    const Vector6d power =
+        left.middleCols(n * signals.samplesPerBlock, signals.samplesPerBlock).rowwise().squaredNorm();
+    for (std::size_t c = 0; c < 6; ++c)
+      powers[c].push_back(power(static_cast<Eigen::Index>(c)) / static_cast<double>(signals.samplesPerBlock));
   }
-  return (out / count).cwiseSqrt();
+  Vector6d out;
+  for (std::size_t c = 0; c < 6; ++c)
+    out(static_cast<Eigen::Index>(c)) = std::sqrt(powers[c].empty() ? 1.0 : std::max(1e-24, median(powers[c])));
+  return out;
 }
 
 }  // namespace
@@ -114,7 +123,7 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   if (signals.rateHz < 2.5 * kSoftest || contacts.empty()) return std::nullopt;
   const Wrenches expected = predicted(signals, model);
   const Wrenches raw = signals.readings - expected;
-  const Vector6d usual = usualOf(signals, raw);
+  const Vector6d usual = usualOf(signals, raw, contacts);
   const auto scaled = [&](const Wrenches& w) { return Wrenches(usual.cwiseInverse().asDiagonal() * w); };
   auto windows = windowsAfter(contacts, signals, scaled(expected), scaled(raw));
   std::erase_if(windows, [&](const Window& w) { return w.power < kLoud * static_cast<double>(w.left.size()); });
@@ -148,21 +157,31 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kLeast || out.damping >= kMost)
     return std::nullopt;
 
-  double left = 0.0, count = 0.0;
+  struct Rings {
+    const Window* window;
+    double explained;
+    bool struck;
+  };
+  std::vector<Rings> all;
   for (const Window& window : windows) {
     const MatrixXd swings = swingsOf(window, out.frequencyHz, out.damping, signals.rateHz);
     const MatrixXd amplitudes = swings.transpose() * window.left;
-    const auto size = static_cast<double>(window.left.size());
     const double explained = amplitudes.squaredNorm(),
                  begins = (swings * amplitudes).topRows(4).rowwise().norm().maxCoeff();
-    if (explained < (alone ? kPlainAlone : kPlain) * (window.power - size) || begins > kAtMost * window.setOff)
-      continue;
-    out.evidence += contacts[window.contact].evidence;
-    out.when.emplace_back(contacts[window.contact].from, signals.time(window.from + window.left.rows() - 1));
-    left += window.power - explained;
-    count += size;
+    if (explained > (alone ? kPlainAlone : kPlain) * (window.power - static_cast<double>(window.left.size())))
+      all.push_back({&window, explained, begins > kAtMost * window.setOff});
   }
-  if (out.when.empty()) return std::nullopt;
+  if (all.empty()) return std::nullopt;
+  out.struck = std::ranges::all_of(all, &Rings::struck);
+  if (!out.struck) std::erase_if(all, &Rings::struck);
+  double left = 0.0, count = 0.0;
+  for (const Rings& rings : all) {
+    const Contact& contact = contacts[rings.window->contact];
+    out.evidence += contact.evidence;
+    out.when.emplace_back(contact.from, signals.time(rings.window->from + rings.window->left.rows() - 1));
+    left += rings.window->power - rings.explained;
+    count += static_cast<double>(rings.window->left.size());
+  }
   // How far either may be off before the sum of squares grows by what one reading's leaves on average.
   const double unit = left / count;
   const auto deviation = [&](double df, double dd) {
@@ -179,14 +198,19 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
 }
 
 void setRingingAside(Work& work, const Way& way) {
-  // One that the blocks show a little of is the same mount.
-  const Model model = without(work.search.final.model, "flexible_mount");
   const auto signals = asIn(work, way);
   if (!signals) return;
   std::vector<Contact> all = work.contacts;
   for (const auto* more : {&work.odd, &work.smoothed}) all.insert(all.end(), more->begin(), more->end());
   std::ranges::sort(all, {}, &Contact::from);
-  work.ringing = ringingIn(*signals, model, all);
+  // One that the blocks show a little of is the same mount. What else swings may make noise of a motion that is
+  // smoothed less than the one in which it was found.
+  const Model found = without(work.search.final.model, "flexible_mount"),
+              bare = found.terms.empty() ? found : fitModel(*signals, work.stretches, Model{}).model;
+  const auto loudness = [&](const Model& model) {
+    return usualOf(*signals, signals->readings - predicted(*signals, model), all).array().log().sum();
+  };
+  work.ringing = ringingIn(*signals, !found.terms.empty() && loudness(bare) < loudness(found) ? bare : found, all);
   if (!work.ringing) return;
   const auto rings = [&](const Contact& contact) {
     return std::ranges::any_of(work.ringing->when, [&](const auto& when) { return when.first == contact.from; });

@@ -16,12 +16,14 @@ struct Ringing {
   double frequencyHz = 0.0, frequencyStd = 0.0;
   double damping = 0.0, dampingStd = 0.0;       ///< Share of the critical one
   double evidence = 0.0;                        ///< Of the contacts that it takes the place of
+  bool struck = false;                          ///< From outside: nothing in the motion set it off
   std::vector<std::pair<double, double>> when;  ///< [s], each from where a contact begins
 };
 
 /// Whether what `model` leaves of the readings after some of `contacts`, stretches in which it does not hold, is the
-/// free ringing of a mass on a spring, no larger than the force that the motion set it off with. `signals`: of the
-/// motion smoothed as little as can be, since at a stop smoothing leaves more than rings.
+/// free ringing of a mass on a spring: after those that the motion may have set off, where it rings no harder than that
+/// force accounts for; or else after all, which something outside then struck. `signals`: of the motion smoothed as
+/// little as can be, since at a stop smoothing leaves more than rings.
 std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, const std::vector<Contact>& contacts);
 
 /// Looks for it in what `work` has set aside, on the least smoothed `way`: Work::ringing, which then are no contacts.

@@ -184,12 +184,27 @@ void sayBursts(const Work& work, DiagnosisReport& out) {
   out.remaining = seen(heft::toSay("noise that comes and goes"));
 }
 
+/// What rings harder than the motion can set it off was struck by something, and whether that is what carries the tool
+/// or the ground no recording tells.
+void sayStruck(const Ringing& ringing, DiagnosisReport& out) {
+  out.findings.push_back({Severity::warning,
+                          "struck",
+                          heft::say("Something struck the tool or the ground, first at {:.1f} s: the motion alone sets "
+                                    "nothing ringing so hard.",
+                                    ringing.when.front().first),
+                          heft::say("Find out what knocks, and record once more without it."),
+                          {}});
+  if (out.remaining.gain < ringing.evidence)
+    out.remaining = seen(heft::toSay("blows that the motion does not explain"), ringing.evidence);
+}
+
 }  // namespace
 
 void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
   sayHiddenInTime(work, out);
   sayHiddenByDrift(work, out);
   if (!work.odd.empty()) saySomethingOdd(work, known, out);
+  if (work.ringing && work.ringing->struck) sayStruck(*work.ringing, out);
   // Readings that were held, lost or late have lines of their own.
   if (known) return;
   if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);

@@ -311,6 +311,11 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "loose_mass")
     return heft::say("About {} g in the tool are loose and swing {} times a second.", v.size("mass"),
                      number(v.value("frequency"), 1));
+  if (id == "flexible_mount" && v.find("strikes"))
+    return heft::say(
+        "Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or what the "
+        "robot stands on.",
+        number(v.value("frequency"), 0));
   if (id == "flexible_mount")
     return heft::say("The tool's mount gives and rings at {} Hz.", number(v.value("frequency"), 0));
   if (id == "payload_change" && cause.direct)
@@ -427,6 +432,9 @@ std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& repor
     case FrameMistake::Kind::none:
       break;
   }
+  if (cause.id == "flexible_mount" && findParameter(cause.parameters, "strikes"))
+    return heft::say(
+        "Tap the tool, then what the robot stands on: which of them rings at this pitch? Tighten its screws.");
   return causeCheck(cause.id);
 }
 
