@@ -43,20 +43,25 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, dou
   return std::nullopt;
 }
 
-/// Whether a pull acts straight up or down where the tool's weight does: then gravity may be another than stated, or be
-/// taken out of the readings already, which no motion can tell from it.
+/// Whether a pull acts up or down where the tool's weight does: then gravity may be another than stated, or be taken
+/// out of the readings already, which no motion can tell from it. One that acts across gravity, too, is both.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
-  constexpr double kAside = 0.03, kNear = 0.015;  // Share of the force; [m]
-  const auto force = pullAtCentre(fit, "constant_pull", kNear);
-  return force && force->cross(gravity).norm() < kAside * force->norm() * gravity.norm();
+  constexpr double kAlong = 0.08, kNear = 0.015, kNearer = 0.008;  // Share of the force; [m], [m]
+  constexpr double kAside = 0.03;                                  // Of the force, where it is not known as closely
+  const auto near = pullAtCentre(fit, "constant_pull", kNear), nearer = pullAtCentre(fit, "constant_pull", kNearer);
+  return (near && near->cross(gravity).norm() < kAside * near->norm() * gravity.norm()) ||
+         (nearer && std::abs(nearer->dot(gravity)) > kAlong * nearer->norm() * gravity.norm());
 }
 
 /// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either, or give
 /// under the arm as it reaches out, as no cable does that is tied to the tool anywhere else.
 bool pullsAsTiltDoes(const Fit& fit, std::string_view cause, const Vector3d& gravity) {
-  constexpr double kAlong = 0.08, kNear = 0.008;  // Share of the force; [m]
+  constexpr double kAlong = 0.08, kAside = 0.03, kNear = 0.008;  // Share of the force, twice; [m]
   const auto force = pullAtCentre(fit, cause, kNear);
-  return force && std::abs(force->dot(gravity)) < kAlong * force->norm() * gravity.norm();
+  if (!force) return false;
+  const double size = force->norm() * gravity.norm();
+  return std::abs(force->dot(gravity)) < kAlong * size ||
+         (cause == "constant_pull" && force->cross(gravity).norm() > kAside * size);
 }
 
 /// What the scanned parameters of each term of `cause`, whose first one is a time, come to over what is realistic, in

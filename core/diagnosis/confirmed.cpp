@@ -120,7 +120,7 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   /// The share of that one's evidence. Of second causes in 544 recordings of two simulators, right ones had a ninth or
   /// more (but for one of two that either would do for); nine wrong ones had less and explained less than 0.03.
   constexpr double kFaintBeside = 0.12;
-  constexpr double kOfFaint = 0.012;  ///< Share for one that next to nothing speaks for
+  constexpr double kOfFaint = 0.012;  ///< Share for one that little speaks for
   constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
   /// Noise that is slow takes some course, too. Of 22 drifts that took any, the faintest had 230; of three clean
   /// recordings with slow noise that had one, the strongest 160.
@@ -144,9 +144,9 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   // What has its place in time can hardly be seen elsewhere. What begins and stays is seen on all later blocks.
   const bool helps = !faint && gain.explainedFraction > 0.0;
   if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, work.signals) < kBrief); })) return true;
-  const double least = leftover                      ? kOfLeftover
-                       : faint && needed.moreOfFaint ? std::max(needed.always, kOfFaint)
-                                                     : needed.always;
+  const double least = leftover                    ? kOfLeftover
+                       : found.gain < 2.0 * kFaint ? std::max(needed.always, kOfFaint)
+                                                   : needed.always;
   if (gain.explainedFraction > least) return mostly;
   // What has chosen from many frequencies or speeds explains a little of any noise.
   const bool chose = anyTerm([](const Term& t) { return t.form->scan.size() < t.form->parameters.size(); });

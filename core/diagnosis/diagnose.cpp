@@ -119,6 +119,12 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   return out;
 }
 
+/// Whether the motion was only recorded every now and then, and straight lines drawn in between.
+bool hasLongLines(const Direct& direct) {
+  constexpr double kLong = 80.0;  // [ms]
+  return std::ranges::any_of(direct.parameters, [](const auto& p) { return p.name == "line" && p.value > kLong; });
+}
+
 bool wasHeld(const Readings& readings) {
   return std::ranges::any_of(readings.directs, [](const Direct& direct) { return direct.cause == "dropouts"; });
 }
@@ -139,6 +145,9 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   if (!readings.cutsMost &&
       std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; }))
     options.hidden.emplace_back("saturation");
+  // A motion of straight lines has no swings that are faster than these are long.
+  if (std::ranges::any_of(readings.directs, hasLongLines))
+    for (const char* swings : {"loose_mass", "flexible_mount"}) options.hidden.emplace_back(swings);
   struct Smoothing {
     double place;  ///< Among those that smooth less and those that smooth more
     MotionOptions options;

@@ -1,6 +1,7 @@
 #pragma once
 // Moments at which something knocks: the readings shake for some hundredths of a second, faster than the model follows;
-// and bursts, which blocks still show.
+// bursts, which blocks still show; and single readings that are plainly wrong.
+#include <optional>
 #include <vector>
 
 #include "core/diagnosis/fit.h"
@@ -13,5 +14,9 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
 /// Times [s] of parts of `stretches`, a third of a second each, in which what the fit leaves is many times louder on
 /// some channel than it usually is, where the motion is as well known as elsewhere.
 std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+
+/// The time [s] of the block in `stretches` in which most is left by far, more than noise of any kind ever leaves: one
+/// moment at which a reading is plainly wrong. None where there is no such block.
+std::optional<double> glitchIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
 
 }  // namespace heft::diagnosis

@@ -219,18 +219,29 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
 }
 
 /// Whether all channels, the zero with them, read too little or too much by one factor at a time, as where the
-/// amplifier's supply dips: of 24 touches, such factors left 0.42 and more.
+/// amplifier's supply dips: of 24 touches, such factors left 0.42 and more. Or all forces by one and all torques by
+/// another, the same throughout, as where somebody changes their units.
 bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kLeft = 0.08;
   const Wrenches scaled = beyond.scaled(fit.residual), should = beyond.scaled(beyond.should);
-  double all = 1e-300, left = 0.0;
-  for (const Contact& contact : contacts)
-    for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
-      const double factor = scaled.col(n).dot(should.col(n)) / std::max(1e-300, should.col(n).squaredNorm());
-      all += scaled.col(n).squaredNorm();
-      left += (scaled.col(n) - factor * should.col(n)).squaredNorm();
+  const auto factorOf = [](const auto& is, const auto& of) {
+    return is.cwiseProduct(of).sum() / std::max(1e-300, of.squaredNorm());
+  };
+  double all = 1e-300, left = 0.0, leftByUnits = 0.0;
+  for (const Contact& contact : contacts) {
+    const auto [from, to] = contact.blocks;
+    const auto is = scaled.middleCols(from, to - from), of = should.middleCols(from, to - from);
+    const double force = factorOf(is.topRows<3>(), of.topRows<3>()),
+                 torque = factorOf(is.bottomRows<3>(), of.bottomRows<3>());
+    for (Eigen::Index n = 0; n < to - from; ++n) {
+      const double as = is.col(n).squaredNorm();
+      all += as;
+      left += (is.col(n) - factorOf(is.col(n), of.col(n)) * of.col(n)).squaredNorm();
+      leftByUnits += std::min(as, (is.col(n).head<3>() - force * of.col(n).head<3>()).squaredNorm() +
+                                      (is.col(n).tail<3>() - torque * of.col(n).tail<3>()).squaredNorm());
     }
-  return left < kLeft * all;
+  }
+  return std::min(left, leftByUnits) < kLeft * all;
 }
 
 /// Whether the contacts come like clockwork while the tool moves, each like the others in the tool's axes, as where a

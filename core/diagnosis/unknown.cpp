@@ -184,6 +184,21 @@ void sayBursts(const Work& work, DiagnosisReport& out) {
   out.remaining = seen(heft::toSay("noise that comes and goes"));
 }
 
+/// Where nothing else was found, one moment at which a reading is plainly wrong is no noise.
+void sayGlitch(const Work& work, DiagnosisReport& out) {
+  if (out.remaining.gain > kUnexplained || !work.contacts.empty() ||
+      !without(work.search.final.model, kWandering).terms.empty())
+    return;
+  const auto at = glitchIn(work.signals, work.stretches, work.search.final);
+  if (!at) return;
+  out.findings.push_back({Severity::warning,
+                          "glitch",
+                          heft::say("At {:.2f} s the readings leap to where no load takes them and back.", *at),
+                          heft::say("Check the sensor's cable and plug; mark the moment as \"ignore\"."),
+                          {}});
+  out.remaining = seen(heft::toSay("a few moments alone"));
+}
+
 /// What rings harder than the motion can set it off was struck by something, and whether that is what carries the tool
 /// or the ground no recording tells.
 void sayStruck(const Ringing& ringing, DiagnosisReport& out) {
@@ -210,6 +225,7 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
   if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);
   sayKnocks(work, out);
   sayBursts(work, out);
+  sayGlitch(work, out);
 }
 
 bool sayFaintTouches(const Work& work, const std::vector<DiagnosedCause>& fitted, DiagnosisReport& out) {

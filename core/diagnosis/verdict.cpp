@@ -74,14 +74,25 @@ Verdict verdictOf(const DiagnosisReport& report) {
   return tied ? Verdict::ambiguous : Verdict::explained;
 }
 
+/// Takes what many others would explain as well from among other causes: that something is left is all that is known of
+/// it. Whether there was any.
+bool dropAnyoneGuess(std::vector<DiagnosedCause>& causes) {
+  constexpr std::size_t kMany = 4;
+  if (fittedOf(causes) < 2) return false;
+  return std::erase_if(causes, [](const DiagnosedCause& c) {
+           return !c.direct && c.deltaBic < 2.0 * kFaint && c.alternatives.size() >= kMany;
+         }) > 0;
+}
+
 }  // namespace
 
 void giveVerdict(const Work& work, DiagnosisReport& out) {
   constexpr std::ptrdiff_t kSeveral = 3;
   /// Share of what several causes explain together; of right answers 0.72 was the most
   constexpr double kAsMuch = 0.9;
+  const bool guessed = dropAnyoneGuess(out.causes);
   out.verdict = verdictOf(out);
-  if (out.remaining.gain > kUnexplained) return;
+  if (out.verdict == Verdict::unexplained) return;
   // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.
   const bool strained = !out.causes.empty() && !believable(work.search.final),
              several = fittedOf(out.causes) >= kSeveral, patchwork = isPatchwork(work.search.final.model, out.causes);
@@ -91,11 +102,11 @@ void giveVerdict(const Work& work, DiagnosisReport& out) {
     return;
   }
   const double faint = faintEvidence(out.causes);
-  if (!strained && !several && !patchwork && faint <= 0.0) return;
+  if (!strained && !several && !patchwork && !guessed && faint <= 0.0) return;
   // What one unknown explains as well may be crutches for something that the catalogue lacks.
   const Structure plain = structureIn(work.signals, work.stretches, work.search.null);
   const double together = work.search.final.evidence - work.search.null.evidence;
-  if (strained || patchwork || areCrutches(out.causes) || (faint > 0.0 && plain.gain > faint + kTie) ||
+  if (strained || patchwork || guessed || areCrutches(out.causes) || (faint > 0.0 && plain.gain > faint + kTie) ||
       (several && plain.gain > kAsMuch * together)) {
     out.remaining = plain;
     out.verdict = Verdict::unexplained;
