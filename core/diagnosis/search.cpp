@@ -49,6 +49,12 @@ const Trial* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>
   return best->gain > least ? best : nullptr;
 }
 
+/// Whether there are as many causes as there never were at once: crutches for something unknown, and more of them tell
+/// no more of it. A zero that wanders is none.
+bool areTooMany(const std::vector<std::string>& order) {
+  return std::ranges::count_if(order, [](const std::string& cause) { return cause != kWandering; }) >= kCrutches;
+}
+
 }  // namespace
 
 Model without(const Model& model, std::string_view cause) {
@@ -83,8 +89,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     wanders = out.final.evidence - fitModel(signals, stretches, without(out.final.model, kWandering)).evidence;
   bool drifts = false;  // All channels take one course
   std::vector<Sibling> siblings;
-  for (int step = static_cast<int>(out.final.model.terms.size()); step < options.maxTerms && !progress.cancelled();
-       ++step) {
+  for (int step = static_cast<int>(out.final.model.terms.size());
+       step < options.maxTerms && !areTooMany(order) && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;

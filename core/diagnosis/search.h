@@ -24,6 +24,9 @@ constexpr double kTie = 10.0;
 /// Evidence below which simplicity alone does not name a cause.
 constexpr double kFaint = 50.0;
 
+/// Causes that make a patchwork: of 640 recordings five had so many, and what was wrong with these was unknown.
+constexpr std::ptrdiff_t kCrutches = 4;
+
 /// How far a search has come when it is asked whether it ends there.
 enum class SoFar { firstCause, anotherCause, allCauses };
 

@@ -18,6 +18,7 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr std::size_t kTried = 8;       ///< Causes that get a fit in a step
+constexpr std::size_t kTriedLater = 5;  ///< The same once there are several terms, which make each fit dear
 constexpr double kHopeful = 0.25;       ///< Of the evidence to beat: what a first look must promise
 constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 
@@ -247,10 +248,11 @@ std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& st
   // What waves promise says nothing of what a cause must.
   const auto first = std::ranges::find_if(ranked, [](const Candidate& c) { return !c.form.walk; });
   const double promised = first == ranked.end() ? 0.0 : first->score;
-  auto chosen = chosenOf(ranked, kTried, promised);
+  const std::size_t tries = base.model.terms.size() < 2 ? kTried : kTriedLater;
+  auto chosen = chosenOf(ranked, tries, promised);
   auto all = trialsOf(signals, stretches, base, chosen);
   if (!all.empty() && all.front().gain >= kHopeful * promised) return all;
-  auto others = chosenOf(ranked, kTried, 0.0);
+  auto others = chosenOf(ranked, tries, 0.0);
   std::erase_if(others, [&](const Candidate* c) { return std::find(chosen.begin(), chosen.end(), c) != chosen.end(); });
   auto more = trialsOf(signals, stretches, base, others);
   std::move(more.begin(), more.end(), std::back_inserter(all));

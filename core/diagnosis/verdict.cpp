@@ -23,12 +23,11 @@ std::ptrdiff_t fittedOf(const std::vector<DiagnosedCause>& causes) {
 /// unseen, or more than there ever were at once: crutches for something that the catalogue lacks.
 bool areCrutches(const std::vector<DiagnosedCause>& causes) {
   constexpr double kLittle = 0.3;
-  constexpr std::ptrdiff_t kMany = 4;  // Of 640 recordings five had so many, and what was wrong with these was unknown
   const auto fitted = fittedOf(causes);
   const auto all = [&](const auto& are) {
     return std::ranges::all_of(causes, [&](const DiagnosedCause& c) { return c.direct || are(c); });
   };
-  return fitted >= kMany || (fitted > 1 && all([](const DiagnosedCause& c) { return c.deltaBic < kFaint; })) ||
+  return fitted >= kCrutches || (fitted > 1 && all([](const DiagnosedCause& c) { return c.deltaBic < kFaint; })) ||
          (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kLittle; }));
 }
 
