@@ -6894,6 +6894,38 @@ Bitte prüfen Sie den Namen.</translation>
         <source>A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything else.</source>
         <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
     </message>
+    <message>
+        <source>Struck from outside, times</source>
+        <translation>Von außen angestoßen, Male</translation>
+    </message>
+    <message>
+        <source>At {:.2f} s the readings leap to where no load takes them and back.</source>
+        <translation>Bei {:.2f} s springen die Messwerte dorthin, wohin keine Last sie bringt, und zurück.</translation>
+    </message>
+    <message>
+        <source>Check the sensor&apos;s cable and plug; mark the moment as &quot;ignore&quot;.</source>
+        <translation>Prüfen Sie Kabel und Stecker des Sensors; markieren Sie den Moment als „nicht beachten“.</translation>
+    </message>
+    <message>
+        <source>Something struck the tool or the ground, first at {:.1f} s: the motion alone sets nothing ringing so hard.</source>
+        <translation>Etwas hat das Werkzeug oder den Boden angestoßen, zuerst bei {:.1f} s: Die Bewegung allein bringt nichts so stark zum Schwingen.</translation>
+    </message>
+    <message>
+        <source>Find out what knocks, and record once more without it.</source>
+        <translation>Finden Sie heraus, was da anstößt, und nehmen Sie ohne das noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>blows that the motion does not explain</source>
+        <translation>Stößen, die die Bewegung nicht erklärt</translation>
+    </message>
+    <message>
+        <source>Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or what the robot stands on.</source>
+        <translation>Etwas, das das Werkzeug trägt, gibt nach und schwingt mit {} Hz, wenn es angestoßen wird: seine Befestigung oder das, worauf der Roboter steht.</translation>
+    </message>
+    <message>
+        <source>Tap the tool, then what the robot stands on: which of them rings at this pitch? Tighten its screws.</source>
+        <translation>Klopfen Sie an das Werkzeug, dann an das, worauf der Roboter steht: Was davon klingt in dieser Tonhöhe? Ziehen Sie dort die Schrauben nach.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -432,5 +432,27 @@ TEST(SampleTests, AChannelThatNeverChangesIsSaid) {
       << report.error().message;
 }
 
+/// A driver that takes off what is small leaves a channel at zero wherever its load is less: that is no end of its
+/// range, though it reads nothing below.
+TEST(SampleTests, ZeroIsNoEndOfARange) {
+  Recording recording = aRecording(MotionKind::free, 304);
+  auto tx = recording.wrench.col(3);
+  const double middle = 0.5 * (tx.maxCoeff() + tx.minCoeff());
+  tx = (tx.array() - middle).max(0.0);
+  EXPECT_TRUE(diagnosis::rowFactsOf(recording).tops.empty());
+  tx.array() += 0.2;
+  EXPECT_FALSE(diagnosis::rowFactsOf(recording).tops.empty());
+}
+
+/// Positions in steps of 2 mm under a little noise: no two readings are the same, and a step is rare from row to row.
+TEST(SampleTests, CoarsePositionsUnderNoiseAreNamed) {
+  Recording recording = asPoses(aRecording(MotionKind::free, 17));
+  RandomStream random(17, RandomPurpose::encoder);
+  for (double& p : recording.position.reshaped()) p = 0.002 * std::round(p / 0.002) + 2e-5 * random.normal();
+  recording.twist.resize(0, 0);
+  const auto report = diagnosed(recording);
+  EXPECT_NE(named(report, "derivative_noise"), nullptr) << said(report);
+}
+
 }  // namespace
 }  // namespace heft::test

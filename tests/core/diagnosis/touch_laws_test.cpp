@@ -176,5 +176,39 @@ TEST(TouchLaws, AFloorThatRingsIsNotSurelyTheMount) {
   EXPECT_NE(rings->sentence.find("what the robot stands on"), std::string::npos) << rings->sentence;
 }
 
+/// A box is switched from N to pounds for a while, and its torques to another unit again.
+TEST(TouchLaws, UnitsThatChangeAreNone) {
+  Recording recording = aRecording(MotionKind::excitation, 341);
+  for (Eigen::Index i = 0; i < recording.rows(); ++i)
+    if (recording.time(i) > 5.0 && recording.time(i) < 7.6) {
+      recording.wrench.row(i).head<3>() *= 0.2248;
+      recording.wrench.row(i).tail<3>() *= 0.7376;
+    }
+  expectUnknown(recording, "the size of all readings together");
+}
+
+/// Somebody knocks at a tool on a soft adapter again and again: most of the time something rings, which is not the
+/// usual then. It was noise that comes and goes.
+TEST(TouchLaws, BlowsAgainAndAgainDoNotHideTheRinging) {
+  constexpr double kFrequency = 33.0, kDamping = 0.025;
+  Recording recording = aRecording(MotionKind::excitation, 342);
+  const double w = 2.0 * std::numbers::pi * kFrequency;
+  add(recording, [&](const Motion&, Eigen::Index, double t) {
+    double force = 0.0;
+    for (double at = 0.9; at < t; at += 0.9 + 0.15 * std::sin(7.0 * at))
+      force += 3.0 * std::exp(-kDamping * w * (t - at)) * std::sin(w * (t - at));
+    Vector6d out;
+    out << Vector3d(0.5, 0.8, 0.3) * force, aTool().com.cross(Vector3d(0.5, 0.8, 0.3)) * force;
+    return out;
+  });
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  const DiagnosedCause* rings = named(report, "flexible_mount");
+  ASSERT_NE(rings, nullptr) << said(report);
+  EXPECT_NEAR(findParameter(rings->parameters, "frequency")->value, kFrequency, 0.5);
+  EXPECT_NEAR(findParameter(rings->parameters, "damping")->value, kDamping, 0.005);
+  EXPECT_NE(findParameter(rings->parameters, "strikes"), nullptr);
+}
+
 }  // namespace
 }  // namespace heft::test
