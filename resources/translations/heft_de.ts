@@ -6904,7 +6904,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Check the sensor&apos;s cable and plug; mark the moment as &quot;ignore&quot;.</source>
-        <translation>Prüfen Sie Kabel und Stecker des Sensors; markieren Sie den Moment als „nicht beachten“.</translation>
+        <translation>Prüfen Sie Kabel und Stecker des Sensors; markieren Sie den Moment als „ignoriert“.</translation>
     </message>
     <message>
         <source>Something struck the tool or the ground, first at {:.1f} s: the motion alone sets nothing ringing so hard.</source>
