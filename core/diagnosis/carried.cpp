@@ -49,40 +49,75 @@ Best bestOf(const Wrenches& scaled, const std::vector<Contact>& contacts, const 
   return out;
 }
 
+constexpr double kShortest = 0.8;  ///< [s]
+
+/// What is left of a fit in `contacts`, as something that acts in all of them would make it.
+class LeftBy {
+ public:
+  LeftBy(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts)
+      : signals_(signals),
+        weight_(usualPower(signals, fit, blocksOf(contacts)).cwiseSqrt().cwiseInverse()),
+        scaled_(weight_.asDiagonal() * fit.residual) {}
+
+  /// Mass, and mass times its place.
+  Best load(const std::vector<Contact>& contacts) const {
+    const auto rows = [&](Eigen::Index n) -> Rows {
+      const Eigen::Index m = signals_.samplesPerBlock;
+      const auto mean = [&](const Eigen::Matrix3Xd& of) { return Vector3d(of.middleCols(n * m, m).rowwise().mean()); };
+      const Kinematics& kin = signals_.kinematics;
+      return weight_.asDiagonal() *
+             regressor({mean(kin.specificForce), mean(kin.omega), mean(kin.alpha)}).leftCols<4>();
+    };
+    return bestOf(scaled_, contacts, rows, 4);
+  }
+
+  /// Somebody who holds on to the tool pulls one way in the world, and turns it one way.
+  Best holding(const Contact& contact) const {
+    const auto rows = [&](Eigen::Index n) -> Rows {
+      const Eigen::Index m = signals_.samplesPerBlock;
+      Rows out = Rows::Zero(6, 6);
+      out.topLeftCorner<3, 3>() = signals_.R_BS[static_cast<std::size_t>(n * m + m / 2)].transpose();
+      out.bottomRightCorner<3, 3>().setIdentity();
+      return weight_.asDiagonal() * out;
+    };
+    return bestOf(scaled_, {contact}, rows, 6);
+  }
+
+  /// Another zero.
+  Best zero(const Contact& contact) const {
+    return bestOf(
+        scaled_, {contact}, [&](Eigen::Index) -> Rows { return weight_.asDiagonal(); }, 6);
+  }
+
+  double all(const std::vector<Contact>& contacts) const {
+    double out = 1e-300;
+    for (const Contact& c : contacts)
+      out += scaled_.middleCols(c.blocks.from, c.blocks.to - c.blocks.from).squaredNorm();
+    return out;
+  }
+
+ private:
+  const Signals& signals_;
+  Vector6d weight_;
+  Wrenches scaled_;
+};
+
 }  // namespace
 
 std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr double kShortest = 0.8;  // [s]
   // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
   // eight that were touched as long, the most like a load left 0.16 and seven times.
   constexpr double kLeft = 0.05, kOfHolding = 0.5;
   if (contacts.empty() || std::ranges::any_of(contacts, [](const Contact& c) { return c.to - c.from < kShortest; }))
     return std::nullopt;
-  const Vector6d weight = usualPower(signals, fit, blocksOf(contacts)).cwiseSqrt().cwiseInverse();
-  const Wrenches scaled = weight.asDiagonal() * fit.residual;
-  const Eigen::Index m = signals.samplesPerBlock;
-  const auto ofLoad = [&](Eigen::Index n) -> Rows {
-    const auto mean = [&](const Eigen::Matrix3Xd& of) { return Vector3d(of.middleCols(n * m, m).rowwise().mean()); };
-    const Kinematics& kin = signals.kinematics;
-    // Mass, and mass times its place.
-    return weight.asDiagonal() * regressor({mean(kin.specificForce), mean(kin.omega), mean(kin.alpha)}).leftCols<4>();
-  };
-  // Somebody who holds on to the tool pulls one way in the world, and turns it one way.
-  const auto ofHolding = [&](Eigen::Index n) -> Rows {
-    Rows out = Rows::Zero(6, 6);
-    out.topLeftCorner<3, 3>() = signals.R_BS[static_cast<std::size_t>(n * m + m / 2)].transpose();
-    out.bottomRightCorner<3, 3>().setIdentity();
-    return weight.asDiagonal() * out;
-  };
-  const Best load = bestOf(scaled, contacts, ofLoad, 4);
-  double all = 1e-300, leftByHolding = 0.0, blocks = 0.0;
+  const LeftBy leftBy(signals, fit, contacts);
+  const Best load = leftBy.load(contacts);
+  double leftByHolding = 0.0, blocks = 0.0;
   for (const Contact& contact : contacts) {
-    const Eigen::Index length = contact.blocks.to - contact.blocks.from;
-    all += scaled.middleCols(contact.blocks.from, length).squaredNorm();
-    leftByHolding += bestOf(scaled, {contact}, ofHolding, 6).left;
-    blocks += static_cast<double>(length);
+    leftByHolding += leftBy.holding(contact).left;
+    blocks += static_cast<double>(contact.blocks.to - contact.blocks.from);
   }
-  if (load.left > kLeft * all || load.left > kOfHolding * leftByHolding) return std::nullopt;
+  if (load.left > kLeft * leftBy.all(contacts) || load.left > kOfHolding * leftByHolding) return std::nullopt;
   Carried out;
   out.mass = load.parameters(0);
   out.massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * load.information.inverse()(0, 0));
@@ -98,6 +133,22 @@ void setCarriedAside(Work& work, const std::vector<std::string>& hidden) {
   if (std::ranges::find(hidden, kCause) != hidden.end() || contains(work.search.final.model, kCause)) return;
   work.carried = carriedIn(work.signals, work.search.final, work.contacts);
   if (work.carried) work.contacts.clear();
+}
+
+void setAgainAside(Work& work) {
+  constexpr double kLeftByLoad = 0.05, kLeftByZero = 0.02;
+  const Model& model = work.search.final.model;
+  const bool jumps = contains(model, "sensor_bias"), changes = contains(model, "payload_change");
+  if (work.contacts.empty() || (!jumps && !changes)) return;
+  const LeftBy leftBy(work.signals, work.search.final, work.contacts);
+  std::erase_if(work.contacts, [&](const Contact& contact) {
+    const double all = leftBy.all({contact});
+    const bool again =
+        contact.to - contact.from > kShortest && ((jumps && leftBy.zero(contact).left < kLeftByZero * all) ||
+                                                  (changes && leftBy.load({contact}).left < kLeftByLoad * all));
+    if (again) work.again.push_back(contact);
+    return again;
+  });
 }
 
 }  // namespace heft::diagnosis

@@ -25,4 +25,8 @@ std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const s
 /// the causes already, or hidden.
 void setCarriedAside(Work& work, const std::vector<std::string>& hidden);
 
+/// Contacts in which the zero was another one, where it jumps elsewhere, too, or the load, where that changes
+/// elsewhere, are no touches but that again: Work::again.
+void setAgainAside(Work& work);
+
 }  // namespace heft::diagnosis

@@ -109,11 +109,12 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   }
   const double total = static_cast<double>(n);
   const double lost = static_cast<double>(held + missing) / total;
-  if (lost < 0.002 && blanks.empty() && facts.replayed.empty()) return std::nullopt;
+  const double blank = static_cast<double>(zeros) / total;
+  if (lost < 0.002 && blank < 0.0005 && facts.replayed.empty()) return std::nullopt;
   Direct out;
   out.cause = "dropouts";
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
-                    {"zero", "%", 100.0 * static_cast<double>(zeros) / total, 0.0},
+                    {"zero", "%", 100.0 * blank, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
   if (replayed > 0) out.parameters.push_back({"replayed", "%", 100.0 * static_cast<double>(replayed) / total, 0.0});
   out.rows.assign(static_cast<std::size_t>(n), false);

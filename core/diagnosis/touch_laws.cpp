@@ -188,7 +188,8 @@ bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const
 }
 
 /// Whether what seems to be contact are channels that are mixed up for a while, as by a cable or a parser out of step:
-/// in each of the contacts two of them read what the model says for each other, or one with the other sign.
+/// in each of the contacts two of them, or two axes, read what the model says for each other, or one has the other
+/// sign.
 bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kNearlyAll = 0.92;
   double all = 0.0, left = 0.0;
@@ -199,19 +200,23 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
       for (Eigen::Index c = 0; c < 6; ++c) asTheyAre(n - from) += beyond.of(fit.residual(c, n), c);
     double least = asTheyAre.sum();
     all += least;
+    const auto readsAs = [&](Eigen::Index n, Eigen::Index channel, Eigen::Index other, double value) {
+      return beyond.of(signals.measured(channel, n) - value, other) - beyond.of(fit.residual(channel, n), channel);
+    };
+    const auto changeBy = [&](Eigen::Index n, Eigen::Index a, Eigen::Index b) {
+      return a == b ? readsAs(n, a, a, -beyond.should(a, n))
+                    : readsAs(n, a, b, beyond.should(b, n)) + readsAs(n, b, a, beyond.should(a, n));
+    };
+    const auto tryOut = [&](const auto& changeAt) {
+      double mixed = 0.0;
+      for (Eigen::Index n = from; n < to; ++n)
+        mixed += std::min(0.0, changeAt(n)) + asTheyAre(n - from);  // It begins and ends somewhere in the stretch
+      least = std::min(least, mixed);
+    };
     for (Eigen::Index a = 0; a < 6; ++a)
       for (Eigen::Index b = a; b < 6; ++b) {
-        double mixed = 0.0;
-        for (Eigen::Index n = from; n < to; ++n) {
-          const auto readsAs = [&](Eigen::Index channel, Eigen::Index other, double value) {
-            return beyond.of(signals.measured(channel, n) - value, other) -
-                   beyond.of(fit.residual(channel, n), channel);
-          };
-          const double change = a == b ? readsAs(a, a, -beyond.should(a, n))
-                                       : readsAs(a, b, beyond.should(b, n)) + readsAs(b, a, beyond.should(a, n));
-          mixed += std::min(0.0, change) + asTheyAre(n - from);  // It begins and ends somewhere in the stretch
-        }
-        least = std::min(least, mixed);
+        tryOut([&](Eigen::Index n) { return changeBy(n, a, b); });
+        if (b < 3) tryOut([&](Eigen::Index n) { return changeBy(n, a, b) + changeBy(n, a + 3, b + 3); });
       }
     left += least;
   }

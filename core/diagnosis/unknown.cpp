@@ -199,6 +199,18 @@ void sayGlitch(const Work& work, DiagnosisReport& out) {
   out.remaining = seen(heft::toSay("a few moments alone"));
 }
 
+/// Stretches in which a cause did once more what it does elsewhere.
+void sayAgain(const std::vector<Contact>& again, DiagnosisReport& out) {
+  for (const Contact& contact : again)
+    out.findings.push_back({Severity::info,
+                            "cause_again",
+                            heft::say("From {:.1f} to {:.1f} s the zero or the load was another one once more; that "
+                                      "stretch was left out.",
+                                      contact.from, contact.to),
+                            {},
+                            {}});
+}
+
 /// What rings harder than the motion can set it off was struck by something, and whether that is what carries the tool
 /// or the ground no recording tells.
 void sayStruck(const Ringing& ringing, DiagnosisReport& out) {
@@ -219,6 +231,7 @@ void sayWhatElse(const Work& work, const Recording& cleaned, bool known, Diagnos
   sayHiddenInTime(work, out);
   sayHiddenByDrift(work, out);
   if (!work.odd.empty()) saySomethingOdd(work, known, out);
+  sayAgain(work.again, out);
   if (work.ringing && work.ringing->struck) sayStruck(*work.ringing, out);
   // Readings that were held, lost or late have lines of their own.
   if (known) return;

@@ -346,6 +346,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     setTouchesAside(work);
     setKnocksAside(work);
     setCarriedAside(work, options.hidden);
+    setAgainAside(work);
     return work;
   }
   // Contact first; what the causes found elsewhere account for is no contact. Only what is left in the end is compared.
@@ -416,6 +417,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
   setTouchesAside(work);
   setKnocksAside(work);
   setCarriedAside(work, options.hidden);
+  setAgainAside(work);
   return work;
 }
 

@@ -56,6 +56,7 @@ struct Work {
   std::vector<Contact> odd;       ///< Set aside like contact, but no push
   std::string oddGoesWith;        ///< Not translated
   std::vector<Contact> smoothed;  ///< Left out as well, but nothing: left by the smoothing of the motion
+  std::vector<Contact> again;     ///< Left out as well: what a cause of the model did there once more
   std::optional<Ringing> ringing;
   std::optional<Carried> carried;
   std::optional<FrameMistake> mistake;

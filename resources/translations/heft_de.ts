@@ -6926,6 +6926,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Tap the tool, then what the robot stands on: which of them rings at this pitch? Tighten its screws.</source>
         <translation>Klopfen Sie an das Werkzeug, dann an das, worauf der Roboter steht: Was davon klingt in dieser Tonhöhe? Ziehen Sie dort die Schrauben nach.</translation>
     </message>
+    <message>
+        <source>From {:.1f} to {:.1f} s the zero or the load was another one once more; that stretch was left out.</source>
+        <translation>Von {:.1f} bis {:.1f} s war der Nullpunkt oder die Last noch einmal anders; dieser Abschnitt blieb außen vor.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
