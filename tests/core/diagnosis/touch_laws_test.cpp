@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/diagnosis/corrected.h"
+#include "core/diagnosis/work.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
 #include "core/wrench/regressor.h"
@@ -208,6 +209,44 @@ TEST(TouchLaws, BlowsAgainAndAgainDoNotHideTheRinging) {
   EXPECT_NEAR(findParameter(rings->parameters, "frequency")->value, kFrequency, 0.5);
   EXPECT_NEAR(findParameter(rings->parameters, "damping")->value, kDamping, 0.005);
   EXPECT_NE(findParameter(rings->parameters, "strikes"), nullptr);
+}
+
+/// The zero jumps, and later it is another one once more: that is no touch. A hand that pulls as long is one, and so is
+/// the same stretch where no zero jumps elsewhere.
+TEST(TouchLaws, AZeroThatIsAnotherOneOnceMoreIsNone) {
+  const auto leftAfter = [](bool ofHand, bool jumpsElsewhere) {
+    Recording recording = aRecording(MotionKind::excitation, 345);
+    add(recording, [&](const Motion& motion, Eigen::Index k, double t) {
+      Vector6d out = Vector6d::Zero();
+      if (t < 7.0 || t > 11.0) return out;
+      out << 1.2, -0.4, 0.9, 0.05, 0.08, -0.02;
+      if (ofHand) out.head<3>() = (motion.R_BS[static_cast<std::size_t>(k)].transpose() * out.head<3>()).eval();
+      return out;
+    });
+    diagnosis::Work work;
+    work.signals =
+        diagnosis::signalsOf(recording, motionOf(recording, &RobotModel::panda(), {}).value(), &RobotModel::panda());
+    diagnosis::Contact contact{7.0, 11.0, 1e4, {work.signals.blocks(), 0}, {}};
+    for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) {
+      const double t = work.signals.blockTime(n);
+      if (t > contact.from && t < contact.to) contact.blocks = {std::min(contact.blocks.from, n), n + 1};
+      work.signals.usable[static_cast<std::size_t>(n)] = t < contact.from || t > contact.to;
+    }
+    diagnosis::Model model;
+    if (jumpsElsewhere) {
+      const auto forms = diagnosis::findCause("sensor_bias")->forms(work.signals);
+      model.terms.push_back({std::make_shared<const diagnosis::Form>(forms.front()), forms.front().start, {}});
+    }
+    work.stretches = diagnosis::stretchesOf(work.signals.usable);
+    work.search.final = diagnosis::fitModel(work.signals, work.stretches, model);
+    work.contacts = {contact};
+    diagnosis::setAgainAside(work);
+    EXPECT_EQ(work.contacts.size() + work.again.size(), 1u);
+    return work.contacts.size();
+  };
+  EXPECT_EQ(leftAfter(false, true), 0u);
+  EXPECT_EQ(leftAfter(true, true), 1u);
+  EXPECT_EQ(leftAfter(false, false), 1u);
 }
 
 }  // namespace
