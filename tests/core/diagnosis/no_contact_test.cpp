@@ -10,7 +10,6 @@
 
 #include "core/diagnosis/touch_laws.h"
 #include "core/motion/motion.h"
-#include "core/payload/inertial_parameters.h"
 #include "core/robot/robot_model.h"
 #include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
@@ -555,31 +554,6 @@ TEST(NoContact, OneGlitchIsNotClean) {
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_TRUE(report.causes.empty()) << said(report);
   EXPECT_FALSE(finds(diagnosed(clean), "glitch"));
-}
-
-/// The tool turns by six degrees in its adapter: no load changed, and nobody pulls. Two causes that begin at that
-/// moment made up for it.
-TEST(NoContact, AToolThatSlipsOnceIsNotExplained) {
-  Recording recording = aRecording(MotionKind::free, 344);
-  const auto motion = motionOf(recording, &RobotModel::panda(), {}).value();
-  const Matrix3d turn =
-      Eigen::AngleAxisd(6.0 * std::numbers::pi / 180.0, Vector3d(0.3, -0.5, 0.8).normalized()).matrix();
-  const Vector10d before = toParameters(aTool());
-  Payload turned = aTool();
-  turned.com = turn * turned.com;
-  turned.inertiaCom = turn * turned.inertiaCom * turn.transpose();
-  const Vector10d change = toParameters(turned) - before;
-  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-    if (recording.time(i) < 6.3) continue;
-    const auto k = sampleAt(motion, recording.time(i));
-    const Regressor Y = regressor({motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)});
-    recording.wrench.row(i).head<3>() = (turn * recording.wrench.row(i).head<3>().transpose()).transpose();
-    recording.wrench.row(i).tail<3>() = (turn * recording.wrench.row(i).tail<3>().transpose()).transpose();
-    recording.wrench.row(i) += (Y * change).transpose();
-  }
-  const auto report = diagnosed(recording);
-  EXPECT_NE(report.verdict, Verdict::clean) << said(report);
-  EXPECT_NE(report.verdict, Verdict::explained) << said(report);
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+// What causes come to, taken together.
+#include "core/diagnosis/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include "core/robot/robot_model.h"
+#include "tests/core/diagnosis/fixture.h"
+
+namespace heft::test {
+namespace {
+
+using namespace diagnosis;
+
+/// A zero that jumps after 4 s and a load that becomes 150 g heavier after 8 s, both found.
+Work aJumpAndALoad() {
+  Recording recording = aRecording(MotionKind::excitation, 346);
+  const Motion motion = motionOf(recording, &RobotModel::panda(), {}).value();
+  Vector10d part = Vector10d::Zero();
+  part.head<4>() << 0.15, 0.003, 0.0, 0.012;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double t = recording.time(i);
+    const Eigen::Index k = sampleAt(motion, t);
+    if (t > 4.0) recording.wrench(i, 0) += 1.0;
+    if (t > 8.0)
+      recording.wrench.row(i) +=
+          (regressor({motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)}) * part).transpose();
+  }
+  Work work;
+  work.signals = signalsOf(recording, motion, &RobotModel::panda());
+  work.stretches = stretchesOf(work.signals.usable);
+  work.search.null = fitModel(work.signals, work.stretches, Model{});
+  Model model;
+  for (const auto& [cause, at] : {std::pair{"sensor_bias", 4.0}, {"payload_change", 8.0}}) {
+    Form form = findCause(cause)->forms(work.signals).front();
+    form.start(0) = at;
+    model.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
+  }
+  work.search.final = fitModel(work.signals, work.stretches, model);
+  return work;
+}
+
+DiagnosedCause fitted(const char* id, std::vector<CauseParameter> parameters = {}) {
+  DiagnosedCause out;
+  out.id = id;
+  out.deltaBic = 500.0;
+  out.gain.explainedFraction = 0.5;
+  out.parameters = std::move(parameters);
+  return out;
+}
+
+TEST(Verdict, TwoCausesOfOneMomentAreNeither) {
+  Work work = aJumpAndALoad();
+  DiagnosisReport report;
+  report.causes = {fitted("sensor_bias"), fitted("payload_change")};
+  giveVerdict(work, report);
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+
+  work.search.final.model.terms[0].v(0) = work.search.final.model.terms[1].v(0) + 0.04;
+  giveVerdict(work, report);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "sudden changes");
+  EXPECT_EQ(report.causes.size(), 2u);
+}
+
+TEST(Verdict, AMemoryLargerThanAnyIsSomethingElse) {
+  const Work work = aJumpAndALoad();
+  for (const auto& [share, verdict] : {std::pair{7.0, Verdict::explained}, {-25.0, Verdict::unexplained}}) {
+    DiagnosisReport report;
+    report.causes = {fitted("hysteresis", {{"fx", "%", share, 1.0}, {"turning_way", "%", 60.0, 2.0}})};
+    giveVerdict(work, report);
+    EXPECT_EQ(report.verdict, verdict) << share;
+  }
+}
+
+/// A small thing that remains is no reason to believe four causes at once: the question was not asked then.
+TEST(Verdict, FourCausesAreAPatchworkWhateverRemains) {
+  const Work work = aJumpAndALoad();
+  DiagnosisReport report;
+  report.causes = {fitted("viscous_drag"), fitted("constant_pull"), fitted("motion_lag"), fitted("coulomb_friction")};
+  report.remaining.gain = 30.0;  // Less than three hundredths of what these explain
+  giveVerdict(work, report);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+}
+
+/// Beside a stronger cause, what four others explain as well has no name.
+TEST(Verdict, AGuessBesideACauseIsNotNamed) {
+  const Work work = aJumpAndALoad();
+  DiagnosisReport report;
+  report.causes = {fitted("joint_offset"), fitted("sensor_rotation")};
+  report.causes[1].deltaBic = 25.0;
+  report.causes[1].alternatives = {"bias_drift", "contact", "gravity_tilt", "crosstalk"};
+  giveVerdict(work, report);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "joint_offset");
+}
+
+}  // namespace
+}  // namespace heft::test
