@@ -131,8 +131,9 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
   };
   if (isNothing(final, found)) return false;
-  if (needed.moreOfFaint &&
-      found.gain < (anyTerm([](const Term& t) { return takesAnyCourse(*t.form); }) ? kAnyCourse : kNamed))
+  if (found.gain < (anyTerm([](const Term& t) { return takesAnyCourse(*t.form); }) ? kAnyCourse
+                    : needed.moreOfFaint                                           ? kNamed
+                                                                                   : 0.0))
     return false;
   if (!standsOut(final, found.cause)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
@@ -151,6 +152,18 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   // What has chosen from many frequencies or speeds explains a little of any noise.
   const bool chose = anyTerm([](const Term& t) { return t.form->scan.size() < t.form->parameters.size(); });
   return !leftover && !chose && gain.explainedFraction > needed.always && gain.lower > 0.0 && mostly;
+}
+
+/// The fit with a zero that walks instead of a drift that takes any course, where that is more than nothing.
+Fit withWalkInstead(const Work& work, Fit rest) {
+  const Cause& walk = *findCause(kWandering);
+  Model model = rest.model;
+  for (Form& form : walk.forms(work.signals)) {
+    const VectorXd start = form.start;
+    model.terms.push_back({std::make_shared<const Form>(std::move(form)), start, {}});
+  }
+  Fit with = fitModel(work.signals, work.stretches, std::move(model));
+  return believable(with) && with.evidence > rest.evidence + kThreshold ? with : rest;
 }
 
 struct Round {
@@ -173,10 +186,17 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool he
     const bool turned =
         work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
     if (found->cause == kWandering || turned || ownErrors(work, *found)) continue;
-    Fit rest = fitModel(work.signals, work.stretches, without(search.final.model, found->cause));
+    const Model less = without(search.final.model, found->cause);
+    const bool anyCourse =
+        std::ranges::any_of(search.final.model.terms, [](const Term& t) { return takesAnyCourse(*t.form); });
+    Fit rest = fitModel(work.signals, work.stretches, less);
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
     const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
     if (!holds(*found, gain, work, order.back()->gain, needed)) {
+      if (anyCourse && found->cause == "bias_drift" && !walks(less)) {
+        rest = withWalkInstead(work, std::move(rest));
+        before = heldOutResidual(work.signals, work.stretches, rest);
+      }
       search.final = std::move(rest);
       out.last = std::move(before);
       out.dropped = true;
