@@ -221,8 +221,7 @@ void sayStruck(const Ringing& ringing, DiagnosisReport& out) {
                                     ringing.when.front().first),
                           heft::say("Find out what knocks, and record once more without it."),
                           {}});
-  if (out.remaining.gain < ringing.evidence)
-    out.remaining = seen(heft::toSay("blows that the motion does not explain"), ringing.evidence);
+  if (out.remaining.gain < ringing.evidence) out.remaining = seen(heft::toSay("blows from outside"), ringing.evidence);
 }
 
 }  // namespace

@@ -6915,8 +6915,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Finden Sie heraus, was da anstößt, und nehmen Sie ohne das noch einmal auf.</translation>
     </message>
     <message>
-        <source>blows that the motion does not explain</source>
-        <translation>Stößen, die die Bewegung nicht erklärt</translation>
+        <source>blows from outside</source>
+        <translation>Stößen von außen</translation>
     </message>
     <message>
         <source>Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or what the robot stands on.</source>

@@ -168,7 +168,7 @@ TEST(TouchLaws, AFloorThatRingsIsNotSurelyTheMount) {
   });
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "blows that the motion does not explain") << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "blows from outside") << said(report);
   EXPECT_TRUE(finds(report, "struck"));
   const DiagnosedCause* rings = named(report, "flexible_mount");
   ASSERT_NE(rings, nullptr) << said(report);
