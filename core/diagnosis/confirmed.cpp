@@ -135,7 +135,9 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
                     : needed.moreOfFaint                                           ? kNamed
                                                                                    : 0.0))
     return false;
-  if (!standsOut(final, found.cause)) return false;
+  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be.
+  if ((needed.always > 0.0 || anyTerm([](const Term& t) { return t.form->local; })) && !standsOut(final, found.cause))
+    return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
   const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);

@@ -232,12 +232,15 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
   const auto factorOf = [](const auto& is, const auto& of) {
     return is.cwiseProduct(of).sum() / std::max(1e-300, of.squaredNorm());
   };
+  constexpr double kNone = 0.1;  // Of the forces' factor: then nothing happened to the torques
+  bool ofBoth = true;
   double all = 1e-300, left = 0.0, leftByUnits = 0.0;
   for (const Contact& contact : contacts) {
     const auto [from, to] = contact.blocks;
     const auto is = scaled.middleCols(from, to - from), of = should.middleCols(from, to - from);
     const double force = factorOf(is.topRows<3>(), of.topRows<3>()),
                  torque = factorOf(is.bottomRows<3>(), of.bottomRows<3>());
+    ofBoth = ofBoth && std::abs(torque) > kNone * std::abs(force) && std::abs(force) > kNone * std::abs(torque);
     for (Eigen::Index n = 0; n < to - from; ++n) {
       const double as = is.col(n).squaredNorm();
       all += as;
@@ -246,7 +249,7 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
                                       (is.col(n).tail<3>() - torque * of.col(n).tail<3>()).squaredNorm());
     }
   }
-  return std::min(left, leftByUnits) < kLeft * all;
+  return std::min(left, ofBoth ? leftByUnits : all) < kLeft * all;
 }
 
 /// Whether the contacts come like clockwork while the tool moves, each like the others in the tool's axes, as where a
