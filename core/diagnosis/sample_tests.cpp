@@ -146,12 +146,6 @@ RowFacts rowFactsOf(const Recording& recording) {
   RowFacts out;
   out.stamps = unevenStamps(recording);
   out.tops = flatTops(recording.wrench);
-  // A channel that stays at zero is one whose small readings are lost, not one at the end of its range.
-  std::erase_if(out.tops, [&](const FlatTop& flat) {
-    constexpr double kZero = 0.01;  // Of what the channel reads
-    return std::abs(flat.level) <
-           kZero * (recording.wrench.col(flat.channel).maxCoeff() - recording.wrench.col(flat.channel).minCoeff());
-  });
   out.deadBands = deadBands(recording);
   out.held = heldRows(recording);
   out.stale = staleRuns(recording);

@@ -1,6 +1,7 @@
 #include "core/segmentation/flat_tops.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace heft {
@@ -17,6 +18,7 @@ struct Pile {
 };
 constexpr std::size_t kNeighbours = 3;  ///< At most
 constexpr Pile kPiles[] = {{8, 4.0, kNeighbours}, {40, 2.0, 1}};
+constexpr double kZero = 0.01;  ///< Of what the channel reads: a level so close to zero is none
 constexpr double kStill =
     0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
 
@@ -78,6 +80,7 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
       const Eigen::Index at = pileAt(levels, static_cast<Eigen::Index>(fresh.size()));
       if (at < 0) continue;
       FlatTop found{c, levels[static_cast<std::size_t>(at)].value, {}};
+      if (std::abs(found.level) < kZero * (wrench.col(c).maxCoeff() - wrench.col(c).minCoeff())) continue;
       double still = 0.0, elsewhere = 0.0;
       for (std::size_t i = 1; i < fresh.size(); ++i) {
         if (wrench(fresh[i], c) == found.level) continue;

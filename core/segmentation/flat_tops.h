@@ -16,7 +16,7 @@ struct FlatTop {
 /// Where readings pile up at a value near the largest or smallest of a channel: many times more than at the values next
 /// to it, which noise alone leaves ever emptier towards the end. Spikes may lie beyond. Rows that repeat the one before
 /// as a whole, and rows of zeros, count for nothing. Nothing is said of a channel whose steps are so coarse that it
-/// mostly stands still: there a smooth signal piles up by itself.
+/// mostly stands still: there a smooth signal piles up by itself; nor of zeros, where small readings are lost.
 std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);
 
 }  // namespace heft
