@@ -122,10 +122,7 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   constexpr double kFaintBeside = 0.12;
   constexpr double kOfFaint = 0.012;  ///< Share for one that little speaks for
   constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
-  /// Noise that is slow takes some course, too. Of 22 drifts that took any, the faintest had 230; of three clean
-  /// recordings with slow noise that had one, the strongest 160.
-  constexpr double kAnyCourse = 200.0;
-  constexpr double kBrief = 3.0;  ///< [s] What has its place in time and lasts no longer is hardly seen elsewhere
+  constexpr double kBrief = 3.0;      ///< [s] What has its place in time and lasts no longer is hardly seen elsewhere
   const Fit& final = work.search.final;
   const auto anyTerm = [&](const auto& is) {
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });

@@ -116,11 +116,17 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         chosen = &trial;
         break;
       }
+    // A drift of any course that is too faint for a name leaves its place to what explains about as much and has one.
+    const auto isCourse = [](const Trial& trial) { return takesAnyCourse(*trial.fit.model.terms.back().form); };
+    if (isCourse(*chosen) && chosen->gain < kAnyCourse)
+      for (const auto& trial : all)
+        if (enough(trial) && trial.gain > chosen->gain - kTie && trial.cause != kWandering && !isCourse(trial)) {
+          chosen = &trial;
+          break;
+        }
     // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
     // A course that all channels take is a drift where a walk explains less.
-    const double ahead = takesAnyCourse(*chosen->fit.model.terms.back().form) ? 0.0
-                         : chosen->cause == "bias_drift"                      ? kBesideWandering
-                                                                              : kJump;
+    const double ahead = isCourse(*chosen) ? 0.0 : chosen->cause == "bias_drift" ? kBesideWandering : kJump;
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
         if (trial.cause == kWandering && trial.gain > chosen->gain - ahead) {
