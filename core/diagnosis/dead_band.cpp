@@ -80,4 +80,36 @@ std::optional<Eigen::Index> stuckChannel(const Recording& recording) {
   return std::nullopt;
 }
 
+std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops) {
+  constexpr double kShortest = 0.3, kLonger = 20.0;  // [s]; times the usual
+  std::optional<FrozenChannel> out;
+  const Eigen::Index n = recording.rows();
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const auto y = recording.wrench.col(c);
+    Eigen::Index runs = 0, longest = 0, first = 0;
+    for (Eigen::Index from = 0, i = 1; i <= n; ++i) {
+      if (i < n && y(i) == y(from)) continue;
+      ++runs;
+      const bool known = y(from) == 0.0 || std::ranges::any_of(tops, [&](const FlatTop& top) {
+                           return top.channel == static_cast<int>(c) && top.level == y(from);
+                         });
+      // Rows that repeat as a whole were lost.
+      bool alone = false;
+      for (Eigen::Index k = from + 1; k < i && !alone; ++k)
+        alone = recording.wrench.row(k) != recording.wrench.row(k - 1);
+      if (!known && alone && i - from > longest) {
+        longest = i - from;
+        first = from;
+      }
+      from = i;
+    }
+    if (longest < 2 || recording.time(first + longest - 1) - recording.time(first) < kShortest) continue;
+    const double usual = static_cast<double>(n - longest) / std::max(1.0, static_cast<double>(runs - 1));
+    const double lasts = recording.time(first + longest - 1) - recording.time(first);
+    if (static_cast<double>(longest) < kLonger * usual || (out && out->to - out->from > lasts)) continue;
+    out = {c, recording.time(first), recording.time(first) + lasts};
+  }
+  return out;
+}
+
 }  // namespace heft::diagnosis

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/held_rows.h"
+#include "core/segmentation/flat_tops.h"
 
 namespace heft::diagnosis {
 
@@ -25,5 +26,15 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
 
 /// A channel that hardly ever reads anything else than one value.
 std::optional<Eigen::Index> stuckChannel(const Recording& recording);
+
+/// A channel that stands still for a while in which others go on.
+struct FrozenChannel {
+  Eigen::Index channel = 0;
+  double from = 0.0, to = 0.0;  ///< [s]
+};
+
+/// The longest such while, of at least 0.3 s and twenty times what the channel does otherwise; not at the end of its
+/// range (`tops`), nor where it is zero for all that is small.
+std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops);
 
 }  // namespace heft::diagnosis

@@ -45,6 +45,7 @@ struct Readings {
   std::vector<Direct> directs;
   std::vector<DeadBand> deadBands;
   std::vector<StuckBit> stuckBits;
+  std::optional<FrozenChannel> frozen;
   std::vector<bool> bad;  ///< Rows that are not judged: one a row, or none
   bool cutsMost = false;  ///< Readings are cut off flat most of the time: those rows are judged, too
 };
@@ -95,6 +96,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.motion = std::move(*motion);
   out.directs = sampleTests(out.stated, out.motion, facts);
   out.stuckBits = stuckBits(out.stated);
+  if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops);
   std::erase_if(out.directs, [&](const Direct& d) {
     // Where a bit of a converter is stuck, readings leap again and again.
     return contains(options.hidden, d.cause) || (d.cause == "spikes" && !out.stuckBits.empty());
@@ -346,6 +348,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
   sayDeadBands(readings->deadBands, out);
   sayStuckBits(readings->stuckBits, out);
+  if (readings->frozen) sayFrozen(*readings->frozen, out);
 
   out.mistake = readings->mistake ? readings->mistake : work.mistake;
   if (out.mistake) {

@@ -283,6 +283,16 @@ void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out) {
   out.remaining = seen(heft::toSay("readings that stick at one value"));
 }
 
+void sayFrozen(const FrozenChannel& frozen, DiagnosisReport& out) {
+  out.findings.push_back({Severity::warning,
+                          "channel_frozen",
+                          heft::say("{} stands still from {:.1f} to {:.1f} s, while the others go on.",
+                                    channelName(frozen.channel), frozen.from, frozen.to),
+                          heft::say("Check that channel's cable and plug; mark the stretch as \"ignore\"."),
+                          {}});
+  out.remaining = seen(heft::toSay("readings that stick at one value"));
+}
+
 void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out) {
   for (const StuckBit& bit : bits)
     out.findings.push_back(

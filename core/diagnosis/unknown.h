@@ -22,6 +22,9 @@ bool sayFaintTouches(const Work& work, const std::vector<DiagnosedCause>& fitted
 /// Says which channels give one value for all that is small: the catalogue has no such cause, so that is what remains.
 void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out);
 
+/// The same of a channel that stands still for a while.
+void sayFrozen(const FrozenChannel& frozen, DiagnosisReport& out);
+
 /// The same of channels that leave out steps.
 void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out);
 

@@ -6930,6 +6930,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>From {:.1f} to {:.1f} s the zero or the load was another one once more; that stretch was left out.</source>
         <translation>Von {:.1f} bis {:.1f} s war der Nullpunkt oder die Last noch einmal anders; dieser Abschnitt blieb außen vor.</translation>
     </message>
+    <message>
+        <source>{} stands still from {:.1f} to {:.1f} s, while the others go on.</source>
+        <translation>{} steht von {:.1f} bis {:.1f} s still, während die anderen weitergehen.</translation>
+    </message>
+    <message>
+        <source>Check that channel&apos;s cable and plug; mark the stretch as &quot;ignore&quot;.</source>
+        <translation>Prüfen Sie Kabel und Stecker dieses Kanals; markieren Sie den Abschnitt als „ignoriert“.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

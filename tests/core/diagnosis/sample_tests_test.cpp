@@ -11,6 +11,7 @@
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/coarse_motion.h"
 #include "core/diagnosis/corrected.h"
+#include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
@@ -452,6 +453,31 @@ TEST(SampleTests, CoarsePositionsUnderNoiseAreNamed) {
   recording.twist.resize(0, 0);
   const auto report = diagnosed(recording);
   EXPECT_NE(named(report, "derivative_noise"), nullptr) << said(report);
+}
+
+/// One channel stands still for a second and a half, the others go on: it was nothing.
+TEST(SampleTests, AChannelThatFreezesForAWhileIsUnknown) {
+  const Recording whole = aRecording(MotionKind::free, 304);
+  Recording recording = whole;
+  Eigen::Index at = 0;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    if (recording.time(i) < 5.0) at = i;
+    if (recording.time(i) > 5.0 && recording.time(i) < 6.5) recording.wrench(i, 4) = recording.wrench(at, 4);
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(report.remaining.goesWith, "readings that stick at one value") << said(report);
+  const auto frozen = diagnosis::frozenChannel(recording, {});
+  ASSERT_TRUE(frozen);
+  EXPECT_EQ(frozen->channel, 4);
+  EXPECT_NEAR(frozen->from, 5.0, 0.01);
+  EXPECT_NEAR(frozen->to, 6.5, 0.01);
+  EXPECT_FALSE(diagnosis::frozenChannel(whole, {}));
+  // Rows that were handed out again as a whole are lost readings.
+  Recording held = whole;
+  for (Eigen::Index i = 1; i < held.rows(); ++i)
+    if (held.time(i) > 5.0 && held.time(i) < 6.5) held.wrench.row(i) = held.wrench.row(i - 1);
+  EXPECT_FALSE(diagnosis::frozenChannel(held, {}));
 }
 
 }  // namespace
