@@ -128,9 +128,9 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
   };
   if (isNothing(final, found)) return false;
-  if (found.gain < (anyTerm([](const Term& t) { return takesAnyCourse(*t.form); }) ? kAnyCourse
-                    : needed.moreOfFaint                                           ? kNamed
-                                                                                   : 0.0))
+  if (found.gain < (found.cause == "bias_drift" && takesAnyCourse(final.model) ? kAnyCourse
+                    : needed.moreOfFaint                                       ? kNamed
+                                                                               : 0.0))
     return false;
   // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be.
   if ((needed.always > 0.0 || anyTerm([](const Term& t) { return t.form->local; })) && !standsOut(final, found.cause))
@@ -186,13 +186,11 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool he
         work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
     if (found->cause == kWandering || turned || ownErrors(work, *found)) continue;
     const Model less = without(search.final.model, found->cause);
-    const bool anyCourse =
-        std::ranges::any_of(search.final.model.terms, [](const Term& t) { return takesAnyCourse(*t.form); });
     Fit rest = fitModel(work.signals, work.stretches, less);
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
     const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
     if (!holds(*found, gain, work, order.back()->gain, needed)) {
-      if (anyCourse && found->cause == "bias_drift" && !walks(less)) {
+      if (found->cause == "bias_drift" && takesAnyCourse(search.final.model) && !walks(less)) {
         rest = withWalkInstead(work, std::move(rest));
         before = heldOutResidual(work.signals, work.stretches, rest);
       }

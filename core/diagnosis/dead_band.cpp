@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/statistics.h"
+#include "core/recording/frozen.h"
 
 namespace heft::diagnosis {
 
@@ -81,34 +82,19 @@ std::optional<Eigen::Index> stuckChannel(const Recording& recording) {
 }
 
 std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops) {
-  constexpr double kShortest = 0.3, kLonger = 20.0;  // [s]; times the usual
+  constexpr double kShortest = 0.3;  // [s]
   std::optional<FrozenChannel> out;
-  const Eigen::Index n = recording.rows();
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const auto y = recording.wrench.col(c);
-    Eigen::Index runs = 0, longest = 0, first = 0;
-    for (Eigen::Index from = 0, i = 1; i <= n; ++i) {
-      if (i < n && y(i) == y(from)) continue;
-      ++runs;
-      const bool known = y(from) == 0.0 || std::ranges::any_of(tops, [&](const FlatTop& top) {
-                           return top.channel == static_cast<int>(c) && top.level == y(from);
-                         });
+  const Changes rows = changesOf(recording.wrench);
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kShortest)) {
+      const double value = recording.wrench(still.from, c), from = recording.time(still.from),
+                   to = recording.time(still.to - 1);
+      const bool atEnd = std::ranges::any_of(
+          tops, [&](const FlatTop& top) { return top.channel == static_cast<int>(c) && top.level == value; });
       // Rows that repeat as a whole were lost.
-      bool alone = false;
-      for (Eigen::Index k = from + 1; k < i && !alone; ++k)
-        alone = recording.wrench.row(k) != recording.wrench.row(k - 1);
-      if (!known && alone && i - from > longest) {
-        longest = i - from;
-        first = from;
-      }
-      from = i;
+      if (value == 0.0 || atEnd || countIn(rows, still.from + 1, still.to) == 0) continue;
+      if (!out || to - from > out->to - out->from) out = {c, from, to};
     }
-    if (longest < 2 || recording.time(first + longest - 1) - recording.time(first) < kShortest) continue;
-    const double usual = static_cast<double>(n - longest) / std::max(1.0, static_cast<double>(runs - 1));
-    const double lasts = recording.time(first + longest - 1) - recording.time(first);
-    if (static_cast<double>(longest) < kLonger * usual || (out && out->to - out->from > lasts)) continue;
-    out = {c, recording.time(first), recording.time(first) + lasts};
-  }
   return out;
 }
 

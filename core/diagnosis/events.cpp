@@ -142,9 +142,14 @@ std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts) {
   return out;
 }
 
+std::vector<bool> usableOutside(const Signals& signals, const std::vector<Stretch>& stretches) {
+  std::vector<bool> out = signals.usable;
+  for (const Stretch& s : stretches) std::fill(out.begin() + s.from, out.begin() + s.to, false);
+  return out;
+}
+
 Vector6d usualPower(const Signals& signals, const Fit& fit, const std::vector<Stretch>& stretches) {
-  std::vector<bool> usual = signals.usable;
-  for (const Stretch& s : stretches) std::fill(usual.begin() + s.from, usual.begin() + s.to, false);
+  const std::vector<bool> usual = usableOutside(signals, stretches);
   Vector6d sum = Vector6d::Constant(1e-300);
   for (Eigen::Index n = 0; n < signals.blocks(); ++n)
     if (usual[static_cast<std::size_t>(n)]) sum += fit.residual.col(n).cwiseAbs2();

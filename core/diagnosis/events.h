@@ -26,6 +26,9 @@ std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts);
 double evidenceOf(const std::vector<Contact>& contacts);
 double durationOf(const std::vector<Contact>& contacts);
 
+/// One a block: whether it is judged and outside of `stretches`.
+std::vector<bool> usableOutside(const Signals& signals, const std::vector<Stretch>& stretches);
+
 /// Mean power of what the fit leaves on each channel, where it is judged and outside of `stretches`.
 Vector6d usualPower(const Signals& signals, const Fit& fit, const std::vector<Stretch>& stretches);
 

@@ -8,6 +8,29 @@
 
 namespace heft::diagnosis {
 
+namespace {
+
+/// Of each row of `values` (6 x N), over the blocks of `stretches`.
+Vector6d mediansIn(const Wrenches& values, const std::vector<Stretch>& stretches) {
+  Vector6d out;
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    std::vector<double> all;
+    for (const auto& s : stretches)
+      for (Eigen::Index n = s.from; n < s.to; ++n) all.push_back(values(c, n));
+    out(c) = median(std::move(all));
+  }
+  return out;
+}
+
+/// The usual power as far as it is known to be more in block `n`: where the motion turns sharply, it makes knocks of
+/// its own.
+Vector6d knownAt(const Signals& signals, Vector6d usual, Eigen::Index n) {
+  if (signals.louder) usual.array() *= 1.0 + signals.louder->times().col(n).array();
+  return usual;
+}
+
+}  // namespace
+
 std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model) {
   /// Times the usual power beside a straight line through each block. Of 260 recordings 255 have none at 15, the others
   /// some, such as where friction turns round; three and more at 60 had only a part that rattled.
@@ -24,19 +47,11 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
                    static_cast<double>(m) * Vector6d(block.rowwise().mean()).cwiseAbs2() -
                    Vector6d(block * course.transpose()).cwiseAbs2();
   }
-  Vector6d usual;
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    std::vector<double> all;
-    for (const auto& s : stretches)
-      for (Eigen::Index n = s.from; n < s.to; ++n) all.push_back(power(c, n));
-    usual(c) = std::max(1e-12, median(all));
-  }
+  const Vector6d usual = mediansIn(power, stretches).cwiseMax(1e-12);
   std::vector<double> out;
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) {
-      Vector6d most = usual;  // Where the motion turns sharply, it makes knocks of its own
-      if (signals.louder) most.array() *= 1.0 + signals.louder->times().col(n).array();
-      const double loud = power.col(n).cwiseQuotient(most).mean(), t = signals.blockTime(n);
+      const double loud = power.col(n).cwiseQuotient(knownAt(signals, usual, n)).mean(), t = signals.blockTime(n);
       if (loud > kLoud && (out.empty() || t > out.back() + kRings)) out.push_back(t);
     }
   return out;
@@ -79,21 +94,12 @@ std::optional<double> glitchIn(const Signals& signals, const std::vector<Stretch
   constexpr double kFar = 500.0;
   const VectorXd innovations = whitened(flat(fit.residual), fit.noise, stretches);
   const Eigen::Map<const Wrenches> e(innovations.data(), 6, fit.residual.cols());
-  Vector6d usual;
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    std::vector<double> all;
-    for (const auto& s : stretches)
-      for (Eigen::Index n = s.from; n < s.to; ++n) all.push_back(std::abs(e(c, n)));
-    if (all.empty()) return std::nullopt;
-    usual(c) = std::max(1e-12, std::pow(1.4826 * median(std::move(all)), 2));
-  }
+  const Vector6d usual = (1.4826 * mediansIn(e.cwiseAbs(), stretches)).cwiseAbs2().cwiseMax(1e-12);
   double most = kFar;
   std::optional<double> out;
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) {
-      Vector6d known = usual;
-      if (signals.louder) known.array() *= 1.0 + signals.louder->times().col(n).array();
-      const double size = e.col(n).cwiseAbs2().cwiseQuotient(known).sum();
+      const double size = e.col(n).cwiseAbs2().cwiseQuotient(knownAt(signals, usual, n)).sum();
       if (size <= most) continue;
       most = size;
       out = signals.blockTime(n);

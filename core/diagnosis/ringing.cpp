@@ -95,9 +95,7 @@ std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Sig
 /// Root of the usual power of what is left of each channel from reading to reading, where it is judged and outside
 /// `contacts`. What still rings there is not the usual.
 Vector6d usualOf(const Signals& signals, const Wrenches& left, const std::vector<Contact>& contacts) {
-  std::vector<bool> judged = signals.usable;
-  for (const Contact& contact : contacts)
-    std::fill(judged.begin() + contact.blocks.from, judged.begin() + contact.blocks.to, false);
+  const std::vector<bool> judged = usableOutside(signals, blocksOf(contacts));
   std::array<std::vector<double>, 6> powers;
   for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
     if (!judged[static_cast<std::size_t>(n)]) continue;
@@ -202,10 +200,11 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
 }
 
 void setRingingAside(Work& work, const Way& way) {
-  const auto signals = asIn(work, way);
-  if (!signals) return;
   std::vector<Contact> all = work.contacts;
   for (const auto* more : {&work.odd, &work.smoothed}) all.insert(all.end(), more->begin(), more->end());
+  if (all.empty()) return;
+  const auto signals = asIn(work, way);
+  if (!signals) return;
   std::ranges::sort(all, {}, &Contact::from);
   // One that the blocks show a little of is the same mount. What else swings may make noise of a motion that is
   // smoothed less than the one in which it was found.

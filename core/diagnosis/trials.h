@@ -1,5 +1,6 @@
 #pragma once
 // Causes tried around a model: which promise anything, what fits of them gain, which are needed.
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,11 @@ inline std::string_view causeOf(const Term& term) { return term.form->cause->id(
 
 /// A drift of any course, such as a walk's waves grow into.
 inline bool takesAnyCourse(const Form& form) { return form.later && form.cause->id() == "bias_drift"; }
+
+/// Whether any term is one.
+inline bool takesAnyCourse(const Model& model) {
+  return std::ranges::any_of(model.terms, [](const Term& t) { return takesAnyCourse(*t.form); });
+}
 
 /// Whether any term is of that cause.
 bool contains(const Model& model, std::string_view cause);

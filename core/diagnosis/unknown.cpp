@@ -99,7 +99,7 @@ void sayHiddenByDrift(const Work& work, DiagnosisReport& out) {
   if (out.remaining.gain > kUnexplained || bare.terms.size() == final.model.terms.size()) return;
   // Of any course, it has waves for anything slow as a walk has: then what the load was before is asked for, too, and
   // must explain more than everything that was named.
-  if (std::ranges::any_of(final.model.terms, [](const Term& t) { return takesAnyCourse(*t.form); })) {
+  if (takesAnyCourse(final.model)) {
     const Fit& null = work.search.null;
     const double all = final.evidence - null.evidence + kBeyondCourse;
     const Structure hidden = structureBehindWalk(work.signals, work.stretches, null, all);
@@ -285,7 +285,7 @@ void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out) {
 
 void sayFrozen(const FrozenChannel& frozen, DiagnosisReport& out) {
   out.findings.push_back({Severity::warning,
-                          "channel_frozen",
+                          "channel_stands_still",
                           heft::say("{} stands still from {:.1f} to {:.1f} s, while the others go on.",
                                     channelName(frozen.channel), frozen.from, frozen.to),
                           heft::say("Check that channel's cable and plug; mark the stretch as \"ignore\"."),

@@ -45,10 +45,9 @@ bool remembersTooMuch(const DiagnosedCause& cause) {
 /// two a form that the catalogue lacks, three a pair of causes.
 bool isPatchwork(const Model& model, const std::vector<DiagnosedCause>& causes) {
   constexpr std::ptrdiff_t kMasses = 2;
-  const auto count = [&](const auto& is) { return std::ranges::count_if(model.terms, is); };
-  const auto anyCourse = count([](const Term&t) { return takesAnyCourse(*t.form); }),
-             masses = count([](const Term&t) { return causeOf(t) == "loose_mass"; });
-  return (anyCourse > 0 && fittedOf(causes) > 1) || masses > kMasses || std::ranges::any_of(causes, remembersTooMuch);
+  const auto masses = std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
+  return (takesAnyCourse(model) && fittedOf(causes) > 1) || masses > kMasses ||
+         std::ranges::any_of(causes, remembersTooMuch);
 }
 
 /// Whether two causes of `causes` change something at the same moment: one thing happened then, and neither is it.

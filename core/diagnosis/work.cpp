@@ -226,6 +226,14 @@ void setKnocksAside(Work& work) {
   setAllAside(work, heft::toSay("short knocks"));
 }
 
+/// Light touches become contacts; what of these is something else, is none.
+void setOthersAside(Work& work, const std::vector<std::string>& hidden) {
+  setTouchesAside(work);
+  setKnocksAside(work);
+  setCarriedAside(work, hidden);
+  setAgainAside(work);
+}
+
 }  // namespace
 
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
@@ -343,10 +351,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     work.search = search(signals, work.stretches, work.bank, searching, progress);
     if (work.search.givenUp) return work;
     lookBack(signals, work.stretches, work.bank, searching, work.search, progress);
-    setTouchesAside(work);
-    setKnocksAside(work);
-    setCarriedAside(work, options.hidden);
-    setAgainAside(work);
+    setOthersAside(work, options.hidden);
     return work;
   }
   // Contact first; what the causes found elsewhere account for is no contact. Only what is left in the end is compared.
@@ -414,10 +419,7 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     }
   }
   setOddAside(work, whole);
-  setTouchesAside(work);
-  setKnocksAside(work);
-  setCarriedAside(work, options.hidden);
-  setAgainAside(work);
+  setOthersAside(work, options.hidden);
   return work;
 }
 

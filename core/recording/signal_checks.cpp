@@ -5,55 +5,15 @@
 #include "core/recording/checks.h"
 
 #include "core/base/say.h"
+#include "core/recording/frozen.h"
 
 namespace heft {
 
 namespace {
 
-using Changes = std::vector<char>;  ///< By row: differs from the row before (the first row does).
-
-/// Rows in which any of the columns differs from the row before.
-template <class Matrix>
-Changes changesOf(const Matrix& values) {
-  Changes changes(static_cast<std::size_t>(values.rows()), 0);
-  if (!changes.empty()) changes[0] = 1;
-  for (Eigen::Index c = 0; c < values.cols(); ++c)
-    for (Eigen::Index k = 1; k < values.rows(); ++k)
-      changes[static_cast<std::size_t>(k)] |= values(k, c) != values(k - 1, c) ? 1 : 0;
-  return changes;
-}
-
-Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to) {
-  return std::count(changes.begin() + from, changes.begin() + to, char{1});
-}
-
 bool everChanges(const Changes& changes) {
   return countIn(changes, std::min<Eigen::Index>(1, static_cast<Eigen::Index>(changes.size())),
                  static_cast<Eigen::Index>(changes.size())) > 0;
-}
-
-/// Rows from..to-1 with the same value.
-struct Stretch {
-  Eigen::Index from = 0;
-  Eigen::Index to = 0;
-  Eigen::Index length() const { return to - from; }
-};
-
-/// The stretches without change that last at least `shortest` seconds and are twenty times longer than is usual in this
-/// channel, so that slow or coarse sensors do not count.
-std::vector<Stretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest) {
-  const auto rows = time.size();
-  const auto runs = countIn(changes, 0, rows);
-  std::vector<Stretch> stretches;
-  for (Eigen::Index from = 0; from < rows;) {
-    auto to = from + 1;
-    while (to < rows && changes[static_cast<std::size_t>(to)] == 0) ++to;
-    const double others = runs > 1 ? static_cast<double>(rows - (to - from)) / static_cast<double>(runs - 1) : 1.0;
-    if (to - from >= 10 && time(to - 1) - time(from) >= shortest && static_cast<double>(to - from) >= 20.0 * others)
-      stretches.push_back({from, to});
-    from = to;
-  }
-  return stretches;
 }
 
 struct Channel {
@@ -167,7 +127,7 @@ class SignalChecker {
   }
 
   void noteFrozenWrench() {
-    std::vector<Stretch> whole;
+    std::vector<FrozenStretch> whole;
     if (everChanges(wrenchChanges_))
       for (const auto& stretch : frozenStretches(time_, wrenchChanges_, 0.1))
         if (countIn(motionChanges_, stretch.from + 1, stretch.to) > 0) whole.push_back(stretch);
@@ -176,7 +136,7 @@ class SignalChecker {
                     heft::say("The sensor's data stopped there; mark it as \"ignore\"."));
     for (const auto& channel : wrench_) {
       if (!everChanges(channel.changes)) continue;
-      std::vector<Stretch> own;
+      std::vector<FrozenStretch> own;
       for (const auto& stretch : frozenStretches(time_, channel.changes, 0.25)) {
         const bool othersLive = 4 * countIn(wrenchChanges_, stretch.from + 1, stretch.to) > stretch.length();
         if (othersLive) own.push_back(stretch);
@@ -188,10 +148,11 @@ class SignalChecker {
     }
   }
 
-  void noteStretches(const std::string& what, long field, const std::vector<Stretch>& stretches,
+  void noteStretches(const std::string& what, long field, const std::vector<FrozenStretch>& stretches,
                      const std::string& remedy) {
-    const auto& longest = *std::max_element(stretches.begin(), stretches.end(),
-                                            [](const Stretch& a, const Stretch& b) { return a.length() < b.length(); });
+    const auto& longest =
+        *std::max_element(stretches.begin(), stretches.end(),
+                          [](const FrozenStretch& a, const FrozenStretch& b) { return a.length() < b.length(); });
     examined_.note(
         Severity::warning, "stretch_frozen", examined_.at(longest.from, field),
         heft::say("{} stays the same from {:.6g} to {:.6g} s ({} rows){}.", what, time_(longest.from),
@@ -216,7 +177,7 @@ class SignalChecker {
       if (changes[static_cast<std::size_t>(k)] != 0) steps.push_back((values.row(k) - values.row(k - 1)).norm());
     const auto ninth = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(steps.size() - 1));
     std::nth_element(steps.begin(), ninth, steps.end());
-    std::vector<Stretch> hangs;
+    std::vector<FrozenStretch> hangs;
     for (const auto& stretch : frozenStretches(time_, changes, 0.1))
       if (stretch.to < rows_ && (values.row(stretch.to) - values.row(stretch.to - 1)).norm() > 10.0 * *ninth)
         hangs.push_back(stretch);

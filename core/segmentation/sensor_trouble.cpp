@@ -3,38 +3,21 @@
 #include <algorithm>
 
 #include "core/base/say.h"
+#include "core/recording/frozen.h"
 #include "core/segmentation/flat_tops.h"
-#include "core/segmentation/wrench_runs.h"
 
 namespace heft {
-
-namespace {
-
-/// Rows [from, to) that repeat the wrench of the row before for 50 ms, ten rows and twenty times as long as the others
-/// do.
-std::vector<std::pair<Eigen::Index, Eigen::Index>> hungRows(const Recording& recording) {
-  constexpr double kShortest = 0.05, kLonger = 20.0;
-  const auto runs = wrenchRuns(recording.wrench);
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> out;
-  for (const auto& [from, to] : runs) {
-    const double others =
-        static_cast<double>(recording.rows() - (to - from)) / std::max(1.0, static_cast<double>(runs.size()) - 1.0);
-    if (to - from >= 10 && to - from < recording.rows() && recording.time(to - 1) - recording.time(from) >= kShortest &&
-        static_cast<double>(to - from) >= kLonger * others)
-      out.push_back({from, to});
-  }
-  return out;
-}
-
-}  // namespace
 
 std::vector<Trouble> sensorTrouble(const Recording& recording) {
   std::vector<Trouble> out;
   const auto& wrench = recording.wrench;
   const VectorXd& time = recording.time;
   if (wrench.rows() < 20) return out;
-  for (const auto& [from, to] : hungRows(recording))
-    out.push_back({time(from), time(to - 1), heft::say("The sensor's values stand still here: it sent nothing new.")});
+  constexpr double kShortest = 0.05;  // [s]
+  for (const FrozenStretch& hung : frozenStretches(time, changesOf(wrench), kShortest))
+    if (hung.length() < wrench.rows())
+      out.push_back({time(hung.from), time(hung.to - 1),
+                     heft::say("The sensor's values stand still here: it sent nothing new.")});
   static constexpr const char* kNames[] = {heft::toSay("Force x"),  heft::toSay("Force y"),  heft::toSay("Force z"),
                                            heft::toSay("Torque x"), heft::toSay("Torque y"), heft::toSay("Torque z")};
   for (const FlatTop& flat : flatTops(wrench))

@@ -462,9 +462,10 @@ namespace {
 
 /// What single readings tell of something that has no name, if anything: more than what it goes with.
 const Finding* seenInReadings(const DiagnosisReport& report) {
-  constexpr std::array<std::string_view, 11> kTelling{"faint_stretches", "channel_frozen", "glitch",       "struck",
-                                                      "stuck_bit",       "dead_band",      "readings_hum", "switches",
-                                                      "knocks",          "odd_stretches",  "bursts"};
+  constexpr std::array<std::string_view, 11> kTelling{
+      "faint_stretches", "channel_stands_still", "glitch",   "struck", "stuck_bit",
+      "dead_band",       "readings_hum",         "switches", "knocks", "odd_stretches",
+      "bursts"};
   const auto found = std::ranges::find_if(report.findings, [&](const Finding& finding) {
     return finding.severity == Severity::warning && std::ranges::find(kTelling, finding.code) != kTelling.end();
   });

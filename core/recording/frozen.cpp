@@ -1,0 +1,26 @@
+#include "core/recording/frozen.h"
+
+#include <algorithm>
+
+namespace heft {
+
+Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to) {
+  return std::count(changes.begin() + from, changes.begin() + to, char{1});
+}
+
+std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest) {
+  const auto rows = time.size();
+  const auto runs = countIn(changes, 0, rows);
+  std::vector<FrozenStretch> stretches;
+  for (Eigen::Index from = 0; from < rows;) {
+    auto to = from + 1;
+    while (to < rows && changes[static_cast<std::size_t>(to)] == 0) ++to;
+    const double others = runs > 1 ? static_cast<double>(rows - (to - from)) / static_cast<double>(runs - 1) : 1.0;
+    if (to - from >= 10 && time(to - 1) - time(from) >= shortest && static_cast<double>(to - from) >= 20.0 * others)
+      stretches.push_back({from, to});
+    from = to;
+  }
+  return stretches;
+}
+
+}  // namespace heft

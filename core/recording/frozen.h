@@ -1,0 +1,36 @@
+#pragma once
+// Stretches in which something that was measured stands still.
+#include <vector>
+
+#include "core/math/rigid.h"
+
+namespace heft {
+
+using Changes = std::vector<char>;  ///< By row: differs from the row before (the first row does).
+
+/// Rows in which any of the columns differs from the row before.
+template <class Matrix>
+Changes changesOf(const Matrix& values) {
+  Changes changes(static_cast<std::size_t>(values.rows()), 0);
+  if (!changes.empty()) changes[0] = 1;
+  for (Eigen::Index c = 0; c < values.cols(); ++c)
+    for (Eigen::Index k = 1; k < values.rows(); ++k)
+      changes[static_cast<std::size_t>(k)] |= values(k, c) != values(k - 1, c) ? 1 : 0;
+  return changes;
+}
+
+/// How many of the rows from..to-1 change.
+Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to);
+
+/// Rows from..to-1 with the same value.
+struct FrozenStretch {
+  Eigen::Index from = 0;
+  Eigen::Index to = 0;
+  Eigen::Index length() const { return to - from; }
+};
+
+/// The stretches without change that last at least `shortest` [s] and ten rows and are twenty times longer than is
+/// usual, so that slow or coarse sensors do not count. `time`: of each row [s].
+std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest);
+
+}  // namespace heft
