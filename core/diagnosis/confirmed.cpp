@@ -61,24 +61,11 @@ void keepOneOfTwo(Work& work) {
 
 /// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
 bool standsOut(const Fit& fit, std::string_view cause) {
-  constexpr double kDeviations = 3.0;
-  const VectorXd std = fit.std();
-  std::vector<Eigen::Index> all;
-  std::vector<double> sizes;
-  Eigen::Index at = kLinear;
-  for (const Term& term : fit.model.terms) {
-    for (const int p : term.form->scan) {
-      if (term.form->cause->id() != cause || !term.moves(p)) continue;
-      all.push_back(at + p);
-      sizes.push_back(term.v(p) - term.form->start(p));
-      if (std::abs(sizes.back()) > kDeviations * std(all.back())) return true;
-    }
-    at += term.v.size();
-  }
-  if (all.size() < 2) return false;
-  const Eigen::Map<const VectorXd> size(sizes.data(), std::ssize(sizes));
-  return size.dot(MatrixXd(fit.covariance(all, all)).ldlt().solve(size)) >
-         kDeviations * kDeviations * static_cast<double>(all.size());
+  constexpr double kSquared = 9.0;  ///< Three deviations
+  const Amplitudes all = amplitudesOf(fit, [&](const Term& t) { return causeOf(t) == cause; });
+  const auto count = static_cast<double>(all.sizes.size());
+  return (all.sizes.array().square() > kSquared * all.covariance.diagonal().array()).any() ||
+         (count > 1.0 && all.squaredDeviations() > kSquared * count);
 }
 
 /// Whether a cause of one number is nothing, as far as that is known.

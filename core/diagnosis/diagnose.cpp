@@ -73,7 +73,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.cleaned.wrench = std::move(facts.restored);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
   refresh(out.cleaned, recording, facts.stale, facts.held);
-  bridge(out.cleaned, facts.held);
+  bridge(out.cleaned, facts.held, facts.motionHeld);
   MotionOptions smoothing;
   smoothing.cutoffHz = kDefaultCutoffHz;
   auto motion = motionOf(out.cleaned, robot, smoothing);
@@ -155,8 +155,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     MotionOptions options;
   };
   // Twicing lets more noise through: not where noise asks for a low corner, and at 12 Hz either may be the better.
-  constexpr std::array<Smoothing, 7> kSmoothings{
-      {{0.0, {.cutoffHz = kDefaultCutoffHz, .twicing = true}},
+  // A hand that trembles fast shakes the tool faster than the usual corner, and an arm may report it.
+  constexpr std::array<Smoothing, 8> kSmoothings{
+      {{-1.0, {.cutoffHz = 55.0, .twicing = true}},
+       {0.0, {.cutoffHz = kDefaultCutoffHz, .twicing = true}},
        {1.0, {.cutoffHz = 17.0, .twicing = true}},
        {1.5, {.cutoffHz = kDefaultCutoffHz, .twicing = true, .denoise = true}},
        {2.0, {.cutoffHz = 12.0, .twicing = true}},
@@ -174,10 +176,11 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.push_back(std::move(**way));
     ways.back().mistakeKnown = readings.mistake.has_value();
   }
-  lookForContact(ways.front(), readings.cleaned, options);
-  lookForMistake(ways.front());
+  Way& usual = ways[kUsualWay];
+  lookForContact(usual, readings.cleaned, options);
+  lookForMistake(usual);
   weighSharpMotion(ways, wasHeld(readings));
-  std::size_t at = 0;
+  std::size_t at = kUsualWay;
   // The way that leaves most of the motion among those that are next to best.
   const auto leastSmoothed = [&](const std::vector<double>& evidence) {
     constexpr double kSlightly = 10.0;
@@ -189,18 +192,18 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   Searched out;
   if (*std::ranges::max_element(plain) > plain[at] + kClearly) {
     at = leastSmoothed(plain);
-    if (!contains(options.hidden, "derivative_noise"))
-      out.noisy = noisyMotion(readings.cleaned, ways.front(), ways[at], plain[at] - plain.front());
+    if (at > kUsualWay && !contains(options.hidden, "derivative_noise"))
+      out.noisy = noisyMotion(readings.cleaned, usual, ways[at], plain[at] - plain[kUsualWay]);
     for (std::size_t i = 0; i < ways.size(); ++i) {
       ways[i].signals.noisyMotion = out.noisy.has_value();
-      ways[i].signals.smoothedAway = std::max(0.0, plain[i] - plain.front());
+      if (i > kUsualWay) ways[i].signals.smoothedAway = std::max(0.0, plain[i] - plain[kUsualWay]);
     }
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
   const auto searchedOn = [&](std::size_t i, double threshold, const GivesUp& givesUp = {}) {
     lookForContact(ways[i], readings.cleaned, options);
-    lookForMistake(ways[i], ways.front().mistake);
+    lookForMistake(ways[i], usual.mistake);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better,
@@ -222,7 +225,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   const auto betterElsewhere = [&](const Work& work) {
     return betterBy([&](const Way& way) { return evidenceAt(way, work); });
   };
-  const bool smooth = at > 0;
+  const bool smooth = at > kUsualWay;
   auto found = searchedOn(at, kThreshold, [&](const Work& work, SoFar soFar) {
     if (soFar == SoFar::anotherCause) return false;
     return smooth && soFar == SoFar::firstCause
@@ -252,7 +255,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   if (progress.cancelled()) return Error{"Stopped.", true};
   out.work = std::move(*found);
   out.work.madeByMotion = madeByMotion(out.work, ways, at);
-  if (!contains(options.hidden, "flexible_mount")) setRingingAside(out.work, ways.front());
+  if (!contains(options.hidden, "flexible_mount")) setRingingAside(out.work, usual);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "core/math/statistics.h"
 #include "core/motion/resample.h"
 #include "core/segmentation/wrench_runs.h"
 
@@ -23,10 +24,39 @@ void fill(Series& series, const VectorXd& time, const Held& rows, const std::arr
   for (Eigen::Index i = rows.from; i < rows.to; ++i) interpolate(at, time(i), time, series, series.row(i));
 }
 
+bool motionRepeats(const Recording& recording, Eigen::Index row) {
+  return repeats(recording.q, row) && repeats(recording.position, row) && repeats(recording.quaternion, row);
+}
+
 bool stoodStill(const Recording& recording, const Held& rows) {
   for (Eigen::Index i = rows.from; i < rows.to; ++i)
-    if (!repeats(recording.q, i) || !repeats(recording.position, i) || !repeats(recording.quaternion, i)) return false;
+    if (!motionRepeats(recording, i)) return false;
   return true;
+}
+
+/// How far the motion goes from the row before to this one: angles [rad], or position [m] and twice the quaternion.
+double stepTo(const Recording& recording, Eigen::Index row) {
+  const auto step = [&](const auto& series) {
+    return series.rows() == 0 ? 0.0 : (series.row(row) - series.row(row - 1)).norm();
+  };
+  return step(recording.q) + step(recording.position) + 2.0 * step(recording.quaternion);
+}
+
+/// Whether the motion makes up at once, at row `to`, for the rows that it stood still before, as it goes on beside
+/// them.
+bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
+  constexpr double kMakesUp = 0.6, kGoesOn = 0.8;
+  const Eigen::Index length = to - from, reach = 3 * length;
+  std::vector<double> steps;
+  Eigen::Index moves = 0;
+  const auto take = [&](Eigen::Index row) {
+    steps.push_back(stepTo(recording, row));
+    moves += motionRepeats(recording, row) ? 0 : 1;
+  };
+  for (Eigen::Index i = std::max<Eigen::Index>(1, from - reach); i < from; ++i) take(i);
+  for (Eigen::Index i = to + 1; i < std::min(recording.rows(), to + 1 + reach); ++i) take(i);
+  return static_cast<double>(moves) > kGoesOn * static_cast<double>(steps.size()) &&
+         stepTo(recording, to) > kMakesUp * static_cast<double>(length + 1) * median(std::move(steps));
 }
 
 }  // namespace
@@ -46,6 +76,28 @@ std::vector<Held> heldRows(const Recording& recording) {
     count += run.to - run.from;
   }
   if (static_cast<double>(count) > kMostOfAll * static_cast<double>(recording.rows())) out.clear();
+  return out;
+}
+
+Runs motionHolds(const Recording& recording) {
+  constexpr double kShortest = 0.005, kMostOfAll = 0.05;  // [s], share of the rows
+  constexpr Eigen::Index kFewest = 3;
+  const Eigen::Index rows = recording.rows();
+  Runs out;
+  Eigen::Index count = 0;
+  for (Eigen::Index from = 1; from < rows; ++from) {
+    Eigen::Index to = from;
+    bool readingsToo = true;
+    while (to < rows && motionRepeats(recording, to)) readingsToo = repeats(recording.wrench, to++) && readingsToo;
+    if (to == from) continue;
+    if (to < rows && to - from >= kFewest && recording.time(to) - recording.time(from) >= kShortest && !readingsToo &&
+        makesUp(recording, from, to)) {
+      out.emplace_back(from, to);
+      count += to - from;
+    }
+    from = to;
+  }
+  if (static_cast<double>(count) > kMostOfAll * static_cast<double>(rows)) out.clear();
   return out;
 }
 
@@ -165,8 +217,10 @@ void refresh(Recording& cleaned, const Recording& recording, Runs stale, const s
   }
 }
 
-void bridge(Recording& recording, const std::vector<Held>& held) {
-  for (const Held& rows : held) {
+void bridge(Recording& recording, const std::vector<Held>& held, const Runs& motionHeld) {
+  std::vector<Held> all = held;
+  for (const auto& [from, to] : motionHeld) all.push_back({from, to, true});
+  for (const Held& rows : all) {
     // As far away as the gap is long: slopes between close rows are mostly noise.
     const Eigen::Index away = rows.to - rows.from;
     if (!rows.motionToo || rows.from <= away || rows.to + away >= recording.rows()) continue;

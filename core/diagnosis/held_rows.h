@@ -24,6 +24,11 @@ std::vector<Held> heldRows(const Recording& recording);
 /// None if channels that stand still independently of each other would make a third as many.
 Runs staleRuns(const Recording& recording);
 
+/// Runs of rows [from, to) in which the recorded motion stands still for 5 ms and more while the readings go on, and
+/// then makes up for it at once: whatever reported it had stalled. None if these make up more than a twentieth of the
+/// recording.
+Runs motionHolds(const Recording& recording);
+
 /// Runs of rows [from, to) whose readings are, row by row and to the last digit, those of some rows before, as where a
 /// driver hands out a buffer a second time. Noise makes no such run of 15 rows and 15 ms.
 Runs replayedRuns(const Recording& recording);
@@ -39,7 +44,8 @@ void straightOver(const Runs& runs, const VectorXd& time, Eigen::Ref<MatrixXd> r
 /// with them: then both are equally old; and not where most are held for long.
 void refresh(Recording& cleaned, const Recording& recording, Runs stale, const std::vector<Held>& notJudged);
 
-/// The motion of whole rows that were repeated put back: a cubic through two rows on either side.
-void bridge(Recording& recording, const std::vector<Held>& held);
+/// The motion of whole rows that were repeated, or of those in which it alone was held, put back: a cubic through two
+/// rows on either side.
+void bridge(Recording& recording, const std::vector<Held>& held, const Runs& motionHeld);
 
 }  // namespace heft::diagnosis

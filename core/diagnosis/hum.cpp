@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/diagnosis/noise.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/math/periodogram.h"
 #include "core/math/statistics.h"
@@ -87,6 +88,32 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
   if (out)
     out->mains = std::ranges::any_of(std::array{50.0, 60.0, 100.0, 120.0},
                                      [&](double f) { return std::abs(out->frequencyHz - f) < 1.5; });
+  return out;
+}
+
+std::optional<double> pitchIn(const Signals& signals) {
+  constexpr double kStandsOut = 10.0;               ///< Times the power beside it
+  constexpr Eigen::Index kBeside = 12, kBroad = 4;  ///< Lines, a hertz apart
+  const auto length = static_cast<Eigen::Index>(std::lround(signals.rateHz)),
+             last = static_cast<Eigen::Index>(kOfRate * signals.rateHz), first = static_cast<Eigen::Index>(kLowestHz);
+  const Eigen::Index m = signals.samplesPerBlock;
+  MatrixXd power = MatrixXd::Zero(6, std::max<Eigen::Index>(1, last));
+  std::size_t windows = 0;
+  for (const Stretch& s : stretchesOf(signals.usable))
+    for (Eigen::Index from = s.from * m; from + length <= s.to * m; from += length / 2, ++windows)
+      power += taperedPower(signals.readings.middleCols(from, length), last);
+  std::optional<double> out;
+  double most = kStandsOut;
+  for (Eigen::Index k = first; windows >= kFewest && k < last; ++k)
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      std::vector<double> beside;
+      for (Eigen::Index j = std::max(first, k - kBeside); j <= std::min(last - 1, k + kBeside); ++j)
+        if (std::abs(j - k) > kBroad) beside.push_back(power(c, j));
+      const double stands = power(c, k) / std::max(median(std::move(beside)), 1e-300);
+      if (stands <= most) continue;
+      most = stands;
+      out = static_cast<double>(k + 1) * signals.rateHz / static_cast<double>(length);
+    }
   return out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Lines in the spectrum of the readings above everything that a hand moves: fans, motors, the mains.
+// Lines in the spectrum of the readings above everything that a hand moves: fans, motors, the mains, what rings.
 #include <optional>
 
 #include "core/diagnosis/signals.h"
@@ -16,5 +16,8 @@ struct Hum {
 /// The line that stands out most, if any does; `recording` has evenly spaced rows, of which those in usable blocks
 /// count.
 std::optional<Hum> humIn(const Recording& recording, const Signals& signals);
+
+/// Where the readings ring above what a hand moves [Hz], however broad that is; none where no pitch stands out.
+std::optional<double> pitchIn(const Signals& signals);
 
 }  // namespace heft::diagnosis

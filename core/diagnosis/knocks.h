@@ -15,6 +15,10 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
 /// some channel than it usually is, where the motion is as well known as elsewhere.
 std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
 
+/// Whether the noise is several times louder in some parts than in others that move alike, again and again: something
+/// runs there, or is switched on.
+bool noiseSwitches(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);
+
 /// The time [s] of the block in `stretches` in which most is left by far, more than noise of any kind ever leaves: one
 /// moment at which a reading is plainly wrong. None where there is no such block.
 std::optional<double> glitchIn(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit);

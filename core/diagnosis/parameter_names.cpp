@@ -16,7 +16,7 @@ struct Name {
   const char* words;
 };
 
-constexpr std::array<Name, 43> kNames = {{
+constexpr std::array<Name, 45> kNames = {{
     {"delay", heft::toSay("Delay t")},
     {"clock_drift", heft::toSay("Clocks run apart by")},
     {"lag", heft::toSay("Delay of the motion t")},
@@ -40,6 +40,7 @@ constexpr std::array<Name, 43> kNames = {{
     {"duration", heft::toSay("Duration")},
     {"loss", heft::toSay("Missing share")},
     {"smoothing", heft::toSay("Smoothed over T")},
+    {"position_smoothing", heft::toSay("Positions smoothed over T")},
     {"hardening", heft::toSay("Grows stiffer as it stretches by h")},
     {"length", heft::toSay("Length when slack L")},
     {"count", heft::toSay("Number")},
@@ -47,6 +48,7 @@ constexpr std::array<Name, 43> kNames = {{
     {"replayed", heft::toSay("Handed out again")},
     {"spread", heft::toSay("Spread of the time stamps")},
     {"repeated", heft::toSay("Readings that repeat")},
+    {"motion_repeated", heft::toSay("Positions that repeat")},
     {"zero", heft::toSay("Readings that are zero")},
     {"missing", heft::toSay("Readings that are missing")},
     {"peak_force", heft::toSay("Greatest force F")},

@@ -97,9 +97,11 @@ Direct jitter(const UnevenStamps& stamps) {
 /// Readings that were held, zeroed or left out. Rows that are held for long are not to be trusted.
 std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts) {
   const Eigen::Index n = recording.rows();
-  Eigen::Index held = 0, zeros = 0, missing = 0, replayed = 0;
+  constexpr std::size_t kStalls = 3;  // As many are no chance, however short
+  Eigen::Index held = 0, zeros = 0, missing = 0, replayed = 0, motionHeld = 0;
   for (const auto& [from, to] : facts.stale) held += to - from;
   for (const auto& [from, to] : facts.replayed) replayed += to - from;
+  for (const auto& [from, to] : facts.motionHeld) motionHeld += to - from;
   const auto blanks = zeroRuns(recording);
   for (const auto& [from, to] : blanks) zeros += to - from;
   const double step = !facts.stamps && recording.rateHz() > 0.0 ? 1.0 / recording.rateHz() : 0.0;
@@ -110,13 +112,16 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   const double total = static_cast<double>(n);
   const double lost = static_cast<double>(held + missing) / total;
   const double blank = static_cast<double>(zeros) / total;
-  if (lost < 0.002 && blank < 0.0005 && facts.replayed.empty()) return std::nullopt;
+  if (lost < 0.002 && blank < 0.0005 && facts.replayed.empty() && facts.motionHeld.size() < kStalls)
+    return std::nullopt;
   Direct out;
   out.cause = "dropouts";
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
                     {"zero", "%", 100.0 * blank, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};
   if (replayed > 0) out.parameters.push_back({"replayed", "%", 100.0 * static_cast<double>(replayed) / total, 0.0});
+  if (motionHeld > 0)
+    out.parameters.push_back({"motion_repeated", "%", 100.0 * static_cast<double>(motionHeld) / total, 0.0});
   out.rows.assign(static_cast<std::size_t>(n), false);
   constexpr double kGap = 0.015, kBeside = 0.1;  // [s] Shorter ones are bridged well enough
   for (const auto& [from, to] : blanks)
@@ -150,6 +155,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   out.held = heldRows(recording);
   out.stale = staleRuns(recording);
   out.replayed = replayedRuns(recording);
+  out.motionHeld = motionHolds(recording);
   Unclipped clipping =
       unclipped(withoutSpikes(withoutZeros(recording, out.deadBands), out.spikes), out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);

@@ -38,6 +38,7 @@ struct RowFacts {
   std::vector<Held> held;              ///< As of heldRows(recording)
   Runs stale;                          ///< As of staleRuns(recording)
   Runs replayed;                       ///< As of replayedRuns(recording)
+  Runs motionHeld;                     ///< As of motionHolds(recording)
   /// The wrench with what zeros, spikes and flat tops hide put in again, as far as that can be told
   Eigen::Matrix<double, Eigen::Dynamic, 6> restored;
 };

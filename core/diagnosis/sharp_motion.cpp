@@ -32,13 +32,13 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
   constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
-  const std::optional<FrameMistake>& mistake = ways.front().mistake;
+  const std::optional<FrameMistake>& mistake = ways[kUsualWay].mistake;
   std::optional<Signals> right;  // Of the way that was asked for last
   const auto rightOf = [&](const Way& way) -> const Signals& {
     return mistake ? right.emplace(corrected(way.signals, *mistake)) : way.signals;
   };
-  const Signals& least = rightOf(ways.front());
-  const auto stretches = untouched(least, ways.front());
+  const Signals& least = rightOf(ways[kUsualWay]);
+  const auto stretches = untouched(least, ways[kUsualWay]);
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});
   if (!held) {
@@ -59,7 +59,7 @@ void weighSharpMotion(std::vector<Way>& ways, bool held) {
   }
   for (std::size_t i = 0; i < ways.size(); ++i) {
     std::vector<Wrenches> lost;
-    for (std::size_t less = 0; less < i; ++less) lost.emplace_back(made[less] - made[i]);
+    for (std::size_t less = kUsualWay; less < i; ++less) lost.emplace_back(made[less] - made[i]);
     ways[i].signals.lost = std::make_shared<const std::vector<Wrenches>>(std::move(lost));
     // What was denoised may be smoother at a stop than one with a low corner.
     std::size_t next = i + 1;

@@ -56,20 +56,8 @@ bool mayAdd(const Form& form, const Model& model) {
 /// Squared deviations by which term `at` of the fit stands out, as far as its amplitudes are known beside everything
 /// else.
 double standsOut(const Fit& fit, std::size_t at) {
-  Eigen::Index from = kLinear;
-  for (std::size_t i = 0; i < at; ++i) from += fit.model.terms[i].v.size();
   const Term& term = fit.model.terms[at];
-  std::vector<Eigen::Index> own;
-  for (const int p : term.form->scan)
-    if (term.moves(p)) own.push_back(from + p);
-  if (own.empty() || term.form->walk) return 0.0;
-  VectorXd size(std::ssize(own));
-  for (Eigen::Index i = 0; i < size.size(); ++i) {
-    const Eigen::Index p = own[static_cast<std::size_t>(i)] - from;
-    size(i) = term.v(p) - term.form->start(p);
-  }
-  const MatrixXd covariance = fit.covariance(own, own);
-  return size.dot(covariance.ldlt().solve(size));
+  return term.form->walk ? 0.0 : amplitudesOf(fit, [&](const Term& t) { return &t == &term; }).squaredDeviations();
 }
 
 /// Adds to `all` what guides grow into, which are no trials themselves, and what the channels of a zero that walks do
@@ -152,6 +140,25 @@ void addReplaced(const Signals& signals, const std::vector<Stretch>& stretches, 
 
 bool contains(const Model& model, std::string_view cause) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) { return causeOf(t) == cause; });
+}
+
+double Amplitudes::squaredDeviations() const {
+  return sizes.size() == 0 ? 0.0 : sizes.dot(covariance.ldlt().solve(sizes));
+}
+
+Amplitudes amplitudesOf(const Fit& fit, const std::function<bool(const Term&)>& which) {
+  std::vector<Eigen::Index> own;
+  std::vector<double> sizes;
+  Eigen::Index at = kLinear;
+  for (const Term& term : fit.model.terms) {
+    for (const int p : term.form->scan) {
+      if (!term.moves(p) || !which(term)) continue;
+      own.push_back(at + p);
+      sizes.push_back(term.v(p) - term.form->start(p));
+    }
+    at += term.v.size();
+  }
+  return {Eigen::Map<const VectorXd>(sizes.data(), std::ssize(sizes)), fit.covariance(own, own)};
 }
 
 void weigh(Trial& trial, const Fit& base, const Signals& signals) {

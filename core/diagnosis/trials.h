@@ -1,6 +1,7 @@
 #pragma once
 // Causes tried around a model: which promise anything, what fits of them gain, which are needed.
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,18 @@ inline bool takesAnyCourse(const Model& model) {
 
 /// Whether any term is of that cause.
 bool contains(const Model& model, std::string_view cause);
+
+/// How far amplitudes that a fit moves are from where their causes do nothing, and how well that is known beside
+/// everything else.
+struct Amplitudes {
+  VectorXd sizes;
+  MatrixXd covariance;
+
+  double squaredDeviations() const;
+};
+
+/// Those of the terms that `which` is true of.
+Amplitudes amplitudesOf(const Fit& fit, const std::function<bool(const Term&)>& which);
 
 /// A fit with one more term.
 struct Trial {

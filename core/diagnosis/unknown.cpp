@@ -173,12 +173,16 @@ void sayKnocks(const Work& work, DiagnosisReport& out) {
 void sayBursts(const Work& work, DiagnosisReport& out) {
   constexpr std::size_t kFewest = 3;
   if (work.ringing || out.remaining.gain > kUnexplained) return;
-  const auto bursts = burstsIn(work.signals, work.stretches, work.search.final);
-  if (bursts.size() < kFewest) return;
+  const Fit& fit = work.search.final;
+  const auto bursts = burstsIn(work.signals, work.stretches, fit);
+  const bool some = bursts.size() >= kFewest;
+  if (!some && !noiseSwitches(work.signals, work.stretches, fit)) return;
   out.findings.push_back(
       {Severity::warning,
        "bursts",
-       heft::say("The readings shake for a moment {} times, first at {:.1f} s.", std::ssize(bursts), bursts.front()),
+       some ? heft::say("The readings shake for a moment {} times, first at {:.1f} s.", std::ssize(bursts),
+                        bursts.front())
+            : heft::say("The readings shake in some parts of the recording, and not in others that move alike."),
        heft::say("Look at what switches, shakes or turns on the tool at these moments."),
        {}});
   out.remaining = seen(heft::toSay("noise that comes and goes"));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/diagnosis/jump_laws.h"
 #include "core/diagnosis/structure.h"
 #include "core/diagnosis/unknown.h"
 #include "core/diagnosis/words.h"
@@ -104,11 +105,13 @@ void giveVerdict(const Work& work, DiagnosisReport& out) {
   // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.
   const bool strained = !out.causes.empty() && !believable(work.search.final),
              several = fittedOf(out.causes) >= kSeveral, patchwork = isPatchwork(work.search.final.model, out.causes);
-  if (shareAMoment(work.search.final.model, out.causes)) {
-    out.remaining = {heft::toSay("sudden changes"), 2.0 * kUnexplained, 0.0, 0.0, 0.0};
+  const auto isUnknown = [&](const char* goesWith) {
+    out.remaining = {goesWith, 2.0 * kUnexplained, 0.0, 0.0, 0.0};
     out.verdict = Verdict::unexplained;
-    return;
-  }
+  };
+  if (shareAMoment(work.search.final.model, out.causes)) return isUnknown(heft::toSay("sudden changes"));
+  if (jumpWithTheirReading(work.signals, work.search.final.model))
+    return isUnknown(heft::toSay("what a channel itself reads"));
   const double faint = faintEvidence(out.causes);
   if (!strained && !several && !patchwork && !guessed && faint <= 0.0) return;
   // What one unknown explains as well may be crutches for something that the catalogue lacks.

@@ -146,6 +146,9 @@ std::string dropoutSentence(const Values& v) {
     return heft::say("{} % of the readings are zero throughout: lost packets.", v.size("zero"));
   if (v.find("replayed") && v.value("replayed") > std::max(v.value("repeated"), v.value("missing")))
     return heft::say("{} % of the readings were handed out a second time, in place of new ones.", v.size("replayed"));
+  if (v.find("motion_repeated") && v.value("motion_repeated") > std::max(v.value("repeated"), v.value("missing")))
+    return heft::say("{} % of the recorded positions repeat the one before, while the tool moved on.",
+                     v.size("motion_repeated"));
   if (v.value("missing") > v.value("repeated"))
     return heft::say("{} % of the readings are missing.", v.size("missing"));
   return heft::say("{} % of the force readings repeat the one before.", v.size("repeated"));
@@ -384,6 +387,11 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   if (id == "derivative_noise" && v.find("step_place"))
     return heft::say("The positions come in steps of {} mm: accelerations from them are rough.",
                      number(v.value("step_place"), 2));
+  if (id == "derivative_noise" && v.find("position_smoothing"))
+    return heft::say(
+        "The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in them "
+        "is too small.",
+        v.size("position_smoothing"));
   if (id == "derivative_noise" && v.find("smoothing"))
     return heft::say(
         "The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too "

@@ -308,11 +308,11 @@ std::vector<Stretch> untouched(Signals judged, const Way& way) {
 }
 
 std::vector<double> nullEvidence(const std::vector<Way>& ways) {
-  Signals common = ways.front().signals;
+  Signals common = ways[kUsualWay].signals;
   for (const auto& way : ways)
     for (std::size_t n = 0; n < common.usable.size(); ++n)
       common.usable[n] = common.usable[n] && n < way.signals.usable.size() && way.signals.usable[n];
-  const auto stretches = untouched(common, ways.front());
+  const auto stretches = untouched(common, ways[kUsualWay]);
   std::vector<double> out(ways.size(), -1e300);
   if (stretches.empty()) return out;
   const auto fitAll = [&](const std::optional<FrameMistake>& mistake) {
@@ -324,7 +324,7 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   };
   fitAll({});
   // Where frames are mixed up, nothing of what moves can be told from noise.
-  if (*std::ranges::max_element(out) > out.front())
+  if (*std::ranges::max_element(out) > out[kUsualWay])
     if (const auto mistake = frameMistake(common, stretches, fitModel(common, stretches, Model{}))) fitAll(mistake);
   return out;
 }

@@ -24,6 +24,10 @@ struct Way {
   bool mistakeKnown = false;                  ///< It was, or the recording's was undone: no other is looked for
 };
 
+/// Of several ways to smooth a motion, the one that is taken unless another is clearly better: those before it smooth
+/// less.
+constexpr std::size_t kUsualWay = 1;
+
 /// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not
 /// judged.
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,

@@ -6938,6 +6938,30 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Check that channel&apos;s cable and plug; mark the stretch as &quot;ignore&quot;.</source>
         <translation>Prüfen Sie Kabel und Stecker dieses Kanals; markieren Sie den Abschnitt als „ignoriert“.</translation>
     </message>
+    <message>
+        <source>Positions smoothed over T</source>
+        <translation>Positionen über T geglättet</translation>
+    </message>
+    <message>
+        <source>Positions that repeat</source>
+        <translation>Positionen, die sich wiederholen</translation>
+    </message>
+    <message>
+        <source>The readings shake in some parts of the recording, and not in others that move alike.</source>
+        <translation>Die Messwerte zittern in manchen Teilen der Aufnahme und in anderen, die sich gleich bewegen, nicht.</translation>
+    </message>
+    <message>
+        <source>what a channel itself reads</source>
+        <translation>dem, was ein Kanal selbst misst</translation>
+    </message>
+    <message>
+        <source>{} % of the recorded positions repeat the one before, while the tool moved on.</source>
+        <translation>{} % der aufgezeichneten Positionen wiederholen die vorige, während das Werkzeug sich weiterbewegte.</translation>
+    </message>
+    <message>
+        <source>The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in them is too small.</source>
+        <translation>Die Positionen wurden vor der Aufzeichnung um {} ms zu beiden Seiten geglättet, sodass Schnelles in ihnen zu klein ist.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

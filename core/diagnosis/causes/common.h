@@ -71,29 +71,47 @@ inline void addMove(const Signals& signals, Kinematics& kinematics, const Kinema
   kinematics.turned = std::move(axes);
 }
 
-/// Changes velocity and acceleration by `change`, which takes and returns one of them in S axes, and leaves gravity as
-/// it is.
+/// Changes the acceleration of S's origin by `change`, which takes and returns it in S axes, and leaves gravity as it
+/// is.
 template <class Change>
-void changeMotionInSensor(const Signals& signals, Kinematics& kinematics, Change change) {
+void changeAccelerationInSensor(const Signals& signals, Kinematics& kinematics, Change change) {
   Eigen::Matrix3Xd gravity(3, signals.size());
   for (Eigen::Index k = 0; k < signals.size(); ++k)
     gravity.col(k) = signals.R_BS[static_cast<std::size_t>(k)].transpose() * signals.gravity;
   kinematics.specificForce = change(kinematics.specificForce + gravity) - gravity;
+}
+
+/// The same of turning, too.
+template <class Change>
+void changeMotionInSensor(const Signals& signals, Kinematics& kinematics, Change change) {
+  changeAccelerationInSensor(signals, kinematics, change);
   kinematics.omega = change(kinematics.omega);
   kinematics.alpha = change(kinematics.alpha);
 }
 
-/// The same where `change` takes and returns B axes.
+/// `change`, which takes and returns B axes, of what is in S axes.
 template <class Change>
-void changeMotion(const Signals& signals, Kinematics& kinematics, Change change) {
-  changeMotionInSensor(signals, kinematics, [&](Eigen::Matrix3Xd value) {
+auto inBase(const Signals& signals, Change change) {
+  return [&signals, change](Eigen::Matrix3Xd value) {
     for (Eigen::Index k = 0; k < value.cols(); ++k)
       value.col(k) = (signals.R_BS[static_cast<std::size_t>(k)] * value.col(k)).eval();
     Eigen::Matrix3Xd out = change(value);
     for (Eigen::Index k = 0; k < out.cols(); ++k)
       out.col(k) = (signals.R_BS[static_cast<std::size_t>(k)].transpose() * out.col(k)).eval();
     return out;
-  });
+  };
+}
+
+/// As changeAccelerationInSensor() where `change` takes and returns B axes.
+template <class Change>
+void changeAcceleration(const Signals& signals, Kinematics& kinematics, Change change) {
+  changeAccelerationInSensor(signals, kinematics, inBase(signals, change));
+}
+
+/// The same of turning, too.
+template <class Change>
+void changeMotion(const Signals& signals, Kinematics& kinematics, Change change) {
+  changeMotionInSensor(signals, kinematics, inBase(signals, change));
 }
 
 /// Two unit vectors across gravity, B axes.

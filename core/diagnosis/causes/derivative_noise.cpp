@@ -1,7 +1,7 @@
 // Everything inertial looks smaller than it is: by one share, inertial part x (1 - loss), where accelerations are
 // noisy; the faster the more where the motion was smoothed before it was recorded, inertial part x exp(-(T omega)^2 /
 // 2) as a bell of width T does, or 1 / (1 + (T omega)^4) as a Butterworth filter of order 2 that ran forward and
-// backward.
+// backward. Who reports poses may have smoothed positions alone.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 
@@ -9,6 +9,10 @@ namespace heft::diagnosis {
 namespace {
 
 enum Smoothing { kBell = 1, kButterworth = 2 };  // A form without a choice is the share
+
+constexpr int kPositions = 1;  ///< Second choice: of positions alone
+
+bool ofPositions(const Form& form) { return form.choice.size() > 1; }
 
 double bellWidth(double square) { return kMilli * std::sqrt(std::max(0.0, square)); }
 double butterworthWidth(double fourthPower) { return kMilli * std::pow(std::max(0.0, fourthPower), 0.25); }
@@ -52,9 +56,16 @@ class DerivativeNoise final : public Cause {
       const double power = kind == kBell ? 2.0 : 4.0;
       Parameter size{"smoothing", "ms", kMilli, std::pow(kTypical, power), 0.0, std::pow(kLongest, power)};
       size.told = kind == kBell ? bellWidth : butterworthWidth;
-      out.push_back(formOf(this, kind == kBell ? "smoothed" : "smoothed more sharply", {size}));
-      out.back().choice = {kind};
-      out.back().alone = true;
+      Form form = formOf(this, kind == kBell ? "smoothed" : "smoothed more sharply", {size});
+      form.choice = {kind};
+      form.alone = true;
+      out.push_back(form);
+      if (signals.robot != nullptr || !signals.positionKnown) continue;
+      size.name = "position_smoothing";
+      form = formOf(this, kind == kBell ? "positions smoothed" : "positions smoothed more sharply", {size});
+      form.choice = {kind, kPositions};
+      form.alone = true;
+      out.push_back(std::move(form));
     }
     return out;
   }
@@ -80,6 +91,10 @@ class DerivativeNoise final : public Cause {
   void geometry(const Form& form, const VectorXd& v, const Signals& signals, Kinematics& kinematics) const override {
     if (!form.choice.empty()) {
       const auto sharp = [&](const MatrixXd& value) { return sharpened(value, form.choice[0], v(0), signals.rateHz); };
+      if (ofPositions(form)) {
+        changeAcceleration(signals, kinematics, sharp);
+        return;
+      }
       if (signals.robot == nullptr) {
         changeMotion(signals, kinematics, sharp);
         return;

@@ -1,9 +1,11 @@
 // A mass on a spring: something loose in the tool (slow), or the mount that gives (fast).
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/hum.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -264,6 +266,8 @@ class FlexibleMount final : public Oscillator {
   std::vector<Form> forms(const Signals& signals) const override {
     if (signals.rateHz < 100.0) return {};
     auto out = at({13.0, 15.0, 17.5, 20.0, 23.0}, kSoftest, kStiffest);
+    if (const auto pitch = pitchIn(signals); pitch && *pitch < kStiffest)
+      std::ranges::move(at({*pitch}, kSoftest, kStiffest), std::back_inserter(out));
     // The whole tool gives, by as much per newton to all sides: how far tells the frequency, whether or not it rings.
     for (const double damping : {0.05, 0.2}) {
       Form form = formOf(this, fmt::format("whole tool, damped {:.2f}", damping),

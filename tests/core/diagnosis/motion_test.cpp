@@ -125,6 +125,75 @@ TEST(Diagnose, CornersOfTheMotionAreNoCause) {
   }
 }
 
+/// Angles of a hand that guides slowly and trembles from 18 to 34 Hz.
+auto aFastTremble(RandomStream& random) {
+  struct Swing {
+    double size, rate, phase;  ///< [rad], [rad/s], [rad]
+  };
+  std::vector<std::vector<Swing>> joints(7);
+  for (auto& swings : joints) {
+    for (int i = 0; i < 6; ++i)
+      swings.push_back({random.uniform(0.03, 0.15), random.uniform(0.5, 6.0), random.uniform(0.0, 6.0)});
+    for (int i = 0; i < 40; ++i) swings.push_back({2e-6, random.uniform(110.0, 215.0), random.uniform(0.0, 6.0)});
+  }
+  return [joints](double t) {
+    JointMotion out{RobotModel::panda().homePosture(), VectorXd::Zero(7), VectorXd::Zero(7)};
+    for (Eigen::Index j = 0; j < 7; ++j)
+      for (const auto& [size, rate, phase] : joints[static_cast<std::size_t>(j)]) {
+        out.q(j) += size * std::sin(rate * t + phase);
+        out.dq(j) += size * rate * std::cos(rate * t + phase);
+        out.ddq(j) -= size * rate * rate * std::sin(rate * t + phase);
+      }
+    return out;
+  };
+}
+
+/// Angles that are fine show a tremble above the usual corner, and smoothed away it was accelerations that are off.
+TEST(Diagnose, ATrembleFasterThanTheUsualCornerIsNoCause) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    RandomStream random(seed, RandomPurpose::effect);
+    const auto path = aFastTremble(random);
+    const auto report = diagnosed(along(path, aTool(), {1000.0, 1e-7, 0.0, 0.03, 0.001}, random));
+    EXPECT_EQ(report.verdict, Verdict::clean) << seed << ": " << said(report);
+  }
+}
+
+/// It rings in so narrow a band that a search from afar does not come there: the spectrum of the readings tells where.
+TEST(Diagnose, AMountThatRingsFarAboveTheHandIsFoundByItsPitch) {
+  RandomStream random(4, RandomPurpose::effect);
+  const auto path = aFastTremble(random);
+  const auto report = diagnosed(along(path, aTool(), {1000.0, 1e-7, 0.0, 0.03, 0.001}, random, {36.0, 0.012}));
+  const DiagnosedCause* mount = named(report, "flexible_mount");
+  ASSERT_NE(mount, nullptr) << said(report);
+  EXPECT_EQ(report.causes.front().id, "flexible_mount") << said(report);
+  EXPECT_NEAR(findParameter(mount->parameters, "frequency")->value, 36.0, 1.0);
+}
+
+/// Orientation came as it was.
+TEST(Diagnose, PositionsThatWereSmoothedAlone) {
+  constexpr double kWidth = 0.03;  // [s]
+  Recording recording = asPoses(aRecording(MotionKind::excitation, 363));
+  recording.twist.resize(0, 6);
+  const MatrixXd sharp = recording.position;
+  const auto reach = static_cast<Eigen::Index>(4.0 * kWidth * recording.rateHz());
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    double weights = 0.0;
+    for (Eigen::Index k = std::max<Eigen::Index>(0, i - reach); k < std::min(recording.rows(), i + reach + 1); ++k) {
+      const double weight = std::exp(-0.5 * std::pow((recording.time(k) - recording.time(i)) / kWidth, 2));
+      sum += weight * sharp.row(k);
+      weights += weight;
+    }
+    recording.position.row(i) = sum / weights;
+  }
+  const auto report = diagnosed(recording);
+  ASSERT_FALSE(report.causes.empty()) << said(report);
+  ASSERT_EQ(report.causes.front().id, "derivative_noise") << said(report);
+  const CauseParameter* width = findParameter(report.causes.front().parameters, "position_smoothing");
+  ASSERT_NE(width, nullptr) << said(report);
+  EXPECT_NEAR(width->value, 30.0, 3.0 * width->std);
+}
+
 /// A hand that trembles, each joint at a frequency of its own, under angles as noisy as they may be. A low-pass with a
 /// corner that keeps this noise away takes a tenth of the tremor: that was a shaking, or a mount that gives at 12 Hz.
 TEST(Diagnose, ATrembleUnderNoisyAnglesIsNoCause) {

@@ -8,6 +8,7 @@
 #include <random>
 #include <tuple>
 
+#include "core/diagnosis/knocks.h"
 #include "core/diagnosis/touch_laws.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
@@ -554,6 +555,45 @@ TEST(NoContact, OneGlitchIsNotClean) {
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_TRUE(report.causes.empty()) << said(report);
   EXPECT_FALSE(finds(diagnosed(clean), "glitch"));
+}
+
+/// A welder's pulses in two channels for more than half of the time: loud is what is usual there, so that nothing stood
+/// out of it, and the recording was clean.
+TEST(Diagnose, NoiseThatSwitchesMostOfTheTime) {
+  const auto switches = [](const Recording& recording) {
+    const Motion motion = motionOf(recording, &RobotModel::panda(), {}).value();
+    const auto signals = diagnosis::signalsOf(recording, motion, &RobotModel::panda());
+    const auto stretches = diagnosis::stretchesOf(signals.usable);
+    return diagnosis::noiseSwitches(signals, stretches, fitModel(signals, stretches, diagnosis::Model{}));
+  };
+  Recording recording = aRecording(MotionKind::free, 364);
+  EXPECT_FALSE(switches(recording));
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double t = recording.time(i), phase = 5.3 * t + 0.9 * std::sin(2.1 * t) + 0.5 * std::sin(3.7 * t);
+    const bool welds = (t > 1.5 && t < 5.0) || (t > 6.8 && t < 9.0) || t > 10.0;
+    if (!welds || phase - std::floor(phase) > 0.3) continue;
+    recording.wrench(i, 0) += 0.4;
+    recording.wrench(i, 1) += 0.5;
+  }
+  EXPECT_TRUE(switches(recording));
+  const auto report = diagnosed(recording);
+  EXPECT_NE(report.verdict, Verdict::clean) << said(report);
+}
+
+/// An amplifier that is not the same on both sides of a value jumps whenever its reading passes there: no zero that
+/// jumps, however often.
+TEST(Diagnose, JumpsThatGoWithTheReadingItself) {
+  Recording recording = aRecording(MotionKind::excitation, 365);
+  const VectorXd load = recording.wrench.col(0);
+  const double level = load.minCoeff() + 0.8 * (load.maxCoeff() - load.minCoeff());
+  bool above = load(0) > level;
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - 20), to = std::min(recording.rows(), i + 21);
+    above = load.segment(from, to - from).mean() > level;
+    recording.wrench(i, 0) += above ? 0.6 : 0.0;
+  }
+  const auto report = diagnosed(recording);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
 }
 
 }  // namespace

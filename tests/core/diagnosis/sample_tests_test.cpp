@@ -480,5 +480,28 @@ TEST(SampleTests, AChannelThatFreezesForAWhileIsUnknown) {
   EXPECT_FALSE(diagnosis::frozenChannel(held, {}));
 }
 
+/// Angles that stall for a hundredth of a second, five times, under readings that go on: that was told by nobody, since
+/// sharp motion is expected to fit badly.
+TEST(SampleTests, AMotionThatStallsIsToldAndPutBack) {
+  const Recording still = aRecording(MotionKind::excitation, 366);
+  Recording recording = still;
+  const auto length = static_cast<Eigen::Index>(0.01 * recording.rateHz());
+  for (const double at : {2.0, 3.7, 5.5, 7.1, 9.3}) {
+    const auto from = static_cast<Eigen::Index>(at * recording.rateHz());
+    for (Eigen::Index i = from; i < from + length; ++i) {
+      recording.q.row(i) = recording.q.row(from - 1);
+      if (recording.dq.rows() > 0) recording.dq.row(i) = recording.dq.row(from - 1);
+    }
+  }
+  ASSERT_EQ(diagnosed(still).verdict, Verdict::clean);
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "dropouts");
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  const CauseParameter* share = findParameter(report.causes.front().parameters, "motion_repeated");
+  ASSERT_NE(share, nullptr);
+  EXPECT_NEAR(share->value, 100.0 * 5.0 * 0.01 / 12.0, 0.1);
+}
+
 }  // namespace
 }  // namespace heft::test
