@@ -95,5 +95,20 @@ TEST(Verdict, AGuessBesideACauseIsNotNamed) {
   EXPECT_EQ(report.causes.front().id, "joint_offset");
 }
 
+/// What explains a little beside a strong cause is mostly what that one's form does not quite have.
+TEST(Verdict, ASlightCauseBesideAStrongOneIsNotNamed) {
+  const Work work = aJumpAndALoad();
+  for (const auto& [explains, names] : {std::pair{0.1, 1u}, {0.7, 2u}}) {
+    DiagnosisReport report;
+    report.causes = {fitted("gain_error"), fitted("viscous_drag")};
+    report.causes.front().deltaBic = 5000.0;
+    report.causes.back().gain.explainedFraction = explains;
+    giveVerdict(work, report);
+    EXPECT_EQ(report.causes.size(), names) << explains;
+    EXPECT_EQ(report.causes.front().id, "gain_error") << explains;
+    EXPECT_EQ(report.verdict, Verdict::explained) << explains;
+  }
+}
+
 }  // namespace
 }  // namespace heft::test
