@@ -80,8 +80,8 @@ std::vector<Held> heldRows(const Recording& recording) {
 }
 
 Runs motionHolds(const Recording& recording) {
-  constexpr double kShortest = 0.005, kMostOfAll = 0.05;  // [s], share of the rows
-  constexpr Eigen::Index kFewest = 3;
+  constexpr double kShortest = 0.0039, kMostOfAll = 0.05;  // [s], share of the rows
+  constexpr Eigen::Index kFewest = 2;
   const Eigen::Index rows = recording.rows();
   Runs out;
   Eigen::Index count = 0;

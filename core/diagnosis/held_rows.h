@@ -24,7 +24,7 @@ std::vector<Held> heldRows(const Recording& recording);
 /// None if channels that stand still independently of each other would make a third as many.
 Runs staleRuns(const Recording& recording);
 
-/// Runs of rows [from, to) in which the recorded motion stands still for 5 ms and more while the readings go on, and
+/// Runs of rows [from, to) in which the recorded motion stands still for 4 ms and more while the readings go on, and
 /// then makes up for it at once: whatever reported it had stalled. None if these make up more than a twentieth of the
 /// recording.
 Runs motionHolds(const Recording& recording);
