@@ -125,27 +125,36 @@ TEST(Diagnose, CornersOfTheMotionAreNoCause) {
   }
 }
 
-/// Angles of a hand that guides slowly and trembles from 18 to 34 Hz.
-auto aFastTremble(RandomStream& random) {
-  struct Swing {
-    double size, rate, phase;  ///< [rad], [rad/s], [rad]
-  };
+struct Swing {
+  double size, rate, phase;  ///< [rad], [rad/s], [rad]
+};
+
+/// Seven joints that swing about the home posture, each in six slow ways, as where a hand guides.
+std::vector<std::vector<Swing>> guided(RandomStream& random) {
   std::vector<std::vector<Swing>> joints(7);
-  for (auto& swings : joints) {
+  for (auto& swings : joints)
     for (int i = 0; i < 6; ++i)
       swings.push_back({random.uniform(0.03, 0.15), random.uniform(0.5, 6.0), random.uniform(0.0, 6.0)});
+  return joints;
+}
+
+JointMotion swinging(const std::vector<std::vector<Swing>>& joints, double t) {
+  JointMotion out{RobotModel::panda().homePosture(), VectorXd::Zero(7), VectorXd::Zero(7)};
+  for (Eigen::Index j = 0; j < 7; ++j)
+    for (const auto& [size, rate, phase] : joints[static_cast<std::size_t>(j)]) {
+      out.q(j) += size * std::sin(rate * t + phase);
+      out.dq(j) += size * rate * std::cos(rate * t + phase);
+      out.ddq(j) -= size * rate * rate * std::sin(rate * t + phase);
+    }
+  return out;
+}
+
+/// Of a hand that trembles from 18 to 34 Hz, too.
+auto aFastTremble(RandomStream& random) {
+  auto joints = guided(random);
+  for (auto& swings : joints)
     for (int i = 0; i < 40; ++i) swings.push_back({2e-6, random.uniform(110.0, 215.0), random.uniform(0.0, 6.0)});
-  }
-  return [joints](double t) {
-    JointMotion out{RobotModel::panda().homePosture(), VectorXd::Zero(7), VectorXd::Zero(7)};
-    for (Eigen::Index j = 0; j < 7; ++j)
-      for (const auto& [size, rate, phase] : joints[static_cast<std::size_t>(j)]) {
-        out.q(j) += size * std::sin(rate * t + phase);
-        out.dq(j) += size * rate * std::cos(rate * t + phase);
-        out.ddq(j) -= size * rate * rate * std::sin(rate * t + phase);
-      }
-    return out;
-  };
+  return [joints](double t) { return swinging(joints, t); };
 }
 
 /// Angles that are fine show a tremble above the usual corner, and smoothed away it was accelerations that are off.
@@ -197,31 +206,15 @@ TEST(Diagnose, PositionsThatWereSmoothedAlone) {
 /// A hand that trembles, each joint at a frequency of its own, under angles as noisy as they may be. A low-pass with a
 /// corner that keeps this noise away takes a tenth of the tremor: that was a shaking, or a mount that gives at 12 Hz.
 TEST(Diagnose, ATrembleUnderNoisyAnglesIsNoCause) {
-  const RobotModel& robot = RobotModel::panda();
   Payload tool = aTool();
   tool.mass = 2.4;
   tool.com = {0.03, -0.06, 0.07};
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     RandomStream random(seed, RandomPurpose::effect);
-    struct Swing {
-      double size, rate, phase;  ///< [rad], [rad/s], [rad]
-    };
-    std::vector<std::vector<Swing>> joints(7);
-    for (auto& swings : joints) {
-      for (int i = 0; i < 6; ++i)
-        swings.push_back({random.uniform(0.03, 0.15), random.uniform(0.5, 6.0), random.uniform(0.0, 6.0)});
+    auto joints = guided(random);
+    for (auto& swings : joints)
       swings.push_back({random.uniform(1.5e-4, 5e-4), random.uniform(50.0, 75.0), random.uniform(0.0, 6.0)});
-    }
-    const auto path = [&](double t) {
-      JointMotion out{robot.homePosture(), VectorXd::Zero(7), VectorXd::Zero(7)};
-      for (Eigen::Index j = 0; j < 7; ++j)
-        for (const auto& [size, rate, phase] : joints[static_cast<std::size_t>(j)]) {
-          out.q(j) += size * std::sin(rate * t + phase);
-          out.dq(j) += size * rate * std::cos(rate * t + phase);
-          out.ddq(j) -= size * rate * rate * std::sin(rate * t + phase);
-        }
-      return out;
-    };
+    const auto path = [&](double t) { return swinging(joints, t); };
     const auto report = diagnosed(along(path, tool, {1000.0, 7e-5, 0.0, 0.06, 0.0012}, random));
     EXPECT_EQ(report.verdict, Verdict::clean) << seed << ": " << said(report);
   }
