@@ -24,6 +24,7 @@ std::vector<std::pair<double, double>> jumpsOf(const Model& model, Eigen::Index 
 bool jumpWithTheirReading(const Signals& signals, const Model& model) {
   constexpr double kNear = 0.05;    // Of what the channel reads, from the least to the most
   constexpr double kAround = 0.06;  // [s]
+  if (std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "sensor_bias"; }) < 2) return false;
   const Wrenches reads = valueOf(signals, without(model, "sensor_bias"));
   const Eigen::Index blocks = signals.blocks(),
                      around = std::max<Eigen::Index>(1, std::lround(kAround * signals.blockRate()));
