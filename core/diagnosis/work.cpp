@@ -331,6 +331,25 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
 
 namespace {
 
+constexpr std::string_view kPull = "constant_pull";
+
+/// Whether something begins to pull at one moment and is gone again later: what nobody can tell from a hand that leans
+/// on the tool.
+bool letsGoAgain(const Model& model) {
+  constexpr double kLeft = 0.1;  // Share of the strongest
+  Vector3d sum = Vector3d::Zero();
+  double most = 0.0;
+  int events = 0;
+  for (const Term& term : model.terms) {
+    if (causeOf(term) != kPull || !term.form->atOnce) continue;
+    const Vector3d force = term.v.segment<3>(1);
+    sum += force;
+    most = std::max(most, force.norm());
+    ++events;
+  }
+  return events > 1 && sum.norm() < kLeft * most;
+}
+
 /// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
 Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes,
                 const DiagnoseOptions& options, double threshold, const Progress& progress, const GivesUp& givesUp) {
@@ -411,7 +430,10 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
     const auto left = untouched.search.order.size() > 1 || !untouched.search.givenUp ? contactsLeft() : work.contacts;
     if (left.empty()) {
       lookBack(whole, untouched.stretches, untouched.bank, searching, untouched.search, progress);
-      if (contactsLeft().empty()) work = std::move(untouched);
+      if (letsGoAgain(untouched.search.final.model))
+        work.touchedOr = kPull;
+      else if (contactsLeft().empty())
+        work = std::move(untouched);
     } else if (work.touchedOr.empty() && evidenceOf(left) < kHardlyAny * evidenceOf(work.contacts)) {
       const auto first = std::ranges::find_if(untouched.search.order,
                                               [](const auto& id) { return id != kWandering && id != "contact"; });
