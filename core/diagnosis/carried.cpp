@@ -102,30 +102,56 @@ class LeftBy {
   Wrenches scaled_;
 };
 
+bool areTooShort(const std::vector<Contact>& contacts) {
+  return contacts.empty() || std::ranges::any_of(contacts, [](const Contact& c) { return c.to - c.from < kShortest; });
+}
+
+/// Contacts as one load, at one place of the tool, would make all of them.
+struct LoadIn {
+  LoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+    const LeftBy leftBy(signals, fit, contacts);
+    const Best load = leftBy.load(contacts);
+    double leftByHolding = 1e-300, blocks = 0.0;
+    for (const Contact& contact : contacts) {
+      leftByHolding += leftBy.holding(contact).left;
+      blocks += static_cast<double>(contact.blocks.to - contact.blocks.from);
+    }
+    share = load.left / leftBy.all(contacts);
+    shareOfHolding = load.left / leftByHolding;
+    mass = load.parameters(0);
+    massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * load.information.inverse()(0, 0));
+  }
+
+  double share, shareOfHolding;  ///< That it leaves: of what is there, of what holding on to the tool leaves
+  double mass, massStd;          ///< [kg]
+};
+
 }  // namespace
+
+bool isWeightElsewhere(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+  constexpr double kLeft = 0.1, kOfHolding = 0.5;
+  constexpr double kLittle = 0.02;  // Share of the payload's mass: none came or went
+  if (areTooShort(contacts)) return false;
+  const LoadIn load(signals, fit, contacts);
+  return load.share < kLeft && load.shareOfHolding < kOfHolding &&
+         std::abs(load.mass) < std::max(2.0 * load.massStd, kLittle * fit.model.x(6));
+}
 
 std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
   // eight that were touched as long, the most like a load left 0.16 and seven times.
   constexpr double kLeft = 0.05, kOfHolding = 0.5;
-  if (contacts.empty() || std::ranges::any_of(contacts, [](const Contact& c) { return c.to - c.from < kShortest; }))
-    return std::nullopt;
-  const LeftBy leftBy(signals, fit, contacts);
-  const Best load = leftBy.load(contacts);
-  double leftByHolding = 0.0, blocks = 0.0;
-  for (const Contact& contact : contacts) {
-    leftByHolding += leftBy.holding(contact).left;
-    blocks += static_cast<double>(contact.blocks.to - contact.blocks.from);
-  }
-  if (load.left > kLeft * leftBy.all(contacts) || load.left > kOfHolding * leftByHolding) return std::nullopt;
+  if (areTooShort(contacts)) return std::nullopt;
+  const LoadIn load(signals, fit, contacts);
+  if (load.share > kLeft || load.shareOfHolding > kOfHolding || load.mass < 3.0 * load.massStd) return std::nullopt;
   Carried out;
-  out.mass = load.parameters(0);
-  out.massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * load.information.inverse()(0, 0));
+  out.mass = load.mass;
+  out.massStd = load.massStd;
   for (const Contact& contact : contacts) {
     out.evidence += contact.evidence;
     out.when.emplace_back(contact.from, contact.to);
   }
-  return out.mass > 3.0 * out.massStd ? std::optional(out) : std::nullopt;
+  return out;
 }
 
 void setCarriedAside(Work& work, const std::vector<std::string>& hidden) {

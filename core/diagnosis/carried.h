@@ -21,6 +21,11 @@ struct Carried {
 /// all of `contacts`, and clearly more than somebody does who holds on to the tool; nothing where it is another thing.
 std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
 
+/// Whether in all of `contacts` the tool weighs what it weighs elsewhere, but its weight sits at another place, the
+/// same each time, as where it has play in its holder: that leaves next to nothing there, and clearly less than
+/// somebody does who holds on to the tool.
+bool isWeightElsewhere(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
+
 /// Looks for it in the contacts of `work`: Work::carried, which then are none. Not where a load that changes is among
 /// the causes already, or hidden.
 void setCarriedAside(Work& work, const std::vector<std::string>& hidden);

@@ -97,6 +97,10 @@ struct DiagnosisReport {
   struct Check {
     std::string file;
     WrenchRms before, after;
+    double gain = 0.0;                     ///< Evidence there for these causes, of which nothing was fitted
+    std::vector<std::string> checked;      ///< IDs
+    std::vector<std::string> ofOneMoment;  ///< IDs of those that say nothing of another recording, such as a drift
+    bool holds() const;
   };
   std::optional<Check> check;
   double seconds = 0.0;
@@ -106,8 +110,11 @@ struct DiagnosisReport {
 Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
                                  const Progress& progress = {});
 
-/// Applies the causes of `report` to another recording and fits bias and payload only.
+/// Applies the causes of `report`, and its mistake of frames or signs if any, to another recording and fits bias and
+/// payload only.
 Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot);
+/// What came of it, in plain words.
+std::string checkText(const DiagnosisReport::Check& check);
 
 /// What the causes add to the wrench [N, N m] at each row of the recording: measured minus this is what the rigid
 /// payload and the bias alone would read. `causes`: IDs to apply; empty: all.

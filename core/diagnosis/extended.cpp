@@ -47,45 +47,6 @@ Result<Eigen::Matrix<double, Eigen::Dynamic, 6>> effectOf(const Model& model, co
   return out;
 }
 
-Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot) {
-  MotionOptions options;
-  options.cutoffHz = kDefaultCutoffHz;
-  const auto motion = motionOf(other, robot, options);
-  if (!motion) return motion.error();
-  Signals signals = signalsOf(other, *motion, robot);
-  const auto rows = rowsOf(*motion, 50.0);
-  const auto labels = segmentRows(other, rows, defaultSegmentMode(other)).labels;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
-    const double t = signals.blockTime(n) - signals.startTime;
-    const auto label = std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1);
-    signals.usable[static_cast<std::size_t>(n)] =
-        t > 0.3 && t < signals.duration() - 0.3 && labels[label] == MarkLabel::free;
-  }
-  const auto stretches = stretchesOf(signals.usable);
-  if (stretches.empty())
-    return Error{heft::say("Nothing in {} touches nothing for long enough to check a cause on it.", other.file)};
-  // The causes stay as they were found; a place in time belongs to the recording that they were found in.
-  Model kept = report.model;
-  std::erase_if(kept.terms, [](const Term& t) { return t.form->local; });
-  Model plain = withoutTerms(kept);
-  for (auto& term : kept.terms) term.active.assign(term.form->parameters.size(), false);
-  const Fit before = fitModel(signals, stretches, plain), after = fitModel(signals, stretches, kept);
-  DiagnosisReport::Check out;
-  out.file = other.file;
-  double count = 0.0;
-  for (const auto& s : stretches)
-    for (Eigen::Index n = s.from; n < s.to; ++n) {
-      out.before.force += before.residual.col(n).head<3>().squaredNorm();
-      out.before.torque += before.residual.col(n).tail<3>().squaredNorm();
-      out.after.force += after.residual.col(n).head<3>().squaredNorm();
-      out.after.torque += after.residual.col(n).tail<3>().squaredNorm();
-      count += 3.0;
-    }
-  for (double* value : {&out.before.force, &out.before.torque, &out.after.force, &out.after.torque})
-    *value = std::sqrt(*value / count);
-  return out;
-}
-
 json modelToJson(const Model& model) {
   json terms = json::array();
   for (const auto& term : model.terms) {

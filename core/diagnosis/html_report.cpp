@@ -150,9 +150,10 @@ std::string remarks(const DiagnosisReport& report) {
                        escapedMarkup(finding.remedy));
   if (report.check)
     out += fmt::format(
-        "<p><strong>Checked on another recording</strong>, {}: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m.</p>\n",
+        "<p><strong>Checked on another recording</strong>, {}: {:.3f} &rarr; {:.3f} N, {:.4f} &rarr; {:.4f} N m. "
+        "{}</p>\n",
         escapedMarkup(report.check->file), report.check->before.force, report.check->after.force,
-        report.check->before.torque, report.check->after.torque);
+        report.check->before.torque, report.check->after.torque, escapedMarkup(checkText(*report.check)));
   return out;
 }
 

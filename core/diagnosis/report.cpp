@@ -161,7 +161,11 @@ nlohmann::json toJson(const DiagnosisReport& report) {
                     {"force_rms_before_n", report.check->before.force},
                     {"force_rms_after_n", report.check->after.force},
                     {"torque_rms_before_nm", report.check->before.torque},
-                    {"torque_rms_after_nm", report.check->after.torque}};
+                    {"torque_rms_after_nm", report.check->after.torque},
+                    {"delta_bic", report.check->gain},
+                    {"checked", report.check->checked},
+                    {"of_one_moment", report.check->ofOneMoment},
+                    {"sentence", checkText(*report.check)}};
   return out;
 }
 
@@ -214,9 +218,9 @@ std::string toText(const DiagnosisReport& report) {
                        moved.tail<3>().maxCoeff());
   }
   if (report.check)
-    out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n", report.check->file,
+    out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n{}\n", report.check->file,
                        report.check->before.force, report.check->after.force, report.check->before.torque,
-                       report.check->after.torque);
+                       report.check->after.torque, checkText(*report.check));
   std::string unseen;
   for (const auto& s : report.smallest)
     if (std::isfinite(s.value))

@@ -12,6 +12,7 @@
 #include "core/diagnosis/steps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
@@ -50,9 +51,23 @@ std::optional<Direct> spikes(Eigen::Index replaced, Eigen::Index rows) {
   return out;
 }
 
+/// Variance of readings about straight lines through a twentieth of a second each, at the middle of all.
+double scatterOf(const Eigen::Ref<const VectorXd>& readings, double rateHz) {
+  const auto length = std::max<Eigen::Index>(4, std::lround(0.05 * rateHz));
+  const VectorXd t = VectorXd::LinSpaced(length, -1.0, 1.0);
+  std::vector<double> out;
+  for (Eigen::Index from = 0; from + length <= readings.size(); from += length) {
+    const VectorXd part = readings.segment(from, length).array() - readings.segment(from, length).mean();
+    const double slope = t.dot(part) / t.squaredNorm();
+    out.push_back((part - slope * t).squaredNorm() / static_cast<double>(length - 2));
+  }
+  return out.empty() ? 0.0 : median(out);
+}
+
 /// Readings that only take values a few steps apart, so coarse that they stand still while the load changes.
 std::optional<Direct> quantisation(const Recording& recording) {
-  constexpr double kStill = 0.5;  // of a channel's readings: finer steps drown in noise
+  constexpr double kStill = 0.5;   // of a channel's readings: finer steps drown in noise
+  constexpr double kShare = 0.25;  // of how far readings scatter; noise that is slow stands still, too
   Direct out;
   const Eigen::Index n = recording.rows();
   double coarsest[2] = {0.0, 0.0};
@@ -65,7 +80,9 @@ std::optional<Direct> quantisation(const Recording& recording) {
       still += y(i) == y(i - 1) ? 1 : 0;
     }
     if (static_cast<double>(still) < kStill * static_cast<double>(fresh)) continue;
-    if (const auto step = stepOf({y.begin(), y.end()})) coarsest[c / 3] = std::max(coarsest[c / 3], *step);
+    const auto step = stepOf({y.begin(), y.end()});
+    if (step && *step * *step / 12.0 > kShare * scatterOf(y, recording.rateHz()))
+      coarsest[c / 3] = std::max(coarsest[c / 3], *step);
   }
   if (coarsest[0] > 0.0) out.parameters.push_back({"step_force", "N", coarsest[0], 0.0});
   if (coarsest[1] > 0.0) out.parameters.push_back({"step_torque", "N m", coarsest[1], 0.0});

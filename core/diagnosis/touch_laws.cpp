@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/say.h"
+#include "core/diagnosis/carried.h"
 #include "core/math/rigid.h"
 #include "core/math/statistics.h"
 
@@ -252,6 +253,53 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
   return std::min(left, ofBoth ? leftByUnits : all) < kLeft * all;
 }
 
+/// Whether the contacts are where one channel's load goes beyond some size, one way, and grow with how far it does, as
+/// where chips in a gap begin to carry, or a converter is not straight: that leaves little of them, and clearly less
+/// than a push that is the same all through each.
+bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
+                     const Beyond& beyond) {
+  constexpr double kLeft = 0.15, kOfSteady = 0.5;
+  constexpr double kOutside = 0.98;  // Of the blocks elsewhere have less load than half of those in contact
+  constexpr int kLimits = 12;
+  const Wrenches scaled = beyond.scaled(fit.residual);
+  const std::vector<bool> elsewhere = usableOutside(signals, blocksOf(contacts));
+  double all = 1e-300, steady = 0.0;
+  for (const Contact& contact : contacts) {
+    const auto part = scaled.middleCols(contact.blocks.from, contact.blocks.to - contact.blocks.from);
+    all += part.squaredNorm();
+    steady += (part.colwise() - Vector6d(part.rowwise().mean())).squaredNorm();
+  }
+  const auto leftBeyond = [&](const VectorXd& load, double limit) {
+    Vector6d with = Vector6d::Zero();
+    double squares = 1e-300;
+    for (const Contact& contact : contacts)
+      for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
+        const double over = std::max(0.0, load(n) - limit);
+        with += over * scaled.col(n);
+        squares += over * over;
+      }
+    return (all - with.squaredNorm() / squares) / all;
+  };
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (const double way : {1.0, -1.0}) {
+      const VectorXd load = way * beyond.should.row(c).transpose();
+      std::vector<double> inside, outside;
+      for (Eigen::Index n = 0; n < load.size(); ++n)
+        if (elsewhere[static_cast<std::size_t>(n)]) outside.push_back(load(n));
+      for (const Contact& contact : contacts)
+        for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) inside.push_back(load(n));
+      const double middle = median(inside);
+      const auto less = std::ranges::count_if(outside, [&](double at) { return at < middle; });
+      if (static_cast<double>(less) < kOutside * static_cast<double>(outside.size())) continue;
+      const double usual = median(outside);
+      for (int i = 0; i < kLimits; ++i) {
+        const double left = leftBeyond(load, usual + (middle - usual) * i / kLimits);
+        if (left < kLeft && left * all < kOfSteady * steady) return true;
+      }
+    }
+  return false;
+}
+
 /// Whether the contacts come like clockwork while the tool moves, each like the others in the tool's axes, as where a
 /// valve switches: no hand and no place that the tool comes to does.
 bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
@@ -319,6 +367,8 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   if (areShifted(signals, contacts, beyond)) return heft::toSay("readings of another moment");
   if (areMixedUp(signals, fit, contacts, beyond)) return heft::toSay("channels that are mixed up for a while");
   if (growTogether(fit, contacts, beyond)) return heft::toSay("the size of all readings together");
+  if (growBeyondALoad(signals, fit, contacts, beyond)) return heft::toSay("the load's size");
+  if (isWeightElsewhere(signals, fit, contacts)) return heft::toSay("where in the tool its weight sits");
   if (areClockwork(signals, fit, contacts)) return heft::toSay("time alone, as regular as a clock");
   if (areTorquesAlone(fit, contacts, beyond)) return heft::toSay("torques without a force");
   if (std::string place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;

@@ -41,6 +41,16 @@ bool remembersTooMuch(const DiagnosedCause& cause) {
          });
 }
 
+/// Whether a channel that gives way near the end of its range hardly does: one whose gain is another one for half of
+/// its range looks like that. Of two that were soft at their end each lost more than 90 %, of nine unknown effects that
+/// looked like it six less than this.
+bool hardlyGivesWay(const DiagnosedCause& cause) {
+  constexpr double kLeast = 15.0;  // [%]
+  const auto losses = [](const CauseParameter& p) { return p.name.starts_with("loss_"); };
+  return cause.id == "saturation" && std::ranges::any_of(cause.parameters, losses) &&
+         std::ranges::none_of(cause.parameters, [&](const CauseParameter& p) { return losses(p) && p.value > kLeast; });
+}
+
 /// Whether a cause has more of what nobody would build into one model: a drift of any course beside other causes, or
 /// more than two masses that swing, or such a memory. Of 1,120 recordings 28 had one of these: 23 something unknown,
 /// two a form that the catalogue lacks, three a pair of causes.
@@ -48,7 +58,7 @@ bool isPatchwork(const Model& model, const std::vector<DiagnosedCause>& causes) 
   constexpr std::ptrdiff_t kMasses = 2;
   const auto masses = std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
   return (takesAnyCourse(model) && fittedOf(causes) > 1) || masses > kMasses ||
-         std::ranges::any_of(causes, remembersTooMuch);
+         std::ranges::any_of(causes, remembersTooMuch) || std::ranges::any_of(causes, hardlyGivesWay);
 }
 
 /// Whether two causes of `causes` change something at the same moment: one thing happened then, and neither is it.

@@ -18,11 +18,13 @@ namespace {
 
 using diagnosis::FrameMistake;
 
+constexpr int kMostDecimals = 6;
+
 std::string number(double value, int decimals) {
-  constexpr const char* kPatterns[] = {"{:.0f}", "{:.1f}", "{:.2f}", "{:.3f}", "{:.4f}"};
+  constexpr const char* kPatterns[] = {"{:.0f}", "{:.1f}", "{:.2f}", "{:.3f}", "{:.4f}", "{:.5f}", "{:.6f}"};
   const double unit = std::pow(10.0, -decimals);
   if (std::abs(value) < 0.5 * unit) value = 0.0;  // Never -0.0
-  return heft::say(fmt::runtime(kPatterns[std::clamp(decimals, 0, 4)]), value);
+  return heft::say(fmt::runtime(kPatterns[std::clamp(decimals, 0, kMostDecimals)]), value);
 }
 
 /// As many decimals as the deviation bears.
@@ -33,7 +35,7 @@ std::string plusMinus(double value, double deviation) {
     return number(value, std::abs(value) >= 100 ? 0 : std::abs(value) >= 1 ? 1 : 2);
   const double exponent = std::floor(std::log10(std));
   const bool small = std / std::pow(10.0, exponent) < 1.95;
-  const int decimals = std::clamp(static_cast<int>(-exponent) + (small ? 1 : 0), 0, 4);
+  const int decimals = std::clamp(static_cast<int>(-exponent) + (small ? 1 : 0), 0, kMostDecimals);
   return number(value, decimals) + " \u00b1 " + number(std, decimals);
 }
 

@@ -1342,14 +1342,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gilt es auch für eine andere Aufnahme?</translation>
     </message>
     <message>
-        <source>On %1 the error falls, too: %2 → %3.</source>
-        <translation>Auf %1 sinkt der Fehler auch: %2 → %3.</translation>
-    </message>
-    <message>
-        <source>On %1 it does not help: %2 → %3. The cause may belong to this recording alone.</source>
-        <translation>Auf %1 hilft es nicht: %2 → %3. Die Ursache gehört vielleicht nur zu dieser Aufnahme.</translation>
-    </message>
-    <message>
         <source>Check on %1</source>
         <translation>An %1 prüfen</translation>
     </message>
@@ -1387,6 +1379,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Mass and centre change by less than their last digit here.</source>
         <translation>Masse und Schwerpunkt ändern sich um weniger als die letzte gezeigte Stelle.</translation>
+    </message>
+    <message>
+        <source>Error there: %1 → %2.</source>
+        <translation>Fehler dort: %1 → %2.</translation>
     </message>
 </context>
 <context>
@@ -6961,6 +6957,34 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in them is too small.</source>
         <translation>Die Positionen wurden vor der Aufzeichnung um {} ms zu beiden Seiten geglättet, sodass Schnelles in ihnen zu klein ist.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that could be checked on {}.</source>
+        <translation>Es wurde nichts gefunden, das sich an {} prüfen ließe.</translation>
+    </message>
+    <message>
+        <source>What was found belongs to its own recording; nothing of it can be checked on {}.</source>
+        <translation>Was gefunden wurde, gehört zu seiner eigenen Aufnahme; nichts davon lässt sich an {} prüfen.</translation>
+    </message>
+    <message>
+        <source>{} holds on {}, too.</source>
+        <translation>{} trifft auch auf {} zu.</translation>
+    </message>
+    <message>
+        <source>{} makes {} worse: that one has it not, or otherwise.</source>
+        <translation>{} macht {} schlechter: Dort liegt es nicht vor, oder anders.</translation>
+    </message>
+    <message>
+        <source>{} makes no difference on {}: its motion does not show it.</source>
+        <translation>{} macht bei {} keinen Unterschied: Die Bewegung dort zeigt es nicht.</translation>
+    </message>
+    <message>
+        <source>Not checked, since it belongs to one recording: {}.</source>
+        <translation>Nicht geprüft, weil es zu einer einzelnen Aufnahme gehört: {}.</translation>
+    </message>
+    <message>
+        <source>where in the tool its weight sits</source>
+        <translation>der Stelle, an der das Gewicht im Werkzeug sitzt</translation>
     </message>
 </context>
 <context>

@@ -107,20 +107,19 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
 
 void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const QStringList& names,
               const std::function<void(int)>& check, const std::function<void()>& open) {
-  if (report.model.terms.empty()) return;
+  if (report.model.terms.empty() && !report.mistake) return;
   column->addSpacing(4);
   column->addWidget(styledLabel(Words::tr("Does it hold on another recording?"), "sectionTitle", parent));
   if (report.check) {
-    const bool better = report.check->after.force < report.check->before.force;
+    const auto& there = *report.check;
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(new LightIcon(better ? Light::measured : Light::look, 18, parent), 0, Qt::AlignTop);
-    QLabel* text = wrappedLabel(
-        (better ? Words::tr("On %1 the error falls, too: %2 → %3.")
-                : Words::tr("On %1 it does not help: %2 → %3. The cause may belong to this recording alone."))
-            .arg(QString::fromStdString(report.check->file), newtonText(report.check->before.force),
-                 newtonText(report.check->after.force)),
-        "body", parent);
+    row->addWidget(new LightIcon(there.holds() ? Light::measured : Light::look, 18, parent), 0, Qt::AlignTop);
+    QString said = QString::fromStdString(checkText(there));
+    if (!there.checked.empty())
+      said +=
+          " " + Words::tr("Error there: %1 → %2.").arg(newtonText(there.before.force), newtonText(there.after.force));
+    QLabel* text = wrappedLabel(said, "body", parent);
     text->setProperty("role", "checked");
     row->addWidget(text, 1);
     column->addLayout(row);

@@ -59,10 +59,12 @@ TEST(DiagnosisReport, PageSaysWhatElseWasNoticed) {
   DiagnosisReport report = made().report;
   report.findings.push_back({Severity::info, "zero_wanders", "The zero <wanders>.", "Let it warm up.", {}});
   report.causes.front().alternatives = {"motion_lag"};
-  report.check = {"other.csv", {0.5, 0.05}, {0.1, 0.01}};
+  report.check = {"other.csv", {0.5, 0.05}, {0.1, 0.01}, 50.0, {"motion_lag"}, {"bias_drift"}};
   const std::string page = toHtml(report, {});
-  for (const char* part : {"The zero &lt;wanders&gt;. Let it warm up.", "other.csv: 0.500 &rarr; 0.100 N",
-                           "Accelerations late", "Robot base tilted"})
+  for (const char* part :
+       {"The zero &lt;wanders&gt;. Let it warm up.", "other.csv: 0.500 &rarr; 0.100 N",
+        "&quot;Accelerations late&quot; holds on other.csv, too.",
+        "belongs to one recording: &quot;Sensor drifts&quot;", "Accelerations late", "Robot base tilted"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const char* part : {"motion_lag", "gravity_tilt", "Unknown:"})
     EXPECT_EQ(page.find(part), std::string::npos) << part;
@@ -104,10 +106,30 @@ TEST(DiagnosisReport, ChecksOnAnotherRecordingOfTheSameRig) {
   const auto check = checkOn(made().report, other, &RobotModel::panda());
   ASSERT_TRUE(check.ok()) << check.error().message;
   EXPECT_LT(check->after.torque, 0.8 * check->before.torque);
+  EXPECT_TRUE(check->holds());
+  EXPECT_EQ(check->checked, std::vector<std::string>{"time_offset"});
   // On a rig without the fault it makes things worse, and says so.
   const auto wrong = checkOn(made().report, aRecording(MotionKind::excitation, 73), &RobotModel::panda());
   ASSERT_TRUE(wrong.ok());
   EXPECT_GT(wrong->after.torque, wrong->before.torque);
+  EXPECT_FALSE(wrong->holds());
+  EXPECT_NE(checkText(*wrong).find("worse"), std::string::npos) << checkText(*wrong);
+}
+
+/// The same wrong sign in both files.
+TEST(DiagnosisReport, ChecksAMistakeOfSignsOnAnotherRecording) {
+  const auto upsideDown = [](std::uint64_t seed) {
+    Recording out = aRecording(MotionKind::excitation, seed);
+    out.meta.gravity = -out.meta.gravity;
+    return out;
+  };
+  const auto report = diagnosed(upsideDown(74));
+  ASSERT_TRUE(report.mistake) << said(report);
+  const auto check = checkOn(report, upsideDown(75), &RobotModel::panda());
+  ASSERT_TRUE(check.ok()) << check.error().message;
+  EXPECT_TRUE(check->holds());
+  EXPECT_LT(check->after.force, 0.1 * check->before.force);
+  EXPECT_EQ(check->checked, std::vector<std::string>{"frame_error"});
 }
 
 }  // namespace

@@ -264,6 +264,25 @@ TEST(SampleTests, CoarseStepsAreSeenThroughTheDigitsOfTheFile) {
   EXPECT_EQ(directCauses(recording), std::vector<std::string>{"quantisation"});
 }
 
+/// Noise that is slow stands still for a sample or two: steps of its own size are not coarse.
+TEST(SampleTests, SlowNoiseInUsualStepsIsNotCoarse) {
+  Recording recording = aRecording(MotionKind::free, 256);
+  const Eigen::MatrixXd readings = recording.wrench;
+  RandomStream random(256, RandomPurpose::coloured);
+  constexpr double kStep = 0.00125, kStays = 0.85;
+  Vector3d slow = Vector3d::Zero();
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - 20),
+                       count = std::min(recording.rows() - from, i - from + 21);
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      slow(c) = kStays * slow(c) + kStep * std::sqrt(1.0 - kStays * kStays) * random.normal();
+      const double load = readings.col(3 + c).segment(from, count).mean();
+      recording.wrench(i, 3 + c) = kStep * std::round((load + slow(c)) / kStep);
+    }
+  }
+  EXPECT_TRUE(directCauses(recording).empty());
+}
+
 /// A driver counts in steps of its own what a coarse converter gives it.
 TEST(SampleTests, CoarseStepsAreSeenThroughAFinerConverter) {
   Recording recording = aRecording(MotionKind::free, 255);

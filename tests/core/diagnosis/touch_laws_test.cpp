@@ -9,6 +9,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "core/diagnosis/carried.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/work.h"
 #include "core/motion/motion.h"
@@ -18,6 +19,8 @@
 
 namespace heft::test {
 namespace {
+
+using namespace diagnosis;
 
 /// Adds `wrench(motion, k, t)` to each row, k the motion's sample at its time t [s].
 template <class OfSample>
@@ -126,6 +129,51 @@ TEST(TouchLaws, APartThatIsCarriedIsALoad) {
   EXPECT_NEAR(load->when[0].first, 2.1, 0.3);
   EXPECT_NEAR(load->when[1].second, 8.6, 0.3);
   EXPECT_TRUE(canApply(report, *load));
+}
+
+/// A part of 400 g slides by 2 cm in its holder, and back: the tool weighs the same, somewhere else. One that is picked
+/// up does not, and nor does a push.
+TEST(TouchLaws, AWeightThatSlidesIsNone) {
+  const auto elsewhere = [](const Eigen::Vector4d& load, const Vector3d& push) {
+    Recording recording = aRecording(MotionKind::free, 352);
+    Vector10d moved = Vector10d::Zero();
+    moved.head<4>() = load;
+    add(recording, [&](const Motion& motion, Eigen::Index k, double t) {
+      const double there = std::clamp(std::min(t - 5.4, 8.2 - t) / 0.08, 0.0, 1.0);
+      Vector6d out = regressor({motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)}) * moved;
+      out.head<3>() += push;
+      out.tail<3>() += Vector3d(0.0, 0.0, 0.1).cross(push);
+      return Vector6d(there * out);
+    });
+    const Motion motion = motionOf(recording, &RobotModel::panda(), {}).value();
+    Signals signals = signalsOf(recording, motion, &RobotModel::panda());
+    Contact contact{5.4, 8.2, 1e4, {signals.blocks(), 0}, {}};
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      if (signals.blockTime(n) > 5.4 && signals.blockTime(n) < 8.2)
+        contact.blocks = {std::min(contact.blocks.from, n), n + 1};
+    const Signals whole = signals;
+    signals.usable = usableOutside(whole, {contact.blocks});
+    const Fit fit = fitModel(signals, stretchesOf(signals.usable), Model{});
+    return isWeightElsewhere(whole, fit, {contact});
+  };
+  EXPECT_TRUE(elsewhere({0.0, 0.002, 0.0, 0.008}, Vector3d::Zero()));
+  EXPECT_FALSE(elsewhere({0.18, 0.002, 0.0, 0.008}, Vector3d::Zero()));
+  EXPECT_FALSE(elsewhere({0.0, 0.0, 0.0, 0.0}, {1.0, 0.5, -0.3}));
+}
+
+/// Chips in a gap carry a quarter of what goes beyond some load. It was a touch.
+TEST(TouchLaws, WhatBeginsWithALoadIsNone) {
+  Recording recording = aRecording(MotionKind::excitation, 353);
+  const auto loads = recording.wrench.col(0);
+  std::vector<double> sorted(loads.begin(), loads.end());
+  std::ranges::sort(sorted);
+  const double limit = sorted[sorted.size() * 9 / 10];
+  for (Eigen::Index i = 0; i < recording.rows(); ++i) {
+    const double beyond = 0.25 * std::max(0.0, recording.wrench(i, 0) - limit);
+    recording.wrench(i, 0) -= beyond;
+    recording.wrench(i, 4) -= 0.1 * beyond;
+  }
+  expectUnknown(recording, "the load's size");
 }
 
 /// Somebody sets the sensor computer's clock for a while: the readings there are of a moment later.

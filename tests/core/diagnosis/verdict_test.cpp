@@ -72,6 +72,17 @@ TEST(Verdict, AMemoryLargerThanAnyIsSomethingElse) {
   }
 }
 
+/// What loses 5 % from the middle of its range on has another gain there, and no end.
+TEST(Verdict, AnEndThatHardlyGivesWayIsSomethingElse) {
+  const Work work = aJumpAndALoad();
+  for (const auto& [loss, verdict] : {std::pair{90.0, Verdict::explained}, {5.0, Verdict::unexplained}}) {
+    DiagnosisReport report;
+    report.causes = {fitted("saturation", {{"loss_fx", "%", loss, 0.2}, {"knee_fx", "%", 45.0, 1.0}})};
+    giveVerdict(work, report);
+    EXPECT_EQ(report.verdict, verdict) << loss;
+  }
+}
+
 /// A small thing that remains is no reason to believe four causes at once: the question was not asked then.
 TEST(Verdict, FourCausesAreAPatchworkWhateverRemains) {
   const Work work = aJumpAndALoad();
