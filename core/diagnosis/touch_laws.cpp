@@ -255,47 +255,58 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
 
 /// Whether the contacts are where one channel's load goes beyond some size, one way, and grow with how far it does, as
 /// where chips in a gap begin to carry, or a converter is not straight: that leaves little of them, and clearly less
-/// than a push that is the same all through each.
+/// than a push that is the same all through each. What stands on a floor goes with its posture, too, where it is put
+/// down: asked are the moments at which most is left.
 bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
                      const Beyond& beyond) {
-  constexpr double kLeft = 0.15, kOfSteady = 0.5;
+  constexpr double kLeft = 0.15, kOfSteady = 0.4;
+  constexpr double kMost = 0.1;      // Of the largest power in a contact: to be asked
   constexpr double kOutside = 0.98;  // Of the blocks elsewhere have less load than half of those in contact
   constexpr int kLimits = 12;
   const Wrenches scaled = beyond.scaled(fit.residual);
-  const std::vector<bool> elsewhere = usableOutside(signals, blocksOf(contacts));
+  const VectorXd power = scaled.colwise().squaredNorm();
+  std::vector<Eigen::Index> asked;
   double all = 1e-300, steady = 0.0;
   for (const Contact& contact : contacts) {
-    const auto part = scaled.middleCols(contact.blocks.from, contact.blocks.to - contact.blocks.from);
-    all += part.squaredNorm();
-    steady += (part.colwise() - Vector6d(part.rowwise().mean())).squaredNorm();
+    const auto [from, to] = contact.blocks;
+    const double least = kMost * power.segment(from, to - from).maxCoeff();
+    Vector6d sum = Vector6d::Zero();
+    double count = 0.0, squares = 0.0;
+    for (Eigen::Index n = from; n < to; ++n) {
+      if (power(n) < least) continue;
+      asked.push_back(n);
+      sum += scaled.col(n);
+      squares += power(n);
+      count += 1.0;
+    }
+    all += squares;
+    steady += squares - sum.squaredNorm() / count;
   }
   const auto leftBeyond = [&](const VectorXd& load, double limit) {
     Vector6d with = Vector6d::Zero();
     double squares = 1e-300;
-    for (const Contact& contact : contacts)
-      for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
-        const double over = std::max(0.0, load(n) - limit);
-        with += over * scaled.col(n);
-        squares += over * over;
-      }
-    return (all - with.squaredNorm() / squares) / all;
+    for (const Eigen::Index n : asked) {
+      const double over = std::max(0.0, load(n) - limit);
+      with += over * scaled.col(n);
+      squares += over * over;
+    }
+    return all - with.squaredNorm() / squares;
   };
+  const std::vector<bool> elsewhere = usableOutside(signals, blocksOf(contacts));
   for (Eigen::Index c = 0; c < 6; ++c)
     for (const double way : {1.0, -1.0}) {
       const VectorXd load = way * beyond.should.row(c).transpose();
-      std::vector<double> inside, outside;
+      std::vector<double> outside, inside;
       for (Eigen::Index n = 0; n < load.size(); ++n)
         if (elsewhere[static_cast<std::size_t>(n)]) outside.push_back(load(n));
-      for (const Contact& contact : contacts)
-        for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) inside.push_back(load(n));
+      for (const Eigen::Index n : asked) inside.push_back(load(n));
       const double middle = median(inside);
       const auto less = std::ranges::count_if(outside, [&](double at) { return at < middle; });
       if (static_cast<double>(less) < kOutside * static_cast<double>(outside.size())) continue;
       const double usual = median(outside);
-      for (int i = 0; i < kLimits; ++i) {
-        const double left = leftBeyond(load, usual + (middle - usual) * i / kLimits);
-        if (left < kLeft && left * all < kOfSteady * steady) return true;
-      }
+      for (int i = 0; i < kLimits; ++i)
+        if (leftBeyond(load, usual + (middle - usual) * i / kLimits) < std::min(kLeft * all, kOfSteady * steady))
+          return true;
     }
   return false;
 }

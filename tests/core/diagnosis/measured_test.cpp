@@ -57,6 +57,15 @@ TEST_F(Measured, ContactIsNamedAndThePayloadIsThatOfTheReference) {
   EXPECT_LT((report.after.payload.com - Vector3d(0.3e-3, 0.1e-3, 43.9e-3)).norm(), 5e-3);
 }
 
+/// A foot stands on the floor before and after: its posture goes with the load there, and it is contact all the same.
+TEST_F(Measured, AFootOnTheFloorIsContact) {
+  const auto report = diagnosed(read("icub_right_foot.csv"));
+  const auto* contact = causeIn(report, "contact");
+  ASSERT_NE(contact, nullptr) << said(report);
+  EXPECT_GE(contact->when.size(), 2u);
+  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+}
+
 TEST_F(Measured, AsynchronousPollingIsSeenAndNothingIsMadeWorse) {
   const auto report = diagnosed(read("panda_optoforce_14-23-21.csv"));
   EXPECT_NE(causeIn(report, "dropouts"), nullptr) << said(report);
