@@ -75,15 +75,15 @@ void run(const Options& options) {
                 {options.force, {}});
   }
   if (!options.result.empty()) writeOutput(options.result, fileText(toJson(report.after)), overwriteEstimate);
+  if (options.json != "-") {
+    print(toText(report));
+    printFindings(report.findings, false);
+  }
   if (!options.correctedMeta.empty()) {
     const nlohmann::json changes = report.metaChanges();
     if (changes.empty()) throw Failed("The diagnosis proposes no change of the meta file; none was written.");
     const auto old = options.import.metaFile.empty() ? metaFileOf(options.recording) : options.import.metaFile;
     writeOutput(options.correctedMeta, fileText(orFail(mergedMeta(old, changes))), {options.force, {}});
-  }
-  if (options.json != "-") {
-    print(toText(report));
-    printFindings(report.findings, false);
   }
 }
 

@@ -82,10 +82,11 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
   out.before = rmsOf(before, stretches);
   out.after = rmsOf(after, stretches);
   out.gain = after.evidence - before.evidence;
+  out.setsRight = !believable(before) && believable(after);
   return out;
 }
 
-bool DiagnosisReport::Check::holds() const { return gain > kThreshold; }
+bool DiagnosisReport::Check::holds() const { return gain > kThreshold || setsRight; }
 
 std::string checkText(const DiagnosisReport::Check& check) {
   const auto titles = [](const std::vector<std::string>& ids) {
@@ -97,11 +98,11 @@ std::string checkText(const DiagnosisReport::Check& check) {
     return heft::say("Nothing was found that could be checked on {}.", check.file);
   if (check.checked.empty())
     return heft::say("What was found belongs to its own recording; nothing of it can be checked on {}.", check.file);
-  std::string out =
-      check.gain > kThreshold ? heft::say("{} holds on {}, too.", titles(check.checked), check.file)
-      : check.gain < -kThreshold
-          ? heft::say("{} makes {} worse: that one has it not, or otherwise.", titles(check.checked), check.file)
-          : heft::say("{} makes no difference on {}: its motion does not show it.", titles(check.checked), check.file);
+  const std::string checked = titles(check.checked);
+  std::string out = check.holds() ? heft::say("Holds on {}, too: {}.", check.file, checked)
+                    : check.gain < -kThreshold
+                        ? heft::say("Makes {} worse: {}. That one has it not, or otherwise.", check.file, checked)
+                        : heft::say("Makes no difference on {}: {}. Its motion does not show it.", check.file, checked);
   if (!check.ofOneMoment.empty())
     out += " " + heft::say("Not checked, since it belongs to one recording: {}.", titles(check.ofOneMoment));
   return out;

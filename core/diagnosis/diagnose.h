@@ -98,6 +98,7 @@ struct DiagnosisReport {
     std::string file;
     WrenchRms before, after;
     double gain = 0.0;                     ///< Evidence there for these causes, of which nothing was fitted
+    bool setsRight = false;                ///< Without them the payload there cannot be, such as a mass below zero
     std::vector<std::string> checked;      ///< IDs
     std::vector<std::string> ofOneMoment;  ///< IDs of those that say nothing of another recording, such as a drift
     bool holds() const;

@@ -182,6 +182,19 @@ Signals corrected(const Signals& signals, const FrameMistake& mistake) {
 
 namespace {
 
+/// Columns that are swapped or have the wrong sign are so exactly: each axis as the one that it is nearest to, or
+/// `mirrored` itself where it is far from all.
+Matrix3d alongAxes(const Matrix3d& mirrored) {
+  constexpr double kNear = 15.0 * std::numbers::pi / 180.0;  // See refineTurn()
+  Matrix3d out = Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    Eigen::Index axis = 0;
+    mirrored.row(i).cwiseAbs().maxCoeff(&axis);
+    out(i, axis) = mirrored(i, axis) < 0.0 ? -1.0 : 1.0;
+  }
+  return (mirrored - out).norm() < std::sqrt(2.0) * kNear ? out : mirrored;
+}
+
 /// bestTurn() knows of weight and acceleration alone and is degrees off where the tool turns fast: beside all that a
 /// payload does, the turn is known many times better.
 void refineTurn(FrameMistake& mistake, const Signals& signals, const std::vector<Stretch>& stretches) {
@@ -245,7 +258,7 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
     if (const auto turn = bestTurn(signals, proper)) {
       const bool turned = turn->determinant() > 0.0;
       FrameMistake m = told(turned ? FrameMistake::Kind::turned : FrameMistake::Kind::mirrored);
-      m.turn = *turn;
+      m.turn = turned ? *turn : alongAxes(*turn);
       if (turned) m.angle = vectorFromRotation(*turn).norm();
       if (turned && m.angle < 20.0 * std::numbers::pi / 180.0) continue;
       all.push_back(m);

@@ -163,6 +163,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
                     {"torque_rms_before_nm", report.check->before.torque},
                     {"torque_rms_after_nm", report.check->after.torque},
                     {"delta_bic", report.check->gain},
+                    {"holds", report.check->holds()},
                     {"checked", report.check->checked},
                     {"of_one_moment", report.check->ofOneMoment},
                     {"sentence", checkText(*report.check)}};

@@ -6967,16 +6967,16 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Was gefunden wurde, gehört zu seiner eigenen Aufnahme; nichts davon lässt sich an {} prüfen.</translation>
     </message>
     <message>
-        <source>{} holds on {}, too.</source>
-        <translation>{} trifft auch auf {} zu.</translation>
+        <source>Holds on {}, too: {}.</source>
+        <translation>Trifft auch auf {} zu: {}.</translation>
     </message>
     <message>
-        <source>{} makes {} worse: that one has it not, or otherwise.</source>
-        <translation>{} macht {} schlechter: Dort liegt es nicht vor, oder anders.</translation>
+        <source>Makes {} worse: {}. That one has it not, or otherwise.</source>
+        <translation>Macht {} schlechter: {}. Dort liegt es nicht vor, oder anders.</translation>
     </message>
     <message>
-        <source>{} makes no difference on {}: its motion does not show it.</source>
-        <translation>{} macht bei {} keinen Unterschied: Die Bewegung dort zeigt es nicht.</translation>
+        <source>Makes no difference on {}: {}. Its motion does not show it.</source>
+        <translation>Macht bei {} keinen Unterschied: {}. Die Bewegung dort zeigt es nicht.</translation>
     </message>
     <message>
         <source>Not checked, since it belongs to one recording: {}.</source>

@@ -502,6 +502,23 @@ TEST(Diagnose, FrameMistakes) {
   EXPECT_FALSE(report.metaChanges().empty());
 }
 
+/// Columns that are swapped are so exactly: what turns them back a little off was a sensor that is mounted turned.
+TEST(Diagnose, SwappedColumnsAreNothingElse) {
+  Recording recording = aRecording(MotionKind::excitation, 503);
+  recording.wrench.col(0).swap(recording.wrench.col(1));
+  recording.wrench.col(3).swap(recording.wrench.col(4));
+  const auto report = diagnosed(recording);
+  ASSERT_EQ(report.causes.size(), 1u) << said(report);
+  EXPECT_EQ(report.causes.front().id, "frame_error");
+  EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
+  ASSERT_TRUE(report.mistake);
+  Matrix3d swapped = Matrix3d::Zero();
+  swapped(0, 1) = swapped(1, 0) = swapped(2, 2) = 1.0;
+  EXPECT_EQ(report.mistake->turn, swapped);
+  EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01);
+  EXPECT_TRUE(report.metaChanges().empty()) << "No mount swaps columns";
+}
+
 /// With their twist recorded as it was: what was told about velocities is not at odds with orientations that were put
 /// right.
 TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
