@@ -34,8 +34,7 @@ Result<Signals> untouchedSignals(const Recording& recording, const RobotModel* r
   return signals;
 }
 
-/// A zero takes another way in each recording, and what has a moment has it in one.
-bool isOfOneMoment(const Term& term) { return term.form->local || term.form->walk || causeOf(term) == "bias_drift"; }
+bool isOfOneMoment(const Term& term) { return term.form->local || isWayOfTheZero(causeOf(term)); }
 
 WrenchRms rmsOf(const Fit& fit, const std::vector<Stretch>& stretches) {
   WrenchRms squares;

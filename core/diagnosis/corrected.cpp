@@ -12,6 +12,7 @@
 #include "core/diagnosis/between_rows.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
+#include "core/diagnosis/wandering.h"
 #include "core/diagnosis/words.h"
 
 namespace heft {
@@ -212,10 +213,11 @@ Result<Recording> correctedByAll(const Recording& recording, const RobotModel* r
     const json& id = memberOf(cause, "cause");
     if (!id.is_string()) continue;
     const json& when = memberOf(cause, "when");
-    (another && when.is_array() && !when.empty() ? left : causes).push_back(id.get<std::string>());
+    const bool ofOneMoment = (when.is_array() && !when.empty()) || isWayOfTheZero(id.get<std::string>());
+    (another && ofOneMoment ? left : causes).push_back(id.get<std::string>());
   }
   if (!another) return corrected(recording, robot, found, causes);
-  left.emplace_back(kWandering);  // Where the zero went that day it went that day
+  left.emplace_back(kWandering);
   json lasting = found, terms = json::array();
   for (const json& term : memberOf(found["model"], "terms"))
     if (const json& id = memberOf(term, "cause"); !id.is_string() || !has(left, id.get<std::string>()))

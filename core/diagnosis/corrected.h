@@ -23,8 +23,8 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
                             const std::vector<std::string>& causes, std::vector<std::string>* unknown = nullptr);
 
 /// `recording` without all that a result of heft diagnose accounts for, which was read from the file `where`. Of
-/// another recording than the one that it was made on, what has a place in time stays. Fails if `found` is no such
-/// result.
+/// another recording than the one that it was made on, what has a place in time stays, and the way that the zero took.
+/// Fails if `found` is no such result.
 Result<Recording> correctedByAll(const Recording& recording, const RobotModel* robot, const nlohmann::json& found,
                                  const std::string& where);
 

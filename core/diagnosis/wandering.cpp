@@ -135,4 +135,6 @@ bool isOneCourse(const Model& model) {
   return courses.eigenvalues()(5) > kShare * courses.eigenvalues().sum();
 }
 
+bool isWayOfTheZero(std::string_view cause) { return cause == kWandering || cause == "bias_drift"; }
+
 }  // namespace heft::diagnosis

@@ -1,5 +1,7 @@
 #pragma once
 // A zero that wanders at random looks like a jump, or like a wave, to whoever looks for one.
+#include <string_view>
+
 #include "core/diagnosis/fit.h"
 
 namespace heft::diagnosis {
@@ -16,5 +18,8 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
 /// Whether the waves of a fitted walk are one course that all channels take, as those of six walks are not: then the
 /// zero drifts, however much more the walk explains of slow noise beside that.
 bool isOneCourse(const Model& model);
+
+/// Whether a cause is a way that the zero took: each recording has another one.
+bool isWayOfTheZero(std::string_view cause);
 
 }  // namespace heft::diagnosis

@@ -270,5 +270,22 @@ TEST(Corrected, ByAllThatWasFound) {
   }
 }
 
+/// Another recording's zero drifts another way, or not at all.
+TEST(Corrected, ADriftStaysInTheRecordingThatItWasFoundIn) {
+  const Recording recording = aRecording(MotionKind::excitation, 83, {{"bias_drift", "", 0.8}});
+  const auto report = diagnosed(recording);
+  ASSERT_NE(named(report, "bias_drift"), nullptr) << said(report);
+  Recording other = aRecording(MotionKind::free, 84);
+  other.file = "another.csv";
+  const auto corrected = correctedByAll(other, &RobotModel::panda(), toJson(report), "found.json");
+  ASSERT_TRUE(corrected.ok()) << corrected.error().message;
+  EXPECT_EQ((corrected->wrench - other.wrench).norm(), 0.0);
+  const auto check = checkOn(report, other, &RobotModel::panda());
+  ASSERT_TRUE(check.ok());
+  EXPECT_TRUE(check->checked.empty());
+  EXPECT_EQ(check->ofOneMoment, std::vector<std::string>{"bias_drift"});
+  EXPECT_NE(checkText(*check).find("belongs to its own recording"), std::string::npos) << checkText(*check);
+}
+
 }  // namespace
 }  // namespace heft::test
