@@ -259,6 +259,22 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   return out;
 }
 
+/// Whether single readings that are wrong may be all that there is in stretches that were set aside: coarse steps are
+/// not where far more than a step is left.
+bool mayBeAllThatIsOdd(const Direct& direct, const Work& work) {
+  constexpr double kMost = 3.0;  // Steps
+  if (direct.cause != "quantisation") return true;
+  const auto stepOf = [&](std::string_view name) {
+    const auto step = std::ranges::find_if(direct.parameters, [&](const auto& p) { return p.name == name; });
+    return step == direct.parameters.end() ? 0.0 : step->value;
+  };
+  const double force = kMost * stepOf("step_force"), torque = kMost * stepOf("step_torque");
+  return std::ranges::all_of(blocksOf(work.odd), [&](const Stretch& s) {
+    const auto left = work.search.final.residual.middleCols(s.from, s.to - s.from);
+    return left.topRows<3>().cwiseAbs().maxCoeff() < force || left.bottomRows<3>().cwiseAbs().maxCoeff() < torque;
+  });
+}
+
 /// Whether hardly any reading is a spike: what knocks makes a few.
 bool hardlySpikes(const DiagnosedCause& cause) {
   constexpr double kFew = 0.05;  // [%]
@@ -348,7 +364,9 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
       std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
-  sayWhatElse(work, readings->cleaned, !readings->directs.empty(), out);
+  const bool known =
+      std::ranges::any_of(readings->directs, [&](const Direct& d) { return mayBeAllThatIsOdd(d, work); });
+  sayWhatElse(work, readings->cleaned, known, out);
   sayDeadBands(readings->deadBands, out);
   sayStuckBits(readings->stuckBits, out);
   if (readings->frozen) sayFrozen(*readings->frozen, out);
