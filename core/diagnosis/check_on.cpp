@@ -2,11 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/say.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/named.h"
 #include "core/diagnosis/search.h"
 #include "core/diagnosis/wandering.h"
 #include "core/diagnosis/words.h"
@@ -17,36 +17,24 @@ using namespace diagnosis;
 
 namespace {
 
-/// Signals of a recording that touches nothing where it is judged.
-Result<Signals> untouchedSignals(const Recording& recording, const RobotModel* robot) {
+Result<Motion> usualMotion(const Recording& recording, const RobotModel* robot) {
   MotionOptions options;
   options.cutoffHz = kDefaultCutoffHz;
-  const auto motion = motionOf(recording, robot, options);
-  if (!motion) return motion.error();
-  Signals signals = signalsOf(recording, *motion, robot);
-  const auto labels = segmentRows(recording, rowsOf(*motion, 50.0), defaultSegmentMode(recording)).labels;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
-    const double t = signals.blockTime(n) - signals.startTime;
-    const auto label = std::min<std::size_t>(static_cast<std::size_t>(n), labels.size() - 1);
-    signals.usable[static_cast<std::size_t>(n)] =
-        t > 0.3 && t < signals.duration() - 0.3 && labels[label] == MarkLabel::free;
+  return motionOf(recording, robot, options);
+}
+
+/// One a block: whether it is away from the ends and touches nothing.
+std::vector<bool> untouchedIn(const Recording& recording, const Motion& motion, const Signals& signals) {
+  std::vector<bool> out(static_cast<std::size_t>(signals.blocks()));
+  const auto labels = segmentRows(recording, rowsOf(motion, 50.0), defaultSegmentMode(recording)).labels;
+  for (std::size_t n = 0; n < out.size(); ++n) {
+    const double t = signals.blockTime(static_cast<Eigen::Index>(n)) - signals.startTime;
+    out[n] = t > 0.3 && t < signals.duration() - 0.3 && labels[std::min(n, labels.size() - 1)] == MarkLabel::free;
   }
-  return signals;
+  return out;
 }
 
 bool isOfOneMoment(const Term& term) { return term.form->local || isWayOfTheZero(causeOf(term)); }
-
-WrenchRms rmsOf(const Fit& fit, const std::vector<Stretch>& stretches) {
-  WrenchRms squares;
-  double count = 0.0;
-  for (const auto& s : stretches) {
-    const auto part = fit.residual.middleCols(s.from, s.to - s.from);
-    squares.force += part.topRows<3>().squaredNorm();
-    squares.torque += part.bottomRows<3>().squaredNorm();
-    count += 3.0 * static_cast<double>(s.to - s.from);
-  }
-  return {std::sqrt(squares.force / count), std::sqrt(squares.torque / count)};
-}
 
 void addOnce(std::vector<std::string>& ids, std::string_view id) {
   if (id != kWandering && std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
@@ -55,31 +43,36 @@ void addOnce(std::vector<std::string>& ids, std::string_view id) {
 }  // namespace
 
 Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot) {
-  auto stated = untouchedSignals(other, robot);
-  if (!stated) return stated.error();
-  const auto stretches = stretchesOf(stated->usable);
+  const auto motion = usualMotion(other, robot);
+  if (!motion) return motion.error();
+  Signals signals = signalsOf(other, *motion, robot);
+  const std::vector<bool> untouched = untouchedIn(other, *motion, signals);
+  const auto stretches = stretchesOf(untouched);
   if (stretches.empty())
     return Error{heft::say("Nothing in {} touches nothing for long enough to check a cause on it.", other.file)};
   DiagnosisReport::Check out;
   out.file = other.file;
   Model kept;
   for (const Term& term : report.model.terms) {
-    addOnce(isOfOneMoment(term) ? out.ofOneMoment : out.checked, causeOf(term));
-    if (isOfOneMoment(term)) continue;
+    const bool stays = isOfOneMoment(term);
+    addOnce(stays ? out.ofOneMoment : out.checked, causeOf(term));
+    if (stays) continue;
     kept.terms.push_back(term);
     kept.terms.back().active.assign(term.form->parameters.size(), false);
   }
-  const Fit before = fitModel(*stated, stretches, Model{});
-  std::optional<Result<Signals>> righted;
+  signals.usable = untouched;
+  const Fit before = fitModel(signals, stretches, Model{});
   if (report.mistake) {
     addOnce(out.checked, "frame_error");
-    righted = untouchedSignals(undone(other, *report.mistake), robot);
-    if (!*righted) return righted->error();
-    (*righted)->usable = stated->usable;
+    const Recording righted = undone(other, *report.mistake);
+    const auto moved = usualMotion(righted, robot);
+    if (!moved) return moved.error();
+    signals = signalsOf(righted, *moved, robot);
+    signals.usable = untouched;
   }
-  const Fit after = fitModel(righted ? **righted : *stated, stretches, std::move(kept));
-  out.before = rmsOf(before, stretches);
-  out.after = rmsOf(after, stretches);
+  const Fit after = fitModel(signals, stretches, std::move(kept));
+  out.before = rmsOf(stretches, before.residual);
+  out.after = rmsOf(stretches, after.residual);
   out.gain = after.evidence - before.evidence;
   out.setsRight = !believable(before) && believable(after);
   return out;

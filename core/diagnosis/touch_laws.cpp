@@ -224,6 +224,19 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
   return left < (1.0 - kNearlyAll) * all;
 }
 
+/// Whether the load has one direction, of six channels, all through the contacts: then a push against it, such as
+/// straight up under a tool that hangs still, takes from all of them alike. Of two touches that did it had 0.963 and
+/// 0.994 of its power along one, where two supplies dipped 0.69 and 0.99.
+bool keepsOneDirection(const Wrenches& load, const std::vector<Contact>& contacts) {
+  constexpr double kMost = 0.95;
+  Matrix6d power = Matrix6d::Zero();
+  for (const Stretch& s : blocksOf(contacts)) {
+    const auto part = load.middleCols(s.from, s.to - s.from);
+    power += part * part.transpose();
+  }
+  return shareAlongOneDirection(power) > kMost;
+}
+
 /// Whether all channels, the zero with them, read too little or too much by one factor at a time, as where the
 /// amplifier's supply dips: of 24 touches, such factors left 0.42 and more. Or all forces by one and all torques by
 /// another, the same throughout, as where somebody changes their units.
@@ -233,16 +246,7 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
   const auto factorOf = [](const auto& is, const auto& of) {
     return is.cwiseProduct(of).sum() / std::max(1e-300, of.squaredNorm());
   };
-  // A push straight up under a tool that hangs still takes from all of its load alike: of four the two touches had
-  // 0.963 and 0.994, two supplies that dipped 0.69 and 0.99.
-  constexpr double kOneWay = 0.95;  // Of the load's power, along one direction
-  Matrix6d power = Matrix6d::Zero();
-  for (const Contact& contact : contacts) {
-    const auto of = should.middleCols(contact.blocks.from, contact.blocks.to - contact.blocks.from);
-    power += of * of.transpose();
-  }
-  const Vector6d each = Eigen::SelfAdjointEigenSolver<Matrix6d>(power).eigenvalues();
-  if (each(5) > kOneWay * each.sum()) return false;
+  if (keepsOneDirection(should, contacts)) return false;
   constexpr double kNone = 0.1;  // Of the forces' factor: then nothing happened to the torques
   bool ofBoth = true;
   double all = 1e-300, left = 0.0, leftByUnits = 0.0;
@@ -292,6 +296,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
     all += squares;
     steady += squares - sum.squaredNorm() / count;
   }
+  const double little = std::min(kLeft * all, kOfSteady * steady);
   const auto leftBeyond = [&](const VectorXd& load, double limit) {
     Vector6d with = Vector6d::Zero();
     double squares = 1e-300;
@@ -315,8 +320,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
       if (static_cast<double>(less) < kOutside * static_cast<double>(outside.size())) continue;
       const double usual = median(outside);
       for (int i = 0; i < kLimits; ++i)
-        if (leftBeyond(load, usual + (middle - usual) * i / kLimits) < std::min(kLeft * all, kOfSteady * steady))
-          return true;
+        if (leftBeyond(load, usual + (middle - usual) * i / kLimits) < little) return true;
     }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/diagnosis/two_threads.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
@@ -131,8 +132,7 @@ bool isOneCourse(const Model& model) {
   MatrixXd waves(6, kLongest);
   for (Eigen::Index k = 0; k < kLongest; ++k)
     waves.col(k) = static_cast<double>(k + 1) * walk->v.segment<6>(6 * k).cwiseQuotient(walk->walk.cwiseSqrt());
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> courses(waves * waves.transpose(), Eigen::EigenvaluesOnly);
-  return courses.eigenvalues()(5) > kShare * courses.eigenvalues().sum();
+  return shareAlongOneDirection(waves * waves.transpose()) > kShare;
 }
 
 bool isWayOfTheZero(std::string_view cause) { return cause == kWandering || cause == "bias_drift"; }

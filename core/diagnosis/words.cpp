@@ -18,13 +18,13 @@ namespace {
 
 using diagnosis::FrameMistake;
 
-constexpr int kMostDecimals = 6;
+constexpr std::array kPatterns{"{:.0f}", "{:.1f}", "{:.2f}", "{:.3f}", "{:.4f}", "{:.5f}", "{:.6f}"};
+constexpr int kMostDecimals = std::ssize(kPatterns) - 1;
 
 std::string number(double value, int decimals) {
-  constexpr const char* kPatterns[] = {"{:.0f}", "{:.1f}", "{:.2f}", "{:.3f}", "{:.4f}", "{:.5f}", "{:.6f}"};
   const double unit = std::pow(10.0, -decimals);
   if (std::abs(value) < 0.5 * unit) value = 0.0;  // Never -0.0
-  return heft::say(fmt::runtime(kPatterns[std::clamp(decimals, 0, kMostDecimals)]), value);
+  return heft::say(fmt::runtime(kPatterns[static_cast<std::size_t>(std::clamp(decimals, 0, kMostDecimals))]), value);
 }
 
 /// As many decimals as the deviation bears.

@@ -21,6 +21,12 @@ double robustStd(const std::vector<double>& values) {
   return 1.4826 * median(std::move(deviations));
 }
 
+double shareAlongOneDirection(const Eigen::MatrixXd& power) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(power, Eigen::EigenvaluesOnly);
+  const double all = eigen.eigenvalues().sum();
+  return all > 0.0 ? eigen.eigenvalues().maxCoeff() / all : 0.0;
+}
+
 void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,
                          const Eigen::Ref<const Eigen::VectorXd>& weights) {
   const Eigen::VectorXd weighted = noise.cwiseProduct(weights);

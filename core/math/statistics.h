@@ -11,6 +11,10 @@ double median(std::vector<double> values);
 /// 1.4826 times the median absolute deviation from the median: the standard deviation of a normal distribution.
 double robustStd(const std::vector<double>& values);
 
+/// Share of the power of vectors along the direction that takes most of it, 0 to 1; 0 where there is none. `power`: the
+/// sum of their outer products, n x n.
+double shareAlongOneDirection(const Eigen::MatrixXd& power);
+
 /// Autoregressive noise: e_k = sum_i a_i e_(k-i) + innovation of standard deviation sigma.
 struct ArModel {
   Eigen::VectorXd coefficients;  ///< a_1 .. a_p; may be empty (white noise).

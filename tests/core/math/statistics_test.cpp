@@ -29,6 +29,13 @@ Eigen::VectorXd autoregressive(const Eigen::VectorXd& a, double sigma, int n, un
   return e;
 }
 
+TEST(Statistics, ShareAlongOneDirection) {
+  const Eigen::Vector3d a(1.0, 2.0, -2.0), b(2.0, 1.0, 2.0);  // As long, at right angles
+  EXPECT_NEAR(shareAlongOneDirection(a * a.transpose()), 1.0, 1e-12);
+  EXPECT_NEAR(shareAlongOneDirection(3.0 * a * a.transpose() + b * b.transpose()), 0.75, 1e-12);
+  EXPECT_EQ(shareAlongOneDirection(Eigen::Matrix3d::Zero()), 0.0);
+}
+
 TEST(Statistics, FindsAutoregressiveNoise) {
   const Eigen::VectorXd truth = Eigen::Vector2d(1.2, -0.5);
   const Eigen::VectorXd e = autoregressive(truth, 0.3, 20000, 2);
