@@ -46,8 +46,9 @@ struct Readings {
   std::vector<DeadBand> deadBands;
   std::vector<StuckBit> stuckBits;
   std::optional<FrozenChannel> frozen;
-  std::vector<bool> bad;  ///< Rows that are not judged: one a row, or none
-  bool cutsMost = false;  ///< Readings are cut off flat most of the time: those rows are judged, too
+  std::vector<bool> bad;   ///< Rows that are not judged: one a row, or none
+  Eigen::Index leaps = 0;  ///< Rows that leap and are not called spikes
+  bool cutsMost = false;   ///< Readings are cut off flat most of the time: those rows are judged, too
 };
 
 /// Marks the rows that dead bands leave nothing of as bad, unless hardly any others are left.
@@ -95,6 +96,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   }
   out.motion = std::move(*motion);
   out.directs = sampleTests(out.stated, out.motion, facts);
+  if (std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == "spikes"; })) out.leaps = facts.spikes;
   out.stuckBits = stuckBits(out.stated);
   if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops);
   std::erase_if(out.directs, [&](const Direct& d) {
@@ -369,6 +371,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   sayWhatElse(work, readings->cleaned, known, out);
   sayDeadBands(readings->deadBands, out);
   sayStuckBits(readings->stuckBits, out);
+  if (readings->stuckBits.empty()) sayLeaps(readings->leaps, out);
   if (readings->frozen) sayFrozen(*readings->frozen, out);
 
   out.mistake = readings->mistake ? readings->mistake : work.mistake;

@@ -47,13 +47,13 @@ Trial grown(const Signals& signals, const std::vector<Stretch>& stretches, Signa
   return trial;
 }
 
-/// A walk has waves for anything that is slow: two or three causes together may explain clearly more. `walk`: its gain;
-/// a faint one is left to be one.
+/// A walk has waves for anything that is slow: two or three causes together may explain clearly more, unless they are
+/// too many beside the `rest` of the model. `walk`: its gain; a faint one is left to be one.
 void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk,
-                 std::vector<Trial>& all) {
+                 const Model& rest, std::vector<Trial>& all) {
   constexpr std::size_t kTop = 3, kTerms = 3;
   constexpr double kNear = 0.25;  ///< Share of what the walk explains
-  if (walk < 2.0 * kFaint) return;
+  if (walk < 2.0 * kFaint || causesIn(rest) + 1 >= kCrutches) return;
   std::vector<std::string_view> others, done;
   for (const auto& cause : catalogue())
     if (cause->id() != kWandering) others.push_back(cause->id());
@@ -108,8 +108,22 @@ Rival rivalOf(const Found& found, const Trial& trial, const Fit& accepted) {
           behind,
           behind - (trial.fit.price - accepted.price) - trial.penalty,
           trial.fit.dimensions - accepted.dimensions,
-          takesAnyCourse(*trial.fit.model.terms.back().form),
+          takesAnyCourse(trial),
           trial.fit.model.x.tail<10>()};
+}
+
+/// The best trial of each cause that is neither `cause` nor in the `rest` of the model. A drift of any course that is
+/// too faint for a name leaves its place to one of a simpler course that explains about as much.
+std::map<std::string, const Trial*> bestOfEach(const std::vector<Trial>& all, std::string_view cause,
+                                               const Model& rest) {
+  std::map<std::string, const Trial*> out;
+  for (const Trial& trial : all) {  // The best first
+    if (trial.gain < -1e299 || trial.cause == cause || contains(rest, trial.cause)) continue;
+    const Trial*& best = out.try_emplace(trial.cause, &trial).first->second;
+    if (takesAnyCourse(*best) && best->gain < kAnyCourse && !takesAnyCourse(trial) && trial.gain > best->gain - kTie)
+      best = &trial;
+  }
+  return out;
 }
 
 /// How far from the only term of `cause` in `model` the parameters of other trials of it lie that explain about as
@@ -247,7 +261,7 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
       std::vector<Trial> all = known->all;
       found.gain = search.final.evidence - rest.evidence;
       if (cause == kWandering)
-        outgrowWalk(signals, stretches, bank, found.gain, all);
+        outgrowWalk(signals, stretches, bank, found.gain, rest.model, all);
       else
         growRivals(signals, stretches, bank, search.final.model, cause, all);
       settleRivals(signals, stretches, rest, found, all);
@@ -275,11 +289,8 @@ bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         std::erase_if(search.order, [&](const std::string& named) { return !contains(search.final.model, named); });
         break;
       }
-      std::map<std::string, const Trial*> best;
-      for (const auto& trial : all)
-        if (trial.gain > -1e299 && trial.cause != cause && !contains(rest.model, trial.cause) &&
-            best.try_emplace(trial.cause, &trial).second)
-          found.rivals.push_back(rivalOf(found, trial, search.final));
+      const auto best = bestOfEach(all, cause, rest.model);
+      for (const auto& [id, trial] : best) found.rivals.push_back(rivalOf(found, *trial, search.final));
       std::stable_sort(found.rivals.begin(), found.rivals.end(),
                        [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
       const bool oneCourse = cause == kWandering && isOneCourse(search.final.model);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -42,12 +43,42 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
   return out;
 }
 
-std::optional<Direct> spikes(Eigen::Index replaced, Eigen::Index rows) {
-  if (replaced < 3) return std::nullopt;
+/// Of the rows in which `cleaned` differs from `raw`, those in which one channel leaps far and no other leaps with it:
+/// a knock or a jerk of the arm is felt by several.
+Eigen::Index loneSpikes(const WrenchSamples& raw, const WrenchSamples& cleaned) {
+  constexpr double kFar = 60.0, kFelt = 5.0;  // Times the noise
+  std::array<double, 6> noise{};
+  for (std::size_t c = 0; c < 6; ++c) {
+    const auto y = raw.col(static_cast<Eigen::Index>(c));
+    std::vector<double> steps;
+    for (Eigen::Index i = 1; i < y.size(); ++i)
+      if (y(i) != y(i - 1)) steps.push_back(std::abs(y(i) - y(i - 1)));
+    noise[c] = steps.empty() ? 0.0 : 1.4826 / std::numbers::sqrt2 * median(std::move(steps));
+  }
+  Eigen::Index out = 0;
+  for (Eigen::Index i = 1; i + 1 < raw.rows(); ++i) {
+    if (raw.row(i) == cleaned.row(i)) continue;
+    int far = 0, felt = 0;
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double usual = noise[static_cast<std::size_t>(c)],
+                   off = std::abs(raw(i, c) - 0.5 * (cleaned(i - 1, c) + cleaned(i + 1, c)));
+      far += off > kFar * usual ? 1 : 0;
+      felt += off > kFelt * usual ? 1 : 0;
+    }
+    out += far == 1 && felt == 1 ? 1 : 0;
+  }
+  return out;
+}
+
+/// A few leaps that several channels share are no spikes. Of 66 recordings whose arm jerked now and then, the most had
+/// 0.057 % of all rows; with spikes, 18 had 0.09 % and more.
+std::optional<Direct> spikes(const RowFacts& facts, Eigen::Index rows) {
+  constexpr double kFew = 0.07;  // [%]
+  const double share = 100.0 * static_cast<double>(facts.spikes) / static_cast<double>(rows);
+  if (facts.spikes < 3 || (share < kFew && facts.loneSpikes == 0)) return std::nullopt;
   Direct out;
-  const double share = 100.0 * static_cast<double>(replaced) / static_cast<double>(rows);
   out.cause = "spikes";
-  out.parameters = {{"count", "", static_cast<double>(replaced), 0.0}, {"share", "%", share, 0.0}};
+  out.parameters = {{"count", "", static_cast<double>(facts.spikes), 0.0}, {"share", "%", share, 0.0}};
   return out;
 }
 
@@ -173,8 +204,10 @@ RowFacts rowFactsOf(const Recording& recording) {
   out.stale = staleRuns(recording);
   out.replayed = replayedRuns(recording);
   out.motionHeld = motionHolds(recording);
-  Unclipped clipping =
-      unclipped(withoutSpikes(withoutZeros(recording, out.deadBands), out.spikes), out.tops, recording.rateHz());
+  const WrenchSamples raw = withoutZeros(recording, out.deadBands);
+  WrenchSamples cleaned = withoutSpikes(raw, out.spikes);
+  out.loneSpikes = loneSpikes(raw, cleaned);
+  Unclipped clipping = unclipped(std::move(cleaned), out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);
   out.restored = std::move(clipping.wrench);
   return out;
@@ -186,7 +219,7 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   if (facts.stamps) out.push_back(jitter(*facts.stamps));
   if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
   if (auto found = quantisation(recording)) out.push_back(std::move(*found));
-  if (auto found = spikes(facts.spikes, recording.rows())) out.push_back(std::move(*found));
+  if (auto found = spikes(facts, recording.rows())) out.push_back(std::move(*found));
   const auto rough = coarse(recording);
   for (auto& found : reportedVelocities(recording, motion)) {
     // What does not agree with coarse positions may well be right.

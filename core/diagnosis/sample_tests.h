@@ -34,7 +34,8 @@ struct RowFacts {
   std::vector<FlatTop> tops;           ///< As of flatTops(its wrench)
   std::vector<bool> lost;              ///< To these: as of unclipped()
   std::vector<DeadBand> deadBands;     ///< As of deadBands(recording)
-  Eigen::Index spikes = 0;             ///< Readings that were replaced: as of withoutSpikes()
+  Eigen::Index spikes = 0;             ///< Rows in which readings were replaced: as of withoutSpikes()
+  Eigen::Index loneSpikes = 0;         ///< Of these, those in which one channel leaps far and none with it
   std::vector<Held> held;              ///< As of heldRows(recording)
   Runs stale;                          ///< As of staleRuns(recording)
   Runs replayed;                       ///< As of replayedRuns(recording)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
@@ -49,13 +50,22 @@ const Trial* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>
   return best->gain > least ? best : nullptr;
 }
 
-/// Whether there are as many causes as there never were at once: crutches for something unknown, and more of them tell
-/// no more of it. A zero that wanders is none.
-bool areTooMany(const std::vector<std::string>& order) {
-  return std::ranges::count_if(order, [](const std::string& cause) { return cause != kWandering; }) >= kCrutches;
-}
+/// Whether there are as many causes, or masses that swing, as there never were at once: crutches for something unknown,
+/// and more of them tell no more of it.
+bool areTooMany(const Model& model) { return causesIn(model) >= kCrutches || massesIn(model) > kMasses; }
 
 }  // namespace
+
+std::ptrdiff_t causesIn(const Model& model) {
+  std::set<std::string_view> causes;
+  for (const Term& term : model.terms)
+    if (!term.form->walk) causes.insert(causeOf(term));
+  return std::ssize(causes);
+}
+
+std::ptrdiff_t massesIn(const Model& model) {
+  return std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
+}
 
 Model without(const Model& model, std::string_view cause) {
   Model out = model;
@@ -90,7 +100,7 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
   bool drifts = false;  // All channels take one course
   std::vector<Sibling> siblings;
   for (int step = static_cast<int>(out.final.model.terms.size());
-       step < options.maxTerms && !areTooMany(order) && !progress.cancelled(); ++step) {
+       step < options.maxTerms && !areTooMany(out.final.model) && !progress.cancelled(); ++step) {
     progress(0.1 + 0.1 * step, heft::say("Trying causes"));
     const auto ranked = promises(signals, stretches, bank, out.final);
     if (ranked.empty()) break;
@@ -117,16 +127,15 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         break;
       }
     // A drift of any course that is too faint for a name leaves its place to what explains about as much and has one.
-    const auto isCourse = [](const Trial& trial) { return takesAnyCourse(*trial.fit.model.terms.back().form); };
-    if (isCourse(*chosen) && chosen->gain < kAnyCourse)
+    if (takesAnyCourse(*chosen) && chosen->gain < kAnyCourse)
       for (const auto& trial : all)
-        if (enough(trial) && trial.gain > chosen->gain - kTie && trial.cause != kWandering && !isCourse(trial)) {
+        if (enough(trial) && trial.gain > chosen->gain - kTie && trial.cause != kWandering && !takesAnyCourse(trial)) {
           chosen = &trial;
           break;
         }
     // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
     // A course that all channels take is a drift where a walk explains less.
-    const double ahead = isCourse(*chosen) ? 0.0 : chosen->cause == "bias_drift" ? kBesideWandering : kJump;
+    const double ahead = takesAnyCourse(*chosen) ? 0.0 : chosen->cause == "bias_drift" ? kBesideWandering : kJump;
     if (chosen->cause == "bias_drift" || chosen->cause == "sensor_bias")
       for (const auto& trial : all)
         if (trial.cause == kWandering && trial.gain > chosen->gain - ahead) {

@@ -31,6 +31,9 @@ constexpr double kFaint = 50.0;
 /// Causes that make a patchwork: of 640 recordings five had so many, and what was wrong with these was unknown.
 constexpr std::ptrdiff_t kCrutches = 4;
 
+/// Masses that swing in one model at most; more are a patchwork, too.
+constexpr std::ptrdiff_t kMasses = 2;
+
 /// How far a search has come when it is asked whether it ends there.
 enum class SoFar { firstCause, anotherCause, allCauses };
 
@@ -76,6 +79,12 @@ struct Search {
 
 /// Terms of `cause` are one cause: `without` takes them all out.
 Model without(const Model& model, std::string_view cause);
+
+/// Causes in the model, but for a zero that walks.
+std::ptrdiff_t causesIn(const Model& model);
+
+/// Terms in the model that are a mass that swings.
+std::ptrdiff_t massesIn(const Model& model);
 
 /// `bank`: of these signals. Nothing is compared yet.
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,

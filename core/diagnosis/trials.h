@@ -48,6 +48,9 @@ struct Trial {
   double gain = -1e300;
 };
 
+/// Whether its last term is such a drift.
+inline bool takesAnyCourse(const Trial& trial) { return takesAnyCourse(*trial.fit.model.terms.back().form); }
+
 /// The trials around one model, kept since the look back may need them again.
 struct Tried {
   Fit base;

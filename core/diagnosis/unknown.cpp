@@ -297,6 +297,20 @@ void sayFrozen(const FrozenChannel& frozen, DiagnosisReport& out) {
   out.remaining = seen(heft::toSay("readings that stick at one value"));
 }
 
+void sayLeaps(Eigen::Index rows, DiagnosisReport& out) {
+  if (rows == 0) return;
+  out.findings.push_back(
+      {Severity::info,
+       "few_leaps",
+       rows == 1
+           ? heft::say("One reading leaps for a single row. It was replaced by what lies beside it.")
+           : heft::say("{} readings leap for a single row, too few to tell what makes them. They were replaced by "
+                       "what lies beside them.",
+                       rows),
+       heft::say("Look for what knocks or jerks, and check the sensor's plug, if there are more next time."),
+       {}});
+}
+
 void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out) {
   for (const StuckBit& bit : bits)
     out.findings.push_back(

@@ -25,6 +25,9 @@ void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out);
 /// The same of a channel that stands still for a while.
 void sayFrozen(const FrozenChannel& frozen, DiagnosisReport& out);
 
+/// Says how many rows leap without being called spikes, if any: too few to tell what makes them.
+void sayLeaps(Eigen::Index rows, DiagnosisReport& out);
+
 /// The same of channels that leave out steps.
 void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out);
 

@@ -55,9 +55,7 @@ bool hardlyGivesWay(const DiagnosedCause& cause) {
 /// more than two masses that swing, or such a memory. Of 1,120 recordings 28 had one of these: 23 something unknown,
 /// two a form that the catalogue lacks, three a pair of causes.
 bool isPatchwork(const Model& model, const std::vector<DiagnosedCause>& causes) {
-  constexpr std::ptrdiff_t kMasses = 2;
-  const auto masses = std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
-  return (takesAnyCourse(model) && fittedOf(causes) > 1) || masses > kMasses ||
+  return (takesAnyCourse(model) && fittedOf(causes) > 1) || massesIn(model) > kMasses ||
          std::ranges::any_of(causes, remembersTooMuch) || std::ranges::any_of(causes, hardlyGivesWay);
 }
 

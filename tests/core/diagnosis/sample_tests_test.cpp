@@ -327,6 +327,22 @@ TEST(SampleTests, ALeapOfOneChannelThatDiesAwayIsASpike) {
   EXPECT_TRUE(directCauses(withLeaps(recording, 254, 20, {1, 3})).empty());
 }
 
+/// An arm that jerks now and then is felt by several channels at once; a wire that is loose by one alone, or often.
+TEST(SampleTests, AFewLeapsOfSeveralChannelsAreNoSpikes) {
+  const auto leaping = [](int count, bool alone) {
+    Recording recording = aRecording(MotionKind::free, 256);
+    for (int k = 1; k <= count; ++k) {
+      const Eigen::Index row = k * recording.rows() / (count + 1);
+      recording.wrench(row, 0) += 12.0;
+      if (!alone) recording.wrench(row, 4) -= 0.8;
+    }
+    return directCauses(recording);
+  };
+  EXPECT_EQ(leaping(4, false), std::vector<std::string>{});
+  EXPECT_EQ(leaping(4, true), std::vector<std::string>{"spikes"});
+  EXPECT_EQ(leaping(40, false), std::vector<std::string>{"spikes"});
+}
+
 TEST(SampleTests, UnevenStampsAreNoLostReadings) {
   EXPECT_EQ(directCauses(aRecording(MotionKind::free, 13, {{"jitter", "", 0.8}})), std::vector<std::string>{"jitter"});
 }
