@@ -6986,6 +6986,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>where in the tool its weight sits</source>
         <translation>der Stelle, an der das Gewicht im Werkzeug sitzt</translation>
     </message>
+    <message>
+        <source>One reading leaps for a single row. It was replaced by what lies beside it.</source>
+        <translation>Ein Messwert springt eine einzige Zeile lang. Er wurde durch das ersetzt, was daneben liegt.</translation>
+    </message>
+    <message>
+        <source>{} readings leap for a single row, too few to tell what makes them. They were replaced by what lies beside them.</source>
+        <translation>{} Messwerte springen je eine einzige Zeile lang; zu wenige, um zu sagen, woher das kommt. Sie wurden durch das ersetzt, was daneben liegt.</translation>
+    </message>
+    <message>
+        <source>Look for what knocks or jerks, and check the sensor&apos;s plug, if there are more next time.</source>
+        <translation>Werden es beim nächsten Mal mehr: nachsehen, was klopft oder ruckt, und den Stecker des Sensors prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

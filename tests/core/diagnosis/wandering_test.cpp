@@ -122,6 +122,14 @@ TEST(Diagnose, AWalkOfEachChannelIsNoDrift) {
 
 /// A driver that compensates for temperature sets its zero anew at seven moments, by less than its noise: a walk would
 /// do as well, but no walk moves at a few moments only.
+/// A course that explains a little more than a straight line is too faint for a name, and the line is not.
+TEST(Diagnose, AFaintDriftIsNoWalk) {
+  for (const std::uint64_t seed : {316u, 323u, 330u}) {
+    const auto report = diagnosed(aRecording(MotionKind::free, seed, {{"bias_drift", "", 0.13}}));
+    EXPECT_NE(named(report, "bias_drift"), nullptr) << seed << ": " << said(report);
+  }
+}
+
 TEST(Diagnose, AZeroThatIsSetAnewIsNoWalk) {
   Recording recording = aRecording(MotionKind::free, 131);
   RandomStream random(131, RandomPurpose::walk);
