@@ -342,12 +342,14 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
     return v.value("mass") > 0.0
                ? heft::say("At {} s the load became {} g heavier.", number(v.value("time"), 1), v.size("mass"))
                : heft::say("At {} s the load became {} g lighter.", number(v.value("time"), 1), v.size("mass"));
-  if (id == "contact")
-    return cause.when.size() == 1 ? heft::say("The tool touched something from {} to {} s, with up to {} N.",
-                                              number(cause.when[0].first, 1), number(cause.when[0].second, 1),
-                                              number(v.value("peak_force"), 1))
-                                  : heft::say("The tool touched something {} times, with up to {} N.",
-                                              cause.when.size(), number(v.value("peak_force"), 1));
+  if (id == "contact") {
+    const double most = v.value("peak_force");
+    const std::string peak = number(most, most < 0.95 ? 2 : 1);
+    return cause.when.size() == 1
+               ? heft::say("The tool touched something from {} to {} s, with up to {} N.",
+                           number(cause.when[0].first, 1), number(cause.when[0].second, 1), peak)
+               : heft::say("The tool touched something {} times, with up to {} N.", cause.when.size(), peak);
+  }
   if (id == "saturation" && !cause.direct) {
     const auto loss = std::find_if(cause.parameters.begin(), cause.parameters.end(),
                                    [](const CauseParameter& p) { return p.name.starts_with("loss_"); });

@@ -448,6 +448,14 @@ TEST(Diagnose, CoarseReadingsComeAfterWhatMattersMore) {
   EXPECT_TRUE(std::ranges::any_of(report.causes, [](const auto& c) { return c.id == "quantisation"; })) << said(report);
 }
 
+/// One stretch beside which nothing is left, of 0.12 N beside noise of 0.05 N.
+TEST(Diagnose, AFaintTouchAloneIsOne) {
+  for (const std::uint64_t seed : {401u, 404u, 408u}) {
+    const auto report = diagnosed(aRecording(MotionKind::free, seed, {{"contact", "", 0.12}}));
+    EXPECT_NE(named(report, "contact"), nullptr) << seed << ": " << said(report);
+  }
+}
+
 TEST(Diagnose, AFewSpikesComeAfterWhatMattersMore) {
   Recording recording = aRecording(MotionKind::free, 306, {{"time_offset", "", 15.0}});
   for (const double at : {0.21, 0.48, 0.77})
