@@ -47,7 +47,7 @@ struct Readings {
   std::vector<StuckBit> stuckBits;
   std::optional<FrozenChannel> frozen;
   std::vector<bool> bad;   ///< Rows that are not judged: one a row, or none
-  Eigen::Index leaps = 0;  ///< Rows that leap and are not called spikes
+  Eigen::Index leaps = 0;  ///< Rows that leap and are neither spikes nor of a stuck bit
   bool cutsMost = false;   ///< Readings are cut off flat most of the time: those rows are judged, too
 };
 
@@ -96,8 +96,9 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   }
   out.motion = std::move(*motion);
   out.directs = sampleTests(out.stated, out.motion, facts);
-  if (std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == "spikes"; })) out.leaps = facts.spikes;
   out.stuckBits = stuckBits(out.stated);
+  if (out.stuckBits.empty() && std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == "spikes"; }))
+    out.leaps = facts.spikes;
   if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops);
   std::erase_if(out.directs, [&](const Direct& d) {
     // Where a bit of a converter is stuck, readings leap again and again.
@@ -371,7 +372,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   sayWhatElse(work, readings->cleaned, known, out);
   sayDeadBands(readings->deadBands, out);
   sayStuckBits(readings->stuckBits, out);
-  if (readings->stuckBits.empty()) sayLeaps(readings->leaps, out);
+  sayLeaps(readings->leaps, out);
   if (readings->frozen) sayFrozen(*readings->frozen, out);
 
   out.mistake = readings->mistake ? readings->mistake : work.mistake;

@@ -100,27 +100,6 @@ TEST(Diagnose, APartThatRattlesIsNotGivenAWrongName) {
   EXPECT_TRUE(report.verdict == Verdict::unexplained || namedFirstOrTied(report, "loose_mass")) << said(report);
 }
 
-TEST(Diagnose, ALightTouchIsContact) {
-  const auto report = diagnosed(aRecording(MotionKind::excitation, 181, {{"contact", "bump", 0.3}}));
-  ASSERT_EQ(report.causes.size(), 1u) << said(report);
-  EXPECT_EQ(report.causes.front().id, "contact");
-  EXPECT_TRUE(canApply(report, report.causes.front()));
-}
-
-/// What the load alone leaves in a contact is mostly the drag's: its peak was that, with the noise for its deviation.
-TEST(Diagnose, AContactsForceIsWhatTheOtherCausesLeave) {
-  for (const double force : {0.5, 2.0}) {
-    const auto report =
-        diagnosed(aRecording(MotionKind::excitation, 183, {{"viscous_drag", "", 10.0}, {"contact", "bump", force}}));
-    const DiagnosedCause* contact = named(report, "contact");
-    ASSERT_NE(contact, nullptr) << said(report);
-    ASSERT_EQ(contact->parameters.size(), 1u);
-    const auto& peak = contact->parameters.front();
-    EXPECT_NEAR(peak.value, force, 3.0 * peak.std) << said(report);
-    EXPECT_LT(peak.std, 0.3 * force) << said(report);
-  }
-}
-
 TEST(Diagnose, WhatIsPouredInIsAChangeOfLoad) {
   const auto report = diagnosed(aRecording(MotionKind::free, 182, {{"payload_change", "pour", 60.0}}));
   ASSERT_TRUE(namedFirstOrTied(report, "payload_change")) << said(report);
@@ -319,21 +298,6 @@ TEST(Diagnose, MotionThatWasSmoothedBeforeItWasRecorded) {
   }
 }
 
-/// An eighth of a second each, two close to each other.
-TEST(Diagnose, ShortTouchesAreContact) {
-  Recording recording = aRecording(MotionKind::excitation, 190);
-  for (const double at : {2.5, 4.4, 7.0, 7.3})
-    for (Eigen::Index i = 0; i < recording.rows(); ++i)
-      if (const double u = (recording.time(i) - at) / 0.12; u > 0.0 && u < 1.0) {
-        const double push = 0.5 * std::sin(std::numbers::pi * u);
-        recording.wrench(i, 1) += push;
-        recording.wrench(i, 3) += 0.08 * push;
-      }
-  const auto report = diagnosed(recording);
-  ASSERT_EQ(report.causes.size(), 1u) << said(report);
-  EXPECT_EQ(report.causes.front().id, "contact") << said(report);
-}
-
 /// Effects that the catalogue lacks, at sizes that a matched filter sees at 20 standard deviations.
 TEST(Diagnose, WhatNoCauseCanBeIsUnexplained) {
   for (const auto& kind : {"temperature_wave", "backlash_torque", "angle_ripple"}) {
@@ -446,14 +410,6 @@ TEST(Diagnose, CoarseReadingsComeAfterWhatMattersMore) {
   ASSERT_GE(report.causes.size(), 2u) << said(report);
   EXPECT_EQ(report.causes.front().id, "time_offset") << said(report);
   EXPECT_TRUE(std::ranges::any_of(report.causes, [](const auto& c) { return c.id == "quantisation"; })) << said(report);
-}
-
-/// One stretch beside which nothing is left, of 0.12 N beside noise of 0.05 N.
-TEST(Diagnose, AFaintTouchAloneIsOne) {
-  for (const std::uint64_t seed : {401u, 404u, 408u}) {
-    const auto report = diagnosed(aRecording(MotionKind::free, seed, {{"contact", "", 0.12}}));
-    EXPECT_NE(named(report, "contact"), nullptr) << seed << ": " << said(report);
-  }
 }
 
 TEST(Diagnose, AFewSpikesComeAfterWhatMattersMore) {
