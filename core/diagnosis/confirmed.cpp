@@ -15,8 +15,10 @@ namespace heft::diagnosis {
 namespace {
 
 /// Whether our own smoothing and resampling leave all that the final model has of `cause`. A mount that swings enlarges
-/// what the smoothing took; where little speaks for it, corners of the motion may be all that does.
+/// what the smoothing took; where little speaks for it, corners of the motion may be all that does. A memory that much
+/// speaks for is none of ours: 140 clean recordings of five simulators had none that they were told with.
 bool ownErrors(const Work& work, const Found& found) {
+  constexpr double kOfPlainMemory = 0.25, kPlainMemory = 3.0 * kFaint;
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
   if (std::ranges::find(work.madeByMotion, found.cause) != work.madeByMotion.end()) return true;
@@ -28,6 +30,7 @@ bool ownErrors(const Work& work, const Found& found) {
     if (other.id() == cause) over += other.overOwnErrors(*term.form, term.v, work.signals);
     swings = swings || other.id() == "flexible_mount";
   }
+  if (cause == "hysteresis" && found.gain > kPlainMemory) return over < kOfPlainMemory;
   return over < (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/statistics.h"
 #include "core/recording/frozen.h"
 
 namespace heft::diagnosis {
@@ -71,21 +70,13 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording
   return out;
 }
 
-std::optional<Eigen::Index> stuckChannel(const Recording& recording) {
-  constexpr double kHardlyElse = 0.9;
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const VectorXd y = recording.wrench.col(c);
-    const double middle = median({y.begin(), y.end()});
-    if (static_cast<double>((y.array() == middle).count()) > kHardlyElse * static_cast<double>(y.size())) return c;
-  }
-  return std::nullopt;
-}
-
-std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops) {
+std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops,
+                                           const Vector6d& steps) {
   constexpr double kShortest = 0.3;  // [s]
   std::optional<FrozenChannel> out;
   const Changes rows = changesOf(recording.wrench);
-  for (Eigen::Index c = 0; c < 6; ++c)
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    if (steps.segment<3>(c < 3 ? 0 : 3).maxCoeff() > 0.0) continue;
     for (const FrozenStretch& still : frozenStretches(recording.time, changesOf(recording.wrench.col(c)), kShortest)) {
       const double value = recording.wrench(still.from, c), from = recording.time(still.from),
                    to = recording.time(still.to - 1);
@@ -95,6 +86,7 @@ std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std
       if (value == 0.0 || atEnd || countIn(rows, still.from + 1, still.to) == 0) continue;
       if (!out || to - from > out->to - out->from) out = {c, from, to};
     }
+  }
   return out;
 }
 

@@ -24,9 +24,6 @@ std::vector<DeadBand> deadBands(const Recording& recording);
 /// The wrench with straight lines in the place of rows that are zero (zeroRuns()) and of what `bands` hide.
 Eigen::Matrix<double, Eigen::Dynamic, 6> withoutZeros(const Recording& recording, const std::vector<DeadBand>& bands);
 
-/// A channel that hardly ever reads anything else than one value.
-std::optional<Eigen::Index> stuckChannel(const Recording& recording);
-
 /// A channel that stands still for a while in which others go on.
 struct FrozenChannel {
   Eigen::Index channel = 0;
@@ -34,7 +31,9 @@ struct FrozenChannel {
 };
 
 /// The longest such while, of at least 0.3 s and twenty times what the channel does otherwise; not at the end of its
-/// range (`tops`), nor where it is zero for all that is small.
-std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops);
+/// range (`tops`), nor where it is zero for all that is small. A channel in coarse steps (`steps`, as of coarseSteps())
+/// stands still by itself.
+std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops,
+                                           const Vector6d& steps);
 
 }  // namespace heft::diagnosis

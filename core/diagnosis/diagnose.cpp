@@ -43,6 +43,7 @@ struct Readings {
   Recording cleaned;
   Motion motion;
   std::vector<Direct> directs;
+  Vector6d steps = Vector6d::Zero();  ///< As of coarseSteps()
   std::vector<DeadBand> deadBands;
   std::vector<StuckBit> stuckBits;
   std::optional<FrozenChannel> frozen;
@@ -63,14 +64,14 @@ void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen:
 }
 
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
-  if (const auto channel = stuckChannel(recording))
+  RowFacts facts = rowFactsOf(recording);
+  if (const auto channel = stuckChannel(recording, facts.steps))
     return Error{
         heft::say("{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor's driver "
                   "hides what is small. Mend that and record once more.",
                   channelName(*channel))};
   Readings out;
   out.cleaned = recording;
-  RowFacts facts = rowFactsOf(recording);
   out.cleaned.wrench = std::move(facts.restored);
   if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
   refresh(out.cleaned, recording, facts.stale, facts.held);
@@ -99,7 +100,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.stuckBits = stuckBits(out.stated);
   if (out.stuckBits.empty() && std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == "spikes"; }))
     out.leaps = facts.spikes;
-  if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops);
+  if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops, facts.steps);
   std::erase_if(out.directs, [&](const Direct& d) {
     // Where a bit of a converter is stuck, readings leap again and again.
     return contains(options.hidden, d.cause) || (d.cause == "spikes" && !out.stuckBits.empty());
@@ -119,6 +120,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
       out.bad[i] = out.bad[i] || direct.rows[i];
     }
   }
+  out.steps = facts.steps;
   out.deadBands = std::move(facts.deadBands);
   setAside(out.deadBands, out.bad, recording.rows());
   return out;
@@ -146,10 +148,11 @@ struct Searched {
 /// cause hides it: then the final model does.
 Result<Searched> searched(const Recording& recording, const Readings& readings, const RobotModel* robot,
                           DiagnoseOptions options, const Progress& progress) {
+  const auto named = [&](std::string_view id) {
+    return std::ranges::find(readings.directs, id, &Direct::cause) != readings.directs.end();
+  };
   // Readings that are cut off flat are dealt with.
-  if (!readings.cutsMost &&
-      std::ranges::any_of(readings.directs, [](const Direct& d) { return d.cause == "saturation"; }))
-    options.hidden.emplace_back("saturation");
+  if (!readings.cutsMost && named("saturation")) options.hidden.emplace_back("saturation");
   // A motion of straight lines has no swings that are faster than these are long.
   if (std::ranges::any_of(readings.directs, hasLongLines))
     for (const char* swings : {"loose_mass", "flexible_mount"}) options.hidden.emplace_back(swings);
@@ -278,6 +281,12 @@ bool mayBeAllThatIsOdd(const Direct& direct, const Work& work) {
   });
 }
 
+/// Whether no more is `left` than steps leave of themselves, so that nothing can be said of it.
+bool isWithinSteps(const WrenchRms& left, const Vector6d& steps) {
+  const double force = steps.head<3>().maxCoeff(), torque = steps.tail<3>().maxCoeff();
+  return left.force < force / std::sqrt(12.0) && left.torque < torque / std::sqrt(12.0);
+}
+
 /// Whether hardly any reading is a spike: what knocks makes a few.
 bool hardlySpikes(const DiagnosedCause& cause) {
   constexpr double kFew = 0.05;  // [%]
@@ -363,13 +372,15 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.remaining = fitted.remaining;
   out.baseline = rmsOf(work.stretches, work.search.null.residual);
   out.noise = rmsOf(work.stretches, final.residual);
+  ByReadings by;
+  by.withinSteps = isWithinSteps(out.noise, readings->steps);
+  if (by.withinSteps) out.remaining = {};
   const double quiet =
       std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
-  const bool known =
-      std::ranges::any_of(readings->directs, [&](const Direct& d) { return mayBeAllThatIsOdd(d, work); });
-  sayWhatElse(work, readings->cleaned, known, out);
+  by.known = std::ranges::any_of(readings->directs, [&](const Direct& d) { return mayBeAllThatIsOdd(d, work); });
+  sayWhatElse(work, readings->cleaned, by, out);
   sayDeadBands(readings->deadBands, out);
   sayStuckBits(readings->stuckBits, out);
   sayLeaps(readings->leaps, out);

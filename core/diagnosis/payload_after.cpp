@@ -8,6 +8,7 @@
 #include "core/base/say.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/two_threads.h"
+#include "core/recording/frozen.h"
 
 namespace heft::diagnosis {
 
@@ -128,8 +129,10 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
       was = estimate(recording, robot, options, progress);
     } else if (!report.causes.empty()) {
       const auto clean = freed(cleaned, robot, work);
+      EstimateOptions same = options;
+      same.silent = silentChannels(recording.wrench);
       if (clean)
-        is = estimate(*clean, robot, options, progress);
+        is = estimate(*clean, robot, same, progress);
       else
         notFreed = clean.error();
     }

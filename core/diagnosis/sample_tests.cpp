@@ -10,20 +10,14 @@
 
 #include "core/diagnosis/clipping.h"
 #include "core/diagnosis/coarse_motion.h"
-#include "core/diagnosis/steps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
 #include "core/math/statistics.h"
+#include "core/recording/channels.h"
 
 namespace heft::diagnosis {
 
 namespace {
-
-constexpr const char* kChannels[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
-
-bool sameRow(const Recording& recording, Eigen::Index i) {
-  return (recording.wrench.row(i).array() == recording.wrench.row(i - 1).array()).all();
-}
 
 /// Rows at a value that a channel does not pass. Those that are lost are not to be trusted.
 std::optional<Direct> saturation(const Recording& recording, const std::vector<FlatTop>& tops,
@@ -34,7 +28,7 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
   std::vector<bool> clipped(lost.size(), false);
   for (const FlatTop& flat : tops) {
     out.parameters.push_back(
-        {fmt::format("level_{}", kChannels[flat.channel]), flat.channel < 3 ? "N" : "N m", flat.level, 0.0});
+        {fmt::format("level_{}", channelName(flat.channel)), flat.channel < 3 ? "N" : "N m", flat.level, 0.0});
     for (const auto& [from, to] : flat.runs) std::fill(clipped.begin() + from, clipped.begin() + to, true);
   }
   const auto count = static_cast<double>(std::count(clipped.begin(), clipped.end(), true));
@@ -82,41 +76,12 @@ std::optional<Direct> spikes(const RowFacts& facts, Eigen::Index rows) {
   return out;
 }
 
-/// Variance of readings about straight lines through a twentieth of a second each, at the middle of all.
-double scatterOf(const Eigen::Ref<const VectorXd>& readings, double rateHz) {
-  const auto length = std::max<Eigen::Index>(4, std::lround(0.05 * rateHz));
-  const VectorXd t = VectorXd::LinSpaced(length, -1.0, 1.0);
-  std::vector<double> out;
-  for (Eigen::Index from = 0; from + length <= readings.size(); from += length) {
-    const VectorXd part = readings.segment(from, length).array() - readings.segment(from, length).mean();
-    const double slope = t.dot(part) / t.squaredNorm();
-    out.push_back((part - slope * t).squaredNorm() / static_cast<double>(length - 2));
-  }
-  return out.empty() ? 0.0 : median(out);
-}
-
 /// Readings that only take values a few steps apart, so coarse that they stand still while the load changes.
-std::optional<Direct> quantisation(const Recording& recording) {
-  constexpr double kStill = 0.5;   // of a channel's readings: finer steps drown in noise
-  constexpr double kShare = 0.25;  // of how far readings scatter; noise that is slow stands still, too
+std::optional<Direct> quantisation(const Vector6d& steps) {
   Direct out;
-  const Eigen::Index n = recording.rows();
-  double coarsest[2] = {0.0, 0.0};
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const auto y = recording.wrench.col(c);
-    Eigen::Index fresh = 0, still = 0;
-    for (Eigen::Index i = 1; i < n; ++i) {
-      if (sameRow(recording, i)) continue;
-      ++fresh;
-      still += y(i) == y(i - 1) ? 1 : 0;
-    }
-    if (static_cast<double>(still) < kStill * static_cast<double>(fresh)) continue;
-    const auto step = stepOf({y.begin(), y.end()});
-    if (step && *step * *step / 12.0 > kShare * scatterOf(y, recording.rateHz()))
-      coarsest[c / 3] = std::max(coarsest[c / 3], *step);
-  }
-  if (coarsest[0] > 0.0) out.parameters.push_back({"step_force", "N", coarsest[0], 0.0});
-  if (coarsest[1] > 0.0) out.parameters.push_back({"step_torque", "N m", coarsest[1], 0.0});
+  const double force = steps.head<3>().maxCoeff(), torque = steps.tail<3>().maxCoeff();
+  if (force > 0.0) out.parameters.push_back({"step_force", "N", force, 0.0});
+  if (torque > 0.0) out.parameters.push_back({"step_torque", "N m", torque, 0.0});
   if (out.parameters.empty()) return std::nullopt;
   out.cause = "quantisation";
   return out;
@@ -200,6 +165,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   out.stamps = unevenStamps(recording);
   out.tops = flatTops(recording.wrench);
   out.deadBands = deadBands(recording);
+  out.steps = coarseSteps(recording);
   out.held = heldRows(recording);
   out.stale = staleRuns(recording);
   out.replayed = replayedRuns(recording);
@@ -210,6 +176,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   Unclipped clipping = unclipped(std::move(cleaned), out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);
   out.restored = std::move(clipping.wrench);
+  spreadWithinSteps(recording, out.steps, out.restored);
   return out;
 }
 
@@ -218,7 +185,7 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   if (auto found = saturation(recording, facts.tops, facts.lost)) out.push_back(std::move(*found));
   if (facts.stamps) out.push_back(jitter(*facts.stamps));
   if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
-  if (auto found = quantisation(recording)) out.push_back(std::move(*found));
+  if (auto found = quantisation(facts.steps)) out.push_back(std::move(*found));
   if (auto found = spikes(facts, recording.rows())) out.push_back(std::move(*found));
   const auto rough = coarse(recording);
   for (auto& found : reportedVelocities(recording, motion)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/diagnosis/cause.h"
+#include "core/diagnosis/coarse_readings.h"
 #include "core/diagnosis/dead_band.h"
 #include "core/diagnosis/held_rows.h"
 #include "core/diagnosis/time_stamps.h"
@@ -34,13 +35,14 @@ struct RowFacts {
   std::vector<FlatTop> tops;           ///< As of flatTops(its wrench)
   std::vector<bool> lost;              ///< To these: as of unclipped()
   std::vector<DeadBand> deadBands;     ///< As of deadBands(recording)
+  Vector6d steps = Vector6d::Zero();   ///< As of coarseSteps(recording)
   Eigen::Index spikes = 0;             ///< Rows in which readings were replaced: as of withoutSpikes()
   Eigen::Index loneSpikes = 0;         ///< Of these, those in which one channel leaps far and none with it
   std::vector<Held> held;              ///< As of heldRows(recording)
   Runs stale;                          ///< As of staleRuns(recording)
   Runs replayed;                       ///< As of replayedRuns(recording)
   Runs motionHeld;                     ///< As of motionHolds(recording)
-  /// The wrench with what zeros, spikes and flat tops hide put in again, as far as that can be told
+  /// The wrench with what zeros, spikes, flat tops and steps hide put in again, as far as that can be told
   Eigen::Matrix<double, Eigen::Dynamic, 6> restored;
 };
 

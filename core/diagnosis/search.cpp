@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
@@ -55,17 +54,6 @@ const Trial* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>
 bool areTooMany(const Model& model) { return causesIn(model) >= kCrutches || massesIn(model) > kMasses; }
 
 }  // namespace
-
-std::ptrdiff_t causesIn(const Model& model) {
-  std::set<std::string_view> causes;
-  for (const Term& term : model.terms)
-    if (!term.form->walk) causes.insert(causeOf(term));
-  return std::ssize(causes);
-}
-
-std::ptrdiff_t massesIn(const Model& model) {
-  return std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
-}
 
 Model without(const Model& model, std::string_view cause) {
   Model out = model;

@@ -80,12 +80,6 @@ struct Search {
 /// Terms of `cause` are one cause: `without` takes them all out.
 Model without(const Model& model, std::string_view cause);
 
-/// Causes in the model, but for a zero that walks.
-std::ptrdiff_t causesIn(const Model& model);
-
-/// Terms in the model that are a mass that swings.
-std::ptrdiff_t massesIn(const Model& model);
-
 /// `bank`: of these signals. Nothing is compared yet.
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
               const SearchOptions& options, const Progress& progress);

@@ -142,6 +142,17 @@ bool contains(const Model& model, std::string_view cause) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const Term& t) { return causeOf(t) == cause; });
 }
 
+std::ptrdiff_t causesIn(const Model& model) {
+  std::set<std::string_view> causes;
+  for (const Term& term : model.terms)
+    if (!term.form->walk) causes.insert(causeOf(term));
+  return std::ssize(causes);
+}
+
+std::ptrdiff_t massesIn(const Model& model) {
+  return std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
+}
+
 double Amplitudes::squaredDeviations() const {
   return sizes.size() == 0 ? 0.0 : sizes.dot(covariance.ldlt().solve(sizes));
 }

@@ -27,6 +27,12 @@ inline bool takesAnyCourse(const Model& model) {
 /// Whether any term is of that cause.
 bool contains(const Model& model, std::string_view cause);
 
+/// Causes in the model, but for a zero that walks.
+std::ptrdiff_t causesIn(const Model& model);
+
+/// Terms in the model that are a mass that swings.
+std::ptrdiff_t massesIn(const Model& model);
+
 /// How far amplitudes that a fit moves are from where their causes do nothing, and how well that is known beside
 /// everything else.
 struct Amplitudes {

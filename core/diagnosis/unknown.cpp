@@ -230,14 +230,16 @@ void sayStruck(const Ringing& ringing, DiagnosisReport& out) {
 
 }  // namespace
 
-void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out) {
-  sayHiddenInTime(work, out);
-  sayHiddenByDrift(work, out);
-  if (!work.odd.empty()) saySomethingOdd(work, known, out);
+void sayWhatElse(const Work& work, const Recording& cleaned, const ByReadings& by, DiagnosisReport& out) {
+  if (!by.withinSteps) {
+    sayHiddenInTime(work, out);
+    sayHiddenByDrift(work, out);
+  }
+  if (!work.odd.empty()) saySomethingOdd(work, by.known, out);
   sayAgain(work.again, out);
   if (work.ringing && work.ringing->struck) sayStruck(*work.ringing, out);
   // Readings that were held, lost or late have lines of their own.
-  if (known) return;
+  if (by.known) return;
   if (const auto hum = humIn(cleaned, work.signals)) sayHum(*hum, work.signals.blockRate(), out);
   sayKnocks(work, out);
   sayBursts(work, out);

@@ -11,9 +11,15 @@ namespace heft::diagnosis {
 /// was hidden, one 17.2, the others 22 and more.
 constexpr double kUnexplained = 18.5;
 
+/// What single readings tell.
+struct ByReadings {
+  bool known = false;        ///< Something is wrong with them
+  bool withinSteps = false;  ///< No more is left over than their steps make of themselves
+};
+
 /// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings
-/// and makes it what remains, unless something else does. `known`: single readings tell of something wrong with them.
-void sayWhatElse(const Work& work, const Recording& cleaned, bool known, DiagnosisReport& out);
+/// and makes it what remains, unless something else does.
+void sayWhatElse(const Work& work, const Recording& cleaned, const ByReadings& by, DiagnosisReport& out);
 
 /// Says so where contacts are too faint to tell a touch from whatever else lasts a moment; true if they are. Then they
 /// are what remains, unless that is little beside what `fitted` causes explain.

@@ -69,6 +69,24 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   return noise;
 }
 
+NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent) {
+  constexpr double kHuge = 1e4;  // [N, N m]
+  NoiseModel out = noise;
+  const Matrix6d L = noise.whitener.inverse();
+  Matrix6d covariance = L * L.transpose();
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    if (!silent[static_cast<std::size_t>(c)]) continue;
+    covariance.row(c).setZero();
+    covariance.col(c).setZero();
+    covariance(c, c) = kHuge * kHuge;
+    ArModel& channel = out.channels[static_cast<std::size_t>(c)];
+    channel.coefficients.setZero();
+    channel.sigma = kHuge;
+  }
+  out.whitener = covariance.llt().matrixL().solve(Matrix6d::Identity());
+  return out;
+}
+
 Wrenches innovations(const NoiseModel& noise, const Wrenches& residual, const std::vector<Run>& runs) {
   Wrenches out = Wrenches::Zero(6, residual.cols());
   for (const auto& run : runs)

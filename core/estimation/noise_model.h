@@ -29,6 +29,9 @@ NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
                     int parameters);
 
+/// The same with next to no weight on the channels that are `silent`.
+NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent);
+
 /// Innovations of the residual, whitened: standard normal if the model is right. Columns before a run's memory is full
 /// are zero.
 Eigen::Matrix<double, 6, Eigen::Dynamic> innovations(const NoiseModel& noise,

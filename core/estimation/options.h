@@ -1,5 +1,6 @@
 #pragma once
 // What an estimate can be asked for.
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,7 @@ struct EstimateOptions {
   std::optional<Shape> shape;         ///< Prior.
   std::vector<StatedPayload> stated;  ///< Soft information about what is estimated: a scale's mass, CAD numbers.
   bool insideShape = false;           ///< map, full: all mass is held inside the shape.
+  std::array<bool, 6> silent{};       ///< Channels that are not used; those that hardly ever change never are.
   bool uncompressed = false;          ///< Solve on all rows instead of the triangle, for comparison with the paper.
   MotionOptions motion;
 };

@@ -10,6 +10,8 @@
 #include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
+#include "core/recording/channels.h"
+#include "core/recording/frozen.h"
 
 namespace heft {
 
@@ -75,6 +77,7 @@ void learnNoise(Prepared& out, bool poses) {
     const auto whitened = merged(whitenedTriangles(out.blocks, bounded(out.noise), out.weights, out.runs, 1));
     residual = residualOf(out.blocks, whitened);
     out.noise = fitNoise(residual, keep, out.runs, kColumns);
+    if (std::ranges::find(out.silent, true) != out.silent.end()) out.noise = without(out.noise, out.silent);
     const Wrenches u = innovations(out.noise, residual, out.runs);
     // Huber weights: beyond three standard deviations an innovation counts with its sign only. What lies beyond five is
     // no part of the noise and leaves the noise model.
@@ -108,6 +111,23 @@ double advantage(const Prepared& first, const Prepared& second) {
 }
 
 namespace {
+
+void leaveSilentOut(const Recording& recording, const EstimateOptions& options, Prepared& out) {
+  out.silent = silentChannels(recording.wrench);
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < out.silent.size(); ++c) {
+    out.silent[c] = out.silent[c] || options.silent[c];
+    if (out.silent[c]) names.emplace_back(channelName(static_cast<Eigen::Index>(c)));
+  }
+  if (names.empty()) return;
+  out.findings.push_back({Severity::warning,
+                          "channel_unused",
+                          heft::say("{} hardly ever leaves one value: that says nothing of the payload, so it is not "
+                                    "used.",
+                                    joined(names)),
+                          heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
+                          {}});
+}
 
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options) {
   auto motion = motionOf(recording, robot, options.motion);
@@ -178,6 +198,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("The tool stood still all the time."),
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
+  leaveSilentOut(recording, options, out);
   learnNoise(out, false);
   return out;
 }

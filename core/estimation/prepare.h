@@ -20,7 +20,8 @@ struct Prepared {
   std::vector<Segment> segments;
   std::vector<Run> runs;  ///< Free blocks inside the trim, as contiguous runs
   Eigen::Index usedBlocks = 0;
-  double usedDuration = 0.0;  ///< [s]
+  double usedDuration = 0.0;     ///< [s]
+  std::array<bool, 6> silent{};  ///< Channels that say nothing: their noise is taken to be huge
   NoiseModel noise;
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;     ///< Robust weights of the innovations, 0..1
   std::vector<Triangle> folds;                          ///< Whitened rows, one triangle a fold

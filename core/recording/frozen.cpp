@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/math/statistics.h"
+
 namespace heft {
 
 Eigen::Index countIn(const Changes& changes, Eigen::Index from, Eigen::Index to) {
@@ -21,6 +23,17 @@ std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& 
     from = to;
   }
   return stretches;
+}
+
+std::array<bool, 6> silentChannels(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
+  constexpr double kHardlyElse = 0.9;
+  std::array<bool, 6> out{};
+  for (Eigen::Index c = 0; c < 6 && wrench.rows() > 0; ++c) {
+    const auto y = wrench.col(c);
+    const auto same = (y.array() == median({y.begin(), y.end()})).count();
+    out[static_cast<std::size_t>(c)] = static_cast<double>(same) > kHardlyElse * static_cast<double>(y.size());
+  }
+  return out;
 }
 
 }  // namespace heft

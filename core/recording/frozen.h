@@ -1,5 +1,6 @@
 #pragma once
 // Stretches in which something that was measured stands still.
+#include <array>
 #include <vector>
 
 #include "core/math/rigid.h"
@@ -32,5 +33,9 @@ struct FrozenStretch {
 /// The stretches without change that last at least `shortest` [s] and ten rows and are twenty times longer than is
 /// usual, so that slow or coarse sensors do not count. `time`: of each row [s].
 std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest);
+
+/// Which channels hardly ever read anything else than one value: they were not measured, or say nothing for their
+/// steps. `wrench`: a row each.
+std::array<bool, 6> silentChannels(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);
 
 }  // namespace heft

@@ -76,10 +76,14 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
   for (int c = 0; c < 6; ++c) {
     std::vector<double> values;
     for (const Eigen::Index i : fresh) values.push_back(wrench(i, c));
-    for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})}) {
-      const Eigen::Index at = pileAt(levels, static_cast<Eigen::Index>(fresh.size()));
-      if (at < 0) continue;
-      FlatTop found{c, levels[static_cast<std::size_t>(at)].value, {}};
+    std::vector<double> ends;
+    for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})})
+      if (const auto at = pileAt(levels, static_cast<Eigen::Index>(fresh.size())); at >= 0)
+        ends.push_back(levels[static_cast<std::size_t>(at)].value);
+    // Both ends at once is where a channel stands that hardly changes.
+    if (ends.size() == 2 && ends.front() == ends.back()) continue;
+    for (const double end : ends) {
+      FlatTop found{c, end, {}};
       if (std::abs(found.level) < kZero * (wrench.col(c).maxCoeff() - wrench.col(c).minCoeff())) continue;
       double still = 0.0, elsewhere = 0.0;
       for (std::size_t i = 1; i < fresh.size(); ++i) {

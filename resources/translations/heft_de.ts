@@ -6998,6 +6998,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Look for what knocks or jerks, and check the sensor&apos;s plug, if there are more next time.</source>
         <translation>Werden es beim nächsten Mal mehr: nachsehen, was klopft oder ruckt, und den Stecker des Sensors prüfen.</translation>
     </message>
+    <message>
+        <source>{} hardly ever leaves one value: that says nothing of the payload, so it is not used.</source>
+        <translation>{} verlässt kaum je einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Check that it was logged, or choose a finer measuring range of the sensor.</source>
+        <translation>Prüfen, ob der Kanal aufgezeichnet wurde, oder einen feineren Messbereich des Sensors wählen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/diagnosis/cause.h"
+#include "core/recording/channels.h"
 
 namespace heft::diagnosis {
 
@@ -16,12 +17,6 @@ constexpr double kMilli = 1e3;
 /// Evidence that what acts from outside needs where it pushes the tool on instead of holding it back: a hand that
 /// guides the tool itself does, or a bent hose, hardly anything else. Of ten that did, the faintest had 208.
 constexpr double kPushes = 60.0;
-
-/// The name of wrench channel c: "fx" .. "tz".
-inline const char* channelName(Eigen::Index c) {
-  constexpr const char* kNames[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
-  return kNames[c];
-}
 
 /// A time over how far resampling and its stamps may put a row from where it belongs. Two of 90 clean recordings had
 /// 0.02 and 0.07 ms at a gain next to nothing; of 60 that are late, none had less than 0.14 ms.

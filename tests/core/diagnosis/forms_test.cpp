@@ -53,6 +53,25 @@ TEST(Diagnose, ALoopThatTurnsAtOnceIsHysteresis) {
   EXPECT_NEAR(std::abs(loop->value), 100.0 * kHeight, 0.2) << said(report);
 }
 
+/// A good sensor with a heavy tool shows a memory of less than a thousandth of its range; the same recording without it
+/// shows none.
+TEST(Diagnose, ASmallMemoryThatMuchSpeaksForIsNamed) {
+  constexpr double kHeight = 0.0008;
+  SimulateOptions options;
+  options.motion = MotionKind::excitation;
+  options.seed = 261;
+  options.duration = 12.0;
+  options.sensor.forceNoise = 0.01;
+  options.sensor.torqueNoise = 0.0004;
+  options.sensor.colouredForce = options.sensor.colouredTorque = 0.0;
+  Payload heavy = aTool();
+  heavy.mass = 2.0;
+  const Recording still = simulate(RobotModel::panda(), heavy, options).value().recording;
+  const auto report = diagnosed(withLoop(still, kHeight));
+  EXPECT_NE(named(report, "hysteresis"), nullptr) << said(report);
+  EXPECT_EQ(named(diagnosed(still), "hysteresis"), nullptr);
+}
+
 /// A rail: along it the tool hardly rubs, across it it does. It was drag beside friction.
 TEST(Diagnose, FrictionMayDifferAlongEachAxis) {
   Recording recording = aRecording(MotionKind::excitation, 262);

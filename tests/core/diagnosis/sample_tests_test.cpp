@@ -468,6 +468,30 @@ TEST(SampleTests, AChannelThatNeverChangesIsSaid) {
       << report.error().message;
 }
 
+/// A light tool's torque that hardly leaves one step of a coarse converter is known as well as the step is wide: its
+/// channel is judged, and is no channel without noise, at the end of its range or at a standstill.
+TEST(SampleTests, AChannelWithinOneCoarseStepIsJudged) {
+  const Recording fine = aRecording(MotionKind::free, 304);
+  Recording recording = fine;
+  const auto tz = fine.wrench.col(5);
+  const double step = 1.2 * (tz.maxCoeff() - tz.minCoeff()), from = tz.minCoeff() - 0.55 * step;
+  for (int c = 0; c < 6; ++c) {
+    const double of = c < 3 ? 0.5 : step;
+    recording.wrench.col(c) = ((fine.wrench.col(c).array() - from) / of).round().matrix() * of;
+  }
+  ASSERT_EQ(recording.wrench.col(5).maxCoeff(), recording.wrench.col(5).minCoeff());
+  const auto report = diagnosed(recording);
+  EXPECT_NE(named(report, "quantisation"), nullptr) << said(report);
+  EXPECT_LT(report.remaining.gain, 1.0) << said(report);
+  const Vector3d off = (report.after.payload.com - aTool().com).cwiseAbs();
+  EXPECT_LT(off(0), 4.0 * report.after.std.com(0));
+  EXPECT_LT(off(1), 4.0 * report.after.std.com(1));
+
+  // Where the others come in finer steps, it was not measured.
+  recording.wrench.middleCols<2>(3) = fine.wrench.middleCols<2>(3);
+  EXPECT_FALSE(diagnose(recording, &RobotModel::panda(), {}));
+}
+
 /// A driver that takes off what is small leaves a channel at zero wherever its load is less: that is no end of its
 /// range, though it reads nothing below.
 TEST(SampleTests, ZeroIsNoEndOfARange) {
@@ -502,17 +526,17 @@ TEST(SampleTests, AChannelThatFreezesForAWhileIsUnknown) {
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_EQ(report.remaining.goesWith, "readings that stick at one value") << said(report);
-  const auto frozen = diagnosis::frozenChannel(recording, {});
+  const auto frozen = diagnosis::frozenChannel(recording, {}, Vector6d::Zero());
   ASSERT_TRUE(frozen);
   EXPECT_EQ(frozen->channel, 4);
   EXPECT_NEAR(frozen->from, 5.0, 0.01);
   EXPECT_NEAR(frozen->to, 6.5, 0.01);
-  EXPECT_FALSE(diagnosis::frozenChannel(whole, {}));
+  EXPECT_FALSE(diagnosis::frozenChannel(whole, {}, Vector6d::Zero()));
   // Rows that were handed out again as a whole are lost readings.
   Recording held = whole;
   for (Eigen::Index i = 1; i < held.rows(); ++i)
     if (held.time(i) > 5.0 && held.time(i) < 6.5) held.wrench.row(i) = held.wrench.row(i - 1);
-  EXPECT_FALSE(diagnosis::frozenChannel(held, {}));
+  EXPECT_FALSE(diagnosis::frozenChannel(held, {}, Vector6d::Zero()));
 }
 
 /// Angles that stall for a hundredth of a second, five times, under readings that go on: that was told by nobody, since

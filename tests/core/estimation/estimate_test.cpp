@@ -244,6 +244,19 @@ TEST(Estimate, KnownInertiaAboutTheCentreOfMassIsHeldThere) {
   EXPECT_EQ(report.identifiability.inertia[0][0], Source::prior);
 }
 
+/// A torque that was not measured is no torque of zero: with it the centre of mass would be known to lie on the axis.
+TEST(Estimate, AChannelThatHardlyChangesIsNotUsed) {
+  const Payload truth = defaultPayload();
+  Recording recording = recordingOf(MotionKind::excitation, truth, 8);
+  recording.wrench.col(5).setConstant(0.01);
+  const auto report = reportOf(recording);
+  EXPECT_TRUE(has(report, "channel_unused"));
+  for (const int i : {0, 1, 2})
+    EXPECT_LT(std::abs(report.payload.com(i) - truth.com(i)), 4.0 * report.std.com(i) + 1e-5) << i;
+  EXPECT_LT((report.payload.com - truth.com).norm(), 0.002);
+  EXPECT_FALSE(has(reportOf(recordingOf(MotionKind::excitation, truth, 8)), "channel_unused"));
+}
+
 TEST(Estimate, BadRequestsAreAnsweredWithASentence) {
   const Recording recording = recordingOf(MotionKind::free, defaultPayload(), 13);
   EstimateOptions options;
