@@ -25,12 +25,26 @@ constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which no
 /// Whether the first look found only roughly where the candidate gains most.
 bool wantsPlace(const Candidate& candidate) { return candidate.form.atOnce && candidate.score > 0.0; }
 
+/// A time in a gap between the stretches, or at an edge of one, at its middle: anywhere in it is as good, but what is
+/// fitted from the edge moves away from it.
+double awayFromEdges(const Signals& signals, const std::vector<Stretch>& stretches, double time) {
+  const double block = 1.0 / signals.blockRate();
+  for (std::size_t i = 1; i < stretches.size(); ++i) {
+    const double from = signals.blockTime(stretches[i - 1].to - 1), to = signals.blockTime(stretches[i].from);
+    if (to - from > 4.0 * block && time > from - 2.0 * block && time < to + 2.0 * block) return 0.5 * (from + to);
+  }
+  return time;
+}
+
 /// `columns`: of `base`. `placing`: around it; null where the candidate wants no place.
 Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Columns& columns,
             const Placing* placing, const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
-  const Candidate& placed = wantsPlace(candidate) ? placing->placed(candidate) : candidate;
+  Candidate placed = wantsPlace(candidate) ? placing->placed(candidate) : candidate;
+  if (wantsPlace(candidate))
+    placed.v(0) = std::clamp(awayFromEdges(signals, stretches, placed.v(0)), placed.form.parameters[0].lower,
+                             placed.form.parameters[0].upper);
   Model model = base.model;
   model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;
@@ -334,7 +348,7 @@ void addSiblings(const Signals& signals, const std::vector<Stretch>& stretches, 
 void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                      const std::vector<Candidate>& ranked, std::vector<Trial>& all) {
   if (all.empty() || !all.front().fit.model.terms.back().form->atOnce) return;
-  const double moment = all.front().fit.model.terms.back().v(0);
+  const double moment = awayFromEdges(signals, stretches, all.front().fit.model.terms.back().v(0));
   const auto off = [&](const Candidate& c) { return std::abs(c.v(0) - moment); };
   std::map<std::string_view, const Candidate*> nearest;
   for (const Candidate& candidate : ranked) {

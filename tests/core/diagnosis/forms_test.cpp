@@ -72,6 +72,26 @@ TEST(Diagnose, ASmallMemoryThatMuchSpeaksForIsNamed) {
   EXPECT_EQ(named(diagnosed(still), "hysteresis"), nullptr);
 }
 
+/// A part is picked up while the tool touches: when within the touch does not show, and what stood at its edge came to
+/// rest beside it. It was a zero that jumped and drifted beside a gain.
+TEST(Diagnose, APartPickedUpDuringATouchIsOne) {
+  SimulateOptions options;
+  options.motion = MotionKind::pickAndPlace;
+  options.seed = 5;
+  options.effects = {{"payload_change", "step", 100.0}};
+  Payload tool;
+  tool.mass = 0.8;
+  tool.com = {0.0084, 0.0021, 0.0531};
+  tool.inertiaCom = Vector3d(1.24e-3, 1.32e-3, 0.8e-3).asDiagonal();
+  const Recording recording = simulate(RobotModel::panda(), tool, options).value().recording;
+  const auto report = diagnosed(recording);
+  ASSERT_FALSE(report.causes.empty()) << said(report);
+  EXPECT_EQ(report.causes.front().id, "payload_change") << said(report);
+  const auto mass = findParameter(report.causes.front().parameters, "mass");
+  ASSERT_NE(mass, nullptr) << said(report);
+  EXPECT_NEAR(mass->value, 100.0, 4.0) << said(report);
+}
+
 /// A rail: along it the tool hardly rubs, across it it does. It was drag beside friction.
 TEST(Diagnose, FrictionMayDifferAlongEachAxis) {
   Recording recording = aRecording(MotionKind::excitation, 262);
