@@ -160,8 +160,10 @@ Result<SensorMount> sensorMountFromJson(const json& content, const std::string& 
 Result<FlangePayload> toFlange(const json& result, const std::string& where, const FlangeOptions& options) {
   if (const json* schema = member(result, "schema");
       schema && schema->is_string() && !member(result, "payload") && !member(result, "mass_kg"))
-    return Error{heft::say("{} is a {} file, which holds no payload; give the --json file of 'heft estimate'.", where,
-                           printable(schema->get<std::string>()))};
+    return Error{
+        heft::say("{} is a {} file, from which no payload is taken; give the --json file of 'heft estimate' or the "
+                  "--result file of 'heft diagnose'.",
+                  where, printable(schema->get<std::string>()))};
   FlangePayload out;
   const auto payload = payloadFromJson(result, where);
   if (!payload) return payload.error();

@@ -239,8 +239,8 @@
         <translation>Frequenz [Hz]</translation>
     </message>
     <message>
-        <source>Grey: the level of the sensor’s own noise. What rises above it has no name yet.</source>
-        <translation>Grau: die Höhe des Sensorrauschens. Was darüber hinausragt, hat noch keinen Namen.</translation>
+        <source>Grey: the level of the sensor’s fast noise. What rises far above it has no name yet.</source>
+        <translation>Grau: die Höhe des schnellen Sensorrauschens. Was weit darüber ragt, hat noch keinen Namen.</translation>
     </message>
     <message>
         <source> Most of it lies at %1 Hz.</source>
@@ -3915,8 +3915,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} enthält keine Sensormontage: Erwartet wird &quot;sensor&quot;: {{&quot;mount&quot;: {{&quot;xyz_m&quot;: [x,y,z], &quot;rpy_rad&quot;: [r,p,y]}}}} wie in einer Meta-Datei.</translation>
     </message>
     <message>
-        <source>{} is a {} file, which holds no payload; give the --json file of &apos;heft estimate&apos;.</source>
-        <translation>{} ist eine {}-Datei, die keine Last enthält; geben Sie die mit --json geschriebene Datei von „heft estimate“ an.</translation>
+        <source>{} is a {} file, from which no payload is taken; give the --json file of &apos;heft estimate&apos; or the --result file of &apos;heft diagnose&apos;.</source>
+        <translation>{} ist eine {}-Datei, aus der keine Last genommen wird; geben Sie die mit --json geschriebene Datei von „heft estimate“ oder die mit --result geschriebene von „heft diagnose“ an.</translation>
     </message>
     <message>
         <source>the file cannot be opened.</source>
@@ -7167,8 +7167,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde. Grau: das doppelte Rauschen des Sensors.</translation>
     </message>
     <message>
-        <source>Grey: the level of the sensor’s own noise. What rises above it is not noise.</source>
-        <translation>Grau: die Höhe des Sensorrauschens. Was darüber hinausragt, ist kein Rauschen.</translation>
+        <source>Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is none.</source>
+        <translation>Grau: die Höhe des schnellen Sensorrauschens. Langsames Rauschen kann einige Male höher liegen; was weit darüber ragt, ist keines.</translation>
     </message>
     <message>
         <source>A cloud that leans or bends goes with what is on the axis; a flat one does not.</source>

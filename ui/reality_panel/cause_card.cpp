@@ -498,7 +498,7 @@ QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actio
     auto* widget = new ChartWidget(card.frame);
     widget->setChart(chart, false);
     widget->setFixedHeight(140);
-    widget->setToolTip(Say::tr("Grey: the level of the sensor’s own noise. What rises above it has no name yet."));
+    widget->setToolTip(Say::tr("Grey: the level of the sensor’s fast noise. What rises far above it has no name yet."));
     widget->setAccessibleName(chart.yTitle);
     card.layout->addWidget(widget);
   }

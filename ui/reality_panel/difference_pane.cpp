@@ -199,7 +199,8 @@ void DifferencePane::refresh() {
   right_->setChart(charts.size() > 1 ? charts[1] : Chart{}, true);
   const QString words[] = {
       tr("What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise."),
-      tr("Grey: the level of the sensor’s own noise. What rises above it is not noise."),
+      tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is "
+         "none."),
       tr("A cloud that leans or bends goes with what is on the axis; a flat one does not.")};
   says_->setText(words[static_cast<int>(view_)]);
 }
