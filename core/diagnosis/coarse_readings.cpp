@@ -87,7 +87,10 @@ void spreadWithinSteps(const Recording& recording, const Vector6d& steps,
     const auto anywhere = [&] { return steps(c) * (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5); };
     double from = anywhere(), to = anywhere(), start = recording.time(0);
     for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-      for (; recording.time(i) - start > kApart; start += kApart) from = std::exchange(to, anywhere());
+      if (recording.time(i) - start > kApart) {
+        from = std::exchange(to, anywhere());
+        start = recording.time(i);
+      }
       wrench(i, c) += from + (to - from) * (recording.time(i) - start) / kApart;
     }
   }

@@ -120,13 +120,13 @@ void leaveSilentOut(const Recording& recording, const EstimateOptions& options, 
     if (out.silent[c]) names.emplace_back(channelName(static_cast<Eigen::Index>(c)));
   }
   if (names.empty()) return;
-  out.findings.push_back({Severity::warning,
-                          "channel_unused",
-                          heft::say("{} hardly ever leaves one value: that says nothing of the payload, so it is not "
-                                    "used.",
-                                    joined(names)),
-                          heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
-                          {}});
+  out.findings.push_back(
+      {Severity::warning,
+       "channel_unused",
+       heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
+                 joined(names)),
+       heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
+       {}});
 }
 
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options) {

@@ -6999,8 +6999,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Werden es beim nächsten Mal mehr: nachsehen, was klopft oder ruckt, und den Stecker des Sensors prüfen.</translation>
     </message>
     <message>
-        <source>{} hardly ever leaves one value: that says nothing of the payload, so it is not used.</source>
-        <translation>{} verlässt kaum je einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
+        <source>Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.</source>
+        <translation>Kaum ein Messwert von {} verlässt einen Wert: das sagt nichts über die Last und wird nicht verwendet.</translation>
     </message>
     <message>
         <source>Check that it was logged, or choose a finer measuring range of the sensor.</source>
