@@ -18,7 +18,7 @@ namespace {
 /// what the smoothing took; where little speaks for it, corners of the motion may be all that does. A memory that much
 /// speaks for is none of ours: 140 clean recordings of five simulators had none that they were told with.
 bool ownErrors(const Work& work, const Found& found) {
-  constexpr double kOfPlainMemory = 0.25, kPlainMemory = 3.0 * kFaint;
+  constexpr double kOfPlainMemory = 0.05, kPlainMemory = 3.0 * kFaint;
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
   if (std::ranges::find(work.madeByMotion, found.cause) != work.madeByMotion.end()) return true;
