@@ -48,43 +48,38 @@ double ownStep(const Recording& recording, Eigen::Index channel) {
   return step && *step * *step / 12.0 > kShare * scatterOf(y, recording.rateHz()) ? *step : 0.0;
 }
 
-double middleOf(const Recording& recording, Eigen::Index channel) {
-  const auto y = recording.wrench.col(channel);
-  return median({y.begin(), y.end()});
-}
-
 }  // namespace
 
-Vector6d coarseSteps(const Recording& recording) {
+CoarseReadings coarseReadings(const Recording& recording) {
   constexpr double kSameStep = 1.1;  // And the digits of the file
-  Vector6d out;
-  for (Eigen::Index c = 0; c < 6; ++c) out(c) = ownStep(recording, c);
-  const std::array<double, 2> coarsest{out.head<3>().maxCoeff(), out.tail<3>().maxCoeff()};
-  const auto silent = silentChannels(recording.wrench);
+  CoarseReadings out{Vector6d::Zero(), silentChannels(recording.wrench)};
+  Vector6d& steps = out.steps;
+  for (Eigen::Index c = 0; c < 6; ++c) steps(c) = ownStep(recording, c);
+  const std::array<double, 2> coarsest{steps.head<3>().maxCoeff(), steps.tail<3>().maxCoeff()};
   for (Eigen::Index c = 0; c < 6; ++c) {
     const double step = coarsest[static_cast<std::size_t>(c / 3)];
-    if (out(c) > 0.0 || step <= 0.0 || !silent[static_cast<std::size_t>(c)]) continue;
-    const double farthest = (recording.wrench.col(c).array() - middleOf(recording, c)).abs().maxCoeff();
-    if (farthest < kSameStep * step) out(c) = step;
+    if (steps(c) > 0.0 || step <= 0.0 || !out.silent[static_cast<std::size_t>(c)]) continue;
+    const auto y = recording.wrench.col(c);
+    const double farthest = (y.array() - median({y.begin(), y.end()})).abs().maxCoeff();
+    if (farthest < kSameStep * step) steps(c) = step;
   }
   return out;
 }
 
-std::optional<Eigen::Index> stuckChannel(const Recording& recording, const Vector6d& steps) {
-  const auto silent = silentChannels(recording.wrench);
+std::optional<Eigen::Index> stuckChannel(const CoarseReadings& coarse) {
   for (Eigen::Index c = 0; c < 6; ++c)
-    if (steps(c) <= 0.0 && silent[static_cast<std::size_t>(c)]) return c;
+    if (coarse.steps(c) <= 0.0 && coarse.silent[static_cast<std::size_t>(c)]) return c;
   return std::nullopt;
 }
 
-void spreadWithinSteps(const Recording& recording, const Vector6d& steps,
+void spreadWithinSteps(const Recording& recording, const CoarseReadings& coarse,
                        Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 6>> wrench) {
   constexpr double kApart = 0.1;  // [s]
-  const auto silent = silentChannels(recording.wrench);
   for (Eigen::Index c = 0; c < 6; ++c) {
-    if (steps(c) <= 0.0 || !silent[static_cast<std::size_t>(c)]) continue;
+    const double step = coarse.steps(c);
+    if (step <= 0.0 || !coarse.silent[static_cast<std::size_t>(c)]) continue;
     std::mt19937_64 random(static_cast<std::uint64_t>(c));
-    const auto anywhere = [&] { return steps(c) * (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5); };
+    const auto anywhere = [&] { return step * (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5); };
     double from = anywhere(), to = anywhere(), start = recording.time(0);
     for (Eigen::Index i = 0; i < recording.rows(); ++i) {
       if (recording.time(i) - start > kApart) {

@@ -16,7 +16,7 @@ namespace {
 
 /// Whether our own smoothing and resampling leave all that the final model has of `cause`. A mount that swings enlarges
 /// what the smoothing took; where little speaks for it, corners of the motion may be all that does. A memory that much
-/// speaks for is none of ours: 140 clean recordings of five simulators had none that they were told with.
+/// speaks for is none of ours: 136 clean recordings of five simulators had none that they were told with.
 bool ownErrors(const Work& work, const Found& found) {
   constexpr double kOfPlainMemory = 0.05, kPlainMemory = 3.0 * kFaint;
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;

@@ -31,8 +31,8 @@ struct FrozenChannel {
 };
 
 /// The longest such while, of at least 0.3 s and twenty times what the channel does otherwise; not at the end of its
-/// range (`tops`), nor where it is zero for all that is small. A channel in coarse steps (`steps`, as of coarseSteps())
-/// stands still by itself.
+/// range (`tops`), nor where it is zero for all that is small. Where any channel of a kind comes in
+/// coarse steps (`steps`, as of CoarseReadings), all of that kind may stand still by themselves.
 std::optional<FrozenChannel> frozenChannel(const Recording& recording, const std::vector<FlatTop>& tops,
                                            const Vector6d& steps);
 

@@ -43,7 +43,7 @@ struct Readings {
   Recording cleaned;
   Motion motion;
   std::vector<Direct> directs;
-  Vector6d steps = Vector6d::Zero();  ///< As of coarseSteps()
+  Vector6d steps = Vector6d::Zero();  ///< As of CoarseReadings
   std::vector<DeadBand> deadBands;
   std::vector<StuckBit> stuckBits;
   std::optional<FrozenChannel> frozen;
@@ -65,7 +65,7 @@ void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen:
 
 Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
   RowFacts facts = rowFactsOf(recording);
-  if (const auto channel = stuckChannel(recording, facts.steps))
+  if (const auto channel = stuckChannel(facts.coarse))
     return Error{
         heft::say("{} stays the same in nearly all rows: it was not measured, or a threshold in the sensor's driver "
                   "hides what is small. Mend that and record once more.",
@@ -100,7 +100,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.stuckBits = stuckBits(out.stated);
   if (out.stuckBits.empty() && std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == "spikes"; }))
     out.leaps = facts.spikes;
-  if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops, facts.steps);
+  if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops, facts.coarse.steps);
   std::erase_if(out.directs, [&](const Direct& d) {
     // Where a bit of a converter is stuck, readings leap again and again.
     return contains(options.hidden, d.cause) || (d.cause == "spikes" && !out.stuckBits.empty());
@@ -120,7 +120,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
       out.bad[i] = out.bad[i] || direct.rows[i];
     }
   }
-  out.steps = facts.steps;
+  out.steps = facts.coarse.steps;
   out.deadBands = std::move(facts.deadBands);
   setAside(out.deadBands, out.bad, recording.rows());
   return out;

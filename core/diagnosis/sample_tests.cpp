@@ -165,7 +165,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   out.stamps = unevenStamps(recording);
   out.tops = flatTops(recording.wrench);
   out.deadBands = deadBands(recording);
-  out.steps = coarseSteps(recording);
+  out.coarse = coarseReadings(recording);
   out.held = heldRows(recording);
   out.stale = staleRuns(recording);
   out.replayed = replayedRuns(recording);
@@ -176,7 +176,7 @@ RowFacts rowFactsOf(const Recording& recording) {
   Unclipped clipping = unclipped(std::move(cleaned), out.tops, recording.rateHz());
   out.lost = std::move(clipping.lost);
   out.restored = std::move(clipping.wrench);
-  spreadWithinSteps(recording, out.steps, out.restored);
+  spreadWithinSteps(recording, out.coarse, out.restored);
   return out;
 }
 
@@ -185,7 +185,7 @@ std::vector<Direct> sampleTests(const Recording& recording, const Motion& motion
   if (auto found = saturation(recording, facts.tops, facts.lost)) out.push_back(std::move(*found));
   if (facts.stamps) out.push_back(jitter(*facts.stamps));
   if (auto found = dropouts(recording, facts)) out.push_back(std::move(*found));
-  if (auto found = quantisation(facts.steps)) out.push_back(std::move(*found));
+  if (auto found = quantisation(facts.coarse.steps)) out.push_back(std::move(*found));
   if (auto found = spikes(facts, recording.rows())) out.push_back(std::move(*found));
   const auto rough = coarse(recording);
   for (auto& found : reportedVelocities(recording, motion)) {

@@ -35,7 +35,7 @@ struct RowFacts {
   std::vector<FlatTop> tops;           ///< As of flatTops(its wrench)
   std::vector<bool> lost;              ///< To these: as of unclipped()
   std::vector<DeadBand> deadBands;     ///< As of deadBands(recording)
-  Vector6d steps = Vector6d::Zero();   ///< As of coarseSteps(recording)
+  CoarseReadings coarse;               ///< As of coarseReadings(recording)
   Eigen::Index spikes = 0;             ///< Rows in which readings were replaced: as of withoutSpikes()
   Eigen::Index loneSpikes = 0;         ///< Of these, those in which one channel leaps far and none with it
   std::vector<Held> held;              ///< As of heldRows(recording)

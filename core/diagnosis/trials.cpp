@@ -41,10 +41,12 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
             const Placing* placing, const Candidate& candidate) {
   Trial out;
   out.cause = candidate.form.cause->id();
-  Candidate placed = wantsPlace(candidate) ? placing->placed(candidate) : candidate;
-  if (wantsPlace(candidate))
+  Candidate placed = candidate;
+  if (wantsPlace(candidate)) {
+    placed = placing->placed(candidate);
     placed.v(0) = std::clamp(awayFromEdges(signals, stretches, placed.v(0)), placed.form.parameters[0].lower,
                              placed.form.parameters[0].upper);
+  }
   Model model = base.model;
   model.terms.push_back({std::make_shared<const Form>(placed.form), placed.v, placed.active});
   out.choicePenalty = candidate.choicePenalty;

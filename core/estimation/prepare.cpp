@@ -112,15 +112,12 @@ double advantage(const Prepared& first, const Prepared& second) {
 
 namespace {
 
-void leaveSilentOut(const Recording& recording, const EstimateOptions& options, Prepared& out) {
-  out.silent = silentChannels(recording.wrench);
+void saySilent(const std::array<bool, 6>& silent, Findings& findings) {
   std::vector<std::string> names;
-  for (std::size_t c = 0; c < out.silent.size(); ++c) {
-    out.silent[c] = out.silent[c] || options.silent[c];
-    if (out.silent[c]) names.emplace_back(channelName(static_cast<Eigen::Index>(c)));
-  }
+  for (std::size_t c = 0; c < silent.size(); ++c)
+    if (silent[c]) names.emplace_back(channelName(static_cast<Eigen::Index>(c)));
   if (names.empty()) return;
-  out.findings.push_back(
+  findings.push_back(
       {Severity::warning,
        "channel_unused",
        heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
@@ -198,7 +195,8 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("The tool stood still all the time."),
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
-  leaveSilentOut(recording, options, out);
+  out.silent = options.silent;
+  saySilent(out.silent, out.findings);
   learnNoise(out, false);
   return out;
 }
@@ -258,6 +256,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   Recording cleaned = recording;
   cleaned.wrench = withoutSpikes(recording.wrench, spikes);
   EstimateOptions trial = options;
+  const auto silent = silentChannels(cleaned.wrench);
+  for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c];
   const bool choose = options.motion.smoothing == SmoothingKind::lowPass && options.motion.cutoffHz <= 0.0;
   if (choose) {
     trial.motion.cutoffHz = kDefaultCutoffHz;
