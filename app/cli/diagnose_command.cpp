@@ -77,7 +77,7 @@ void run(const Options& options) {
   if (!options.result.empty()) writeOutput(options.result, fileText(toJson(report.after)), overwriteEstimate);
   if (options.json != "-") {
     print(toText(report));
-    printFindings(report.findings, false);
+    printFindings(report.findings, true);
   }
   if (!options.correctedMeta.empty()) {
     const nlohmann::json changes = report.metaChanges();

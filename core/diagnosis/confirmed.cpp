@@ -8,31 +8,12 @@
 #include "core/diagnosis/heldout.h"
 #include "core/diagnosis/look_back.h"
 #include "core/diagnosis/named.h"
+#include "core/diagnosis/own_errors.h"
 #include "core/diagnosis/unknown.h"
 
 namespace heft::diagnosis {
 
 namespace {
-
-/// Whether our own smoothing and resampling leave all that the final model has of `cause`. A mount that swings enlarges
-/// what the smoothing took; where little speaks for it, corners of the motion may be all that does. A memory that much
-/// speaks for is none of ours: 136 clean recordings of five simulators had none that they were told with.
-bool ownErrors(const Work& work, const Found& found) {
-  constexpr double kOfPlainMemory = 0.05, kPlainMemory = 3.0 * kFaint;
-  constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
-  const std::string_view cause = found.cause;
-  if (std::ranges::find(work.madeByMotion, found.cause) != work.madeByMotion.end()) return true;
-  if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(work.signals)) return true;
-  double over = 0.0;
-  bool swings = false;
-  for (const Term& term : work.search.final.model.terms) {
-    const Cause& other = *term.form->cause;
-    if (other.id() == cause) over += other.overOwnErrors(*term.form, term.v, work.signals);
-    swings = swings || other.id() == "flexible_mount";
-  }
-  if (cause == "hysteresis" && found.gain > kPlainMemory) return over < kOfPlainMemory;
-  return over < (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
-}
 
 /// Where our own smoothing leaves a faint cause that does what another one does nearly alone, the other is judged
 /// without it: beside it, either would be needless. The two are then rivals.
@@ -157,8 +138,9 @@ Fit withWalkInstead(const Work& work, Fit rest) {
 
 struct Round {
   std::vector<DiagnosedCause> causes;
-  Wrenches last;         ///< As of Confirmed
-  bool dropped = false;  ///< Whether any did not hold
+  Wrenches last;           ///< As of Confirmed
+  std::vector<Found> own;  ///< The same
+  bool dropped = false;    ///< Whether any did not hold
 };
 
 Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool held) {
@@ -174,7 +156,11 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, bool he
     // Part of the model, but no cause that somebody could mend.
     const bool turned =
         work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
-    if (found->cause == kWandering || turned || ownErrors(work, *found)) continue;
+    if (found->cause == kWandering || turned) continue;
+    if (ownErrors(work, *found)) {
+      out.own.push_back(*found);
+      continue;
+    }
     const Model less = without(search.final.model, found->cause);
     Fit rest = fitModel(work.signals, work.stretches, less);
     Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
@@ -230,6 +216,7 @@ Confirmed confirmed(Work& work, const Surrogates& chance, bool held) {
     Round round = judged(work, needed, chance, held);
     out.causes = std::move(round.causes);
     out.last = std::move(round.last);
+    out.own = std::move(round.own);
     out.remaining = round.dropped ? structureIn(work.signals, work.stretches, work.search.final) : beside;
   };
   judge();

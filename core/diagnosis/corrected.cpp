@@ -106,7 +106,10 @@ void addBack(WrenchSeries& series, const Recording& raw, const Recording& cleane
 Recording undone(Recording out, const FrameMistake& mistake) {
   switch (mistake.kind) {
     case Kind::wrenchSign:
-      out.wrench = -out.wrench;
+    case Kind::turned:
+    case Kind::mirrored:
+      out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * mistake.ofReadings().transpose()).eval();
+      out.wrench.rightCols<3>() = (out.wrench.rightCols<3>() * mistake.ofReadings().transpose()).eval();
       break;
     case Kind::gravitySign:
     case Kind::gravityTurned:
@@ -121,11 +124,6 @@ Recording undone(Recording out, const FrameMistake& mistake) {
       out.quaternion.col(3) = w;
       break;
     }
-    case Kind::turned:
-    case Kind::mirrored:
-      out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * mistake.turn.transpose()).eval();
-      out.wrench.rightCols<3>() = (out.wrench.rightCols<3>() * mistake.turn.transpose()).eval();
-      break;
     case Kind::none:
       break;
   }
@@ -192,11 +190,9 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
     if (has(fitted, id) && id != kWandering && !has(*unknown, id)) unknown->push_back(id);
   auto effect = effectOf(*model, stated, robot, fitted);
   if (!effect) return effect.error();
-  if (left && (left->kind == Kind::turned || left->kind == Kind::mirrored)) {
-    effect->leftCols<3>() = (effect->leftCols<3>() * left->turn).eval();
-    effect->rightCols<3>() = (effect->rightCols<3>() * left->turn).eval();
-  } else if (left && left->kind == Kind::wrenchSign) {
-    *effect = -*effect;
+  if (left) {
+    effect->leftCols<3>() = (effect->leftCols<3>() * left->ofReadings()).eval();
+    effect->rightCols<3>() = (effect->rightCols<3>() * left->ofReadings()).eval();
   }
   out.wrench -= *effect;
   return out;

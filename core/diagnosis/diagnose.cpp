@@ -14,6 +14,7 @@
 #include "core/diagnosis/made_by_motion.h"
 #include "core/diagnosis/named.h"
 #include "core/diagnosis/noisy_motion.h"
+#include "core/diagnosis/own_errors.h"
 #include "core/diagnosis/payload_after.h"
 #include "core/diagnosis/ringing.h"
 #include "core/diagnosis/sharp_motion.h"
@@ -142,6 +143,7 @@ struct Searched {
   double threshold = kThreshold;
   Surrogates chance;  ///< Empty where none were asked for, or nothing was found
   std::optional<NoisyMotion> noisy;
+  double cutoffHz = 0.0;  ///< Of the smoothing of the motion
 };
 
 /// Accelerations from coarse or late angles are noise above some frequency. Bias and payload alone tell where, unless a
@@ -183,8 +185,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.back().mistakeKnown = readings.mistake.has_value();
   }
   Way& usual = ways[kUsualWay];
-  lookForContact(usual, readings.cleaned, options);
-  lookForMistake(usual);
+  lookForBoth(usual, readings.cleaned, options);
   weighSharpMotion(ways, wasHeld(readings));
   std::size_t at = kUsualWay;
   // The way that leaves most of the motion among those that are next to best.
@@ -208,8 +209,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
   const auto searchedOn = [&](std::size_t i, double threshold, const GivesUp& givesUp = {}) {
-    lookForContact(ways[i], readings.cleaned, options);
-    lookForMistake(ways[i], usual.mistake);
+    lookForBoth(ways[i], readings.cleaned, options, usual.mistake);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better,
@@ -260,6 +260,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
   out.work = std::move(*found);
+  out.cutoffHz = ways[at].cutoffHz;
   out.work.madeByMotion = madeByMotion(out.work, ways, at);
   if (!contains(options.hidden, "flexible_mount")) setRingingAside(out.work, usual);
   return out;
@@ -384,6 +385,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   sayDeadBands(readings->deadBands, out);
   sayStuckBits(readings->stuckBits, out);
   sayLeaps(readings->leaps, out);
+  sayOwnErrors(fitted.own, out);
   if (readings->frozen) sayFrozen(*readings->frozen, out);
 
   out.mistake = readings->mistake ? readings->mistake : work.mistake;
@@ -396,7 +398,10 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   // Coarse angles or poses say why their accelerations are noisy.
   const bool coarse = std::ranges::any_of(
       readings->directs, [](const Direct& d) { return d.cause == "derivative_noise" && !d.ofVelocities; });
-  if (found->noisy && !coarse) out.causes.push_back(fromNoisyMotion(*found->noisy));
+  if (found->noisy && !coarse)
+    out.causes.push_back(fromNoisyMotion(*found->noisy));
+  else if (!coarse)
+    saySmoothing(found->cutoffHz, work.signals.smoothedAway, out);
   const auto isFitted = [&](std::string_view id) {
     return std::ranges::find(fitted.causes, id, &DiagnosedCause::id) != fitted.causes.end();
   };

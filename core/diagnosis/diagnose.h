@@ -56,11 +56,6 @@ struct DiagnosedCause {
 /// Whether it means that the sensor sits elsewhere, or turned another way, than stated.
 bool mountIsWrong(const DiagnosedCause& cause);
 
-/// Root mean squares per component.
-struct WrenchRms {
-  double force = 0.0, torque = 0.0;  ///< [N], [N m]
-};
-
 /// What a cause would have to reach to be seen in this recording.
 struct Smallest {
   std::string cause, parameter, unit;
@@ -79,8 +74,8 @@ struct DiagnosisReport {
   std::string file;
   bool ofPoses = false;  ///< The sensor's pose was recorded and no joints: where the meta file mounts it is not used
   Verdict verdict = Verdict::clean;
-  std::string sentence;       ///< The verdict in plain words
-  WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor
+  std::string sentence;                  ///< The verdict in plain words
+  diagnosis::WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor
   std::vector<DiagnosedCause> causes;
   diagnosis::Structure remaining;  ///< What nothing accounts for; gain <= 0: nothing
   double threshold = 10.0;
@@ -96,7 +91,7 @@ struct DiagnosisReport {
   /// On another recording, where one was given: misfit of the baseline, and with the causes kept as found here.
   struct Check {
     std::string file;
-    WrenchRms before, after;
+    diagnosis::WrenchRms before, after;
     double gain = 0.0;                     ///< Evidence there for these causes, of which nothing was fitted
     bool setsRight = false;                ///< Without them the payload there cannot be, such as a mass below zero
     std::vector<std::string> checked;      ///< IDs

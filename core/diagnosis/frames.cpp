@@ -1,7 +1,5 @@
 #include "core/diagnosis/frames.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,22 +11,18 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// What the fit leaves of the force in a usual block, whatever it leaves where somebody pushes [N].
-double usualForce(const Signals& signals, const Fit& fit) {
-  std::vector<double> left;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) left.push_back(fit.residual.col(n).head<3>().norm());
-  return median(std::move(left));
+std::vector<Eigen::Index> blocksIn(const std::vector<Stretch>& stretches) {
+  std::vector<Eigen::Index> out;
+  for (const Stretch& s : stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n) out.push_back(n);
+  return out;
 }
 
-double forceRms(const Signals& signals, const Fit& fit) {
-  double sum = 0.0, count = 0.0;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) {
-      sum += fit.residual.col(n).head<3>().squaredNorm();
-      count += 3.0;
-    }
-  return std::sqrt(sum / std::max(1.0, count));
+/// What the fit leaves of the force in each block [N].
+std::vector<double> forceLeft(const std::vector<Eigen::Index>& blocks, const Fit& fit) {
+  std::vector<double> left;
+  for (const Eigen::Index n : blocks) left.push_back(fit.residual.col(n).head<3>().norm());
+  return left;
 }
 
 Eigen::Matrix3Xd blockForce(const Signals& signals) {
@@ -37,30 +31,39 @@ Eigen::Matrix3Xd blockForce(const Signals& signals) {
   return averaged(signals, w).topRows<3>();
 }
 
-/// The turn (proper or not) that carries m s best onto the forces: the orthogonal factor of the least-squares matrix.
-std::optional<Matrix3d> bestTurn(const Signals& signals, bool proper) {
-  const Eigen::Matrix3Xd s = blockForce(signals);
-  Eigen::Matrix3Xd x(3, 0), y(3, 0);
-  std::vector<Eigen::Index> used;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) used.push_back(n);
-  x.resize(3, static_cast<Eigen::Index>(used.size()));
-  y.resize(3, x.cols());
-  for (Eigen::Index i = 0; i < x.cols(); ++i) {
-    x.col(i) = s.col(used[static_cast<std::size_t>(i)]);
-    y.col(i) = signals.measured.col(used[static_cast<std::size_t>(i)]).head<3>();
-  }
-  x.colwise() -= Vector3d(x.rowwise().mean());
-  y.colwise() -= Vector3d(y.rowwise().mean());
-  const Matrix3d spread = x * x.transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(spread);
-  // Gravity must have pointed three ways for a turn to be seen.
-  if (eigen.eigenvalues()(1) < 1e-3 * eigen.eigenvalues()(2)) return std::nullopt;
-  const Eigen::JacobiSVD<Matrix3d> svd(Matrix3d(y * x.transpose()), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
-  if (proper && turn.determinant() < 0.0) {
-    const Matrix3d flip = Vector3d(1, 1, -1).asDiagonal();
-    turn = svd.matrixU() * flip * svd.matrixV().transpose();
+/// Where more than this is left of the force, somebody pushes. `left`: of every block [N].
+double mostUnpushed(std::vector<double> left) {
+  constexpr double kPush = 4.0;  // Times what half of the blocks leave at most
+  return kPush * median(std::move(left));
+}
+
+/// The turn (proper or not) that carries m s best onto the forces where nobody pushes: the orthogonal factor of the
+/// least-squares matrix.
+std::optional<Matrix3d> bestTurn(const Signals& signals, const std::vector<Eigen::Index>& blocks, bool proper) {
+  constexpr int kRounds = 5;
+  const Eigen::Matrix3Xd s = blockForce(signals)(Eigen::all, blocks), f = signals.measured(Eigen::seqN(0, 3), blocks);
+  VectorXd left = VectorXd::Zero(s.cols());
+  Matrix3d turn;
+  for (int round = 0; round < kRounds; ++round) {
+    const double most = mostUnpushed({left.begin(), left.end()});
+    std::vector<Eigen::Index> used;
+    for (Eigen::Index i = 0; i < s.cols(); ++i)
+      if (left(i) <= most) used.push_back(i);
+    const Vector3d meanS = s(Eigen::all, used).rowwise().mean(), meanF = f(Eigen::all, used).rowwise().mean();
+    const Eigen::Matrix3Xd x = s.colwise() - meanS, y = f.colwise() - meanF;
+    const Matrix3d spread = x(Eigen::all, used) * x(Eigen::all, used).transpose(),
+                   both = y(Eigen::all, used) * x(Eigen::all, used).transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(spread);
+    // Gravity must have pointed three ways for a turn to be seen.
+    if (eigen.eigenvalues()(1) < 1e-3 * eigen.eigenvalues()(2)) return std::nullopt;
+    const Eigen::JacobiSVD<Matrix3d> svd(both, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    turn = svd.matrixU() * svd.matrixV().transpose();
+    if (proper && turn.determinant() < 0.0) {
+      const Matrix3d flip = Vector3d(1, 1, -1).asDiagonal();
+      turn = svd.matrixU() * flip * svd.matrixV().transpose();
+    }
+    const double mass = both.cwiseProduct(turn).sum() / spread.trace();
+    left = (y - mass * turn * x).colwise().norm().transpose();
   }
   return Matrix3d(turn.transpose());
 }
@@ -68,18 +71,16 @@ std::optional<Matrix3d> bestTurn(const Signals& signals, bool proper) {
 /// The turn that takes gravity, as stated, to another axis of the base, where that makes the load weigh what it resists
 /// being accelerated with: a robot on a wall whose meta file says that it stands on the floor. None if what acts is no
 /// weight, or off by any other angle, as a tilt or a pull may be.
-std::optional<Matrix3d> turnOfGravity(const Signals& signals) {
+std::optional<Matrix3d> turnOfGravity(const Signals& signals, const std::vector<Eigen::Index>& blocks) {
   constexpr double kKnown = 0.03, kSize = 0.08;      // Of the mass; of gravity
   constexpr double kOnAxis = 0.985, kAnother = 0.7;  // Cosines
   constexpr int kRounds = 5;
-  constexpr double kPush = 4.0;  // Times what half of the blocks leave at most: somebody pushes there
   const Eigen::Matrix3Xd s = blockForce(signals);
   using Seven = Eigen::Matrix<double, 7, 7>;
   using Rows = Eigen::Matrix<double, 3, 7>;  // f = m a - R^T weight + bias
   std::vector<Rows> rows;
   std::vector<Vector3d> forces;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
-    if (!signals.usable[static_cast<std::size_t>(n)]) continue;
+  for (const Eigen::Index n : blocks) {
     const Matrix3d& R =
         signals.R_BS[static_cast<std::size_t>(n * signals.samplesPerBlock + signals.samplesPerBlock / 2)];
     rows.emplace_back();
@@ -87,12 +88,13 @@ std::optional<Matrix3d> turnOfGravity(const Signals& signals) {
     forces.emplace_back(signals.measured.col(n).head<3>());
   }
   std::vector<double> left(rows.size(), 0.0);
-  double mass = 0.0, std = 0.0, most = 1.0;
+  double mass = 0.0, std = 0.0;
   Eigen::Matrix<double, 7, 1> x;
   for (int round = 0; round < kRounds; ++round) {
     Seven A = Seven::Zero();
     Eigen::Matrix<double, 7, 1> b = Eigen::Matrix<double, 7, 1>::Zero();
     double squares = 0.0, count = 0.0;
+    const double most = mostUnpushed(left);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (left[i] > most) continue;
       A += rows[i].transpose() * rows[i];
@@ -104,7 +106,6 @@ std::optional<Matrix3d> turnOfGravity(const Signals& signals) {
     mass = x(0);
     std = std::sqrt(std::max(0.0, squares - x.dot(b)) / std::max(1.0, count) * Seven(A.inverse())(0, 0));
     for (std::size_t i = 0; i < rows.size(); ++i) left[i] = (forces[i] - rows[i] * x).norm();
-    most = kPush * median(left);
   }
   const double size = signals.gravity.norm();
   const Vector3d weight = x.segment<3>(1);
@@ -147,37 +148,53 @@ Vector3d FrameMistake::gravity(const Vector3d& stated) const {
   return (turned.array().abs() > 1e-9).select(turned, 0.0);
 }
 
+Matrix3d FrameMistake::ofReadings() const {
+  if (kind == Kind::wrenchSign) return -Matrix3d::Identity();
+  // Swapped or inverted columns treat force and torque alike.
+  return kind == Kind::turned || kind == Kind::mirrored ? turn : Matrix3d(Matrix3d::Identity());
+}
+
+namespace {
+
+/// Specific forces `s` [m/s2], a column a turn of `R_BS`, as they are with gravity as it is.
+void setGravityRight(const FrameMistake& mistake, const Vector3d& stated, const std::vector<Matrix3d>& R_BS,
+                     Eigen::Matrix3Xd& s) {
+  const Vector3d change = stated - mistake.gravity(stated);
+  for (Eigen::Index k = 0; k < s.cols(); ++k) s.col(k) += R_BS[static_cast<std::size_t>(k)].transpose() * change;
+}
+
+/// `wrench`: 6 x K.
+template <class Wrench>
+void setReadingsRight(const FrameMistake& mistake, Wrench& wrench) {
+  const Matrix3d turn = mistake.ofReadings();
+  wrench.template topRows<3>() = (turn * wrench.template topRows<3>()).eval();
+  wrench.template bottomRows<3>() = (turn * wrench.template bottomRows<3>()).eval();
+}
+
+}  // namespace
+
 Signals corrected(const Signals& signals, const FrameMistake& mistake) {
+  if (mistake.kind == FrameMistake::Kind::transposed)
+    return reoriented(signals, [](const Matrix3d& R) { return Matrix3d(R.transpose()); });
+  if (mistake.kind == FrameMistake::Kind::quaternionOrder)
+    return reoriented(signals, [](const Matrix3d& R) {
+      const Quaterniond read(R);
+      return Quaterniond(read.x(), read.y(), read.z(), read.w()).toRotationMatrix();
+    });
   Signals out = signals;
-  switch (mistake.kind) {
-    case FrameMistake::Kind::none:
-      break;
-    case FrameMistake::Kind::wrenchSign:
-      out.readings = -signals.readings;
-      break;
-    case FrameMistake::Kind::gravitySign:
-    case FrameMistake::Kind::gravityTurned:
-      out.gravity = mistake.gravity(signals.gravity);
-      for (Eigen::Index k = 0; k < signals.size(); ++k)
-        out.kinematics.specificForce.col(k) +=
-            signals.R_BS[static_cast<std::size_t>(k)].transpose() * (signals.gravity - out.gravity);
-      break;
-    case FrameMistake::Kind::transposed:
-      return reoriented(signals, [](const Matrix3d& R) { return Matrix3d(R.transpose()); });
-    case FrameMistake::Kind::quaternionOrder:
-      return reoriented(signals, [](const Matrix3d& R) {
-        const Quaterniond read(R);
-        return Quaterniond(read.x(), read.y(), read.z(), read.w()).toRotationMatrix();
-      });
-    case FrameMistake::Kind::turned:
-    case FrameMistake::Kind::mirrored:
-      out.readings.topRows<3>() = mistake.turn * signals.readings.topRows<3>();
-      // Swapped or inverted columns treat force and torque alike.
-      out.readings.bottomRows<3>() = mistake.turn * signals.readings.bottomRows<3>();
-      break;
+  if (mistake.ofGravity()) {
+    setGravityRight(mistake, signals.gravity, signals.R_BS, out.kinematics.specificForce);
+    out.gravity = mistake.gravity(signals.gravity);
   }
+  setReadingsRight(mistake, out.readings);
   out.measured = averaged(out, out.readings);
   return out;
+}
+
+Motion corrected(Motion motion, const Vector3d& gravity, const FrameMistake& mistake) {
+  if (mistake.ofGravity()) setGravityRight(mistake, gravity, motion.R_BS, motion.specificForce);
+  setReadingsRight(mistake, motion.wrench);
+  return motion;
 }
 
 namespace {
@@ -214,27 +231,51 @@ void refineTurn(FrameMistake& mistake, const Signals& signals, const std::vector
   mistake.angle = vectorFromRotation(mistake.turn).norm();
 }
 
+/// Bias and payload alone, fitted to where nobody pushes as far as that shows.
+struct Plain {
+  Fit fit;
+  std::vector<Stretch> stretches;
+  double usual = 0.0;  ///< Force that it leaves in a usual block [N]
+
+  bool hasMass() const { return fit.model.x(6) > 3.0 * massStd(); }
+  bool isNegative() const { return fit.model.x(6) < -5.0 * massStd() && fit.model.x(6) < -0.02; }
+
+ private:
+  double massStd() const { return std::sqrt(fit.covariance(6, 6)); }
+};
+
+/// `blocks`: those in `stretches`.
+Plain plainFit(const Signals& signals, const std::vector<Stretch>& stretches, const std::vector<Eigen::Index>& blocks) {
+  constexpr int kRounds = 3;
+  Plain out{fitModel(signals, stretches, Model{}), stretches};
+  std::ptrdiff_t before = std::ssize(blocks);
+  for (int round = 0;; ++round) {
+    const std::vector<double> left = forceLeft(blocks, out.fit);
+    out.usual = median(left);
+    const double most = mostUnpushed(left);
+    std::vector<bool> used(static_cast<std::size_t>(signals.blocks()), false);
+    for (std::size_t i = 0; i < blocks.size(); ++i) used[static_cast<std::size_t>(blocks[i])] = left[i] <= most;
+    const std::ptrdiff_t count = std::ranges::count(used, true);
+    auto unpushed = stretchesOf(used);
+    if (count == before || unpushed.empty() || round == kRounds) return out;
+    before = count;
+    out.stretches = std::move(unpushed);
+    out.fit = fitModel(signals, out.stretches, Model{});
+  }
+}
+
 }  // namespace
 
 std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches,
                                          const Fit& null) {
-  const double before = forceRms(signals, null);
-  const double mass = null.model.x(6), massStd = std::sqrt(null.covariance(6, 6));
+  const std::vector<Eigen::Index> blocks = blocksIn(stretches);
+  if (blocks.size() < 20) return std::nullopt;
+  const double before = rmsOf(stretches, null.residual).force;
   // The size of what there is to explain: without it every turn fits.
-  double spread = 0.0, count = 0.0;
-  Vector3d mean = Vector3d::Zero();
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) {
-      mean += signals.measured.col(n).head<3>();
-      count += 1.0;
-    }
-  if (count < 20.0) return std::nullopt;
-  mean /= count;
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) spread += (signals.measured.col(n).head<3>() - mean).squaredNorm();
-  spread = std::sqrt(spread / (3.0 * count));
-  const bool negative = mass < -5.0 * massStd && mass < -0.02;
-  if (before < 0.12 * spread && !negative) return std::nullopt;
+  Eigen::Matrix3Xd forces = signals.measured(Eigen::seqN(0, 3), blocks);
+  forces.colwise() -= Vector3d(forces.rowwise().mean());
+  const double spread = std::sqrt(forces.squaredNorm() / static_cast<double>(forces.size()));
+  if (before < 0.12 * spread && !Plain{null, stretches}.isNegative()) return std::nullopt;
 
   const auto told = [before](FrameMistake::Kind kind) {
     FrameMistake out;
@@ -245,7 +286,7 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
   std::vector<FrameMistake> all;
   all.push_back(told(FrameMistake::Kind::wrenchSign));
   all.push_back(told(FrameMistake::Kind::gravitySign));
-  if (const auto turn = turnOfGravity(signals)) {
+  if (const auto turn = turnOfGravity(signals, blocks)) {
     FrameMistake m = told(FrameMistake::Kind::gravityTurned);
     m.turn = *turn;
     m.angle = vectorFromRotation(*turn).norm();
@@ -255,7 +296,7 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
     for (const auto kind : {FrameMistake::Kind::transposed, FrameMistake::Kind::quaternionOrder})
       all.push_back(told(kind));
   for (const bool proper : {true, false})
-    if (const auto turn = bestTurn(signals, proper)) {
+    if (const auto turn = bestTurn(signals, blocks, proper)) {
       const bool turned = turn->determinant() > 0.0;
       FrameMistake m = told(turned ? FrameMistake::Kind::turned : FrameMistake::Kind::mirrored);
       m.turn = turned ? *turn : alongAxes(*turn);
@@ -264,22 +305,18 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
       all.push_back(m);
     }
   std::optional<FrameMistake> best;
-  for (auto& mistake : all) {
-    const Signals other = corrected(signals, mistake);
-    const Fit fit = fitModel(other, stretches, Model{});
-    mistake.rmsAfter = forceRms(other, fit);
-    const double m = fit.model.x(6);
-    if (m < 3.0 * std::sqrt(fit.covariance(6, 6))) continue;  // A payload has a mass above zero.
-    // Where gravity points is worked out beside what pushes, which may be most of what is left.
-    const bool better = mistake.kind == FrameMistake::Kind::gravityTurned
-                            ? usualForce(other, fit) < 0.4 * usualForce(signals, null)
-                        : negative ? mistake.rmsAfter < 1.05 * before
-                                   : mistake.rmsAfter < 0.4 * before;
-    if (!better) continue;
+  const Plain stated = plainFit(signals, stretches, blocks);
+  double least = (stated.isNegative() ? 1.05 : 0.4) * stated.usual;
+  std::vector<Stretch> unpushed;
+  for (const auto& mistake : all) {
+    const Plain other = plainFit(corrected(signals, mistake), stretches, blocks);
+    if (!other.hasMass() || other.usual >= least) continue;
     // The first of equals is the simplest.
-    if (!best || mistake.rmsAfter < 0.9 * best->rmsAfter) best = mistake;
+    least = std::min(least, 0.9 * other.usual);
+    unpushed = other.stretches;
+    best = mistake;
   }
-  if (best && best->kind == FrameMistake::Kind::turned) refineTurn(*best, signals, stretches);
+  if (best && best->kind == FrameMistake::Kind::turned) refineTurn(*best, signals, unpushed);
   return best;
 }
 

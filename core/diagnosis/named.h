@@ -8,9 +8,6 @@
 
 namespace heft::diagnosis {
 
-/// Root mean squares of the blocks in `stretches`; `residual` 6 x N.
-WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual);
-
 /// Fills parameters and time of a cause of `fit`, which judges `stretches`. `spread`: see Found.
 void describe(DiagnosedCause& cause, const Fit& fit, const VectorXd& spread, const Signals& signals,
               const std::vector<Stretch>& stretches);

@@ -103,6 +103,20 @@ std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
   return out;
 }
 
+WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  WrenchRms out;
+  double count = 0.0;
+  for (const auto& s : stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      out.force += residual.col(n).head<3>().squaredNorm();
+      out.torque += residual.col(n).tail<3>().squaredNorm();
+      count += 3.0;
+    }
+  out.force = std::sqrt(out.force / std::max(1.0, count));
+  out.torque = std::sqrt(out.torque / std::max(1.0, count));
+  return out;
+}
+
 Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
                const std::shared_ptr<const Loudness>& louder) {
   return fitted(residual, stretches, kMaxOrder, louder);

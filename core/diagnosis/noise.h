@@ -16,6 +16,14 @@ struct Stretch {
 /// Stretches of at least 12 usable blocks.
 std::vector<Stretch> stretchesOf(const std::vector<bool>& usable);
 
+/// Root mean squares per component.
+struct WrenchRms {
+  double force = 0.0, torque = 0.0;  ///< [N], [N m]
+};
+
+/// Of the blocks in `stretches`; `residual` 6 x N.
+WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual);
+
 struct Noise {
   std::array<ArModel, 6> channels;         ///< Of what is left once all blocks are made equally loud
   std::shared_ptr<const Loudness> louder;  ///< As Signals::louder

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/diagnosis/named.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {

@@ -280,7 +280,12 @@ void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& o
   if (way.holes) return;
   const bool mayTouch = options.segments.value_or(defaultSegmentMode(cleaned)) == SegmentMode::automatic &&
                         std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
-  way.holes = mayTouch ? contactCandidates(cleaned, way.motion, way.signals) : std::vector<Stretch>{};
+  if (!mayTouch)
+    way.holes.emplace();
+  else if (way.mistake)
+    way.holes = contactCandidates(cleaned, corrected(way.motion, way.signals.gravity, *way.mistake), way.signals);
+  else
+    way.holes = contactCandidates(cleaned, way.motion, way.signals);
 }
 
 namespace {
@@ -454,10 +459,16 @@ std::optional<FrameMistake> frameMistake(const Way& way) {
   return frameMistake(way.signals, quiet, fitModel(way.signals, quiet, Model{}));
 }
 
-void lookForMistake(Way& way, const std::optional<FrameMistake>& otherwise) {
+void lookForBoth(Way& way, const Recording& cleaned, const DiagnoseOptions& options,
+                 const std::optional<FrameMistake>& otherwise) {
+  lookForContact(way, cleaned, options);
   if (std::exchange(way.mistakeKnown, true)) return;
   way.mistake = frameMistake(way);
   if (!way.mistake) way.mistake = otherwise;
+  if (!way.mistake || way.mistake->ofOrientation()) return;
+  // Where frames are mixed up, what is no contact may look like it, and the other way round.
+  way.holes.reset();
+  lookForContact(way, cleaned, options);
 }
 
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,

@@ -43,9 +43,11 @@ std::vector<Stretch> untouched(Signals judged, const Way& way);
 /// What is mixed up in it as far as nothing touches, where contact was looked for.
 std::optional<FrameMistake> frameMistake(const Way& way);
 
-/// Fills `way.mistake` the first time that it is asked: with frameMistake(), or `otherwise`, that of a way which
-/// smooths the motion less and may show what this one does not.
-void lookForMistake(Way& way, const std::optional<FrameMistake>& otherwise = std::nullopt);
+/// lookForContact(), and fills `way.mistake` the first time that it is asked: with frameMistake(), or `otherwise`, that
+/// of a way which smooths the motion less and may show what this one does not. Contact is looked for once more without
+/// the mistake, if any.
+void lookForBoth(Way& way, const Recording& cleaned, const DiagnoseOptions& options,
+                 const std::optional<FrameMistake>& otherwise = std::nullopt);
 
 /// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the
 /// first way left out, frames and signs put right.

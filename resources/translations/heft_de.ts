@@ -7006,6 +7006,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Check that it was logged, or choose a finer measuring range of the sensor.</source>
         <translation>Prüfen, ob der Kanal aufgezeichnet wurde, oder einen feineren Messbereich des Sensors wählen.</translation>
     </message>
+    <message>
+        <source>&quot;{}&quot; would explain some of the misfit, but it is so small that our own smoothing of the motion may leave as much. It is not named.</source>
+        <translation>„{}“ würde einen Teil der Abweichung erklären, ist aber so klein, dass unsere eigene Glättung der Bewegung ebenso viel übrig lassen kann. Es wird nicht genannt.</translation>
+    </message>
+    <message>
+        <source>Nothing need be done: the payload allows for it.</source>
+        <translation>Es ist nichts zu tun: die Last berücksichtigt es.</translation>
+    </message>
+    <message>
+        <source>The motion was smoothed to {:.0f} Hz, since above that its accelerations are noisier than the sensor; what is faster cannot be judged.</source>
+        <translation>Die Bewegung wurde auf {:.0f} Hz geglättet, weil ihre Beschleunigungen darüber stärker rauschen als der Sensor; was schneller ist, lässt sich nicht beurteilen.</translation>
+    </message>
+    <message>
+        <source>Record angles with more digits and at a higher rate, if the robot has them.</source>
+        <translation>Winkel mit mehr Stellen und höherer Rate aufzeichnen, falls der Roboter sie liefert.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

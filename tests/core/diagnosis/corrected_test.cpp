@@ -164,6 +164,24 @@ TEST(Corrected, TouchesHideNoOtherGravity) {
   EXPECT_NEAR(report.after.payload.mass, 0.75, 0.02) << said(report);
 }
 
+/// Nor a sensor that is mounted turned by half, nor swapped columns, and the touches are found beside them: with these,
+/// what was no touch looked like one, and the sign of all forces was changed, or a loose mass was found.
+TEST(Corrected, TouchesHideNoMistake) {
+  using Kind = diagnosis::FrameMistake::Kind;
+  for (const auto& [form, kind] : {std::pair{"mount-180", Kind::turned}, std::pair{"swapped-xy", Kind::mirrored}}) {
+    Recording recording = aRecording(MotionKind::pickAndPlace, 508, {{"frame_error", form, 1.0}});
+    recording.meta.marks.clear();
+    const auto report = diagnosed(recording);
+    EXPECT_EQ(report.verdict, Verdict::explained) << form << ": " << said(report);
+    ASSERT_EQ(report.causes.size(), 2u) << form << ": " << said(report);
+    EXPECT_EQ(report.causes.front().id, "frame_error") << form << ": " << said(report);
+    EXPECT_EQ(report.causes.back().id, "contact") << form << ": " << said(report);
+    ASSERT_TRUE(report.mistake) << form;
+    EXPECT_EQ(report.mistake->kind, kind) << form;
+    EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01) << form;
+  }
+}
+
 /// A balancer that carries half of the tool leaves less weight than the tool resists being accelerated with: no
 /// mistake.
 TEST(Corrected, ABalancerIsNoOtherGravity) {
