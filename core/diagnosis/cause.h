@@ -94,6 +94,8 @@ class Cause {
   virtual double overOwnErrors(const Form&, const VectorXd&, const Signals&) const {
     return std::numeric_limits<double>::infinity();
   }
+  /// How much of that is enough where much speaks for the cause.
+  virtual double enoughIfPlain(const Form&) const { return 1.0; }
   /// False for parameters that no thing of its kind has, with their standard deviations.
   virtual bool possible(const Form&, const VectorXd&, const VectorXd&) const { return true; }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty:

@@ -15,20 +15,21 @@ constexpr double kMuch = 300.0;  ///< Evidence from which on what is not named i
 }  // namespace
 
 bool ownErrors(const Work& work, const Found& found) {
-  constexpr double kOfPlainMemory = 0.05, kPlainMemory = 3.0 * kFaint;
+  constexpr double kPlain = 3.0 * kFaint;  // Evidence that speaks much for a cause
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
   if (std::ranges::find(work.madeByMotion, found.cause) != work.madeByMotion.end()) return true;
   if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(work.signals)) return true;
-  double over = 0.0;
+  double over = 0.0, enough = found.gain > kPlain ? 0.0 : 1.0;
   bool swings = false;
   for (const Term& term : work.search.final.model.terms) {
     const Cause& other = *term.form->cause;
-    if (other.id() == cause) over += other.overOwnErrors(*term.form, term.v, work.signals);
     swings = swings || other.id() == "flexible_mount";
+    if (other.id() != cause) continue;
+    over += other.overOwnErrors(*term.form, term.v, work.signals);
+    enough = std::max(enough, other.enoughIfPlain(*term.form));
   }
-  if (cause == "hysteresis" && found.gain > kPlainMemory) return over < kOfPlainMemory;
-  return over < (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
+  return over < enough * (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
 }
 
 void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {

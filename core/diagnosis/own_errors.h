@@ -5,9 +5,8 @@
 
 namespace heft::diagnosis {
 
-/// Whether they leave all that the final model has of `cause`. A mount that swings enlarges what the smoothing took;
-/// where little speaks for it, corners of the motion may be all that does. A memory that much speaks for is none of
-/// ours: 136 clean recordings of five simulators had none that they were told with.
+/// Whether they leave all that the final model has of `found`. A mount that swings enlarges what the smoothing took;
+/// where little speaks for it, corners of the motion may be all that does.
 bool ownErrors(const Work& work, const Found& found);
 
 /// Says what much speaks for and is not named: `own` are those of ownErrors() that are part of the final model.

@@ -1384,6 +1384,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Error there: %1 → %2.</source>
         <translation>Fehler dort: %1 → %2.</translation>
     </message>
+    <message>
+        <source>Also noticed</source>
+        <translation>Außerdem bemerkt</translation>
+    </message>
 </context>
 <context>
     <name>Remedies</name>
@@ -9503,6 +9507,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>the shape sits on this face</source>
         <translation>die Form sitzt auf dieser Fläche</translation>
+    </message>
+    <message>
+        <source>not known from this motion</source>
+        <translation>aus dieser Bewegung nicht bekannt</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
@@ -19,6 +20,7 @@
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/difference_pane.h"
 #include "ui/reality_panel/practice.h"
+#include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
 
 namespace heft {
@@ -131,11 +133,9 @@ TEST_F(RealityPanelTest, ACleanRecordingIsSaidToFitAndTheNextStepIsExport) {
   EXPECT_EQ(panel->report()->verdict, Verdict::clean);
   EXPECT_TRUE(texts().contains("Only the sensor’s noise is left."));
   EXPECT_EQ(panel->state().progress, StepState::Progress::done);
-  Step wanted = Step::record;
   const auto mains = panel->findChildren<QPushButton*>("mainButton");
   ASSERT_EQ(mains.size(), 1);
   EXPECT_EQ(mains[0]->text(), "Go on to Export");
-  Q_UNUSED(wanted);
   const auto refused = panel->obey({"apply", "cable_pull"});
   ASSERT_TRUE(refused.has_value());
   EXPECT_FALSE(refused->ok());
@@ -318,6 +318,26 @@ TEST(CauseCards, SayWhatSingleReadingsTellOfSomethingUnknown) {
   EXPECT_TRUE(textOf().contains("fx reads exactly 0 N."));
   EXPECT_TRUE(textOf().contains("Switch off the threshold."));
   EXPECT_FALSE(textOf().contains("record the same motion once more"));
+}
+
+/// What has no card is said below them; what the card of something unknown tells is not said twice.
+TEST(RealityPage, SaysWhatElseWasNoticed) {
+  DiagnosisReport report;
+  report.verdict = Verdict::unexplained;
+  report.findings.push_back({Severity::warning, "dead_band", "fx reads exactly 0 N.", "Switch off the threshold.", {}});
+  report.findings.push_back({Severity::info, "motion_smoothed", "The motion was smoothed to 8 Hz.", {}, {}});
+  const auto noticed = [&] {
+    QWidget parent;
+    auto* column = new QVBoxLayout(&parent);
+    addNoticed(column, &parent, report);
+    QStringList all;
+    for (const QLabel* label : parent.findChildren<QLabel*>())
+      if (label->property("role") == "noticed") all << label->text();
+    return all;
+  };
+  EXPECT_EQ(noticed(), QStringList{"The motion was smoothed to 8 Hz."});
+  report.verdict = Verdict::explained;
+  EXPECT_EQ(noticed().size(), 2);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include "tests/ui/fixtures.h"
 #include "ui/robot_view/orbit_camera.h"
 #include "ui/robot_view/robot_look.h"
+#include "ui/robot_view/robot_view.h"
+#include "ui/robot_view/scene_state.h"
 #include "ui/robot_view/scene_track.h"
 #include "ui/robot_view/soft_shadow.h"
 
@@ -44,6 +46,22 @@ TEST(OrbitCamera, PanningMovesThePointUnderThePointerWithIt) {
   camera.pan(100, 0, 500);
   const double metres = 100 * 2 * camera.distance * std::tan(camera.viewAngle / 2) / 500;
   EXPECT_NEAR((camera.target - (before - metres * camera.right())).norm(), 0, 1e-12);
+}
+
+/// A centre that nobody knows and one that is known too well to draw its region both have none.
+TEST(PayloadLook, TellsAnUnknownCentreFromOneThatIsKnownWell) {
+  EstimateReport report;
+  report.payload.mass = 0.8;
+  const auto lookWith = [&](double std) {
+    report.std.com.setConstant(std);
+    return payloadLook(report);
+  };
+  EXPECT_FALSE(lookWith(0.1).centreKnown);
+  EXPECT_EQ(lookWith(0.1).region, Vector3d::Zero());
+  EXPECT_TRUE(lookWith(1e-5).centreKnown);
+  EXPECT_EQ(lookWith(1e-5).region, Vector3d::Zero());
+  EXPECT_TRUE(lookWith(3e-3).centreKnown);
+  EXPECT_GT(lookWith(3e-3).region.minCoeff(), 0.0);
 }
 
 TEST(SceneTrack, PosesAreInterpolated) {

@@ -458,9 +458,6 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   return card.frame;
 }
 
-namespace {
-
-/// What single readings tell of something that has no name, if anything: more than what it goes with.
 const Finding* seenInReadings(const DiagnosisReport& report) {
   constexpr std::array<std::string_view, 11> kTelling{
       "faint_stretches", "channel_stands_still", "glitch",   "struck", "stuck_bit",
@@ -471,8 +468,6 @@ const Finding* seenInReadings(const DiagnosisReport& report) {
   });
   return found == report.findings.end() ? nullptr : &*found;
 }
-
-}  // namespace
 
 QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actions, QWidget* parent) {
   const Card card = makeCard("card", parent);

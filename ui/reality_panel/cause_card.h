@@ -55,7 +55,9 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
 /// Two explanations or more that this motion cannot tell apart.
 QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause, const CardState& state,
                      const CardActions& actions, QWidget* parent);
-/// What nothing in the catalogue accounts for.
+/// What single readings tell of something that has no name, if anything: more than what it goes with.
+const Finding* seenInReadings(const DiagnosisReport& report);
+/// What nothing in the catalogue accounts for; says what these tell.
 QWidget* makeUnknownCard(const DiagnosisReport& report, const CardActions& actions, QWidget* parent);
 QWidget* makeCleanCard(const DiagnosisReport& report, QWidget* parent);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_card.h"
@@ -107,7 +108,7 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
 
 void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const QStringList& names,
               const std::function<void(int)>& check, const std::function<void()>& open) {
-  if (report.model.terms.empty() && !report.mistake) return;
+  if (report.causes.empty() || (report.model.terms.empty() && !report.mistake)) return;
   column->addSpacing(4);
   column->addWidget(styledLabel(Words::tr("Does it hold on another recording?"), "sectionTitle", parent));
   if (report.check) {
@@ -137,6 +138,27 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
     button->setObjectName("linkButton");
     QObject::connect(button, &QPushButton::clicked, parent, [open] { open(); });
     column->addWidget(button, 0, Qt::AlignLeft);
+  }
+}
+
+void addNoticed(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report) {
+  const Finding* told = report.verdict == Verdict::unexplained ? seenInReadings(report) : nullptr;
+  bool any = false;
+  for (const Finding& finding : report.findings) {
+    if (&finding == told) continue;
+    if (!std::exchange(any, true)) {
+      column->addSpacing(4);
+      column->addWidget(styledLabel(Words::tr("Also noticed"), "sectionTitle", parent));
+    }
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(new LightIcon(finding.severity == Severity::info ? Light::measured : Light::look, 16, parent), 0,
+                   Qt::AlignTop);
+    QLabel* text = wrappedLabel(
+        QString::fromStdString(finding.text + (finding.remedy.empty() ? "" : " " + finding.remedy)), "caption", parent);
+    text->setProperty("role", "noticed");
+    row->addWidget(text, 1);
+    column->addLayout(row);
   }
 }
 

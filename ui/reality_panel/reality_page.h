@@ -28,6 +28,8 @@ void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport
 /// `names`: other recordings that are open.
 void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const QStringList& names,
               const std::function<void(int)>& check, const std::function<void()>& open);
+/// What was noticed beside the causes and has no card.
+void addNoticed(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report);
 void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report);
 void addNotSeen(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool details);
 

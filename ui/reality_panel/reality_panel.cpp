@@ -485,6 +485,7 @@ void RealityPanel::showReport(const Found& found) {
   for (const int k : others()) names << QFileInfo(workspace().openedAt(k)->path).fileName();
   addCheck(
       column, content, report, names, [this](int index) { checkOnOther(index); }, [this] { parts().chooseFiles(); });
+  addNoticed(column, content, report);
   addConsidered(column, content, report);
   addNotSeen(column, content, report, details_);
   column->addStretch(1);

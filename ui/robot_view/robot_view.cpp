@@ -279,7 +279,6 @@ void RobotView::showPayload() {
   std::optional<PayloadLook> look;
   if (report_ && (recording_ || kept_)) look = payloadLook(*report_);
   scene_.payload = look;
-  enlargement_ = look && look->region.minCoeff() > 0 ? std::optional(look->enlargement) : std::nullopt;
 }
 
 void RobotView::clearEstimate() {

@@ -140,8 +140,7 @@ class RobotView : public QWidget {
   std::shared_ptr<const RobotModel> robot_;
   std::shared_ptr<const RobotLook> look_;
   std::shared_ptr<const EstimateReport> report_;
-  std::vector<Vector3d> sweep_;        ///< Where arm and tool get in this recording, B axes [m].
-  std::optional<double> enlargement_;  ///< Of the region drawn; absent if none is.
+  std::vector<Vector3d> sweep_;  ///< Where arm and tool get in this recording, B axes [m].
   double time_ = 0.0;
   bool labelsShown_ = true;
   Preset preset_ = Preset::overview;

@@ -23,7 +23,8 @@ inline constexpr double kSensorRadius = 0.0375;
 /// The estimated payload as the view draws it, in S axes.
 struct PayloadLook {
   Vector3d com = Vector3d::Zero();     ///< p_SPcm_S [m]
-  Vector3d region = Vector3d::Zero();  ///< Half axes of the 95 % region of the centre [m]
+  Vector3d region = Vector3d::Zero();  ///< Half axes of the 95 % region of the centre [m]; zero: not drawn
+  bool centreKnown = true;             ///< False where that region would be larger than a tool
   double enlargement = 1.0;            ///< The region is drawn this many times larger.
   std::optional<Vector3d> boxEdges;    ///< Homogeneous box with the same mass and inertia [m]; absent if not known
   Matrix3d R_SBox = Matrix3d::Identity();

@@ -24,10 +24,12 @@ void RobotView::updateLabels() {
   if (labelsShown_) {
     // While the arm moves the coach's label is the one to be read.
     if (!kept_) add(anchors.wrench, tr("force and torque"));
-    add(anchors.centre, tr("Centre of mass"),
-        enlargement_ ? (*enlargement_ > 1 ? tr("95 % region, drawn %1× larger").arg(numberText(*enlargement_, 0))
-                                          : tr("95 % region"))
-                     : tr("known to better than 0.2 mm"));
+    if (const auto& look = scene_.payload)
+      add(anchors.centre, tr("Centre of mass"),
+          !look->centreKnown             ? tr("not known from this motion")
+          : look->region.minCoeff() <= 0 ? tr("known to better than 0.2 mm")
+          : look->enlargement > 1        ? tr("95 % region, drawn %1× larger").arg(numberText(look->enlargement, 0))
+                                         : tr("95 % region"));
     if (!kept_) add(anchors.box, tr("equal-inertia box"));
     add(anchors.gravity, tr("gravity"));
     if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
