@@ -33,7 +33,8 @@ constexpr std::size_t kUsualWay = 1;
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
                   const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows);
 
-/// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
+/// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden. `way.mistake`, if
+/// any, is put right before.
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
 
 /// The stretches of `judged` that the contact on `way`, which must have been looked for, leaves; all of them where it

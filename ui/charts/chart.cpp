@@ -104,6 +104,12 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
   const double pad = 0.06 * (y.high - y.low);
   y.low -= pad;
   y.high += pad;
+  // A curve may begin at the edge; half of a dot there would be cut off.
+  if (std::ranges::any_of(chart.curves, [](const auto& c) { return c.colour == ChartCurve::Colour::dots; })) {
+    const double beside = 0.03 * (x.high - x.low);
+    x.low -= beside;
+    x.high += beside;
+  }
 
   const std::vector<double> yTicks = ticksOf(y, area.height() > 180 ? 6 : 4);
   double widest = 0.0;

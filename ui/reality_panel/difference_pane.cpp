@@ -168,10 +168,16 @@ Chart DifferencePane::motionChart(bool after) const {
   chart.xTitle = witness.unit.empty()
                      ? witnessText(witness.id)
                      : QStringLiteral("%1 [%2]").arg(witnessText(witness.id), QString::fromStdString(witness.unit));
+  // A sign has two values: beside one another, or a dot would hide all that lie below it.
+  const double width = witness.id.starts_with("velocity-sign") ? 0.3 : 0.0;
+  const auto aside = [&](Eigen::Index n) {
+    constexpr double kGolden = 0.6180339887498949;
+    return width * (std::fmod(kGolden * static_cast<double>(n), 1.0) - 0.5);
+  };
   QVector<QPointF> points;
   for (Eigen::Index n = 0; n < std::min(s.time.size(), witness.value.size()); n += 2)
     if (s.judged[static_cast<std::size_t>(n)])
-      points.push_back({witness.value(n), s.measured(c, n) - (after ? s.after : s.before)(c, n)});
+      points.push_back({witness.value(n) + aside(n), s.measured(c, n) - (after ? s.after : s.before)(c, n)});
   chart.curves.push_back({{}, ChartCurve::Colour::dots, points, false});
   return chart;
 }

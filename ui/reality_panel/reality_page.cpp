@@ -152,8 +152,7 @@ void addNoticed(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& rep
     }
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(new LightIcon(finding.severity == Severity::info ? Light::measured : Light::look, 16, parent), 0,
-                   Qt::AlignTop);
+    if (finding.severity != Severity::info) row->addWidget(new LightIcon(Light::look, 16, parent), 0, Qt::AlignTop);
     QLabel* text = wrappedLabel(
         QString::fromStdString(finding.text + (finding.remedy.empty() ? "" : " " + finding.remedy)), "caption", parent);
     text->setProperty("role", "noticed");
