@@ -8,7 +8,7 @@ class TimeAxis : public QObject {
   Q_OBJECT
  public:
   /// Pixels left and right of the time axis in every widget that shares it.
-  static constexpr int kLeft = 92, kRight = 16;
+  static constexpr int kLeft = 112, kRight = 16;
 
   explicit TimeAxis(QObject* parent = nullptr);
 
