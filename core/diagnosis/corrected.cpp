@@ -101,6 +101,12 @@ void addBack(WrenchSeries& series, const Recording& raw, const Recording& cleane
   }
 }
 
+/// Forces and torques, a row each [force | torque], turned into other axes.
+void turnEach(Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, const Matrix3d& turn) {
+  wrench.leftCols<3>() = (wrench.leftCols<3>() * turn.transpose()).eval();
+  wrench.rightCols<3>() = (wrench.rightCols<3>() * turn.transpose()).eval();
+}
+
 }  // namespace
 
 Recording undone(Recording out, const FrameMistake& mistake) {
@@ -108,8 +114,7 @@ Recording undone(Recording out, const FrameMistake& mistake) {
     case Kind::wrenchSign:
     case Kind::turned:
     case Kind::mirrored:
-      out.wrench.leftCols<3>() = (out.wrench.leftCols<3>() * mistake.ofReadings().transpose()).eval();
-      out.wrench.rightCols<3>() = (out.wrench.rightCols<3>() * mistake.ofReadings().transpose()).eval();
+      turnEach(out.wrench, mistake.ofReadings());
       break;
     case Kind::gravitySign:
     case Kind::gravityTurned:
@@ -190,10 +195,7 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
     if (has(fitted, id) && id != kWandering && !has(*unknown, id)) unknown->push_back(id);
   auto effect = effectOf(*model, stated, robot, fitted);
   if (!effect) return effect.error();
-  if (left) {
-    effect->leftCols<3>() = (effect->leftCols<3>() * left->ofReadings()).eval();
-    effect->rightCols<3>() = (effect->rightCols<3>() * left->ofReadings()).eval();
-  }
+  if (left) turnEach(*effect, left->ofReadings().transpose());
   out.wrench -= *effect;
   return out;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "core/math/statistics.h"
 
@@ -11,7 +12,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-std::vector<Eigen::Index> blocksIn(const std::vector<Stretch>& stretches) {
+std::vector<Eigen::Index> indicesIn(const std::vector<Stretch>& stretches) {
   std::vector<Eigen::Index> out;
   for (const Stretch& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) out.push_back(n);
@@ -231,23 +232,22 @@ void refineTurn(FrameMistake& mistake, const Signals& signals, const std::vector
   mistake.angle = vectorFromRotation(mistake.turn).norm();
 }
 
+double massStd(const Fit& fit) { return std::sqrt(fit.covariance(6, 6)); }
+bool hasMass(const Fit& fit) { return fit.model.x(6) > 3.0 * massStd(fit); }
+bool isNegative(const Fit& fit) { return fit.model.x(6) < -5.0 * massStd(fit) && fit.model.x(6) < -0.02; }
+
 /// Bias and payload alone, fitted to where nobody pushes as far as that shows.
 struct Plain {
   Fit fit;
   std::vector<Stretch> stretches;
   double usual = 0.0;  ///< Force that it leaves in a usual block [N]
-
-  bool hasMass() const { return fit.model.x(6) > 3.0 * massStd(); }
-  bool isNegative() const { return fit.model.x(6) < -5.0 * massStd() && fit.model.x(6) < -0.02; }
-
- private:
-  double massStd() const { return std::sqrt(fit.covariance(6, 6)); }
 };
 
-/// `blocks`: those in `stretches`.
-Plain plainFit(const Signals& signals, const std::vector<Stretch>& stretches, const std::vector<Eigen::Index>& blocks) {
+/// `all`: the fit to all of `stretches`. `blocks`: those in them.
+Plain plainFit(const Signals& signals, const std::vector<Stretch>& stretches, const std::vector<Eigen::Index>& blocks,
+               Fit all) {
   constexpr int kRounds = 3;
-  Plain out{fitModel(signals, stretches, Model{}), stretches};
+  Plain out{std::move(all), stretches};
   std::ptrdiff_t before = std::ssize(blocks);
   for (int round = 0;; ++round) {
     const std::vector<double> left = forceLeft(blocks, out.fit);
@@ -268,14 +268,14 @@ Plain plainFit(const Signals& signals, const std::vector<Stretch>& stretches, co
 
 std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches,
                                          const Fit& null) {
-  const std::vector<Eigen::Index> blocks = blocksIn(stretches);
+  const std::vector<Eigen::Index> blocks = indicesIn(stretches);
   if (blocks.size() < 20) return std::nullopt;
   const double before = rmsOf(stretches, null.residual).force;
   // The size of what there is to explain: without it every turn fits.
   Eigen::Matrix3Xd forces = signals.measured(Eigen::seqN(0, 3), blocks);
   forces.colwise() -= Vector3d(forces.rowwise().mean());
   const double spread = std::sqrt(forces.squaredNorm() / static_cast<double>(forces.size()));
-  if (before < 0.12 * spread && !Plain{null, stretches}.isNegative()) return std::nullopt;
+  if (before < 0.12 * spread && !isNegative(null)) return std::nullopt;
 
   const auto told = [before](FrameMistake::Kind kind) {
     FrameMistake out;
@@ -305,12 +305,13 @@ std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vect
       all.push_back(m);
     }
   std::optional<FrameMistake> best;
-  const Plain stated = plainFit(signals, stretches, blocks);
-  double least = (stated.isNegative() ? 1.05 : 0.4) * stated.usual;
+  const Plain stated = plainFit(signals, stretches, blocks, null);
+  double least = (isNegative(stated.fit) ? 1.05 : 0.4) * stated.usual;
   std::vector<Stretch> unpushed;
   for (const auto& mistake : all) {
-    const Plain other = plainFit(corrected(signals, mistake), stretches, blocks);
-    if (!other.hasMass() || other.usual >= least) continue;
+    const Signals right = corrected(signals, mistake);
+    const Plain other = plainFit(right, stretches, blocks, fitModel(right, stretches, Model{}));
+    if (!hasMass(other.fit) || other.usual >= least) continue;
     // The first of equals is the simplest.
     least = std::min(least, 0.9 * other.usual);
     unpushed = other.stretches;

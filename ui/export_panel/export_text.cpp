@@ -96,8 +96,8 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
     if (finding.severity == Severity::info) continue;
     // Said above in the worker's words, as long as it concerns the inertia alone.
     if (centreMeasured(report) && (finding.code == "not_known" || finding.code == "rests_on_prior")) continue;
-    checks.push_back({finding.severity, false,
-                      QString::fromStdString(finding.text + (finding.remedy.empty() ? "" : " " + finding.remedy))});
+    checks.push_back(
+        {finding.severity, false, QString::fromStdString(errorAt({}, finding.text, finding.remedy).message)});
   }
   if (checkPhysical(onFlange).physical)
     checks.push_back({Severity::info, true, Words::tr("A real body can have these numbers.")});

@@ -153,8 +153,8 @@ void addNoticed(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& rep
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     if (finding.severity != Severity::info) row->addWidget(new LightIcon(Light::look, 16, parent), 0, Qt::AlignTop);
-    QLabel* text = wrappedLabel(
-        QString::fromStdString(finding.text + (finding.remedy.empty() ? "" : " " + finding.remedy)), "caption", parent);
+    const std::string said = errorAt({}, finding.text, finding.remedy).message;
+    QLabel* text = wrappedLabel(QString::fromStdString(said), "caption", parent);
     text->setProperty("role", "noticed");
     row->addWidget(text, 1);
     column->addLayout(row);

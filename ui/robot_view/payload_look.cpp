@@ -16,7 +16,7 @@ PayloadLook payloadLook(const EstimateReport& report) {
   constexpr double kLargest = 0.25;  // [m]
   if (!std::isfinite(largest) || largest <= 0 || largest > kLargest) {
     look.region.setZero();
-    look.centreKnown = false;
+    look.centreKnown = largest <= kLargest;
   } else {
     // Flatter than this it would be drawn as a disc without a body.
     look.region = look.region.cwiseMax(0.08 * largest);
