@@ -79,6 +79,12 @@ class Cause {
   }
   /// Changes the wrench on its way through the sensor: a linear map unless linear() is false for the form.
   virtual void sensor(const Form&, const VectorXd&, const Signals&, Wrenches&) const {}
+  /// sensor() of several sets of parameters, each on its own wrench, all of which are the same before: for causes that
+  /// save work so.
+  virtual void sensors(const Form& form, std::span<const VectorXd> each, const Signals& signals,
+                       std::span<Wrenches> wrenches) const {
+    for (std::size_t i = 0; i < each.size(); ++i) sensor(form, each[i], signals, wrenches[i]);
+  }
   virtual bool linear(const Form&) const { return true; }
   /// Whether sensor() is one 6 x 6 matrix for all instants.
   virtual bool isMatrix(const Form&) const { return false; }

@@ -1,5 +1,7 @@
 #include "core/diagnosis/channel_columns.h"
 
+#include "core/diagnosis/two_threads.h"
+
 namespace heft::diagnosis {
 
 ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches,
@@ -9,26 +11,37 @@ ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, cons
     parts_[c].resize(blocks_, columns_);
     which_[c].reserve(static_cast<std::size_t>(columns_));
   }
-  ByChannel x(blocks_, 6);
-  for (Eigen::Index i = 0; i < columns_; ++i) {
+  // Which are of a channel is not known before they are looked at: first all side by side.
+  std::vector<std::array<bool, 6>> any(static_cast<std::size_t>(columns_));
+  onTwoThreads(any.size(), [&](std::size_t at) {
+    const auto i = static_cast<Eigen::Index>(at);
+    ByChannel x(blocks_, 6);
     evenByChannel(columns.col(i), noise, first, x);
     for (std::size_t c = 0; c < 6; ++c) {
       const auto channel = x.col(static_cast<Eigen::Index>(c));
       if (channel.isZero(0.0)) continue;
-      innovate(channel, noise, c, stretches, first, parts_[c].col(std::ssize(which_[c])));
+      innovate(channel, noise, c, stretches, first, parts_[c].col(i));
+      any[at][c] = true;
+    }
+  });
+  for (std::size_t c = 0; c < 6; ++c) {
+    for (Eigen::Index i = 0; i < columns_; ++i) {
+      if (!any[static_cast<std::size_t>(i)][c]) continue;
+      if (std::ssize(which_[c]) < i) parts_[c].col(std::ssize(which_[c])) = parts_[c].col(i);
       which_[c].push_back(i);
     }
+    parts_[c].conservativeResize(Eigen::NoChange, std::ssize(which_[c]));
   }
-  for (std::size_t c = 0; c < 6; ++c) parts_[c].conservativeResize(Eigen::NoChange, std::ssize(which_[c]));
 }
 
 MatrixXd ChannelColumns::gram() const {
+  std::array<MatrixXd, 6> parts;
+  onTwoThreads(6, [&](std::size_t c) {
+    parts[c] = MatrixXd::Zero(parts_[c].cols(), parts_[c].cols());
+    parts[c].selfadjointView<Eigen::Lower>().rankUpdate(parts_[c].transpose());
+  });
   MatrixXd out = MatrixXd::Zero(columns_, columns_);
-  for (std::size_t c = 0; c < 6; ++c) {
-    MatrixXd part = MatrixXd::Zero(parts_[c].cols(), parts_[c].cols());
-    part.selfadjointView<Eigen::Lower>().rankUpdate(parts_[c].transpose());
-    out(which_[c], which_[c]) += MatrixXd(part.selfadjointView<Eigen::Lower>());
-  }
+  for (std::size_t c = 0; c < 6; ++c) out(which_[c], which_[c]) += MatrixXd(parts[c].selfadjointView<Eigen::Lower>());
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/diagnosis/two_threads.h"
 #include "core/wrench/regressor.h"
 
 namespace heft::diagnosis {
@@ -157,70 +158,95 @@ class Moving {
 
   /// Columns of the term's parameters in `jacobian` from column `at` on, of its shape's only if `shapeOnly`; those that
   /// do not move stay as they are.
-  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at, bool shapeOnly) {
-    Term& moved = model_.terms[term];
+  void fill(std::size_t term, MatrixXd& jacobian, Eigen::Index at, bool shapeOnly) const {
+    const Term& moved = model_.terms[term];
     const Form& form = *moved.form;
     if (form.walk && moved.moves(0)) {
       fillWalk(moved, jacobian, at);
       return;
     }
-    const Wrenches added = bendsOrChanges(moved) ? Wrenches() : addedBy(moved);
-    for (Eigen::Index p = 0; p < moved.v.size(); ++p, ++at) {
+    std::vector<Eigen::Index> which;
+    std::vector<VectorXd> values;
+    std::vector<double> steps;
+    for (Eigen::Index p = 0; p < moved.v.size(); ++p) {
       if (!moved.moves(p) || (shapeOnly && isAmplitude(form, p))) continue;
-      const double step = kStep * form.parameters[static_cast<std::size_t>(p)].size;
-      const double old = moved.v(p);
-      moved.v(p) = old + step;
-      jacobian.col(at) = flat(averaged(signals_, change(moved, added))) / step;
-      moved.v(p) = old;
+      which.push_back(p);
+      steps.push_back(kStep * form.parameters[static_cast<std::size_t>(p)].size);
+      values.push_back(moved.v);
+      values.back()(p) += steps.back();
     }
+    if (which.empty()) return;
+    const std::vector<Wrenches> changes = changesBy(moved, std::move(values));
+    for (std::size_t i = 0; i < which.size(); ++i)
+      jacobian.col(at + which[i]) = flat(averaged(signals_, changes[i])) / steps[i];
   }
 
  private:
-  /// To the load, or to the readings.
-  Wrenches addedBy(const Term& term) const {
-    Wrenches w = Wrenches::Zero(6, signals_.size());
-    const Cause& cause = *term.form->cause;
-    if (cause.addsToReadings())
-      cause.readings(*term.form, term.v, signals_, w);
+  /// To the load, or to the readings, by each of several sets of the term's parameters.
+  std::vector<Wrenches> addedBy(const Form& form, const std::vector<VectorXd>& values) const {
+    std::vector<Wrenches> out(values.size(), Wrenches::Zero(6, signals_.size()));
+    if (!form.cause->addsToReadings())
+      form.cause->forces(form, values, signals_, kinematics_, out);
     else
-      cause.force(*term.form, term.v, signals_, kinematics_, w);
-    return w;
+      for (std::size_t i = 0; i < values.size(); ++i) form.cause->readings(form, values[i], signals_, out[i]);
+    return out;
   }
 
-  /// `added`: by the term before it moved.
-  Wrenches change(const Term& moved, const Wrenches& added) const {
-    const Cause& cause = *moved.form->cause;
+  /// In what is read, with each of several sets of parameters of one term of the model in the place of its own.
+  std::vector<Wrenches> changesBy(const Term& moved, std::vector<VectorXd> values) const {
+    const Form& form = *moved.form;
+    const Cause& cause = *form.cause;
+    const auto at = std::ranges::find(terms_, &moved);
+    std::vector<Wrenches> out;
     if (cause.bendsGeometry()) {
-      const auto at = static_cast<std::size_t>(std::ranges::find(terms_, &moved) - terms_.begin());
-      return sensed(signals_, terms_, loads(signals_, model_, terms_, bent(signals_, terms_, at, before_[at]))) - told_;
+      const auto place = static_cast<std::size_t>(at - terms_.begin());
+      out.resize(values.size());
+      onTwoThreads(values.size(), [&](std::size_t i) {
+        Term other = moved;
+        other.v = values[i];
+        Order terms = terms_;
+        terms[place] = &other;
+        const Kinematics otherwise = bent(signals_, terms, place, before_[place]);
+        out[i] = sensed(signals_, terms, loads(signals_, model_, terms, otherwise)) - told_;
+      });
+      return out;
     }
-    if (cause.changesSensor(*moved.form)) return sensed(signals_, terms_, load_) - told_;
-    Wrenches out = addedBy(moved);
-    out -= added;
-    if (cause.addsToReadings()) return out;
-    // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
-    if (linear_)
-      throughSensor(signals_, terms_, out, true);
-    else if (!out.isZero(0.0))
-      out = sensed(signals_, terms_, load_ + out) - told_;
+    if (cause.changesSensor(form)) {
+      out.assign(values.size(), sensed(signals_, Order(terms_.begin(), at), load_));
+      cause.sensors(form, values, signals_, out);
+      for (Wrenches& w : out) w = sensed(signals_, Order(at + 1, terms_.end()), std::move(w)) - told_;
+      return out;
+    }
+    values.push_back(moved.v);
+    out = addedBy(form, values);
+    const Wrenches added = std::move(out.back());
+    out.pop_back();
+    for (Wrenches& w : out) {
+      w -= added;
+      if (cause.addsToReadings()) continue;
+      // What a cause adds is all that its parameters change, as long as the sensor passes sums on as sums.
+      if (linear_)
+        throughSensor(signals_, terms_, w, true);
+      else if (!w.isZero(0.0))
+        w = sensed(signals_, terms_, load_ + w) - told_;
+    }
     return out;
   }
 
   /// Each wave once for all channels.
   void fillWalk(const Term& term, MatrixXd& jacobian, Eigen::Index at) const {
-    Term one{term.form, VectorXd::Zero(term.v.size()), {}};
     for (Eigen::Index p = 0; p < term.v.size(); p += 6, at += 6) {
-      one.v.segment<6>(p).setOnes();
-      const Wrenches wave = averaged(signals_, addedBy(one));
-      one.v.segment<6>(p).setZero();
+      VectorXd one = VectorXd::Zero(term.v.size());
+      one.segment<6>(p).setOnes();
+      const Wrenches wave = averaged(signals_, addedBy(*term.form, {one}).front());
       for (Eigen::Index c = 0; c < 6; ++c)
         for (Eigen::Index n = 0; n < wave.cols(); ++n) jacobian(6 * n + c, at + c) = wave(c, n);
     }
   }
 
   const Signals& signals_;
-  Model model_;
-  Order terms_;  ///< Of model_
+  const Model model_;
+  const Order terms_;  ///< Of model_
   Kinematics kinematics_;
   std::vector<Kinematics> before_;  ///< Each of terms_ that bends it
   Wrenches load_, told_;            ///< Empty where no parameter changes them
@@ -367,16 +393,20 @@ MatrixXd Surroundings::signatures(const Form& form) const {
       throughSensor(signals_, terms_, changes[i], true);
       cause.readings(form, moved[i], signals_, changes[i]);
     }
-  } else {
+  } else if (cause.bendsGeometry()) {
     Model with = model_;
     with.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
     const Order terms = inOrder(with.terms);
     for (std::size_t i = 0; i < count; ++i) {
       with.terms.back().v = moved[i];
-      changes[i] =
-          sensed(signals_, terms, cause.bendsGeometry() ? loads(signals_, with, terms, bent(signals_, terms)) : load_) -
-          sensed_;
+      changes[i] = sensed(signals_, terms, loads(signals_, with, terms, bent(signals_, terms))) - sensed_;
     }
+  } else {
+    const auto later =
+        std::ranges::find_if(terms_, [&](const Term* t) { return t->form->cause->order() > cause.order(); });
+    changes.assign(count, sensed(signals_, Order(terms_.begin(), later), load_));
+    cause.sensors(form, moved, signals_, changes);
+    for (Wrenches& w : changes) w = sensed(signals_, Order(later, terms_.end()), std::move(w)) - sensed_;
   }
   MatrixXd out(6 * signals_.blocks(), static_cast<Eigen::Index>(count));
   for (std::size_t i = 0; i < count; ++i)

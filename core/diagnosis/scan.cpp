@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -201,15 +202,43 @@ bool SignatureBank::knows(std::string_view cause) const {
   return std::ranges::any_of(plain_, [&](const Signature& s) { return s.form.cause->id() == cause; });
 }
 
+namespace {
+
+/// What a saturated sensor or one with a memory makes of a sum is linearised without these two.
+bool changesSums(const Term& t) { return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form); }
+
+bool bends(const Term& t) { return t.form->cause->bendsGeometry(); }
+
+bool isNearly(const Term& a, const Term& b) {
+  constexpr double kNear = 0.1;  // Of a realistic size: what a first look hardly sees
+  if (a.form->cause != b.form->cause || a.form->name != b.form->name) return false;
+  for (Eigen::Index p = 0; p < a.v.size(); ++p)
+    if (std::abs(a.v(p) - b.v(p)) > kNear * a.form->parameters[static_cast<std::size_t>(p)].size) return false;
+  return true;
+}
+
+}  // namespace
+
+SignatureBank::Changed& SignatureBank::changedBy(const Model& model) {
+  constexpr std::size_t kKept = 2;
+  std::vector<Term> by;
+  std::ranges::copy_if(model.terms, std::back_inserter(by), [](const Term& t) { return bends(t) || changesSums(t); });
+  const auto known = std::ranges::find_if(
+      changed_, [&](const Changed& changed) { return std::ranges::equal(changed.by, by, isNearly); });
+  if (known != changed_.end()) {
+    std::rotate(changed_.begin(), known, known + 1);
+  } else {
+    if (changed_.size() == kKept) changed_.pop_back();
+    changed_.insert(changed_.begin(), Changed{std::move(by), std::vector<Signature>(plain_.size())});
+  }
+  return changed_.front();
+}
+
 std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
                                              const std::function<bool(const Form&)>& wanted) {
-  // What a saturated sensor or one with a memory makes of a sum is linearised without these two.
-  const auto changes = [](const Term& t) {
-    return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form);
-  };
-  const bool matrixOnly = std::ranges::all_of(
-                 model.terms, [&](const Term&t) { return !changes(t) || t.form->cause->isMatrix(*t.form); }),
-             bends = std::ranges::any_of(model.terms, [](const Term&t) { return t.form->cause->bendsGeometry(); });
+  const bool bent = std::ranges::any_of(model.terms, bends),
+             matrixOnly = std::ranges::all_of(
+                 model.terms, [](const Term&t) { return !changesSums(t) || t.form->cause->isMatrix(*t.form); });
   std::vector<std::size_t> which;
   for (std::size_t i = 0; i < plain_.size(); ++i)
     if (!wanted || wanted(plain_[i].form)) which.push_back(i);
@@ -217,14 +246,23 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
   const Model nothing;
   const Surroundings surroundings(signals, model), bare(signals, nothing);
   const Matrix6d map = matrixOnly ? surroundings.sensorMatrix() : Matrix6d::Identity();
+  Changed* changed = bent || !matrixOnly ? &changedBy(model) : nullptr;
   onTwoThreads(out.size(), [&](std::size_t i) {
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
-    out[i].form = known.form;
-    const bool bent = bends && (cause.feelsMotion() || surroundings.turnsAxes()),
-               moves = (!matrixOnly || bent) && !cause.addsToReadings();
-    if (moves || cause.bendsGeometry() || cause.changesSensor(known.form)) {
+    if (cause.bendsGeometry() || cause.changesSensor(known.form)) {
+      out[i].form = known.form;
       out[i].fill(surroundings.signatures(known.form));
+      return;
+    }
+    const bool moves = !matrixOnly || (bent && (cause.feelsMotion() || surroundings.turnsAxes()));
+    if (moves && !cause.addsToReadings()) {
+      Signature& there = changed->signatures[which[i]];
+      if (!there.columns) {
+        there.form = known.form;
+        there.fill(surroundings.signatures(known.form));
+      }
+      out[i] = there;
       return;
     }
     if (!known.columns) known.fill(bare.signatures(known.form));

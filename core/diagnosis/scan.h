@@ -30,7 +30,8 @@ struct Signature {
 Signature signatureAt(double time, Form form, const Surroundings& surroundings);
 
 /// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
-/// every payload and is kept; what bends the motion or changes the sensor is worked out anew each time.
+/// every payload and is kept, also around terms that bend the motion or change the sensor as long as these hardly move;
+/// what does that itself is worked out anew each time.
 class SignatureBank {
  public:
   SignatureBank() = default;
@@ -45,7 +46,17 @@ class SignatureBank {
   bool knows(std::string_view cause) const;
 
  private:
+  /// What causes add, around terms that change what comes of it.
+  struct Changed {
+    std::vector<Term> by;
+    std::vector<Signature> signatures;  ///< Each as in plain_
+  };
+
+  /// The one around what of `model` changes what causes add, or around nearly the same.
+  Changed& changedBy(const Model& model);
+
   std::vector<Signature> plain_;  ///< Around nothing but a payload; columns once they were needed
+  std::vector<Changed> changed_;  ///< The last ones
 };
 
 /// Gains of evidence, best first. Each form is judged under the fit's noise and under white noise, since a strong

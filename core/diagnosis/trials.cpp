@@ -384,19 +384,26 @@ std::vector<Candidate> promises(const Signals& signals, const std::vector<Stretc
 
 Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, double threshold) {
   constexpr double kNeeded = 10.0;  // Times the threshold: what stands out like that is not fitted without, to be sure.
-  for (std::size_t i = 0; fit.model.terms.size() > 1 && i < fit.model.terms.size();) {
-    if (standsOut(fit, i) > kNeeded * threshold) {
-      ++i;
-      continue;
-    }
-    Model less = fit.model;
-    less.terms.erase(less.terms.begin() + static_cast<std::ptrdiff_t>(i));
-    Fit refit = fitModel(signals, stretches, std::move(less));
-    if (believable(refit) && fit.evidence - refit.evidence < threshold) {
-      fit = std::move(refit);
-      i = 0;
-    } else {
-      ++i;
+  const auto needless = [&](const Fit& without) {
+    return believable(without) && fit.evidence - without.evidence < threshold;
+  };
+  for (bool changed = true; changed && fit.model.terms.size() > 1;) {
+    changed = false;
+    std::vector<std::size_t> doubtful;
+    for (std::size_t i = 0; i < fit.model.terms.size(); ++i)
+      if (standsOut(fit, i) <= kNeeded * threshold) doubtful.push_back(i);
+    // Two at a time: the first one that is needless goes.
+    for (std::size_t at = 0; at < doubtful.size() && !changed; at += 2) {
+      std::array<Fit, 2> less;
+      const std::size_t count = std::min<std::size_t>(2, doubtful.size() - at);
+      onTwoThreads(count, [&](std::size_t i) {
+        Model model = fit.model;
+        model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(doubtful[at + i]));
+        less[i] = fitModel(signals, stretches, std::move(model));
+      });
+      const auto first = std::find_if(less.begin(), less.begin() + static_cast<std::ptrdiff_t>(count), needless);
+      changed = first != less.begin() + static_cast<std::ptrdiff_t>(count);
+      if (changed) fit = std::move(*first);
     }
   }
   return fit;

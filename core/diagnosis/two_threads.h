@@ -2,9 +2,17 @@
 // Independent pieces of work on two threads: the machines at a robot have that many to spare.
 #include <atomic>
 #include <cstddef>
-#include <future>
+#include <functional>
 
 namespace heft::diagnosis {
+
+namespace detail {
+
+/// Runs `some` here and, if it is free, on a thread that is kept for that, at once; only here where either of them
+/// asks for it. Exceptions of both reach the caller, those of this thread first.
+void onBoth(const std::function<void()>& some);
+
+}  // namespace detail
 
 /// Calls work(i) for each i in [0, count), the next one on whichever thread is free. Exceptions reach the caller.
 template <class Work>
@@ -13,9 +21,7 @@ void onTwoThreads(std::size_t count, const Work& work) {
   const auto some = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
-  auto other = std::async(std::launch::async, some);
-  some();
-  other.get();
+  count > 1 ? detail::onBoth(some) : some();
 }
 
 }  // namespace heft::diagnosis

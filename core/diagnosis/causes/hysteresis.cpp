@@ -42,23 +42,29 @@ class Hysteresis final : public Cause {
   int order() const override { return 50; }
   bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }
-  void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
-    const bool each = form.choice.size() < 3, loop = !each && form.choice[2] == kLoop;
-    // All channels at once: one at a time, each instant would wait for the one before.
-    Vector6d least = w.col(0), most = w.col(0);
-    for (Eigen::Index k = 1; k < w.cols(); ++k) {
-      least = least.cwiseMin(w.col(k));
-      most = most.cwiseMax(w.col(k));
-    }
-    Vector6d range = most - least;
-    if (!each && !loop)
+  void sensor(const Form& form, const VectorXd& v, const Signals& signals, Wrenches& w) const override {
+    sensors(form, {&v, 1}, signals, {&w, 1});
+  }
+  /// What is remembered is worked out once for all that remember as far back.
+  void sensors(const Form& form, std::span<const VectorXd> each, const Signals&,
+               std::span<Wrenches> wrenches) const override {
+    if (each.empty()) return;
+    const Wrenches load = wrenches[0];
+    Vector6d range = load.rowwise().maxCoeff() - load.rowwise().minCoeff();
+    const bool apart = form.choice.size() < 3, loop = !apart && form.choice[2] == kLoop;
+    if (!apart && !loop)
       for (const int first : {0, 3}) range.segment<3>(first).setConstant(range.segment<3>(first).maxCoeff());
-    const Vector6d share = each ? Vector6d(v.head<6>()) : Vector6d(Vector6d::Constant(loop ? v(0) / v(1) : v(0)));
-    const Vector6d half = 0.5 * (each ? 0.01 * form.choice[0] : v(1)) * range;
-    if (form.choice.size() > 1 && form.choice[1] == kBristles)
-      bristles(share, (2.0 * half).cwiseMax(1e-9), w);
-    else
-      play(share, half, w);
+    const bool bends = form.choice.size() > 1 && form.choice[1] == kBristles;
+    Wrenches lag;
+    double worked = -1.0;  // Of the range: what `lag` is of
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      const VectorXd& v = each[i];
+      const double way = apart ? 0.01 * form.choice[0] : v(1);
+      if (way != worked) lag = bends ? bristles((way * range).cwiseMax(1e-9), load) : play(0.5 * way * range, load);
+      worked = way;
+      const Vector6d share = apart ? Vector6d(v.head<6>()) : Vector6d(Vector6d::Constant(loop ? v(0) / way : v(0)));
+      wrenches[i] = load - share.asDiagonal() * lag;
+    }
   }
   /// A loop of a thousandth of the range is what corners of the motion leave, and less than a sensor is known by.
   double overOwnErrors(const Form& form, const VectorXd& v, const Signals&) const override {
@@ -73,27 +79,34 @@ class Hysteresis final : public Cause {
  private:
   enum Kind { kPlay, kBristles, kAlike, kLoop };
 
-  /// Each bends with the load and slips as soon as it is bent all the way, which takes `reach`.
-  static void bristles(const Vector6d& share, const Vector6d& reach, Wrenches& load) {
-    Vector6d bend = Vector6d::Zero(), last = load.col(0);
-    for (Eigen::Index k = 0; k < load.cols(); ++k)
-      for (Eigen::Index c = 0; c < 6; ++c) {
-        if (share(c) == 0.0) continue;
-        double& u = load(c, k);
-        const double way = (u - last(c)) / reach(c), end = way > 0.0 ? 1.0 : way < 0.0 ? -1.0 : 0.0;
-        bend(c) = end + (bend(c) - end) * std::exp(-std::abs(way));
-        last(c) = u;
-        u -= share(c) * bend(c) * reach(c);
-      }
+  /// How far each is bent: they bend with the load and slip as soon as they are bent all the way, which takes `reach`.
+  static Wrenches bristles(const Vector6d& reach, const Wrenches& load) {
+    using Channels = Eigen::Array<double, 6, 1>;
+    const Channels per = reach.cwiseInverse();
+    Wrenches out(6, load.cols());
+    Channels bend = Channels::Zero(), last = load.col(0);
+    for (Eigen::Index k = 0; k < load.cols(); ++k) {
+      // All channels at once: one at a time, each instant would wait for the one before.
+      const Channels u = load.col(k), way = (u - last) * per, x = way.abs();
+      // exp(-x), but for 0.4 % where a load goes all the way between two instants.
+      const Channels left = 1.0 / (1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x / 24.0))));
+      const Channels end = (way > 0.0).template cast<double>() - (way < 0.0).template cast<double>();
+      bend = end + (bend - end) * left;
+      last = u;
+      out.col(k) = bend * reach.array();
+    }
+    return out;
   }
-  /// The lag of a play behind its input: what a dead band remembers.
-  static void play(const Vector6d& share, const Vector6d& half, Wrenches& load) {
+  /// How far the middle of a play of `half` to either side is behind its input: what a dead band remembers.
+  static Wrenches play(const Vector6d& half, const Wrenches& load) {
+    Wrenches out(6, load.cols());
     Vector6d middle = load.col(0);
     for (Eigen::Index k = 0; k < load.cols(); ++k) {
       const Vector6d u = load.col(k);
       middle = middle.cwiseMax(u - half).cwiseMin(u + half);
-      load.col(k) += share.cwiseProduct(middle - u);
+      out.col(k) = u - middle;
     }
+    return out;
   }
 };
 

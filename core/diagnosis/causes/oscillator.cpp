@@ -6,6 +6,7 @@
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/hum.h"
+#include "core/diagnosis/two_threads.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -17,50 +18,131 @@ struct Swing {
   Vector3d extra;  ///< What the spring gives it beyond `pull`, along `way` where it moves one way only [N/kg]
 };
 
-/// Calls each(k, Swing) for each instant. Started in balance. Each step is exact for a pull that is linear in time;
-/// what turning adds (Coriolis) is taken from half a step ahead. `way`: unit vector, or zero where the mass moves all
-/// ways.
-template <class Each>
-void swing(const Kinematics& kin, const Vector3d& seat, const Vector3d& way, double frequency, double damping,
-           double rateHz, Each each) {
-  // Close to critical damping both ways of writing the answer divide by next to nothing.
-  const double w = 2.0 * std::numbers::pi * frequency, dt = 1.0 / rateHz;
-  const double z = std::abs(damping - 1.0) < 0.02 ? (damping < 1.0 ? 0.98 : 1.02) : damping;
-  const double wd = w * std::sqrt(std::abs(1.0 - z * z)), decay = std::exp(-z * w * dt);
-  const double c = z < 1.0 ? std::cos(wd * dt) : std::cosh(wd * dt),
-               s = z < 1.0 ? std::sin(wd * dt) : std::sinh(wd * dt);
-  // Homogeneous solution over a step: [x; x'] = Phi [x; x'].
-  const double p11 = decay * (c + z * w / wd * s), p12 = decay * s / wd, p21 = -decay * w * w / wd * s,
-               p22 = decay * (c - z * w / wd * s);
-  const double give = 1.0 / (w * w), shifts = 2.0 * z / (w * w * w);
-  const bool oneWay = !way.isZero(0.0), centred = seat.isZero(0.0);
-  const auto along = [&](const Vector3d& all) -> Vector3d { return oneWay ? Vector3d(way * way.dot(all)) : all; };
-  const auto carried = [&](Eigen::Index k, const Vector3d& r) -> Vector3d {
-    const Vector3d o = kin.omega.col(k);
-    return Vector3d(kin.alpha.col(k)).cross(r) + o.cross(o.cross(r));
+/// What the way of a mass from its seat depends on.
+struct Path {
+  Vector3d seat{0.0, 0.0, 0.0};
+  Vector3d way{0.0, 0.0, 0.0};  ///< Unit vector, or zero where the mass moves all ways
+  double frequency = 0.0, damping = 0.0;
+
+  bool operator==(const Path&) const = default;
+};
+
+/// A number of each of P masses: what one of them does waits for the instant before, but none for another.
+template <int P>
+using Numbers = std::array<double, P>;
+
+/// A vector of each: x of all, y of all, z of all.
+template <int P>
+using Vectors = std::array<Numbers<P>, 3>;
+
+/// What turning makes of each place or velocity.
+using Turning = std::array<std::array<double, 3>, 3>;
+
+/// Acceleration per place of what turns with the tool.
+Turning carrying(const Kinematics& kin, Eigen::Index k) {
+  const double ox = kin.omega(0, k), oy = kin.omega(1, k), oz = kin.omega(2, k), ax = kin.alpha(0, k),
+               ay = kin.alpha(1, k), az = kin.alpha(2, k);
+  return {{{-oy * oy - oz * oz, ox * oy - az, ox * oz + ay},
+           {ox * oy + az, -ox * ox - oz * oz, oy * oz - ax},
+           {ox * oz - ay, oy * oz + ax, -ox * ox - oy * oy}}};
+}
+
+/// `out` += what turning makes of `of`.
+template <int P>
+void add(const Turning& by, const Vectors<P>& of, Vectors<P>& out) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t p = 0; p < P; ++p) out[i][p] += by[i][0] * of[0][p] + by[i][1] * of[1][p] + by[i][2] * of[2][p];
+}
+
+/// What of each vector is along each unit vector `way`.
+template <int P>
+void keepAlong(const Vectors<P>& way, Vectors<P>& of) {
+  for (std::size_t p = 0; p < P; ++p) {
+    const double much = way[0][p] * of[0][p] + way[1][p] * of[1][p] + way[2][p] * of[2][p];
+    for (std::size_t i = 0; i < 3; ++i) of[i][p] = much * way[i][p];
+  }
+}
+
+/// Calls each(k, p, Swing) for each instant and each of P `paths`, all of which go one way or none. Started in balance.
+/// Each step is exact for a pull that is linear in time; what turning adds (Coriolis) is taken from half a step ahead.
+template <int P, class Each>
+void swing(const Kinematics& kin, const std::array<Path, P>& paths, double rateHz, const Each& each) {
+  const double dt = 1.0 / rateHz, half = 0.5 * dt;
+  const bool oneWay = !paths[0].way.isZero(0.0),
+             centred = std::ranges::all_of(paths, [](const Path&path) { return path.seat.isZero(0.0); });
+  Vectors<P> seat, way;
+  Numbers<P> p11, p12, p21, p22, give, shifts, damped, stiff;
+  for (std::size_t p = 0; p < P; ++p) {
+    const Path& path = paths[p];
+    for (std::size_t i = 0; i < 3; ++i) {
+      seat[i][p] = path.seat(static_cast<Eigen::Index>(i));
+      way[i][p] = path.way(static_cast<Eigen::Index>(i));
+    }
+    // Close to critical damping both ways of writing the answer divide by next to nothing.
+    const double w = 2.0 * std::numbers::pi * path.frequency,
+                 z = std::abs(path.damping - 1.0) < 0.02 ? (path.damping < 1.0 ? 0.98 : 1.02) : path.damping;
+    const double wd = w * std::sqrt(std::abs(1.0 - z * z)), decay = std::exp(-z * w * dt);
+    const double c = z < 1.0 ? std::cos(wd * dt) : std::cosh(wd * dt),
+                 s = z < 1.0 ? std::sin(wd * dt) : std::sinh(wd * dt);
+    // Homogeneous solution over a step: [x; x'] = Phi [x; x'].
+    p11[p] = decay * (c + z * w / wd * s);
+    p12[p] = decay * s / wd;
+    p21[p] = -decay * w * w / wd * s;
+    p22[p] = decay * (c - z * w / wd * s);
+    stiff[p] = w * w;
+    damped[p] = 2.0 * z * w;
+    give[p] = 1.0 / stiff[p];
+    shifts[p] = 2.0 * z / (w * w * w);
+  }
+  const auto pullAt = [&](Eigen::Index k, const Turning& carried) {
+    Vectors<P> out;
+    for (std::size_t i = 0; i < 3; ++i) out[i].fill(kin.specificForce(static_cast<Eigen::Index>(i), k));
+    if (!centred) add<P>(carried, seat, out);
+    return out;
   };
-  const auto pullAt = [&](Eigen::Index k) -> Vector3d {
-    const Vector3d s_k = kin.specificForce.col(k);
-    return centred ? s_k : Vector3d(s_k + carried(k, seat));
+  const auto tell = [&](Eigen::Index k, const Vectors<P>& pull, const Vectors<P>& x, const Vectors<P>& extra) {
+    const auto of = [](const Vectors<P>& all, std::size_t p) { return Vector3d(all[0][p], all[1][p], all[2][p]); };
+    for (std::size_t p = 0; p < P; ++p) each(k, p, Swing{of(pull, p), of(x, p), of(extra, p)});
   };
   const Eigen::Index n = kin.omega.cols();
-  Vector3d pull = pullAt(0), u = along(pull), x = -u * give, v = Vector3d::Zero(), a = Vector3d::Zero();
-  each(0, Swing{pull, x, Vector3d::Zero()});
+  Turning carried = carrying(kin, 0);
+  Vectors<P> pull = pullAt(0, carried), u = pull, x{}, v{}, a{}, extra{};
+  if (oneWay) keepAlong<P>(way, u);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t p = 0; p < P; ++p) x[i][p] = -u[i][p] * give[p];
+  tell(0, pull, x, extra);
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    const Vector3d turning =
-        along(2.0 * Vector3d(kin.omega.col(k)).cross(Vector3d(v + 0.5 * dt * a)) + carried(k, x + 0.5 * dt * v));
-    pull = pullAt(k + 1);
-    const Vector3d next = along(pull);
+    const double ox = 2.0 * kin.omega(0, k), oy = 2.0 * kin.omega(1, k), oz = 2.0 * kin.omega(2, k);
+    Vectors<P> turning, ahead;
+    for (std::size_t p = 0; p < P; ++p) {
+      const double vx = v[0][p] + half * a[0][p], vy = v[1][p] + half * a[1][p], vz = v[2][p] + half * a[2][p];
+      turning[0][p] = oy * vz - oz * vy;
+      turning[1][p] = oz * vx - ox * vz;
+      turning[2][p] = ox * vy - oy * vx;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t p = 0; p < P; ++p) ahead[i][p] = x[i][p] + half * v[i][p];
+    add<P>(carried, ahead, turning);
+    carried = carrying(kin, k + 1);
+    pull = pullAt(k + 1, carried);
+    Vectors<P> next = pull;
+    if (oneWay) {
+      keepAlong<P>(way, turning);
+      keepAlong<P>(way, next);
+    }
     // Particular solution for u = a + b t: x = -(a + b t) / w^2 + 2 z b / w^3.
-    const Vector3d b = (next - u) * rateHz, from = u + turning, to = next + turning;
-    const Vector3d shift = shifts * b;
-    const Vector3d dx = x + from * give - shift, dv = v + b * give;
-    x = p11 * dx + p12 * dv - to * give + shift;
-    v = p21 * dx + p22 * dv - b * give;
-    const Vector3d extra = -next - 2.0 * z * w * v - w * w * x;
-    each(k + 1, Swing{pull, x, extra});
-    a = extra - turning;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t p = 0; p < P; ++p) {
+        const double b = (next[i][p] - u[i][p]) * rateHz, from = u[i][p] + turning[i][p],
+                     to = next[i][p] + turning[i][p];
+        const double shift = shifts[p] * b, dx = x[i][p] + from * give[p] - shift, dv = v[i][p] + b * give[p];
+        x[i][p] = p11[p] * dx + p12[p] * dv - to * give[p] + shift;
+        v[i][p] = p21[p] * dx + p22[p] * dv - b * give[p];
+        extra[i][p] = -next[i][p] - damped[p] * v[i][p] - stiff[p] * x[i][p];
+        a[i][p] = extra[i][p] - turning[i][p];
+      }
     u = next;
+    tell(k + 1, pull, x, extra);
   }
 }
 
@@ -70,31 +152,44 @@ class Oscillator : public Cause {
              Wrenches& w) const override {
     if (form.choice[0] != kElse) forces(form, {&v, 1}, signals, kin, {&w, 1});
   }
-  /// Masses that go the same way are swung once.
+  /// Masses that go the same way are swung once, and several at a time.
   void forces(const Form& form, std::span<const VectorXd> each, const Signals& signals, const Kinematics& kin,
               std::span<Wrenches> wrenches) const override {
     if (form.choice[0] == kElse) {
       Cause::forces(form, each, signals, kin, wrenches);
       return;
     }
-    std::size_t first = 0;
-    while (first < each.size()) {
-      const Path path = pathOf(form, each[first]);
-      std::size_t end = first + 1;
-      while (end < each.size() && pathOf(form, each[end]) == path) ++end;
-      const double takesWeight = form.choice.size() > 1 ? 0.0 : 1.0;
-      swing(kin, path.seat, path.way, path.frequency, path.damping, signals.rateHz,
-            [&](Eigen::Index k, const Swing& at) {
-              for (std::size_t i = first; i < end; ++i) {
-                const double mass = each[i](0);
-                Wrenches& w = wrenches[i];
-                w.col(k).head<3>() += mass * at.extra;
-                w.col(k).tail<3>() += Vector3d(each[i].segment<3>(1)).cross(at.extra) +
-                                      takesWeight * mass * at.place.cross(Vector3d(at.pull + at.extra));
-              }
-            });
-      first = end;
+    struct Going {
+      Path path;
+      std::size_t first = 0, end = 0;  ///< Of those that go there
+    };
+    std::vector<Going> all;
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      const Path path = pathOf(form, each[i]);
+      if (all.empty() || all.back().path != path) all.push_back({path, i, i});
+      all.back().end = i + 1;
     }
+    const double takesWeight = form.choice.size() > 1 ? 0.0 : 1.0;
+    const auto swung = [&]<int P>(std::span<const Going> some) {
+      std::array<Path, P> paths;
+      for (std::size_t p = 0; p < P; ++p) paths[p] = some[std::min(p, some.size() - 1)].path;
+      swing<P>(kin, paths, signals.rateHz, [&](Eigen::Index k, std::size_t p, const Swing& at) {
+        if (p >= some.size()) return;
+        for (std::size_t i = some[p].first; i < some[p].end; ++i) {
+          const double mass = each[i](0);
+          Wrenches& w = wrenches[i];
+          w.col(k).head<3>() += mass * at.extra;
+          w.col(k).tail<3>() += Vector3d(each[i].segment<3>(1)).cross(at.extra) +
+                                takesWeight * mass * at.place.cross(Vector3d(at.pull + at.extra));
+        }
+      });
+    };
+    constexpr std::size_t kAtOnce = 4;
+    onTwoThreads((all.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t i) {
+      const auto left = std::span<const Going>(all).subspan(kAtOnce * i);
+      const auto some = left.first(std::min(kAtOnce, left.size()));
+      some.size() > 1 ? swung.template operator()<kAtOnce>(some) : swung.template operator()<1>(some);
+    });
   }
 
   /// Smoothing takes a little of what is just below its corner, and noise in what it leaves makes the rest look
@@ -146,20 +241,14 @@ class Oscillator : public Cause {
   }
 
  private:
-  /// What the way of a mass from its seat depends on.
-  struct Path {
-    Vector3d seat, way;
-    double frequency = 0.0, damping = 0.0;
-
-    bool operator==(const Path&) const = default;
-  };
-
   static Path pathOf(const Form& form, const VectorXd& v) {
     // Where it sits; nowhere in particular as long as there is hardly any mass.
     constexpr double kLeast = 1e-3, kFarthest = 0.4;
     const double mass = v(0);
     const Vector3d moment = v.segment<3>(1);
-    Path out{Vector3d::Zero(), Vector3d::Zero(), v(4), v(5)};
+    Path out;
+    out.frequency = v(4);
+    out.damping = v(5);
     if (mass > kLeast && moment.norm() < kFarthest * mass) out.seat = moment / mass;
     if (form.choice[0] < kAllWays) out.way = directionOf(form, v);
     return out;

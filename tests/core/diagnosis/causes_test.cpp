@@ -117,6 +117,63 @@ TEST(Catalogue, EveryFormIsSilentAtItsStart) {
     }
 }
 
+/// What saves work by doing several at once does what one at a time does.
+TEST(Catalogue, SeveralSetsOfParametersAreEachAsAlone) {
+  const Signals& signals = prepared().signals;
+  const Wrenches load = payloadWrench(signals.kinematics, prepared().model.x.tail<10>());
+  for (const auto& cause : catalogue())
+    for (const Form& form : cause->forms(signals)) {
+      // About a size away from where it does nothing, and from there a little along each parameter.
+      std::vector<VectorXd> each(1, form.start);
+      const auto move = [&](VectorXd& v, std::size_t p, double sizes) {
+        const Parameter& parameter = form.parameters[p];
+        double& value = v(static_cast<Eigen::Index>(p));
+        value = std::clamp(value + sizes * parameter.size, parameter.lower, parameter.upper);
+      };
+      for (const int p : form.scan) move(each[0], static_cast<std::size_t>(p), 1.0);
+      for (std::size_t p = 0; p < form.parameters.size(); ++p) {
+        each.push_back(each[0]);
+        move(each.back(), p, 0.1);
+      }
+      std::vector<Wrenches> added(each.size(), Wrenches::Zero(6, signals.size())), sensed(each.size(), load);
+      cause->forces(form, each, signals, signals.kinematics, added);
+      cause->sensors(form, each, signals, sensed);
+      for (std::size_t i = 0; i < each.size(); ++i) {
+        Wrenches force = Wrenches::Zero(6, signals.size()), reading = load;
+        cause->force(form, each[i], signals, signals.kinematics, force);
+        cause->sensor(form, each[i], signals, reading);
+        EXPECT_LT((added[i] - force).cwiseAbs().maxCoeff(), 1e-9 * (1.0 + force.cwiseAbs().maxCoeff()))
+            << cause->id() << " " << form.name << " " << i;
+        EXPECT_LT((sensed[i] - reading).cwiseAbs().maxCoeff(), 1e-9 * (1.0 + reading.cwiseAbs().maxCoeff()))
+            << cause->id() << " " << form.name << " " << i;
+      }
+    }
+}
+
+/// Signatures around a term that turns the motion are kept until it moves so that a first look would see it.
+TEST(SignatureBank, IsWorkedOutAnewWhereTheModelHasMoved) {
+  const Signals& signals = prepared().signals;
+  SignatureBank bank(signals, {});
+  // What swings from the start is told from the tool alone.
+  const auto follows = [](const Form& form) {
+    return form.cause->id() == "loose_mass" && !form.name.starts_with("swinging from the start");
+  };
+  Model model = prepared().model;
+  const Form lag = findCause("motion_lag")->forms(signals).front();
+  model.terms.push_back({std::make_shared<const Form>(lag), lag.start, {}});
+  const auto at = [&](double sizes) {
+    model.terms[0].v(0) = lag.start(0) + sizes * lag.parameters[0].size;
+    return bank.around(signals, model, follows);
+  };
+  const auto first = at(1.0), near = at(1.05), far = at(3.0), back = at(1.0);
+  ASSERT_FALSE(first.empty());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].columns, near[i].columns) << first[i].form.name;
+    EXPECT_EQ(first[i].columns, back[i].columns) << first[i].form.name;
+    EXPECT_GT((*first[i].columns - *far[i].columns).norm(), 1e-3 * first[i].columns->norm()) << first[i].form.name;
+  }
+}
+
 /// A form with sizes put into it by hand is estimated within its deviations: fit and model agree with each other.
 TEST(Catalogue, WhatTheModelPutsInTheFitFindsAgain) {
   const auto& p = prepared();
