@@ -49,6 +49,34 @@ const Trial* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>
   return best->gain > least ? best : nullptr;
 }
 
+/// The accepted trial's fit with those of `all` besides that are of its cause, explain a lot, and act at other times:
+/// touches are many now and then. Its own where that is no better.
+Fit withOthersLikeIt(const Signals& signals, const std::vector<Stretch>& stretches, const Trial& accepted,
+                     const std::vector<Trial>& all, std::size_t most) {
+  constexpr double kApart = 0.3;  // [s]
+  const auto when = [&](const Term& t) { return t.form->cause->when(*t.form, t.v, signals); };
+  const Term& term = accepted.fit.model.terms.back();
+  auto taken = when(term);
+  if (!term.form->local || term.form->atOnce || taken.empty()) return accepted.fit;
+  Model model = accepted.fit.model;
+  for (const Trial& trial : all) {
+    const Term& other = trial.fit.model.terms.back();
+    if (model.terms.size() >= most || trial.gain < kFaint) break;
+    if (other.form->cause != term.form->cause || !other.form->local || other.form->atOnce) continue;
+    const auto there = when(other);
+    const bool apart = !there.empty() && std::ranges::all_of(there, [&](const auto& a) {
+      return std::ranges::all_of(
+          taken, [&](const auto& b) { return a.first > b.second + kApart || a.second < b.first - kApart; });
+    });
+    if (!apart) continue;
+    model.terms.push_back(other);
+    taken.insert(taken.end(), there.begin(), there.end());
+  }
+  if (model.terms.size() == accepted.fit.model.terms.size()) return accepted.fit;
+  Fit out = fitModel(signals, stretches, std::move(model));
+  return believable(out) && out.evidence > accepted.fit.evidence ? out : accepted.fit;
+}
+
 /// Whether there are as many causes, or masses that swing, as there never were at once: crutches for something unknown,
 /// and more of them tell no more of it.
 bool areTooMany(const Model& model) { return causesIn(model) >= kCrutches || massesIn(model) > kMasses; }
@@ -62,9 +90,11 @@ Model without(const Model& model, std::string_view cause) {
 }
 
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
-                             const Fit& base, std::span<const std::string_view> causes) {
+                             const Fit& base, std::span<const std::string_view> causes, std::size_t most) {
   const auto ranked = promises(signals, stretches, bank, base, causes);
-  auto all = trialsOf(signals, stretches, base, chosenOf(ranked, kRivals, 0.0));
+  auto chosen = chosenOf(ranked, kRivals, 0.0);
+  if (chosen.size() > most) chosen.resize(most);
+  auto all = trialsOf(signals, stretches, base, chosen);
   if (all.empty() || all.front().gain < kThreshold) return std::nullopt;
   return std::move(all.front().fit);
 }
@@ -149,9 +179,13 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         chosen = &trial;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
-    out.final = settled(signals, stretches, prunedOf(signals, stretches, chosen->fit, options.threshold));
+    const Fit accepted =
+        withOthersLikeIt(signals, stretches, *chosen, all, static_cast<std::size_t>(std::max(0, options.maxTerms)));
+    const SoFar soFar = step == 0 ? SoFar::firstCause : SoFar::anotherCause;
+    step += static_cast<int>(accepted.model.terms.size() - chosen->fit.model.terms.size());
+    out.final = settled(signals, stretches, prunedOf(signals, stretches, accepted, options.threshold));
     out.accepted = std::move(latest);
-    if (options.givesUp && options.givesUp(out.final, step == 0 ? SoFar::firstCause : SoFar::anotherCause)) {
+    if (options.givesUp && options.givesUp(out.final, soFar)) {
       out.givenUp = true;
       return out;
     }

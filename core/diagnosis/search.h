@@ -2,6 +2,7 @@
 // Naming causes one after the other, each by the evidence it adds. What could stand in their place is asked in the end:
 // look_back.h.
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -84,8 +85,10 @@ Model without(const Model& model, std::string_view cause);
 Search search(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
               const SearchOptions& options, const Progress& progress);
 
-/// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it.
+/// The best that one more term of one of the `causes` makes of `base`; none where nothing believable comes of it. Of
+/// the forms that promise anything, `most` are tried at most.
 std::optional<Fit> withOneOf(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
-                             const Fit& base, std::span<const std::string_view> causes);
+                             const Fit& base, std::span<const std::string_view> causes,
+                             std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace heft::diagnosis

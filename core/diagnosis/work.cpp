@@ -502,11 +502,13 @@ double evidenceAt(const Way& other, const Work& work) {
 }
 
 double evidenceAfresh(const Way& other, const Work& work, const DiagnoseOptions& options) {
+  constexpr std::size_t kForms = 3;  // The others' evidence is asked for within thirty or so
   const auto signals = asIn(work, other);
   if (!signals) return -1e300;
   const std::array<std::string_view, 1> cause{causeOf(work.search.final.model.terms.front())};
   SignatureBank bank(*signals, options.hidden);
-  const auto fit = withOneOf(*signals, work.stretches, bank, fitModel(*signals, work.stretches, Model{}), cause);
+  const auto fit =
+      withOneOf(*signals, work.stretches, bank, fitModel(*signals, work.stretches, Model{}), cause, kForms);
   return fit ? fit->evidence - work.search.final.evidence : -1e300;
 }
 
