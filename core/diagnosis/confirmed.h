@@ -17,7 +17,8 @@ struct Confirmed {
 };
 
 /// Measures what each cause gains on unseen stretches; those that do not hold are taken out of the work's final model.
-/// `chance`: of finding something where nothing is. `held`: readings were repeated.
-Confirmed confirmed(Work& work, const Surrogates& chance, bool held);
+/// `chance`: of finding something where nothing is. `steps`: that the readings come in, as of CoarseReadings. `held`:
+/// they were repeated.
+Confirmed confirmed(Work& work, const Surrogates& chance, const Vector6d& steps, bool held);
 
 }  // namespace heft::diagnosis

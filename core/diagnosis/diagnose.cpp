@@ -368,7 +368,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.surrogates = static_cast<int>(found->chance.best.size());
 
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
-  Confirmed fitted = confirmed(work, found->chance, wasHeld(*readings));
+  Confirmed fitted = confirmed(work, found->chance, readings->steps, wasHeld(*readings));
   const Fit& final = work.search.final;
   out.remaining = fitted.remaining;
   out.baseline = rmsOf(work.stretches, work.search.null.residual);

@@ -142,6 +142,31 @@ std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts) {
   return out;
 }
 
+double blocksIn(const std::vector<Stretch>& stretches) {
+  double out = 0.0;
+  for (const auto& s : stretches) out += static_cast<double>(s.to - s.from);
+  return out;
+}
+
+std::vector<Stretch> together(std::vector<Stretch> a, const std::vector<Stretch>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::ranges::sort(a, {}, &Stretch::from);
+  std::vector<Stretch> out;
+  for (const Stretch& s : a) {
+    if (out.empty() || s.from > out.back().to)
+      out.push_back(s);
+    else
+      out.back().to = std::max(out.back().to, s.to);
+  }
+  return out;
+}
+
+void leaveOut(Signals& signals, const std::vector<Stretch>& holes) {
+  for (const auto& hole : holes)
+    for (Eigen::Index n = std::max<Eigen::Index>(0, hole.from - 2); n < std::min(signals.blocks(), hole.to + 2); ++n)
+      signals.usable[static_cast<std::size_t>(n)] = false;
+}
+
 std::vector<bool> usableOutside(const Signals& signals, const std::vector<Stretch>& stretches) {
   std::vector<bool> out = signals.usable;
   for (const Stretch& s : stretches) std::fill(out.begin() + s.from, out.begin() + s.to, false);

@@ -26,6 +26,15 @@ std::vector<Stretch> blocksOf(const std::vector<Contact>& contacts);
 double evidenceOf(const std::vector<Contact>& contacts);
 double durationOf(const std::vector<Contact>& contacts);
 
+/// How many blocks they have.
+double blocksIn(const std::vector<Stretch>& stretches);
+
+/// The stretches of both, those that touch or overlap as one, rising in time.
+std::vector<Stretch> together(std::vector<Stretch> a, const std::vector<Stretch>& b);
+
+/// Judges neither the `holes` nor two blocks to either side.
+void leaveOut(Signals& signals, const std::vector<Stretch>& holes);
+
 /// One a block: whether it is judged and outside of `stretches`.
 std::vector<bool> usableOutside(const Signals& signals, const std::vector<Stretch>& stretches);
 

@@ -38,13 +38,21 @@ constexpr std::ptrdiff_t kMasses = 2;
 /// How far a search has come when it is asked whether it ends there.
 enum class SoFar { firstCause, anotherCause, allCauses };
 
+/// And what it has found.
+struct Standing {
+  const Fit& fit;
+  SoFar soFar;
+  double gain = 0.0;       ///< Evidence of what was accepted last
+  double explained = 0.0;  ///< Evidence of everything that was accepted
+};
+
 struct SearchOptions {
   double threshold = kThreshold;
   int maxTerms = 6;
   Model start;  ///< Terms to begin with, as a search on nearly the same blocks found them
   /// Asked with each cause accepted, and once more with all of them if these are several: whether the search is given
   /// up there. Empty: never.
-  std::function<bool(const Fit& fit, SoFar soFar)> givesUp;
+  std::function<bool(const Standing& standing)> givesUp;
 };
 
 /// A cause that explains a step (almost) as well.

@@ -1,58 +1,17 @@
 #pragma once
-// The search on one recording: its motion smoothed one way, contact set aside, frames put right, causes found.
+// The search on one way to see a recording: contact set aside, causes found.
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "core/base/result.h"
 #include "core/diagnosis/carried.h"
-#include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/events.h"
-#include "core/diagnosis/frames.h"
 #include "core/diagnosis/ringing.h"
 #include "core/diagnosis/search.h"
-#include "core/motion/motion.h"
+#include "core/diagnosis/way.h"
 
 namespace heft::diagnosis {
-
-/// The recording with its motion smoothed one way, and what may be judged of it.
-struct Way {
-  Motion motion;
-  Signals signals;
-  double cutoffHz = 0.0;                      ///< Above which next to nothing is left
-  std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
-  std::optional<FrameMistake> mistake;        ///< With frames, once looked for
-  bool mistakeKnown = false;                  ///< It was, or the recording's was undone: no other is looked for
-};
-
-/// Of several ways to smooth a motion, the one that is taken unless another is clearly better: those before it smooth
-/// less.
-constexpr std::size_t kUsualWay = 1;
-
-/// `cleaned`: `recording` without what the tests of single readings removed; `badRows` (one a row, or none) are not
-/// judged.
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
-                  const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows);
-
-/// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden. `way.mistake`, if
-/// any, is put right before.
-void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
-
-/// The stretches of `judged` that the contact on `way`, which must have been looked for, leaves; all of them where it
-/// takes most of the time, or leaves none.
-std::vector<Stretch> untouched(Signals judged, const Way& way);
-
-/// What is mixed up in it as far as nothing touches, where contact was looked for.
-std::optional<FrameMistake> frameMistake(const Way& way);
-
-/// lookForContact(), and fills `way.mistake` the first time that it is asked: with frameMistake(), or `otherwise`, that
-/// of a way which smooths the motion less and may show what this one does not. Contact is looked for once more without
-/// the mistake, if any.
-void lookForBoth(Way& way, const Recording& cleaned, const DiagnoseOptions& options,
-                 const std::optional<FrameMistake>& otherwise = std::nullopt);
-
-/// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the
-/// first way left out, frames and signs put right.
-std::vector<double> nullEvidence(const std::vector<Way>& ways);
 
 /// Everything that a search needs, and what it found.
 struct Work {

@@ -22,6 +22,18 @@ constexpr double kZero = 0.01;  ///< Of what the channel reads: a level so close
 constexpr double kStill =
     0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
 
+constexpr std::size_t kFewLevels = 4;  ///< A channel that has no more is as coarse as that, and cut off nowhere
+
+bool hasFewLevels(const std::vector<double>& values) {
+  std::vector<double> known;
+  for (const double value : values) {
+    if (std::find(known.begin(), known.end(), value) != known.end()) continue;
+    known.push_back(value);
+    if (known.size() > kFewLevels) return false;
+  }
+  return true;
+}
+
 struct Level {
   double value;
   Eigen::Index count;
@@ -76,6 +88,7 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
   for (int c = 0; c < 6; ++c) {
     std::vector<double> values;
     for (const Eigen::Index i : fresh) values.push_back(wrench(i, c));
+    if (hasFewLevels(values)) continue;
     std::vector<double> ends;
     for (const auto& levels : {levelsFromEnd(values, std::less<>{}), levelsFromEnd(values, std::greater<>{})})
       if (const auto at = pileAt(levels, static_cast<Eigen::Index>(fresh.size())); at >= 0)

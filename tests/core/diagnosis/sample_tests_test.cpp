@@ -562,5 +562,31 @@ TEST(SampleTests, AMotionThatStallsIsToldAndPutBack) {
   EXPECT_NEAR(share->value, 100.0 * 5.0 * 0.01 / 12.0, 0.1);
 }
 
+/// Steps of an eighth of the load and more: what they hide goes with the load, as crosstalk and gains do.
+TEST(CoarseSteps, WhatStepsHideIsNoCause) {
+  const std::pair<std::uint64_t, double> cases[] = {{14, 1.5}, {15, 1.2}, {22, 2.0}, {32, 2.0}, {34, 1.5}, {36, 1.2}};
+  for (const auto& [seed, step] : cases) {
+    const auto report = diagnosed(aRecording(MotionKind::pickAndPlace, seed, {{"quantisation", "", step}}));
+    for (const auto& cause : report.causes)
+      EXPECT_TRUE(cause.id == "quantisation" || cause.id == "contact") << seed << ": " << said(report);
+    EXPECT_NE(named(report, "quantisation"), nullptr) << seed << ": " << said(report);
+  }
+}
+
+TEST(CoarseSteps, WhatGoesBeyondThemIsOne) {
+  for (const auto& [effect, size] : {std::pair{"cable_pull", 8.0}, {"coulomb_friction", 2.0}, {"hysteresis", 10.0}}) {
+    const auto report = diagnosed(aRecording(MotionKind::free, 41, {{"quantisation", "", 1.5}, {effect, "", size}}));
+    EXPECT_NE(named(report, effect), nullptr) << effect << ": " << said(report);
+    EXPECT_NE(named(report, "quantisation"), nullptr) << effect << ": " << said(report);
+  }
+}
+
+/// A channel that reads two or three values in all stands at one of them most of the time.
+TEST(CoarseSteps, TheLastOfAFewLevelsIsNoEndOfTheRange) {
+  for (const std::uint64_t seed : {23u, 35u, 39u})
+    EXPECT_TRUE(flatTops(aRecording(MotionKind::pickAndPlace, seed, {{"quantisation", "", 2.0}}).wrench).empty())
+        << seed;
+}
+
 }  // namespace
 }  // namespace heft::test

@@ -6,6 +6,9 @@
 #include <numbers>
 
 #include "core/diagnosis/corrected.h"
+#include "core/diagnosis/events.h"
+#include "core/diagnosis/touches.h"
+#include "core/robot/robot_model.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {
@@ -53,6 +56,72 @@ TEST(Diagnose, AFaintTouchAloneIsOne) {
     const auto report = diagnosed(aRecording(MotionKind::free, seed, {{"contact", "", 0.12}}));
     EXPECT_NE(named(report, "contact"), nullptr) << seed << ": " << said(report);
   }
+}
+
+/// A fit that knows of a touch from 4.2 to 5.7 s and leaves 0.5 N of it, back to 4.0 and up to 6.0 s.
+struct Held {
+  Held() {
+    using namespace diagnosis;
+    const Recording recording = aRecording(MotionKind::excitation, 410);
+    signals = signalsOf(recording, motionOf(recording, &RobotModel::panda(), {}).value(), &RobotModel::panda());
+    fit = fitModel(signals, stretchesOf(signals.usable), {});
+    fit.residual.setConstant(0.01);
+    const auto forms = findCause("contact")->forms(signals);
+    Term touch{std::make_shared<const Form>(forms.front()), forms.front().start, {}};
+    touch.v(0) = 4.95;
+    touch.v(7) = 1.5;
+    fit.model.terms.push_back(std::move(touch));
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n) {
+      const double t = signals.blockTime(n);
+      fit.residual.col(n) *= n % 2 == 0 ? 1.0 : -1.0;
+      if ((t > 4.0 && t < 4.2) || (t > 5.7 && t < 6.0)) fit.residual(1, n) = 0.5;
+    }
+  }
+
+  diagnosis::Stretch blocks(double from, double to) const {
+    diagnosis::Stretch out{signals.blocks(), 0};
+    for (Eigen::Index n = 0; n < signals.blocks(); ++n)
+      if (signals.blockTime(n) > from && signals.blockTime(n) < to) out = {std::min(out.from, n), n + 1};
+    return out;
+  }
+
+  std::vector<diagnosis::Stretch> with(double gain, double explained,
+                                       const std::vector<diagnosis::Stretch>& holes) const {
+    return diagnosis::holesWithTouches(signals, {fit, diagnosis::SoFar::anotherCause, gain, explained}, holes);
+  }
+
+  diagnosis::Signals signals;
+  diagnosis::Fit fit;
+};
+
+void expectHole(const Held& held, const std::vector<diagnosis::Stretch>& holes, double from, double to) {
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_NEAR(held.signals.blockTime(holes[0].from), from, 0.03);
+  EXPECT_NEAR(held.signals.blockTime(holes[0].to - 1), to, 0.03);
+}
+
+TEST(HolesWithTouches, APlainOneIsSetAsideAsFarAsItGoes) {
+  const Held held;
+  expectHole(held, held.with(5000.0, 9000.0, {}), 4.0, 6.0);
+}
+
+TEST(HolesWithTouches, WhatMayBeAnythingElsesRestIsLeft) {
+  const Held held;
+  EXPECT_TRUE(held.with(900.0, 950.0, {}).empty());
+  EXPECT_TRUE(held.with(1500.0, 20000.0, {}).empty());
+}
+
+TEST(HolesWithTouches, WhatGoesOnFromContactNeedNotBePlain) {
+  const Held held;
+  expectHole(held, held.with(500.0, 20000.0, {held.blocks(5.5, 7.0)}), 4.0, 7.0);
+  EXPECT_TRUE(held.with(100.0, 20000.0, {held.blocks(5.5, 7.0)}).empty());
+  EXPECT_TRUE(held.with(500.0, 20000.0, {held.blocks(7.0, 8.0)}).empty());
+}
+
+TEST(HolesWithTouches, WhatTakesALongTimeIsNoTouch) {
+  Held held;
+  held.fit.model.terms.front().v(7) = 4.5;
+  EXPECT_TRUE(held.with(5000.0, 9000.0, {}).empty());
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#pragma once
+// Touches that a search finds: which are plain to see on the way, and which of those left in the end are touches at
+// all.
+#include <vector>
+
+#include "core/diagnosis/search.h"
+
+namespace heft::diagnosis {
+
+struct Work;
+
+/// The `holes` with the touches that a search has found so far, if these stand out among all that it explains, or go on
+/// from the holes; empty otherwise, or where they would take too much of the time.
+std::vector<Stretch> holesWithTouches(const Signals& signals, const Standing& standing,
+                                      const std::vector<Stretch>& holes);
+
+/// Contacts that show what no push makes, or that all obey a law of how the tool moves, are something else. Those that
+/// smoothing leaves are left out as well, but they are nothing: a motion that is smoothed can do no better there.
+/// `whole`: with the contacts.
+void setOddAside(Work& work, const Signals& whole);
+
+/// Light touches that the search found become contact like any other: set aside, not modelled. Too many of them are
+/// none, nor are those that are something else.
+void setTouchesAside(Work& work);
+
+/// Nobody touches a tool again and again for no longer than it takes to knock at it.
+void setKnocksAside(Work& work);
+
+}  // namespace heft::diagnosis
