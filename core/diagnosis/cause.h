@@ -104,6 +104,9 @@ class Cause {
   virtual double enoughIfPlain(const Form&) const { return 1.0; }
   /// False for parameters that no thing of its kind has, with their standard deviations.
   virtual bool possible(const Form&, const VectorXd&, const VectorXd&) const { return true; }
+  /// False for parameters, with their standard deviations, that nobody would believe of a cause that is named in the
+  /// end: something unknown passes for it.
+  virtual bool plausible(const Form&, const VectorXd&, const VectorXd&) const { return true; }
   /// Standard deviations of its parameters that come of what the model leaves out, beside those of the fit; empty:
   /// none.
   virtual VectorXd modelStd(const Form&, const VectorXd&) const { return {}; }

@@ -109,6 +109,20 @@ bool isAmplitude(const Form& form, Eigen::Index p) {
 
 Wrenches valueOf(const Signals& signals, const Model& model) { return averaged(signals, predicted(signals, model)); }
 
+Shift shiftBetween(const Term& from, const Term& to) {
+  Shift out;
+  for (Eigen::Index p = 0; p < to.v.size(); ++p) {
+    const double off = std::abs(to.v(p) - from.v(p)) / to.form->parameters[static_cast<std::size_t>(p)].size;
+    double& most = isAmplitude(*to.form, p) ? out.amplitude : out.shape;
+    most = std::max(most, off);
+  }
+  return out;
+}
+
+bool changesSums(const Term& term) {
+  return term.form->cause->changesSensor(*term.form) && term.form->cause->linear(*term.form);
+}
+
 namespace {
 
 bool bendsOrChanges(const Term& term) {
@@ -135,11 +149,7 @@ class Moving {
 
   /// Columns of the payload's parameters.
   void fillPayload(MatrixXd& jacobian) const {
-    const bool throughChanges = std::ranges::any_of(terms_, [](const Term* t) {
-      const Cause& cause = *t->form->cause;
-      return cause.changesSensor(*t->form) && cause.linear(*t->form);
-    });
-    if (throughChanges) {
+    if (std::ranges::any_of(terms_, [](const Term* t) { return changesSums(*t); })) {
       for (int j = 0; j < 10; ++j) {
         Wrenches w = payloadWrench(kinematics_, Vector10d::Unit(j));
         throughSensor(signals_, terms_, w, true);
@@ -261,21 +271,6 @@ bool otherLoad(const Vector10d& payload, const Vector10d& than, double far) {
   const Vector10d off = (payload - than).cwiseAbs();
   return off(0) > mass || off.segment<3>(1).maxCoeff() > kReach * mass ||
          off.tail<6>().maxCoeff() > kReach * kReach * mass;
-}
-
-/// How far the term has moved, in realistic sizes: by its amplitudes, and by its shape.
-struct Shift {
-  double amplitude = 0.0, shape = 0.0;
-};
-
-Shift shiftBetween(const Term& from, const Term& to) {
-  Shift out;
-  for (Eigen::Index p = 0; p < to.v.size(); ++p) {
-    const double off = std::abs(to.v(p) - from.v(p)) / to.form->parameters[static_cast<std::size_t>(p)].size;
-    double& most = isAmplitude(*to.form, p) ? out.amplitude : out.shape;
-    most = std::max(most, off);
-  }
-  return out;
 }
 
 bool beginsWith(const Model& model, const Model& beginning) {

@@ -42,6 +42,17 @@ Wrenches valueOf(const Signals& signals, const Model& model);
 /// Whether the form is linear in the parameter, or nearly so; others are about the shape of what it does.
 bool isAmplitude(const Form& form, Eigen::Index p);
 
+/// By how many realistic sizes two terms of one form differ, in the parameters that do most.
+struct Shift {
+  double amplitude = 0.0, shape = 0.0;
+};
+
+Shift shiftBetween(const Term& from, const Term& to);
+
+/// Whether the term changes what the sensor makes of a force, and of a sum what it makes of its parts: columns of the
+/// other terms go through it. The end of a range and a memory are linearised without.
+bool changesSums(const Term& term);
+
 /// How valueOf() changes with each parameter: 6N x size(), row 6 n + channel. They follow the model from step to step
 /// of a fit: columns that do not depend on what moved, or hardly, are kept. The signals must outlive them.
 class Columns {

@@ -172,6 +172,12 @@ class Weighting {
   VectorXd r_, Jr_;
 };
 
+Signature signatureOf(Form form, const Surroundings& surroundings) {
+  Signature out{std::move(form), {}, {}};
+  out.fill(surroundings.signatures(out.form));
+  return out;
+}
+
 }  // namespace
 
 void Signature::fill(const MatrixXd& all) {
@@ -184,10 +190,8 @@ void Signature::fill(const MatrixXd& all) {
 }
 
 Signature signatureAt(double time, Form form, const Surroundings& surroundings) {
-  Signature out{std::move(form), {}, {}};
-  out.form.start(0) = std::clamp(time, out.form.parameters[0].lower, out.form.parameters[0].upper);
-  out.fill(surroundings.signatures(out.form));
-  return out;
+  form.start(0) = std::clamp(time, form.parameters[0].lower, form.parameters[0].upper);
+  return signatureOf(std::move(form), surroundings);
 }
 
 SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
@@ -204,17 +208,13 @@ bool SignatureBank::knows(std::string_view cause) const {
 
 namespace {
 
-/// What a saturated sensor or one with a memory makes of a sum is linearised without these two.
-bool changesSums(const Term& t) { return t.form->cause->changesSensor(*t.form) && t.form->cause->linear(*t.form); }
-
 bool bends(const Term& t) { return t.form->cause->bendsGeometry(); }
 
 bool isNearly(const Term& a, const Term& b) {
   constexpr double kNear = 0.1;  // Of a realistic size: what a first look hardly sees
   if (a.form->cause != b.form->cause || a.form->name != b.form->name) return false;
-  for (Eigen::Index p = 0; p < a.v.size(); ++p)
-    if (std::abs(a.v(p) - b.v(p)) > kNear * a.form->parameters[static_cast<std::size_t>(p)].size) return false;
-  return true;
+  const Shift shift = shiftBetween(a, b);
+  return std::max(shift.amplitude, shift.shape) <= kNear;
 }
 
 }  // namespace
@@ -251,17 +251,13 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
     if (cause.bendsGeometry() || cause.changesSensor(known.form)) {
-      out[i].form = known.form;
-      out[i].fill(surroundings.signatures(known.form));
+      out[i] = signatureOf(known.form, surroundings);
       return;
     }
     const bool moves = !matrixOnly || (bent && (cause.feelsMotion() || surroundings.turnsAxes()));
     if (moves && !cause.addsToReadings()) {
       Signature& there = changed->signatures[which[i]];
-      if (!there.columns) {
-        there.form = known.form;
-        there.fill(surroundings.signatures(known.form));
-      }
+      if (!there.columns) there = signatureOf(known.form, surroundings);
       out[i] = there;
       return;
     }

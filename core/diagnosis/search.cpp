@@ -179,19 +179,21 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
         chosen = &trial;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
-    const Fit accepted =
+    Fit accepted =
         withOthersLikeIt(signals, stretches, *chosen, all, static_cast<std::size_t>(std::max(0, options.maxTerms)));
     const SoFar soFar = step == 0 ? SoFar::firstCause : SoFar::anotherCause;
+    const std::string last = chosen->cause;
     const double gain = chosen->gain;
     step += static_cast<int>(accepted.model.terms.size() - chosen->fit.model.terms.size());
-    out.final = settled(signals, stretches, prunedOf(signals, stretches, accepted, options.threshold));
+    out.final = settled(signals, stretches, prunedOf(signals, stretches, std::move(accepted), options.threshold));
     out.accepted = std::move(latest);
-    if (options.givesUp && options.givesUp({out.final, soFar, gain, out.final.evidence - out.null.evidence})) {
+    if (options.givesUp && options.givesUp({out.final, soFar, last, gain, out.final.evidence - out.null.evidence})) {
       out.givenUp = true;
       return out;
     }
   }
-  out.givenUp = options.givesUp && out.final.model.terms.size() > 1 && options.givesUp({out.final, SoFar::allCauses});
+  out.givenUp =
+      options.givesUp && out.final.model.terms.size() > 1 && options.givesUp({out.final, SoFar::allCauses, {}});
   return out;
 }
 

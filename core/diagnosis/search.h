@@ -42,7 +42,8 @@ enum class SoFar { firstCause, anotherCause, allCauses };
 struct Standing {
   const Fit& fit;
   SoFar soFar;
-  double gain = 0.0;       ///< Evidence of what was accepted last
+  std::string_view last;   ///< Cause that was accepted last
+  double gain = 0.0;       ///< Evidence of that
   double explained = 0.0;  ///< Evidence of everything that was accepted
 };
 

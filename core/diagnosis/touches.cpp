@@ -129,6 +129,7 @@ std::vector<Stretch> holesWithTouches(const Signals& signals, const Standing& st
   // Evidence for a touch, its share of that for everything, and the evidence for more of one that is known. A drift
   // that begins looks like contact at its bend, and like a touch of 110 that goes on from it.
   constexpr double kPlain = 1000.0, kShare = 0.1, kMoreOfIt = 300.0;
+  if (standing.last != "contact") return {};
   const auto touches = touchesIn(signals, standing.fit);
   if (touches.empty()) return {};
   const bool plain = standing.gain > std::max(kPlain, kShare * standing.explained);

@@ -9,8 +9,9 @@ namespace heft::diagnosis {
 
 struct Work;
 
-/// The `holes` with the touches that a search has found so far, if these stand out among all that it explains, or go on
-/// from the holes; empty otherwise, or where they would take too much of the time.
+/// The `holes` with the touches that a search has found so far, if it found the last of them just now and that stands
+/// out among all that it explains, or all go on from the holes; empty otherwise, or where they would take too much of
+/// the time.
 std::vector<Stretch> holesWithTouches(const Signals& signals, const Standing& standing,
                                       const std::vector<Stretch>& holes);
 

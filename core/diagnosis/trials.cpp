@@ -394,15 +394,14 @@ Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit 
       if (standsOut(fit, i) <= kNeeded * threshold) doubtful.push_back(i);
     // Two at a time: the first one that is needless goes.
     for (std::size_t at = 0; at < doubtful.size() && !changed; at += 2) {
-      std::array<Fit, 2> less;
-      const std::size_t count = std::min<std::size_t>(2, doubtful.size() - at);
-      onTwoThreads(count, [&](std::size_t i) {
+      std::vector<Fit> less(std::min<std::size_t>(2, doubtful.size() - at));
+      onTwoThreads(less.size(), [&](std::size_t i) {
         Model model = fit.model;
         model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(doubtful[at + i]));
         less[i] = fitModel(signals, stretches, std::move(model));
       });
-      const auto first = std::find_if(less.begin(), less.begin() + static_cast<std::ptrdiff_t>(count), needless);
-      changed = first != less.begin() + static_cast<std::ptrdiff_t>(count);
+      const auto first = std::ranges::find_if(less, needless);
+      changed = first != less.end();
       if (changed) fit = std::move(*first);
     }
   }

@@ -267,6 +267,12 @@ class LooseMass final : public Oscillator {
  public:
   std::string_view id() const override { return "loose_mass"; }
   std::vector<std::string> lookAlikes() const override { return {"flexible_mount", "low_pass_lag"}; }
+  /// A part has a mass. Of 77 that were loose each was known to a sixth of it; of nine other things that swing, five to
+  /// a third and worse.
+  bool plausible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
+    constexpr double kDeviations = 3.0;
+    return form.choice[0] == kFromStart || v(0) > kDeviations * std(0);
+  }
   std::vector<Form> forms(const Signals&) const override {
     auto out = at({0.8, 1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 7.5, 10.0}, 0.4, 13.0);
     // A part that lies in a hollow, or a liquid: it rolls to its new place as the tool turns, and does not swing.

@@ -24,6 +24,13 @@ class Saturation final : public Cause {
     return out;
   }
   int order() const override { return 45; }
+  /// A channel that gives way near the end of its range hardly does so: one whose gain is another one for half of its
+  /// range looks like that. Of two that were soft at their end each lost more than 90 %, of nine unknown effects that
+  /// looked like it six less than this.
+  bool plausible(const Form&, const VectorXd& v, const VectorXd&) const override {
+    constexpr double kLeast = 0.15;
+    return v(0) > kLeast;
+  }
   bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {

@@ -87,11 +87,12 @@ struct Held {
 
   std::vector<diagnosis::Stretch> with(double gain, double explained,
                                        const std::vector<diagnosis::Stretch>& holes) const {
-    return diagnosis::holesWithTouches(signals, {fit, diagnosis::SoFar::anotherCause, gain, explained}, holes);
+    return diagnosis::holesWithTouches(signals, {fit, diagnosis::SoFar::anotherCause, last, gain, explained}, holes);
   }
 
   diagnosis::Signals signals;
   diagnosis::Fit fit;
+  const char* last = "contact";
 };
 
 void expectHole(const Held& held, const std::vector<diagnosis::Stretch>& holes, double from, double to) {
@@ -109,6 +110,12 @@ TEST(HolesWithTouches, WhatMayBeAnythingElsesRestIsLeft) {
   const Held held;
   EXPECT_TRUE(held.with(900.0, 950.0, {}).empty());
   EXPECT_TRUE(held.with(1500.0, 20000.0, {}).empty());
+}
+
+TEST(HolesWithTouches, WhatWasFoundLastMustBeOne) {
+  Held held;
+  held.last = "cable_pull";
+  EXPECT_TRUE(held.with(5000.0, 9000.0, {}).empty());
 }
 
 TEST(HolesWithTouches, WhatGoesOnFromContactNeedNotBePlain) {

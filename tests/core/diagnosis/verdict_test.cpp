@@ -39,12 +39,11 @@ Work aJumpAndALoad() {
   return work;
 }
 
-DiagnosedCause fitted(const char* id, std::vector<CauseParameter> parameters = {}) {
+DiagnosedCause fitted(const char* id) {
   DiagnosedCause out;
   out.id = id;
   out.deltaBic = 500.0;
   out.gain.explainedFraction = 0.5;
-  out.parameters = std::move(parameters);
   return out;
 }
 
@@ -62,24 +61,66 @@ TEST(Verdict, TwoCausesOfOneMomentAreNeither) {
   EXPECT_EQ(report.causes.size(), 2u);
 }
 
+/// The verdict on one term of `cause`, in its form of that number, with some parameters changed and all known to
+/// `deviation`.
+Verdict verdictOn(const char* cause, std::size_t form, std::initializer_list<std::pair<Eigen::Index, double>> changed,
+                  double deviation = 1e-4) {
+  Work work = aJumpAndALoad();
+  Fit& final = work.search.final;
+  const Form one = findCause(cause)->forms(work.signals).at(form);
+  final.model.terms = {{std::make_shared<const Form>(one), one.start, {}}};
+  for (const auto& [p, value] : changed) final.model.terms.front().v(p) = value;
+  final.covariance = deviation * deviation * MatrixXd::Identity(final.model.size(), final.model.size());
+  DiagnosisReport report;
+  report.causes = {fitted(cause)};
+  giveVerdict(work, report);
+  return report.verdict;
+}
+
 TEST(Verdict, AMemoryLargerThanAnyIsSomethingElse) {
-  const Work work = aJumpAndALoad();
-  for (const auto& [share, verdict] : {std::pair{7.0, Verdict::explained}, {-25.0, Verdict::unexplained}}) {
-    DiagnosisReport report;
-    report.causes = {fitted("hysteresis", {{"fx", "%", share, 1.0}, {"turning_way", "%", 60.0, 2.0}})};
-    giveVerdict(work, report);
-    EXPECT_EQ(report.verdict, verdict) << share;
-  }
+  EXPECT_EQ(verdictOn("hysteresis", 0, {{0, 0.07}}), Verdict::explained);
+  EXPECT_EQ(verdictOn("hysteresis", 0, {{3, -0.25}}), Verdict::unexplained);
+  // How far the load must go back for it is no size.
+  EXPECT_EQ(verdictOn("hysteresis", 1, {{0, 0.07}, {1, 0.6}}), Verdict::explained);
 }
 
 /// What loses 5 % from the middle of its range on has another gain there, and no end.
 TEST(Verdict, AnEndThatHardlyGivesWayIsSomethingElse) {
+  EXPECT_EQ(verdictOn("saturation", 0, {{0, 0.9}}), Verdict::explained);
+  EXPECT_EQ(verdictOn("saturation", 0, {{0, 0.05}}), Verdict::unexplained);
+}
+
+/// A weight that slides takes nothing along and puts nothing down.
+TEST(Verdict, ALoadFarFromTheToolIsSomethingElse) {
+  EXPECT_EQ(verdictOn("payload_change", 0, {{1, 0.05}, {4, 0.012}}), Verdict::explained);
+  EXPECT_EQ(verdictOn("payload_change", 0, {{1, -0.0002}, {2, -0.008}}), Verdict::unexplained);
+  // Where the mass is hardly known, it may be what the moment asks for.
+  EXPECT_EQ(verdictOn("payload_change", 0, {{1, -0.0002}, {2, -0.008}}, 0.004), Verdict::explained);
+}
+
+/// A compass needle is turned, and nothing pulls at it.
+TEST(Verdict, APullFarFromTheToolIsSomethingElse) {
+  EXPECT_EQ(verdictOn("constant_pull", 1, {{0, 0.5}, {4, 0.2}}), Verdict::explained);
+  EXPECT_EQ(verdictOn("constant_pull", 1, {{0, 0.007}, {3, 0.9}, {4, -1.0}, {5, 0.9}}, 0.1), Verdict::unexplained);
+}
+
+TEST(Verdict, APartThatMayHaveNoMassIsSomethingElse) {
+  EXPECT_EQ(verdictOn("loose_mass", 0, {{0, 0.05}}, 0.005), Verdict::explained);
+  EXPECT_EQ(verdictOn("loose_mass", 0, {{0, 0.05}}, 0.03), Verdict::unexplained);
+}
+
+TEST(Verdict, AFaintTouchBesideACauseMayBeItsRest) {
   const Work work = aJumpAndALoad();
-  for (const auto& [loss, verdict] : {std::pair{90.0, Verdict::explained}, {5.0, Verdict::unexplained}}) {
+  for (const auto& [evidence, verdict] : {std::pair{900.0, Verdict::unexplained},
+                                          {3000.0, Verdict::explained},  // Far more than speaks for the other
+                                          {1e5, Verdict::explained}}) {
     DiagnosisReport report;
-    report.causes = {fitted("saturation", {{"loss_fx", "%", loss, 0.2}, {"knee_fx", "%", 45.0, 1.0}})};
+    report.causes = {fitted("cable_pull"), fitted("contact")};
+    report.causes.back().deltaBic = evidence;
+    report.causes.back().direct = true;
     giveVerdict(work, report);
-    EXPECT_EQ(report.verdict, verdict) << loss;
+    EXPECT_EQ(report.verdict, verdict) << evidence;
+    EXPECT_EQ(report.causes.size(), 2u);
   }
 }
 
