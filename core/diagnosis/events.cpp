@@ -93,30 +93,31 @@ bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where, 
 }
 
 /// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
-/// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less. `usual`: as of
-/// usualSize(), and `scaled` what is left over that.
-std::optional<double> shareNotLost(const Signals& signals, const Vector6d& usual, const Wrenches& scaled,
+/// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less, or nothing is
+/// beyond the usual. `quiet`: what is usual outside of all contacts, however strong these are.
+std::optional<double> shareNotLost(const Signals& signals, const Fit& fit, const Vector6d& quiet,
                                    const Stretch& where) {
   if (signals.lost == nullptr || signals.lost->empty()) return std::nullopt;
   const Eigen::Index count = where.to - where.from;
-  // So scaled, each channel has a power of 1 where it is judged.
-  const auto judged = static_cast<double>(std::ranges::count(signals.usable, true));
+  const Vector6d weights = quiet.cwiseInverse();
   const auto beyond = [&](const Wrenches& left) {
-    return left.squaredNorm() - 6.0 * static_cast<double>(count) / std::max(1.0, judged);
+    return (weights.asDiagonal() * left).squaredNorm() - 6.0 * static_cast<double>(count);
   };
-  const Wrenches left = scaled.middleCols(where.from, count);
+  const Wrenches left = fit.residual.middleCols(where.from, count);
+  const double all = beyond(left);
+  if (!(all > 0.0)) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (const Wrenches& lost : *signals.lost)
-    least = std::min(least, beyond(left - usual.cwiseInverse().asDiagonal() * lost.middleCols(where.from, count)));
-  return least / std::max(beyond(left), 1e-300);
+  for (const Wrenches& lost : *signals.lost) least = std::min(least, beyond(left - lost.middleCols(where.from, count)));
+  return least / all;
 }
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
-bool isSmoothed(const Signals& signals, const Vector6d& usual, const Wrenches& scaled, const Contact& contact) {
+bool isSmoothed(const Signals& signals, const Fit& fit, const Vector6d& quiet, const Wrenches& scaled,
+                const Contact& contact) {
   constexpr double kMostly = 0.5, kPartly = 0.95;
   constexpr double kRings = 0.4;    // [s]
   constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
-  const auto left = shareNotLost(signals, usual, scaled, contact.blocks);
+  const auto left = shareNotLost(signals, fit, quiet, contact.blocks);
   if (left && *left < kMostly) return true;
   const bool has = !left || *left < kPartly || signals.lost->size() < kTold;
   return has && contact.to - contact.from < kRings && turnsRound(signals, scaled, contact.blocks);
@@ -203,7 +204,7 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
   constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
-  const Vector6d usual = usualSize(signals, fit);
+  const Vector6d usual = usualSize(signals, fit), quiet = usualPower(signals, fit, candidates).cwiseSqrt();
   const Wrenches scaled = usual.cwiseInverse().asDiagonal() * fit.residual;
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from),
@@ -218,7 +219,7 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
       contact.instead = kOneChannel;
     else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
-    contact.smoothed = isSmoothed(signals, usual, scaled, contact);
+    contact.smoothed = isSmoothed(signals, fit, quiet, scaled, contact);
     out.push_back(contact);
   }
   return out;

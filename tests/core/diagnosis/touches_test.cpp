@@ -131,5 +131,26 @@ TEST(HolesWithTouches, WhatTakesALongTimeIsNoTouch) {
   EXPECT_TRUE(held.with(5000.0, 9000.0, {}).empty());
 }
 
+/// What smoothing leaves is told by what it took, however hard the tool was pushed elsewhere: a touch of 0.5 N beside
+/// one of 20 N was nothing at all.
+TEST(ContactsIn, AWeakTouchBesideAStrongOneIsNotLeftBySmoothing) {
+  Held held;
+  const Eigen::Index blocks = held.signals.blocks();
+  held.fit.model.terms.clear();
+  for (Eigen::Index n = 0; n < blocks; ++n) held.fit.residual.col(n).setConstant(n % 2 == 0 ? 0.01 : -0.01);
+  const diagnosis::Stretch strong = held.blocks(2.0, 4.0), weak = held.blocks(8.0, 9.5);
+  held.fit.residual.row(2).segment(strong.from, strong.to - strong.from).setConstant(20.0);
+  held.fit.residual.row(2).segment(weak.from, weak.to - weak.from).setConstant(0.5);
+  diagnosis::Wrenches lost = diagnosis::Wrenches::Zero(6, blocks);
+  for (const double share : {0.1, 0.9}) {
+    lost.row(2).segment(weak.from, weak.to - weak.from).setConstant(share * 0.5);
+    held.signals.lost = std::make_shared<const std::vector<diagnosis::Wrenches>>(1, lost);
+    const auto contacts = diagnosis::contactsIn(held.signals, held.fit, {strong, weak});
+    ASSERT_EQ(contacts.size(), 2u) << share;
+    EXPECT_FALSE(contacts.front().smoothed) << share;
+    EXPECT_EQ(contacts.back().smoothed, share > 0.5) << share;
+  }
+}
+
 }  // namespace
 }  // namespace heft::test
