@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "core/base/say.h"
 #include "core/diagnosis/look_back.h"
-#include "core/diagnosis/named.h"
 #include "core/diagnosis/touches.h"
 
 namespace heft::diagnosis {

@@ -21,9 +21,9 @@ constexpr Pile kPiles[] = {{8, 4.0, kNeighbours}, {40, 2.0, 1}};
 constexpr double kZero = 0.01;  ///< Of what the channel reads: a level so close to zero is none
 constexpr double kStill =
     0.5;  ///< Share of readings like the one before: from there on steps are coarser than the noise
-
 constexpr std::size_t kFewLevels = 4;  ///< A channel that has no more is as coarse as that, and cut off nowhere
 
+/// Whether the channel's readings take no more values than that: told by the first few of any finer one.
 bool hasFewLevels(const std::vector<double>& values) {
   std::vector<double> known;
   for (const double value : values) {
