@@ -54,18 +54,11 @@ bool standsOut(const Fit& fit, std::string_view cause) {
 
 /// Whether a cause of one number is nothing, as far as that is known.
 bool isNothing(const Fit& fit, const Found& found) {
-  const Term* only = nullptr;
-  Eigen::Index at = kLinear, from = kLinear;
-  for (const Term& term : fit.model.terms) {
-    if (causeOf(term) == found.cause) {
-      if (only != nullptr) return false;
-      only = &term;
-      from = at;
-    }
-    at += term.v.size();
-  }
-  if (only == nullptr || only->v.size() != 1) return false;
-  double variance = fit.covariance(from, from);
+  std::vector<Placed> own = placed(fit.model);
+  std::erase_if(own, [&](const Placed& p) { return causeOf(*p.term) != found.cause; });
+  if (own.size() != 1 || own[0].term->v.size() != 1) return false;
+  const auto [only, at] = own[0];
+  double variance = fit.covariance(at, at);
   for (const VectorXd& more : {only->form->cause->modelStd(*only->form, only->v), found.spread})
     if (more.size() == 1) variance += more(0) * more(0);
   return std::pow(only->v(0) - only->form->start(0), 2) < variance;

@@ -11,12 +11,17 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// Size of what the fit leaves on each channel where it is judged.
-Vector6d usualSize(const Signals& signals, const Fit& fit) {
-  Vector6d out = Vector6d::Constant(1e-12);
-  for (Eigen::Index n = 0; n < signals.blocks(); ++n)
-    if (signals.usable[static_cast<std::size_t>(n)]) out += fit.residual.col(n).cwiseAbs2();
-  return out.cwiseSqrt();
+/// What a fit leaves, beside what is usual outside of all contacts, however strong these are.
+struct Left {
+  std::vector<bool> outside;  ///< One a block
+  Vector6d usual;             ///< On each channel
+  Wrenches scaled;            ///< In units of the usual, 6 x N
+};
+
+Left leftBy(const Signals& signals, const Fit& fit, const std::vector<Stretch>& contacts) {
+  Left out{usableOutside(signals, contacts), usualPower(signals, fit, contacts).cwiseSqrt(), {}};
+  out.scaled = out.usual.cwiseInverse().asDiagonal() * fit.residual;
+  return out;
 }
 
 /// Share of the power of `residual` in a stretch that holds for a tenth of a second: 0.2 for white noise, next to 1 for
@@ -33,8 +38,9 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
 }
 
 /// Whether next to nothing of what a stretch has beyond the usual is left where neighbouring blocks are averaged.
-bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch& where) {
+bool turnsRound(const Left& left, const Stretch& where) {
   constexpr double kLeft = 0.15;  // Share of the power; a push of one block alone leaves 0.25
+  const Wrenches& residual = left.scaled;
   const auto alone = [&](Eigen::Index n) { return residual.col(n).squaredNorm(); };
   const auto averaged = [&](Eigen::Index n) {
     return (0.25 * residual.col(n - 1) + 0.5 * residual.col(n) + 0.25 * residual.col(n + 1)).squaredNorm();
@@ -44,7 +50,7 @@ bool turnsRound(const Signals& signals, const Wrenches& residual, const Stretch&
     if (n >= where.from && n < where.to) {
       most = std::max(most, alone(n));
       mostAveraged = std::max(mostAveraged, averaged(n));
-    } else if (signals.usable[static_cast<std::size_t>(n)]) {
+    } else if (left.outside[static_cast<std::size_t>(n)]) {
       usual += alone(n);
       usualAveraged += averaged(n);
       count += 1.0;
@@ -74,53 +80,49 @@ bool swings(const Wrenches& scaled, const Stretch& where) {
   return lobes >= kLobes;
 }
 
-/// Whether next to all that a stretch has beyond the usual, as it is outside of all `stretches`, is on one channel,
-/// which jumps there between two readings: what pushes turns the sensor as well, and takes its time.
-bool isOneChannel(const Signals& signals, const Fit& fit, const Stretch& where, const std::vector<Stretch>& stretches) {
+/// Whether next to all that a stretch has beyond the usual is on one channel, which jumps there between two readings:
+/// what pushes turns the sensor as well, and takes its time.
+bool isOneChannel(const Signals& signals, const Left& left, const Stretch& where) {
   constexpr double kAlone = 0.99;      // Share of the power, in units of the usual
   constexpr double kPlain = 20.0;      // Of these units: what is fainter may be chance
   constexpr double kJumps = 0.25;      // Of its most; a push that lasts 0.2 s changes by 0.1 at most
   constexpr Eigen::Index kAround = 5;  // Blocks: where it begins is not known better
-  const Vector6d inside = fit.residual.middleCols(where.from, where.to - where.from).cwiseAbs2().rowwise().mean(),
-                 excess = (inside.cwiseQuotient(usualPower(signals, fit, stretches)).array() - 1.0).max(0.0);
+  const auto part = left.scaled.middleCols(where.from, where.to - where.from);
+  const Vector6d excess = (part.cwiseAbs2().rowwise().mean().array() - 1.0).max(0.0);
   Eigen::Index channel = 0;
   if (excess.maxCoeff(&channel) < std::max(kPlain, kAlone * excess.sum())) return false;
   const Eigen::Index m = signals.samplesPerBlock, from = std::max<Eigen::Index>(0, where.from - kAround) * m,
                      to = std::min(signals.blocks(), where.to + kAround) * m;
   const auto readings = signals.readings.row(channel).segment(from, to - from);
-  const double most = fit.residual.row(channel).segment(where.from, where.to - where.from).cwiseAbs().maxCoeff();
+  const double most = left.usual(channel) * part.row(channel).cwiseAbs().maxCoeff();
   return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kJumps * most;
 }
 
 /// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
 /// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less, or nothing is
-/// beyond the usual. `quiet`: what is usual outside of all contacts, however strong these are.
-std::optional<double> shareNotLost(const Signals& signals, const Fit& fit, const Vector6d& quiet,
-                                   const Stretch& where) {
+/// beyond the usual.
+std::optional<double> shareNotLost(const Signals& signals, const Left& left, const Stretch& where) {
   if (signals.lost == nullptr || signals.lost->empty()) return std::nullopt;
   const Eigen::Index count = where.to - where.from;
-  const Vector6d weights = quiet.cwiseInverse();
-  const auto beyond = [&](const Wrenches& left) {
-    return (weights.asDiagonal() * left).squaredNorm() - 6.0 * static_cast<double>(count);
-  };
-  const Wrenches left = fit.residual.middleCols(where.from, count);
-  const double all = beyond(left);
+  const auto part = left.scaled.middleCols(where.from, count);
+  const Vector6d weights = left.usual.cwiseInverse();
+  const double usual = 6.0 * static_cast<double>(count), all = part.squaredNorm() - usual;
   if (!(all > 0.0)) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (const Wrenches& lost : *signals.lost) least = std::min(least, beyond(left - lost.middleCols(where.from, count)));
+  for (const Wrenches& lost : *signals.lost)
+    least = std::min(least, (part - weights.asDiagonal() * lost.middleCols(where.from, count)).squaredNorm() - usual);
   return least / all;
 }
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
-bool isSmoothed(const Signals& signals, const Fit& fit, const Vector6d& quiet, const Wrenches& scaled,
-                const Contact& contact) {
+bool isSmoothed(const Signals& signals, const Left& left, const Contact& contact) {
   constexpr double kMostly = 0.5, kPartly = 0.95;
   constexpr double kRings = 0.4;    // [s]
   constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
-  const auto left = shareNotLost(signals, fit, quiet, contact.blocks);
-  if (left && *left < kMostly) return true;
-  const bool has = !left || *left < kPartly || signals.lost->size() < kTold;
-  return has && contact.to - contact.from < kRings && turnsRound(signals, scaled, contact.blocks);
+  const auto share = shareNotLost(signals, left, contact.blocks);
+  if (share && *share < kMostly) return true;
+  const bool has = !share || *share < kPartly || signals.lost->size() < kTold;
+  return has && contact.to - contact.from < kRings && turnsRound(left, contact.blocks);
 }
 
 }  // namespace
@@ -176,7 +178,7 @@ std::vector<bool> usableOutside(const Signals& signals, const std::vector<Stretc
 
 Vector6d usualPower(const Signals& signals, const Fit& fit, const std::vector<Stretch>& stretches) {
   const std::vector<bool> usual = usableOutside(signals, stretches);
-  Vector6d sum = Vector6d::Constant(1e-300);
+  Vector6d sum = Vector6d::Constant(1e-24);
   for (Eigen::Index n = 0; n < signals.blocks(); ++n)
     if (usual[static_cast<std::size_t>(n)]) sum += fit.residual.col(n).cwiseAbs2();
   return sum / std::max(1.0, static_cast<double>(std::ranges::count(usual, true)));
@@ -204,8 +206,7 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
   constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
-  const Vector6d usual = usualSize(signals, fit), quiet = usualPower(signals, fit, candidates).cwiseSqrt();
-  const Wrenches scaled = usual.cwiseInverse().asDiagonal() * fit.residual;
+  const Left left = leftBy(signals, fit, candidates);
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from),
                     signals.blockTime(stretch.to - 1),
@@ -213,13 +214,13 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
                     stretch,
                     {}};
     if (contact.evidence < kThreshold) continue;
-    if (contact.to - contact.from >= kBounce && steadiness(scaled, stretch, signals.blockRate()) <= kSteady)
+    if (contact.to - contact.from >= kBounce && steadiness(left.scaled, stretch, signals.blockRate()) <= kSteady)
       contact.instead = heft::toSay("noise that comes and goes");
-    else if (isOneChannel(signals, fit, stretch, candidates))
+    else if (isOneChannel(signals, left, stretch))
       contact.instead = kOneChannel;
-    else if (contact.to - contact.from >= kBounce && swings(scaled, stretch))
+    else if (contact.to - contact.from >= kBounce && swings(left.scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
-    contact.smoothed = isSmoothed(signals, fit, quiet, scaled, contact);
+    contact.smoothed = isSmoothed(signals, left, contact);
     out.push_back(contact);
   }
   return out;

@@ -121,8 +121,8 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, const Vector
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(informationBeside(unit, causes, linear), Eigen::EigenvaluesOnly);
   out.dimensions = static_cast<int>((eigen.eigenvalues().array() > 1e-6).count());
   double all = 0.0, waves = 0.0;
-  Eigen::Index at = kLinear;
-  for (const Term& term : model.terms) {
+  for (const auto& [placedTerm, at] : placed(model)) {
+    const Term& term = *placedTerm;
     // How far the term stands out: its amplitudes over what bias, payload and the other terms leave known of them.
     std::vector<Eigen::Index> own, others(linear);
     double count = 0.0;
@@ -134,7 +134,6 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, const Vector
     all += count;
     if (term.form->walk) {
       if (!own.empty()) waves += priceOfWaves(unit, scale, own, others, term, sd);
-      at += term.v.size();
       continue;
     }
     VectorXd size(static_cast<Eigen::Index>(own.size()));
@@ -143,7 +142,6 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, const Vector
     // A form that leaves out what does not pay has had its choice of parameters: each costs in full.
     const double gain = term.form->subset ? 1e300 : size.dot(informationBeside(unit, own, others) * size);
     out.price += priceOf(gain, count, lnN);
-    at += term.v.size();
   }
   if (all > 0.0) out.price *= out.dimensions / all;
   out.price += waves;
@@ -334,15 +332,13 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
   // what has no order, such as when something happened, stays where it was.
   constexpr double kOrder = 3.0, kLittle = 0.1;
   VectorXd sd = whisper(fit.model), thought = VectorXd::Zero(fit.model.size());
-  Eigen::Index at = kLinear;
-  for (const auto& term : fit.model.terms) {
-    for (const int p : term.form->scan)
-      if (term.form->start(p) == 0.0)
-        sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term.v(p)) +
-                                              kLittle * term.form->parameters[static_cast<std::size_t>(p)].size);
-    for (Eigen::Index p = 0; p < term.v.size(); ++p)
-      if (!isAmplitude(*term.form, p)) thought(at + p) = term.v(p);
-    at += term.v.size();
+  for (const auto& [term, at] : placed(fit.model)) {
+    for (const int p : term->form->scan)
+      if (term->form->start(p) == 0.0)
+        sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term->v(p)) +
+                                              kLittle * term->form->parameters[static_cast<std::size_t>(p)].size);
+    for (Eigen::Index p = 0; p < term->v.size(); ++p)
+      if (!isAmplitude(*term->form, p)) thought(at + p) = term->v(p);
   }
   Model model = fit.model;
   for (int round = 0; round < 2; ++round) {

@@ -84,6 +84,16 @@ void Model::unpack(const VectorXd& all) {
   }
 }
 
+std::vector<Placed> placed(const Model& model) {
+  std::vector<Placed> out;
+  Eigen::Index at = model.x.size();
+  for (const Term& term : model.terms) {
+    out.push_back({&term, at});
+    at += term.v.size();
+  }
+  return out;
+}
+
 Wrenches payloadWrench(const Kinematics& kin, const Vector10d& phi) {
   const double m = phi(0);
   const Vector3d h = phi.segment<3>(1);

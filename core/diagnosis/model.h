@@ -30,6 +30,15 @@ struct Model {
   void unpack(const VectorXd& all);
 };
 
+/// A term and where its parameters begin in Model::packed().
+struct Placed {
+  const Term* term;
+  Eigen::Index at;
+};
+
+/// All terms of the model, which must outlive the answer.
+std::vector<Placed> placed(const Model& model);
+
 /// Wrench of the ten parameters under `kinematics`, 6 x K.
 Wrenches payloadWrench(const Kinematics& kinematics, const Vector10d& phi);
 

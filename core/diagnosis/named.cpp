@@ -9,20 +9,10 @@ namespace heft::diagnosis {
 
 namespace {
 
-/// A term and where its parameters begin in the fit.
-struct Placed {
-  const Term* term;
-  Eigen::Index at;
-};
-
 /// The terms of a cause, events in the order of time.
 std::vector<Placed> termsOf(std::string_view cause, const Model& model) {
-  std::vector<Placed> out;
-  Eigen::Index at = kLinear;
-  for (const Term& term : model.terms) {
-    if (term.form->cause->id() == cause) out.push_back({&term, at});
-    at += term.v.size();
-  }
+  std::vector<Placed> out = placed(model);
+  std::erase_if(out, [&](const Placed& p) { return causeOf(*p.term) != cause; });
   std::ranges::stable_sort(out, {}, [](const Placed& p) { return p.term->form->local ? p.term->v(0) : -1e300; });
   return out;
 }

@@ -288,12 +288,9 @@ namespace {
 /// Twice the log-likelihood that the waves of a walk gain, as everything else is.
 double gainOfWalk(const Fit& fit, const MatrixXd& jacobian, const std::vector<Stretch>& stretches) {
   Wrenches without = fit.residual;
-  Eigen::Index at = kLinear;
-  for (const auto& term : fit.model.terms) {
-    if (term.form->walk)
-      Eigen::Map<VectorXd>(without.data(), without.size()) += jacobian.middleCols(at, term.v.size()) * term.v;
-    at += term.v.size();
-  }
+  for (const auto& [term, at] : placed(fit.model))
+    if (term->form->walk)
+      Eigen::Map<VectorXd>(without.data(), without.size()) += jacobian.middleCols(at, term->v.size()) * term->v;
   return fit.noise.evidence - fitNoise(without, stretches, fit.noise.louder).evidence;
 }
 

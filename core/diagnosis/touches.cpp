@@ -48,14 +48,14 @@ double loudnessBeside(const Contact& touch, const Work& work, const Eigen::Map<c
 bool wereTouches(double peak, double evidence, double longest, const Work& work) {
   // Of 30 faint ones in 560 recordings, real touches had 32 or more, and more than 1.3 times the noise below 100.
   // Nobody touches with a torque and no force: one of 408 others, over 1.2 s, had 433 and 0.4 times the noise.
-  constexpr double kLeast = 30.0, kShareOfOthers = 0.03, kFaintTouch = 100.0, kOfNoise = 0.7;
+  constexpr double kLeast = 30.0, kShareOfOthers = 0.03, kLittle = 100.0, kOfNoise = 0.7;
   // What lasts has more room for what others leave.
   constexpr double kLasts = 1.5, kShareIfItLasts = 0.2;  // [s]
   double others = 0.0;
   for (const Found& found : work.search.found)
     if (found.cause != "contact") others += found.gain;
   if (evidence < kLeast + (longest > kLasts ? kShareIfItLasts : kShareOfOthers) * others) return false;
-  return peak > (evidence > kFaintTouch ? kOfNoise : 1.0) * rmsOf(work.stretches, work.search.final.residual).force;
+  return peak > (evidence > kLittle ? kOfNoise : 1.0) * rmsOf(work.stretches, work.search.final.residual).force;
 }
 
 /// Contacts that follow each other within `apart` [s], or that overlap, as one. Rising in time.

@@ -176,14 +176,13 @@ double Amplitudes::squaredDeviations() const {
 Amplitudes amplitudesOf(const Fit& fit, const std::function<bool(const Term&)>& which) {
   std::vector<Eigen::Index> own;
   std::vector<double> sizes;
-  Eigen::Index at = kLinear;
-  for (const Term& term : fit.model.terms) {
-    for (const int p : term.form->scan) {
-      if (!term.moves(p) || !which(term)) continue;
+  for (const auto& [term, at] : placed(fit.model)) {
+    if (!which(*term)) continue;
+    for (const int p : term->form->scan) {
+      if (!term->moves(p)) continue;
       own.push_back(at + p);
-      sizes.push_back(term.v(p) - term.form->start(p));
+      sizes.push_back(term->v(p) - term->form->start(p));
     }
-    at += term.v.size();
   }
   return {Eigen::Map<const VectorXd>(sizes.data(), std::ssize(sizes)), fit.covariance(own, own)};
 }
@@ -421,15 +420,13 @@ bool believable(const Fit& fit) {
           std::abs(a.v(0) - b.v(0)) < kApart)
         return false;
   // What swings is a part of the payload, or all of it.
-  Eigen::Index at = kLinear;
   const VectorXd std = fit.std();
-  for (const auto& term : fit.model.terms) {
-    if (!term.form->cause->possible(*term.form, term.v, std.segment(at, term.v.size()))) return false;
-    const bool mount = causeOf(term) == "flexible_mount" && term.v.size() > 2,
-               swings = mount || causeOf(term) == "loose_mass";
-    if (mount && term.v(0) < kLeastOnMount * mass) return false;
-    if (swings && term.v(0) > 1.1 * mass + 3.0 * (sd + std::sqrt(std::max(0.0, fit.covariance(at, at))))) return false;
-    at += term.v.size();
+  for (const auto& [term, at] : placed(fit.model)) {
+    if (!term->form->cause->possible(*term->form, term->v, std.segment(at, term->v.size()))) return false;
+    const bool mount = causeOf(*term) == "flexible_mount" && term->v.size() > 2,
+               swings = mount || causeOf(*term) == "loose_mass";
+    if (mount && term->v(0) < kLeastOnMount * mass) return false;
+    if (swings && term->v(0) > 1.1 * mass + 3.0 * (sd + std(at))) return false;
   }
   const Vector3d com = Vector3d(fit.model.x.segment<3>(7)) / std::max(mass, 0.02);
   return com.norm() < 1.5;

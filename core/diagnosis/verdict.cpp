@@ -32,17 +32,18 @@ bool areCrutches(const std::vector<DiagnosedCause>& causes) {
          (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kLittle; }));
 }
 
+/// Whether the term is of a fitted cause among `causes`.
+bool isNamed(const Term& term, const std::vector<DiagnosedCause>& causes) {
+  return std::ranges::any_of(causes, [&](const DiagnosedCause& c) { return !c.direct && c.id == causeOf(term); });
+}
+
 /// Whether nobody would believe what the fit says of any of the causes.
 bool anyImplausible(const Fit& fit, const std::vector<DiagnosedCause>& causes) {
   const VectorXd std = fit.std();
-  Eigen::Index at = kLinear;
-  for (const Term& term : fit.model.terms) {
-    const bool named =
-        std::ranges::any_of(causes, [&](const DiagnosedCause& c) { return !c.direct && c.id == causeOf(term); });
-    if (named && !term.form->cause->plausible(*term.form, term.v, std.segment(at, term.v.size()))) return true;
-    at += term.v.size();
-  }
-  return false;
+  return std::ranges::any_of(placed(fit.model), [&](const Placed& p) {
+    return isNamed(*p.term, causes) &&
+           !p.term->form->cause->plausible(*p.term->form, p.term->v, std.segment(p.at, p.term->v.size()));
+  });
 }
 
 /// Whether a cause has more of what nobody would build into one model: a drift of any course beside other causes, or
@@ -56,13 +57,10 @@ bool isPatchwork(const Fit& fit, const std::vector<DiagnosedCause>& causes) {
 /// Whether two causes of `causes` change something at the same moment: one thing happened then, and neither is it.
 bool shareAMoment(const Model& model, const std::vector<DiagnosedCause>& causes) {
   constexpr double kApart = 0.1;  // [s]
-  const auto isNamed = [&](const Term& t) {
-    return std::ranges::any_of(causes, [&](const DiagnosedCause& c) { return !c.direct && c.id == causeOf(t); });
-  };
   for (const Term& a : model.terms)
     for (const Term& b : model.terms)
       if (&a < &b && a.form->atOnce && b.form->atOnce && causeOf(a) != causeOf(b) &&
-          std::abs(a.v(0) - b.v(0)) < kApart && isNamed(a) && isNamed(b))
+          std::abs(a.v(0) - b.v(0)) < kApart && isNamed(a, causes) && isNamed(b, causes))
         return true;
   return false;
 }

@@ -152,5 +152,23 @@ TEST(ContactsIn, AWeakTouchBesideAStrongOneIsNotLeftBySmoothing) {
   }
 }
 
+/// Which of a stretch's channels stands out is told by what is usual without contact: a hard push along x hid what
+/// swings along x elsewhere behind a little that y keeps.
+TEST(ContactsIn, WhatSwingsIsToldBesideAStrongTouchOnTheSameChannel) {
+  Held held;
+  held.fit.model.terms.clear();
+  for (Eigen::Index n = 0; n < held.signals.blocks(); ++n)
+    held.fit.residual.col(n).setConstant(n % 2 == 0 ? 0.05 : -0.05);
+  const diagnosis::Stretch strong = held.blocks(2.0, 4.0), swing = held.blocks(8.0, 9.5);
+  held.fit.residual.row(0).segment(strong.from, strong.to - strong.from).setConstant(60.0);
+  held.fit.residual.row(1).segment(swing.from, swing.to - swing.from).setConstant(0.5);
+  for (Eigen::Index n = swing.from; n < swing.to; ++n)
+    held.fit.residual(0, n) = 3.0 * std::sin(12.0 * (held.signals.blockTime(n) - 8.0));
+  const auto contacts = diagnosis::contactsIn(held.signals, held.fit, {strong, swing});
+  ASSERT_EQ(contacts.size(), 2u);
+  EXPECT_EQ(contacts.front().instead, "");
+  EXPECT_EQ(contacts.back().instead, "something that swings to and fro");
+}
+
 }  // namespace
 }  // namespace heft::test
