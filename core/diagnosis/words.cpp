@@ -418,6 +418,15 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   return {};
 }
 
+/// Whether it pulls straight up all the time: a weight that is taken off the readings does exactly the same.
+bool pullsUp(const DiagnosedCause& cause, const DiagnosisReport& report) {
+  constexpr double kAside = 0.03;  // Share of the force
+  const Values v{cause, {}};
+  const Vector3d force(v.value("force_x"), v.value("force_y"), v.value("force_z")),
+      down = report.mistake ? report.mistake->gravity(report.meta.gravity) : report.meta.gravity;
+  return !v.find("time") && force.dot(down) < 0.0 && force.cross(down).norm() < kAside * force.norm() * down.norm();
+}
+
 }  // namespace
 
 std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& report) {
@@ -444,6 +453,11 @@ std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& repor
     case FrameMistake::Kind::none:
       break;
   }
+  if (cause.id == "constant_pull" && pullsUp(cause, report))
+    return heft::say(
+        "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? If not: is there "
+        "a "
+        "balancer or a hose that carries a part of it?");
   if (cause.id == "flexible_mount" && findParameter(cause.parameters, "strikes"))
     return heft::say(
         "Tap the tool, then what the robot stands on: which of them rings at this pitch? Tighten its screws.");

@@ -7026,6 +7026,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Record angles with more digits and at a higher rate, if the robot has them.</source>
         <translation>Winkel mit mehr Stellen und höherer Rate aufzeichnen, falls der Roboter sie liefert.</translation>
     </message>
+    <message>
+        <source>It acts straight up: does the robot or the sensor&apos;s driver take a tool&apos;s weight off already? If not: is there a balancer or a hose that carries a part of it?</source>
+        <translation>Es zieht genau nach oben: Zieht der Roboter oder der Treiber des Sensors das Gewicht eines Werkzeugs schon ab? Wenn nicht: Trägt ein Balancer oder ein Schlauch einen Teil davon?</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

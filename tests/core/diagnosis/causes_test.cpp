@@ -50,6 +50,25 @@ TEST(Catalogue, HasWordsAndUniqueNames) {
   EXPECT_EQ(findCause("no_such_cause"), nullptr);
 }
 
+/// A weight that a driver takes off the readings acts as a pull straight up does, wherever up is.
+TEST(Words, APullStraightUpMayBeAWeightTakenOffAlready) {
+  DiagnosisReport report;
+  DiagnosedCause pull;
+  pull.id = "constant_pull";
+  const auto asks = [&](double x, double y, double z) {
+    pull.parameters = {{"force_x", "N", x, 0.01}, {"force_y", "N", y, 0.01}, {"force_z", "N", z, 0.01}};
+    return causeCheck(pull, report) != causeCheck("constant_pull");
+  };
+  EXPECT_TRUE(asks(0.02, 0.0, 2.0));
+  EXPECT_FALSE(asks(0.2, 0.0, 2.0));
+  EXPECT_FALSE(asks(0.0, 0.0, -2.0));
+  report.meta.gravity = {9.81, 0.0, 0.0};
+  EXPECT_TRUE(asks(-2.0, 0.0, 0.02));
+  EXPECT_FALSE(asks(0.0, 0.0, 2.0));
+  pull.parameters.push_back({"time", "s", 4.0, 0.1});
+  EXPECT_EQ(causeCheck(pull, report), causeCheck("constant_pull"));
+}
+
 /// What took two terms is said twice, each with its own numbers; what would be said in the same words, once.
 TEST(Words, EachTermIsSaidOnce) {
   DiagnosedCause gains;
