@@ -12,7 +12,6 @@
 #include "core/diagnosis/coarse_motion.h"
 #include "core/diagnosis/corrected.h"
 #include "core/diagnosis/dead_band.h"
-#include "core/diagnosis/stuck_bit.h"
 #include "core/diagnosis/time_stamps.h"
 #include "core/diagnosis/velocities.h"
 #include "core/estimation/spikes.h"
@@ -430,33 +429,6 @@ TEST(SampleTests, ADeadBandIsUnknownAndACoarseZeroIsNone) {
     coarse.wrench.col(c) = (coarse.wrench.col(c) / step).array().round().matrix() * step;
   }
   EXPECT_FALSE(finds(diagnosed(coarse), "dead_band"));
-}
-
-/// One bit of the converter stays zero: half of all readings are lower by its worth. They were spikes.
-TEST(SampleTests, ABitThatIsStuckIsUnknown) {
-  Recording recording = aRecording(MotionKind::free, 304);
-  const Recording whole = recording;
-  auto fy = recording.wrench.col(1);
-  const double worth = 0.04 * (fy.maxCoeff() - fy.minCoeff());
-  for (double& reading : fy) {
-    const double steps = std::floor(reading / worth);
-    if (std::fmod(std::abs(steps), 2.0) == 1.0) reading -= worth;
-  }
-  const auto report = diagnosed(recording);
-  EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_EQ(report.remaining.goesWith, "steps that a channel never reads") << said(report);
-  EXPECT_EQ(named(report, "spikes"), nullptr) << said(report);
-  const auto bits = diagnosis::stuckBits(recording);
-  ASSERT_EQ(bits.size(), 1u);
-  EXPECT_EQ(bits.front().channel, 1);
-  EXPECT_NEAR(bits.front().worth, worth, 0.1 * worth);
-
-  EXPECT_TRUE(diagnosis::stuckBits(whole).empty());
-  for (Eigen::Index c = 0; c < 6; ++c) {
-    const double step = 0.02 * recording.wrench.col(c).cwiseAbs().maxCoeff();
-    recording.wrench.col(c) = (whole.wrench.col(c) / step).array().round().matrix() * step;
-  }
-  EXPECT_TRUE(diagnosis::stuckBits(recording).empty());
 }
 
 TEST(SampleTests, AChannelThatNeverChangesIsSaid) {
