@@ -173,10 +173,13 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
        {3.0, {.cutoffHz = 12.0}},
        {4.0, {.cutoffHz = 8.5}},
        {5.0, {.cutoffHz = 6.0}}}};
+  // Too noisy to judge anything on, but a knock at the arm is there as it was.
+  constexpr MotionOptions kSharper{.cutoffHz = 110.0, .twicing = true};
   constexpr double kClearly = 30.0;  // Evidence for another way than this one
-  std::array<std::optional<Result<Way>>, kSmoothings.size()> smoothed;
+  std::array<std::optional<Result<Way>>, kSmoothings.size() + 1> smoothed;
   onTwoThreads(smoothed.size(), [&](std::size_t i) {
-    smoothed[i] = wayOf(recording, readings.cleaned, robot, kSmoothings[i].options, options, readings.bad);
+    smoothed[i] = wayOf(recording, readings.cleaned, robot, i < kSmoothings.size() ? kSmoothings[i].options : kSharper,
+                        options, readings.bad);
   });
   std::vector<Way> ways;
   for (auto& way : smoothed) {
@@ -184,9 +187,11 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     ways.push_back(std::move(**way));
     ways.back().mistakeKnown = readings.mistake.has_value();
   }
+  const Way sharper = std::move(ways.back());
+  ways.pop_back();
   Way& usual = ways[kUsualWay];
   lookForBoth(usual, readings.cleaned, options);
-  weighSharpMotion(ways, wasHeld(readings));
+  weighSharpMotion(ways, sharper, wasHeld(readings));
   std::size_t at = kUsualWay;
   // The way that leaves most of the motion among those that are next to best.
   const auto leastSmoothed = [&](const std::vector<double>& evidence) {

@@ -102,16 +102,18 @@ bool isOneChannel(const Signals& signals, const Left& left, const Stretch& where
 /// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less, or nothing is
 /// beyond the usual.
 std::optional<double> shareNotLost(const Signals& signals, const Left& left, const Stretch& where) {
-  if (signals.lost == nullptr || signals.lost->empty()) return std::nullopt;
   const Eigen::Index count = where.to - where.from;
   const auto part = left.scaled.middleCols(where.from, count);
   const Vector6d weights = left.usual.cwiseInverse();
   const double usual = 6.0 * static_cast<double>(count), all = part.squaredNorm() - usual;
   if (!(all > 0.0)) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (const Wrenches& lost : *signals.lost)
-    least = std::min(least, (part - weights.asDiagonal() * lost.middleCols(where.from, count)).squaredNorm() - usual);
-  return least / all;
+  for (const auto& ways : {signals.lost, signals.lostFast})
+    for (std::size_t i = 0; ways != nullptr && i < ways->size(); ++i) {
+      const auto lost = (*ways)[i].middleCols(where.from, count);
+      least = std::min(least, (part - weights.asDiagonal() * lost).squaredNorm() - usual);
+    }
+  return std::isfinite(least) ? std::optional(least / all) : std::nullopt;
 }
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
@@ -121,7 +123,7 @@ bool isSmoothed(const Signals& signals, const Left& left, const Contact& contact
   constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
   const auto share = shareNotLost(signals, left, contact.blocks);
   if (share && *share < kMostly) return true;
-  const bool has = !share || *share < kPartly || signals.lost->size() < kTold;
+  const bool has = !share || *share < kPartly || signals.lost == nullptr || signals.lost->size() < kTold;
   return has && contact.to - contact.from < kRings && turnsRound(left, contact.blocks);
 }
 

@@ -70,6 +70,8 @@ struct Signals {
   /// What the payload makes of motion smoothed less, each way, over what it makes of this one, as far as bias and
   /// payload alone know it; null: not asked for.
   std::shared_ptr<const std::vector<Wrenches>> lost;
+  /// The same of motion smoothed less than usual, which may be mostly noise.
+  std::shared_ptr<const std::vector<Wrenches>> lostFast;
   std::vector<bool> usable;  ///< N: inside the trim and neither marked as contact nor to be ignored
 
   Eigen::Index size() const { return kinematics.omega.cols(); }

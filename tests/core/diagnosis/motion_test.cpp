@@ -198,6 +198,28 @@ TEST(Diagnose, ATrembleFasterThanTheUsualCornerIsNoCause) {
   }
 }
 
+/// An arm that is knocked at four times while it is guided, for some hundredths of a second: what the smoothing of the
+/// motion took there was noise that comes and goes, or a touch of the tool.
+TEST(Diagnose, KnocksAtTheArmAreNoTouch) {
+  for (const double wide : {0.008, 0.015}) {  // [s]
+    RandomStream random(5, RandomPurpose::effect);
+    const auto joints = guided(random);
+    const auto path = [&](double t) {
+      JointMotion at = swinging(joints, t);
+      for (const double when : {4.1, 8.3, 12.35, 16.2})
+        for (Eigen::Index j = 0; j < 7; ++j) {
+          const double u = (t - when) / wide, fast = (j % 2 == 0 ? 6.0 : -9.0) * std::exp(-u * u);  // [rad/s^2]
+          at.q(j) += 0.5 * wide * wide * fast;
+          at.dq(j) -= wide * u * fast;
+          at.ddq(j) += (2.0 * u * u - 1.0) * fast;
+        }
+      return at;
+    };
+    const auto report = diagnosed(along(path, aTool(), {500.0, 1e-6, 0.0, 0.05, 0.002}, random));
+    EXPECT_EQ(report.verdict, Verdict::clean) << wide << ": " << said(report);
+  }
+}
+
 /// It rings in so narrow a band that a search from afar does not come there: the spectrum of the readings tells where.
 TEST(Diagnose, AMountThatRingsFarAboveTheHandIsFoundByItsPitch) {
   RandomStream random(4, RandomPurpose::effect);

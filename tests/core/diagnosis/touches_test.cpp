@@ -144,11 +144,15 @@ TEST(ContactsIn, AWeakTouchBesideAStrongOneIsNotLeftBySmoothing) {
   diagnosis::Wrenches lost = diagnosis::Wrenches::Zero(6, blocks);
   for (const double share : {0.1, 0.9}) {
     lost.row(2).segment(weak.from, weak.to - weak.from).setConstant(share * 0.5);
-    held.signals.lost = std::make_shared<const std::vector<diagnosis::Wrenches>>(1, lost);
-    const auto contacts = diagnosis::contactsIn(held.signals, held.fit, {strong, weak});
-    ASSERT_EQ(contacts.size(), 2u) << share;
-    EXPECT_FALSE(contacts.front().smoothed) << share;
-    EXPECT_EQ(contacts.back().smoothed, share > 0.5) << share;
+    // By motion that is smoothed as usual, or less.
+    for (const auto way : {&diagnosis::Signals::lost, &diagnosis::Signals::lostFast}) {
+      held.signals.lost = held.signals.lostFast = nullptr;
+      held.signals.*way = std::make_shared<const std::vector<diagnosis::Wrenches>>(1, lost);
+      const auto contacts = diagnosis::contactsIn(held.signals, held.fit, {strong, weak});
+      ASSERT_EQ(contacts.size(), 2u) << share;
+      EXPECT_FALSE(contacts.front().smoothed) << share;
+      EXPECT_EQ(contacts.back().smoothed, share > 0.5) << share;
+    }
   }
 }
 
