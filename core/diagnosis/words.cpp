@@ -455,9 +455,8 @@ std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& repor
   }
   if (cause.id == "constant_pull" && pullsUp(cause, report))
     return heft::say(
-        "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? If not: is there "
-        "a "
-        "balancer or a hose that carries a part of it?");
+        "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? If not: is "
+        "there a balancer or a hose that carries a part of it?");
   if (cause.id == "flexible_mount" && findParameter(cause.parameters, "strikes"))
     return heft::say(
         "Tap the tool, then what the robot stands on: which of them rings at this pitch? Tighten its screws.");
