@@ -75,16 +75,18 @@ void run(const Options& options) {
                 {options.force, {}});
   }
   if (!options.result.empty()) writeOutput(options.result, fileText(toJson(report.after)), overwriteEstimate);
+  // All files before the text: whoever reads only its first lines still gets them.
+  const nlohmann::json changes = report.metaChanges();
+  if (!options.correctedMeta.empty() && !changes.empty()) {
+    const auto old = options.import.metaFile.empty() ? metaFileOf(options.recording) : options.import.metaFile;
+    writeOutput(options.correctedMeta, fileText(orFail(mergedMeta(old, changes))), {options.force, {}});
+  }
   if (options.json != "-") {
     print(toText(report));
     printFindings(report.findings, true);
   }
-  if (!options.correctedMeta.empty()) {
-    const nlohmann::json changes = report.metaChanges();
-    if (changes.empty()) throw Failed("The diagnosis proposes no change of the meta file; none was written.");
-    const auto old = options.import.metaFile.empty() ? metaFileOf(options.recording) : options.import.metaFile;
-    writeOutput(options.correctedMeta, fileText(orFail(mergedMeta(old, changes))), {options.force, {}});
-  }
+  if (!options.correctedMeta.empty() && changes.empty())
+    throw Failed("The diagnosis proposes no change of the meta file; none was written.");
 }
 
 }  // namespace
