@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/ui/fixtures.h"
+#include "ui/charts/chart.h"
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/playback.h"
 #include "ui/wrench_plots/difference_cursor.h"
@@ -48,6 +49,21 @@ TEST(MinMaxPyramid, AgreesWithPlainSearchOnEveryKindOfStretch) {
       }
     }
   }
+}
+
+/// An axis of velocities had a zero and no other number.
+TEST(Charts, AxesHaveEnoughRoundNumbersToTellAScale) {
+  EXPECT_EQ(ticksBetween(-0.52, 0.48, 4), (std::vector{-0.4, -0.2, 0.0, 0.2, 0.4}));
+  EXPECT_EQ(ticksBetween(0.0, 20.0, 5), (std::vector{0.0, 5.0, 10.0, 15.0, 20.0}));
+  for (const int about : {2, 3, 5, 8})
+    for (double low = -1.0; low < 1.0; low += 0.037)
+      for (double span = 1e-3; span < 1e3; span *= 1.13) {
+        const auto ticks = ticksBetween(low, low + span, about);
+        EXPECT_LE(std::ssize(ticks), 2 * about + 1) << low << " " << span;
+        EXPECT_GE(ticks.size(), about > 2 ? 3u : 2u) << low << " " << span << " " << about;
+        EXPECT_GE(ticks.front(), low - 1e-9 * span);
+        EXPECT_LE(ticks.back(), low + 1.001 * span);
+      }
 }
 
 TEST(WrenchTraces, ThinningKeepsEverySpikeAndFewPoints) {

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/models/numbers.h"
@@ -41,8 +42,8 @@ struct Span {
 
 /// Round places for ticks, as shown values.
 std::vector<double> ticksOf(const Span& span, int about) {
-  std::vector<double> out;
   if (span.log) {
+    std::vector<double> out;
     for (int e = static_cast<int>(std::floor(span.low)); e <= std::ceil(span.high); ++e)
       for (const double f : {1.0, 2.0, 5.0}) {
         const double at = std::log10(f) + e;
@@ -51,13 +52,7 @@ std::vector<double> ticksOf(const Span& span, int about) {
       }
     return out;
   }
-  const double raw = (span.high - span.low) / about, power = std::pow(10.0, std::floor(std::log10(raw)));
-  double step = 10.0 * power;
-  for (const double f : {5.0, 2.0, 1.0})
-    if (f * power >= raw) step = f * power;
-  for (double at = std::ceil(span.low / step) * step; at <= span.high + 1e-9 * step; at += step)
-    out.push_back(std::abs(at) < 1e-9 * step ? 0.0 : at);
-  return out;
+  return ticksBetween(span.low, span.high, about);
 }
 
 QString tickText(double value, const std::vector<double>& ticks, bool log) {
@@ -68,6 +63,23 @@ QString tickText(double value, const std::vector<double>& ticks, bool log) {
 }
 
 }  // namespace
+
+std::vector<double> ticksBetween(double low, double high, int about) {
+  const auto every = [&](double step) {
+    std::vector<double> at;
+    for (double place = std::ceil(low / step) * step; place <= high + 1e-9 * step; place += step)
+      at.push_back(std::abs(place) < 1e-9 * step ? 0.0 : place);
+    return at;
+  };
+  constexpr std::array kRound{10.0, 5.0, 2.0, 1.0, 0.5};
+  const double raw = (high - low) / about, power = std::pow(10.0, std::floor(std::log10(raw)));
+  std::size_t i = 0;
+  while (kRound[i + 1] * power >= raw) ++i;
+  auto out = every(kRound[i] * power);
+  if (out.size() < 3)
+    if (auto finer = every(kRound[i + 1] * power); std::ssize(finer) <= 2 * about + 1) out = std::move(finer);
+  return out;
+}
 
 void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme& t, bool legend) {
   p.setRenderHint(QPainter::Antialiasing);

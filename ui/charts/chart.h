@@ -29,6 +29,10 @@ struct Chart {
   QString nothing;  ///< Stands there if there are no points.
 };
 
+/// Round numbers from `low` to `high`, about so many or fewer; more where one or two would hardly tell a scale, up to
+/// twice as many and one.
+std::vector<double> ticksBetween(double low, double high, int about);
+
 void drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const Theme& theme, bool legend);
 /// For reports: `size` in points at twice the resolution.
 QImage chartImage(const Chart& chart, QSize size, const Theme& theme);
