@@ -55,6 +55,7 @@ TEST(MinMaxPyramid, AgreesWithPlainSearchOnEveryKindOfStretch) {
 TEST(Charts, AxesHaveEnoughRoundNumbersToTellAScale) {
   EXPECT_EQ(ticksBetween(-0.52, 0.48, 4), (std::vector{-0.4, -0.2, 0.0, 0.2, 0.4}));
   EXPECT_EQ(ticksBetween(0.0, 20.0, 5), (std::vector{0.0, 5.0, 10.0, 15.0, 20.0}));
+  EXPECT_TRUE(ticksBetween(1.0, 1.0, 5).empty());
   for (const int about : {2, 3, 5, 8})
     for (double low = -1.0; low < 1.0; low += 0.037)
       for (double span = 1e-3; span < 1e3; span *= 1.13) {

@@ -74,7 +74,7 @@ std::vector<double> ticksBetween(double low, double high, int about) {
   constexpr std::array kRound{10.0, 5.0, 2.0, 1.0, 0.5};
   const double raw = (high - low) / about, power = std::pow(10.0, std::floor(std::log10(raw)));
   std::size_t i = 0;
-  while (kRound[i + 1] * power >= raw) ++i;
+  while (i + 2 < kRound.size() && kRound[i + 1] * power >= raw) ++i;
   auto out = every(kRound[i] * power);
   if (out.size() < 3)
     if (auto finer = every(kRound[i + 1] * power); std::ssize(finer) <= 2 * about + 1) out = std::move(finer);
