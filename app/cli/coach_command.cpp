@@ -24,7 +24,7 @@ constexpr double kNormal95 = 1.959963984540054;
 // Half widths beyond which a number is no knowledge of a tool that a hand holds.
 constexpr double kFarMass = 5.0, kFarCom = 0.25, kFarInertia = 2.0;  // [kg], [m], relative
 
-struct Options {
+struct CoachArguments {
   std::string recording, robot, want, output, json;
   double rateHz = 1000.0;
   CoachOptions coach;
@@ -55,18 +55,18 @@ std::string speedText(const LimitUse& use, double cap) {
 
 constexpr std::string_view kObstacles = "  Obstacles are not known to Heft: see that the way is free.\n";
 
-Overwrite ownFiles(const Options& options, std::string_view schema) {
+Overwrite ownFiles(const CoachArguments& options, std::string_view schema) {
   return {options.force, [schema](const std::string& old) { return hasSchema(old, schema); }};
 }
 
-void requirePaths(const Options& options, std::string_view schema) {
+void requirePaths(const CoachArguments& options, std::string_view schema) {
   if (options.output == "-" && options.json == "-")
     throw WrongUsage("The trajectory and --json cannot both go to stdout; give -o FILE.");
   if (!options.output.empty()) requireWritable(options.output, {options.force, {}});
   if (!options.json.empty()) requireWritable(options.json, ownFiles(options, schema));
 }
 
-void writeResults(const Options& options, std::string_view schema, const json& result, const std::string& text,
+void writeResults(const CoachArguments& options, std::string_view schema, const json& result, const std::string& text,
                   const JointMotion* motion) {
   if (!options.output.empty() && motion)
     writeOutput(options.output, trajectoryCsv(*motion, options.rateHz), {options.force, {}});
@@ -83,7 +83,7 @@ GuidedTool toolOf(const Input& input) {
   return orFail(guidedTool(*input.model(), input.recording.meta.mount));
 }
 
-void coachPoses(const Options& options, const Input& input) {
+void coachPoses(const CoachArguments& options, const Input& input) {
   const Recording& recording = input.recording;
   std::optional<GuidedTool> tool;
   if (input.model() && recording.hasJoints()) tool = toolOf(input);
@@ -132,7 +132,7 @@ void coachPoses(const Options& options, const Input& input) {
   writeResults(options, "heft.coach/1", out, text, nullptr);
 }
 
-void runCoach(Options options) {
+void runCoach(CoachArguments options) {
   if (!options.want.empty()) {
     constexpr CoachGoal kQuantities[] = {CoachGoal::mass, CoachGoal::com, CoachGoal::inertia};
     options.coach.want = kQuantities[chooseWord("--want", options.want, {"mass", "com", "inertia"})];
@@ -175,7 +175,7 @@ void runCoach(Options options) {
   writeResults(options, "heft.coach/1", out, text, advice.needed ? &advice.motion : nullptr);
 }
 
-void runExcite(const Options& options) {
+void runExcite(const CoachArguments& options) {
   requireRange("--tcp-speed", options.excitation.limits.tcpSpeed, 0.001, 2.0, "m/s");
   requireRange("--amplitude", options.excitation.amplitude, 0.001, 0.5, "rad");
   requireRange("--deviation", options.excitation.deviation, 0.0005, 0.5, "m");
@@ -221,7 +221,7 @@ void runExcite(const Options& options) {
   writeResults(options, "heft.excite/1", out, text, &e.excited);
 }
 
-CLI::App* addCommon(CLI::App& root, const char* name, const char* what, Options& options, MotionLimits& limits) {
+CLI::App* addCommon(CLI::App& root, const char* name, const char* what, CoachArguments& options, MotionLimits& limits) {
   CLI::App* app = root.add_subcommand(name, what);
   app->add_option("RECORDING", options.recording, "CSV with time, joints and wrench, SI units")
       ->type_name("")
@@ -243,7 +243,7 @@ CLI::App* addCommon(CLI::App& root, const char* name, const char* what, Options&
 }  // namespace
 
 Command makeCoachCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CoachArguments>();
   CLI::App* app = addCommon(root, "coach", "Say which motion, or which standing pose, would help most", *options,
                             options->coach.limits);
   app->add_option("--want", options->want, "mass, com or inertia; otherwise what is worst known")->type_name("NAME");
@@ -261,7 +261,7 @@ Command makeCoachCommand(CLI::App& root) {
 }
 
 Command makeExciteCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CoachArguments>();
   auto& excitation = options->excitation;
   CLI::App* app = addCommon(root, "excite", "Add small sines to a taught motion for its replay by the robot", *options,
                             excitation.limits);

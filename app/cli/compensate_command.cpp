@@ -15,13 +15,13 @@
 namespace heft::cli {
 namespace {
 
-struct Options {
+struct CompensateArguments {
   std::string recording, result, diagnosis, output, robot, json;
   bool force = false;
   ImportOptions import;
 };
 
-void run(const Options& options) {
+void run(const CompensateArguments& options) {
   if (options.output == "-" && options.json == "-")
     throw WrongUsage("The CSV and --json cannot both go to stdout; give -o FILE or --json FILE.");
   const Overwrite overwriteJson{options.force,
@@ -53,7 +53,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command makeCompensateCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompensateArguments>();
   CLI::App* app = root.add_subcommand("compensate", "Take the payload's share out of the measured wrench");
   app->add_option("RECORDING", options->recording,
                   "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Options {
+struct ConvertArguments {
   std::string input, output, json;
   ImportOptions import;
   bool force = false;
@@ -29,7 +29,7 @@ std::string motionForm(const Recording& recording) {
 }
 
 /// What there is to choose from, and what would be taken.
-void list(const Options& options) {
+void list(const ConvertArguments& options) {
   if (!options.output.empty()) throw WrongUsage("--list writes no recording; leave OUT away.");
   RecordingContents contents = [&] {
     ProgressLine line;
@@ -75,7 +75,7 @@ void list(const Options& options) {
   printFindings(contents.findings, true);
 }
 
-void run(const Options& options) {
+void run(const ConvertArguments& options) {
   if (options.list) return list(options);
   if (options.output.empty()) throw WrongUsage("OUT is missing: the CSV to write.");
   const std::filesystem::path csv = options.output;
@@ -119,7 +119,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command makeConvertCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertArguments>();
   CLI::App* app = root.add_subcommand("convert", "Check a recording and write it in the plain form");
   app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5")
       ->type_name("")

@@ -15,7 +15,7 @@
 namespace heft::cli {
 namespace {
 
-struct Options {
+struct DiagnoseArguments {
   std::string recording, robot, check, json, report, result, correctedMeta, segments;
   ImportOptions import;
   std::vector<std::string> hidden;
@@ -30,7 +30,7 @@ void list() {
   print("  Strong contact, saturation, spikes, dropouts and frame_error are seen directly.\n");
 }
 
-void run(const Options& options) {
+void run(const DiagnoseArguments& options) {
   if (options.causes) {
     list();
     return;
@@ -46,8 +46,8 @@ void run(const Options& options) {
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }
   if (!options.segments.empty()) {
-    constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
-    settings.segments = kModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
+    constexpr std::array kDiagnoseModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
+    settings.segments = kDiagnoseModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
   }
   const Overwrite overwriteResult{options.force,
                                   [](const std::string& old) { return hasSchema(old, "heft.diagnose/1"); }};
@@ -92,7 +92,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command makeDiagnoseCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiagnoseArguments>();
   CLI::App* app =
       root.add_subcommand("diagnose", "Show what the simulation gets wrong, name the cause, measure the gain");
   app->add_option("RECORDING", options->recording, "CSV with time, motion and wrench columns, SI units")->type_name("");

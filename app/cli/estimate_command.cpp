@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Options {
+struct EstimateArguments {
   std::vector<std::string> recordings;
   std::string robot, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing;
@@ -44,13 +44,13 @@ constexpr std::array kParameterSets{ParameterSet::mass, ParameterSet::massCom, P
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-EstimateOptions estimateOptions(const Options& options) {
+EstimateOptions estimateOptions(const EstimateArguments& options) {
   EstimateOptions out = options.estimate;
   out.method = kAllMethods[chooseWord("--method", options.method, words(kAllMethods))];
   out.parameters = kParameterSets[chooseWord("--parameters", options.parameters, words(kParameterSets))];
   if (!options.segments.empty()) {
-    constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
-    out.segments = kModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
+    constexpr std::array kEstimateModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
+    out.segments = kEstimateModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
   }
   const std::size_t smoothing = chooseWord("--smoothing", options.smoothing, {"low-pass", "savitzky-golay"});
   out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
@@ -107,7 +107,7 @@ struct Estimated {
   std::optional<JointReport> joint;        ///< Of several recordings; the report is then that of the first used one.
 };
 
-Estimated estimateFiles(const Options& options, const EstimateOptions& settings, const Progress& progress,
+Estimated estimateFiles(const EstimateArguments& options, const EstimateOptions& settings, const Progress& progress,
                         Clock::time_point start) {
   std::vector<Input> inputs;
   for (const auto& file : options.recordings)
@@ -144,7 +144,7 @@ Estimated estimateFiles(const Options& options, const EstimateOptions& settings,
   return out;
 }
 
-void run(const Options& options) {
+void run(const EstimateArguments& options) {
   const auto start = Clock::now();
   const EstimateOptions settings = estimateOptions(options);
   if (options.recordings.size() > 1 && options.compare) throw WrongUsage("--compare shows one recording; give one.");
@@ -184,7 +184,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command makeEstimateCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EstimateArguments>();
   options->method = toString(options->estimate.method);
   options->parameters = toString(options->estimate.parameters);
   options->smoothing = "low-pass";

@@ -13,7 +13,7 @@
 namespace heft::cli {
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::string result, format, output, json, xyz, rpy, tcp, mount;
   std::vector<std::string> add;
   FlangeOptions flange;
@@ -26,7 +26,7 @@ std::string formatList() {
   return text;
 }
 
-void run(Options options) {
+void run(ExportArguments options) {
   std::vector<std::string> ids;
   for (const auto& format : exportFormats()) ids.emplace_back(format.id);
   const ExportFormat& format = exportFormats()[chooseWord("--format", options.format, ids)];
@@ -67,7 +67,7 @@ void run(Options options) {
 }  // namespace
 
 Command makeExportCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   CLI::App* app = root.add_subcommand("export", "Write a payload file for a controller");
   app->add_option("RESULT", options->result, "The --json file of 'heft estimate', or a payload in the flange frame")
       ->type_name("")

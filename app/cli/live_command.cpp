@@ -30,7 +30,7 @@ constexpr double kShowEvery = 0.07;           ///< [s] On a terminal
 constexpr double kLineEvery = 1.0;            ///< [s] Elsewhere
 constexpr std::size_t kMostRows = 4'000'000;  ///< About an hour at 1 kHz is kept for the final estimate.
 
-struct Options {
+struct LiveArguments {
   std::vector<std::string> sources;
   std::string record, meta, shape, shapeFile, json;
   double duration = 0.0;
@@ -121,7 +121,7 @@ std::string troubleLine(const SessionStatus& status) {
   return text;
 }
 
-json toJson(const SessionStatus& status) {
+json statusJson(const SessionStatus& status) {
   json sources = json::array();
   for (const auto& source : status.sources)
     sources.push_back({{"name", source.name},
@@ -171,7 +171,7 @@ class StatusLine {
 };
 
 /// The meta file given, or that of the only recording replayed.
-RecordingMeta metaOf(const Options& options, Findings& findings) {
+RecordingMeta metaOf(const LiveArguments& options, Findings& findings) {
   std::filesystem::path file = options.meta;
   const bool replays = std::ranges::all_of(options.sources, [](const auto& s) { return s.starts_with("replay:"); });
   if (file.empty() && replays && options.sources.size() == 1) {
@@ -191,7 +191,7 @@ RecordingMeta metaOf(const Options& options, Findings& findings) {
 
 class LiveRun {
  public:
-  LiveRun(const Options& options, EstimateOptions settings)
+  LiveRun(const LiveArguments& options, EstimateOptions settings)
       : options_(options), settings_(std::move(settings)), meta_(metaOf(options, findings_)) {
     for (const auto& address : options.sources) {
       auto source = makeLiveSource(address);
@@ -287,7 +287,7 @@ class LiveRun {
     running_.emplace(meta_, robot ? &*robot : nullptr, settings_.shape);
   }
 
-  const Options& options_;
+  const LiveArguments& options_;
   EstimateOptions settings_;
   Findings findings_;
   RecordingMeta meta_;
@@ -299,7 +299,7 @@ class LiveRun {
   SessionStatus status_;
 };
 
-void run(const Options& options) {
+void run(const LiveArguments& options) {
   EstimateOptions settings;
   if (options.duration != 0.0) requireRange("--duration", options.duration, 0.1, 86400.0, "s");
   if (!options.shape.empty() && !options.shapeFile.empty())
@@ -322,7 +322,7 @@ void run(const Options& options) {
     print(fmt::format("{}: {} samples\n", options.record, status.recorded));
   const EstimateReport report = live.report();
   json result = heft::toJson(report);
-  result["live"] = toJson(status);
+  result["live"] = statusJson(status);
   if (!options.json.empty()) writeOutput(options.json, fileText(result), overwrite);
   if (options.json != "-") print(toText(report));
   if (const auto trouble = troubleLine(status); !trouble.empty()) fmt::print(stderr, "heft:{}\n", trouble);
@@ -331,7 +331,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command makeLiveCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LiveArguments>();
   CLI::App* app = root.add_subcommand("live", "Estimate while the hand moves, and record");
   app->add_option("SOURCE", options->sources,
                   "One source with motion and wrench, or one for each:\n"

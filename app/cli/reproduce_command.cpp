@@ -11,7 +11,7 @@
 namespace heft::cli {
 namespace {
 
-struct Options {
+struct ReproduceArguments {
   std::string seed = "1", format = "text", output = "-", plots, json;
   bool force = false;
   ReproductionOptions reproduce;
@@ -23,7 +23,7 @@ bool wasReproduced(const std::string& old) {
          old.find("<!-- heft reproduce -->") < 100;
 }
 
-void run(Options options) {
+void run(ReproduceArguments options) {
   const std::size_t format = chooseWord("--format", options.format, {"text", "csv", "markdown"});
   options.reproduce.seed = parseSeed(options.seed);
   requireRange("--recordings", options.reproduce.repeats, 1, 1000, "");
@@ -56,7 +56,7 @@ void run(Options options) {
 }  // namespace
 
 Command makeReproduceCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReproduceArguments>();
   CLI::App* app = root.add_subcommand("reproduce", "Show the seed paper's tables beside ours, and why they differ");
   app->add_option("--seed", options->seed, "The same seed gives the same errors; runtimes always vary")
       ->type_name("N")

@@ -14,16 +14,16 @@
 namespace heft::cli {
 namespace {
 
-struct Options {
+struct SegmentArguments {
   std::string recording, robot, payload, segments = "auto", json;
   bool force = false;
   ImportOptions import;
 };
 
-void run(const Options& options) {
-  constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks};
+void run(const SegmentArguments& options) {
+  constexpr std::array kSegmentModes{SegmentMode::automatic, SegmentMode::marks};
   EstimateOptions settings;
-  settings.segments = kModes[chooseWord("--segments", options.segments, {"auto", "marks"})];
+  settings.segments = kSegmentModes[chooseWord("--segments", options.segments, {"auto", "marks"})];
   const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.segment/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwrite);
   if (!options.payload.empty())
@@ -45,7 +45,7 @@ void run(const Options& options) {
 }  // namespace
 
 Command makeSegmentCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SegmentArguments>();
   CLI::App* app = root.add_subcommand("segment", "Find the free parts of a recording, contact and other events");
   app->add_option("RECORDING", options->recording,
                   "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...")

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Options {
+struct SimulateArguments {
   std::string motion, payload, output, truth, json, xyz, rpy, seed = "1";
   std::vector<std::string> effects;
   SimulateOptions simulate;
@@ -30,7 +30,7 @@ constexpr std::string_view kNote = "Simulated by Heft";
 
 std::array<double, 3> list(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-json truthJson(const SimulationTruth& truth, const Options& options) {
+json truthJson(const SimulationTruth& truth, const SimulateArguments& options) {
   json marks = json::array();
   for (const auto& mark : truth.marks)
     marks.push_back({{"from_s", mark.from}, {"to_s", mark.to}, {"label", toString(mark.label)}});
@@ -66,7 +66,7 @@ std::string effectList() {
   return text;
 }
 
-void run(Options options) {
+void run(SimulateArguments options) {
   const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
   constexpr std::array kTitles{"superposed sines", "pick and place", "free hand guiding"};
@@ -138,7 +138,7 @@ void run(Options options) {
 }  // namespace
 
 Command makeSimulateCommand(CLI::App& root) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateArguments>();
   auto& simulate = options->simulate;
   CLI::App* app = root.add_subcommand("simulate", "Make a recording with a simulated Panda and sensor");
   app->add_option("-m,--motion", options->motion,

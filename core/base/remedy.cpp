@@ -8,8 +8,8 @@
 namespace heft {
 namespace {
 
-std::mutex mutex;
-std::shared_ptr<const RemedyWords> chosen;
+std::mutex wordsMutex;
+std::shared_ptr<const RemedyWords> chosenWords;
 
 std::string onCommandLine(Remedy way, const std::string& subject) {
   switch (way) {
@@ -55,15 +55,15 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
 std::string remedy(Remedy way, const std::string& subject) {
   std::shared_ptr<const RemedyWords> words;
   {
-    const std::lock_guard lock(mutex);
-    words = chosen;
+    const std::lock_guard lock(wordsMutex);
+    words = chosenWords;
   }
   return words ? (*words)(way, subject) : onCommandLine(way, subject);
 }
 
 void setRemedyWords(RemedyWords words) {
-  const std::lock_guard lock(mutex);
-  chosen = words ? std::make_shared<const RemedyWords>(std::move(words)) : nullptr;
+  const std::lock_guard lock(wordsMutex);
+  chosenWords = words ? std::make_shared<const RemedyWords>(std::move(words)) : nullptr;
 }
 
 }  // namespace heft

@@ -13,7 +13,7 @@ namespace heft {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kTaughtHz = 4.0;      // a hand's path without its tremor
 constexpr double kOutputRate = 100.0;  // [Hz] of the samples between which quintics run
 constexpr double kRamp = 1.0;          // [s] in which the replay's clock starts and stops
@@ -119,7 +119,7 @@ std::vector<std::vector<Wave>> wavesFor(const RobotModel& robot, const Excitatio
       // Spread over the band, joint by joint; phases by the golden angle keep the peaks apart.
       const double place = (k + (j + 0.5) / dof) / kSines;
       const double hz = options.lowHz + (options.highHz - options.lowHz) * place;
-      joint.push_back({kTwoPi * hz, 2.4 * (3 * j + k), options.lowHz / hz});
+      joint.push_back({kTurn * hz, 2.4 * (3 * j + k), options.lowHz / hz});
       sum += options.lowHz / hz;
     }
     // The joints near the tool turn it most and move it least.

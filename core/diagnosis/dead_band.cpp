@@ -9,7 +9,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr std::ptrdiff_t kFewest = 10;  ///< Equal readings; readings just beyond the band; different ones among these
+constexpr std::ptrdiff_t kFewestReadings = 10;  ///< Equal readings; readings just beyond the band; different ones among these
 
 /// The value that comes most often, of readings in order.
 double commonest(const std::vector<double>& ordered) {
@@ -36,7 +36,7 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     const auto y = recording.wrench.col(c);
     std::ptrdiff_t repeats = 0;
     for (Eigen::Index i = 1; i < rows; ++i) repeats += y(i) == y(i - 1) ? 1 : 0;
-    if (repeats < kFewest) continue;
+    if (repeats < kFewestReadings) continue;
     std::vector<double> readings;
     for (Eigen::Index i = 0; i < rows; ++i)
       if (!recording.wrench.row(i).isZero(0.0)) readings.push_back(y(i));
@@ -44,7 +44,7 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     DeadBand band{c, commonest(readings), 0.0, 0.0, {}};
     const auto count = std::ranges::count(readings, band.reads);
     band.share = static_cast<double>(count) / static_cast<double>(rows);
-    if (count < kFewest || band.share < kLeastShare) continue;
+    if (count < kFewestReadings || band.share < kLeastShare) continue;
     // A gap to either side, and readings as close to one another as ever just beyond it.
     readings.erase(std::ranges::unique(readings).begin(), readings.end());
     const auto at = std::ranges::lower_bound(readings, band.reads);
@@ -52,7 +52,7 @@ std::vector<DeadBand> deadBands(const Recording& recording) {
     band.width = std::min(*at - *(at - 1), *(at + 1) - *at);
     const auto beyond = std::ranges::count_if(
         readings, [&](double r) { return r != band.reads && std::abs(r - band.reads) < 2.0 * band.width; });
-    if (beyond < kFewest) continue;
+    if (beyond < kFewestReadings) continue;
     for (Eigen::Index i = 0; i < rows; ++i) {
       if (y(i) != band.reads) continue;
       if (band.runs.empty() || band.runs.back().second < i) band.runs.emplace_back(i, i);

@@ -12,14 +12,14 @@ namespace heft::diagnosis {
 namespace {
 
 /// What a fit leaves, beside what is usual outside of all contacts, however strong these are.
-struct Left {
+struct LeftOfForce {
   std::vector<bool> outside;  ///< One a block
   Vector6d usual;             ///< On each channel
   Wrenches scaled;            ///< In units of the usual, 6 x N
 };
 
-Left leftBy(const Signals& signals, const Fit& fit, const std::vector<Stretch>& contacts) {
-  Left out{usableOutside(signals, contacts), usualPower(signals, fit, contacts).cwiseSqrt(), {}};
+LeftOfForce leftBy(const Signals& signals, const Fit& fit, const std::vector<Stretch>& contacts) {
+  LeftOfForce out{usableOutside(signals, contacts), usualPower(signals, fit, contacts).cwiseSqrt(), {}};
   out.scaled = out.usual.cwiseInverse().asDiagonal() * fit.residual;
   return out;
 }
@@ -38,7 +38,7 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
 }
 
 /// Whether next to nothing of what a stretch has beyond the usual is left where neighbouring blocks are averaged.
-bool turnsRound(const Left& left, const Stretch& where) {
+bool turnsRound(const LeftOfForce& left, const Stretch& where) {
   constexpr double kLeft = 0.15;  // Share of the power; a push of one block alone leaves 0.25
   const Wrenches& residual = left.scaled;
   const auto alone = [&](Eigen::Index n) { return residual.col(n).squaredNorm(); };
@@ -82,7 +82,7 @@ bool swings(const Wrenches& scaled, const Stretch& where) {
 
 /// Whether next to all that a stretch has beyond the usual is on one channel, which jumps there between two readings:
 /// what pushes turns the sensor as well, and takes its time.
-bool isOneChannel(const Signals& signals, const Left& left, const Stretch& where) {
+bool isOneChannel(const Signals& signals, const LeftOfForce& left, const Stretch& where) {
   constexpr double kAlone = 0.99;      // Share of the power, in units of the usual
   constexpr double kPlain = 20.0;      // Of these units: what is fainter may be chance
   constexpr double kJumps = 0.25;      // Of its most; a push that lasts 0.2 s changes by 0.1 at most
@@ -101,7 +101,7 @@ bool isOneChannel(const Signals& signals, const Left& left, const Stretch& where
 /// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
 /// taken off; of what has nothing to do with the motion 1 and more. None where nothing is smoothed less, or nothing is
 /// beyond the usual.
-std::optional<double> shareNotLost(const Signals& signals, const Left& left, const Stretch& where) {
+std::optional<double> shareNotLost(const Signals& signals, const LeftOfForce& left, const Stretch& where) {
   const Eigen::Index count = where.to - where.from;
   const auto part = left.scaled.middleCols(where.from, count);
   const Vector6d weights = left.usual.cwiseInverse();
@@ -117,7 +117,7 @@ std::optional<double> shareNotLost(const Signals& signals, const Left& left, con
 }
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
-bool isSmoothed(const Signals& signals, const Left& left, const Contact& contact) {
+bool isSmoothed(const Signals& signals, const LeftOfForce& left, const Contact& contact) {
   constexpr double kMostly = 0.5, kPartly = 0.95;
   constexpr double kRings = 0.4;    // [s]
   constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
@@ -208,7 +208,7 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
   constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
-  const Left left = leftBy(signals, fit, candidates);
+  const LeftOfForce left = leftBy(signals, fit, candidates);
   for (const auto& stretch : candidates) {
     Contact contact{signals.blockTime(stretch.from),
                     signals.blockTime(stretch.to - 1),

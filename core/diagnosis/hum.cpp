@@ -14,7 +14,7 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr double kLowestHz = 22.0, kHighestHz = 250.0, kOfRate = 0.45;
-constexpr std::size_t kFewest = 5, kMost = 16;  ///< Windows of a second
+constexpr std::size_t kFewestSeconds = 5, kMostSeconds = 16;  ///< Windows of a second
 
 /// First rows of windows that lie in usable blocks, spread over the recording.
 std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& signals, Eigen::Index length) {
@@ -31,7 +31,7 @@ std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& s
     if (usableUpTo[static_cast<std::size_t>(from + length)] - usableUpTo[static_cast<std::size_t>(from)] == length)
       all.push_back(from);
   std::vector<Eigen::Index> out;
-  const std::size_t step = std::max<std::size_t>(1, (all.size() + kMost - 1) / kMost);
+  const std::size_t step = std::max<std::size_t>(1, (all.size() + kMostSeconds - 1) / kMostSeconds);
   for (std::size_t i = 0; i < all.size(); i += step) out.push_back(all[i]);
   return out;
 }
@@ -48,7 +48,7 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
              first = static_cast<Eigen::Index>(kLowestHz);
   if (last < first + kBeside) return std::nullopt;
   const auto windows = windowsOf(recording, signals, length);
-  if (windows.size() < kFewest) return std::nullopt;
+  if (windows.size() < kFewestSeconds) return std::nullopt;
   std::vector<MatrixXd> powers(windows.size());
   onTwoThreads(windows.size(), [&](std::size_t i) {
     powers[i] = taperedPower(recording.wrench.middleRows(windows[i], length).transpose(), last);
@@ -104,7 +104,7 @@ std::optional<double> pitchIn(const Signals& signals) {
       power += taperedPower(signals.readings.middleCols(from, length), last);
   std::optional<double> out;
   double most = kStandsOut;
-  for (Eigen::Index k = first; windows >= kFewest && k < last; ++k)
+  for (Eigen::Index k = first; windows >= kFewestSeconds && k < last; ++k)
     for (Eigen::Index c = 0; c < 6; ++c) {
       std::vector<double> beside;
       for (Eigen::Index j = std::max(first, k - kBeside); j <= std::min(last - 1, k + kBeside); ++j)

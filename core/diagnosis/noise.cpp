@@ -8,7 +8,7 @@ namespace heft::diagnosis {
 namespace {
 
 constexpr int kMaxOrder = 8;
-constexpr Eigen::Index kShortest = 12;
+constexpr Eigen::Index kShortestRun = 12;
 /// Share of the power that innovations keep at least. A misfit that is slow and large is no noise: with a memory of any
 /// length it would cost nothing, and the fit would follow what is fast and small instead.
 constexpr double kFloor = 0.01;
@@ -98,7 +98,7 @@ std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
     if (!usable[static_cast<std::size_t>(k)]) continue;
     const Eigen::Index from = k;
     while (k < n && usable[static_cast<std::size_t>(k)]) ++k;
-    if (k - from >= kShortest) out.push_back({from, k});
+    if (k - from >= kShortestRun) out.push_back({from, k});
   }
   return out;
 }

@@ -82,7 +82,7 @@ constexpr std::array<Name, 14> kAlong = {{
     {"anchor_", heft::toSay("Place it pulls from, {0}")},
 }};
 
-std::optional<int> channelOf(std::string_view name) {
+std::optional<int> channelNamed(std::string_view name) {
   constexpr std::string_view kChannels[] = {"fx", "fy", "fz", "tx", "ty", "tz"};
   for (int c = 0; c < 6; ++c)
     if (name == kChannels[c]) return c;
@@ -100,39 +100,39 @@ std::string wordsOf(std::string_view name) {
   for (const Name& each : kAlong)
     if (name.starts_with(each.name) && isAxis(name.substr(each.name.size())))
       return heft::say(fmt::runtime(each.words), name.substr(each.name.size()));
-  if (const auto channel = channelOf(name)) return heft::say("Size in {}", channelWords(*channel));
+  if (const auto channel = channelNamed(name)) return heft::say("Size in {}", channelWords(*channel));
   if (name == "gain_force") return heft::say("Gain of all forces off by");
   if (name == "step_torque") return heft::say("Step of the torque readings");
   if (name.size() == 2 && name[0] == 'r' && isAxis(name.substr(1))) return heft::say("Turned about {}", name.substr(1));
   if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1)))
     return heft::say("Shifted along {}", name.substr(1));
   if (name.starts_with("gain_"))
-    if (const auto channel = channelOf(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
+    if (const auto channel = channelNamed(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
   if (name.starts_with("growth_"))
-    if (const auto channel = channelOf(name.substr(7)))
+    if (const auto channel = channelNamed(name.substr(7)))
       return heft::say("Gain of {} changes by", channelWords(*channel));
   if (name.starts_with("asymmetry_"))
-    if (const auto channel = channelOf(name.substr(10)))
+    if (const auto channel = channelNamed(name.substr(10)))
       return heft::say("Gain of {}, more to one side", channelWords(*channel));
   if (name.starts_with("loss_"))
-    if (const auto channel = channelOf(name.substr(5)))
+    if (const auto channel = channelNamed(name.substr(5)))
       return heft::say("Missing near the end of the range, {}", channelWords(*channel));
   if (name.starts_with("knee_"))
-    if (const auto channel = channelOf(name.substr(5)))
+    if (const auto channel = channelNamed(name.substr(5)))
       return heft::say("Of the range, how much that is, {}", channelWords(*channel));
   if (name.starts_with("level_"))
-    if (const auto channel = channelOf(name.substr(6)))
+    if (const auto channel = channelNamed(name.substr(6)))
       return heft::say("End of the range, {}", channelWords(*channel));
   if (name.size() == 8 && name.substr(2, 4) == "_to_") {
-    const auto from = channelOf(name.substr(0, 2)), to = channelOf(name.substr(6));
+    const auto from = channelNamed(name.substr(0, 2)), to = channelNamed(name.substr(6));
     if (from && to) return heft::say("{} seen in {}", channelWords(*from), channelWords(*to));
   }
   if (name.starts_with("course_w")) return heft::say("Wave {} of the course", name.substr(8));
   if (name.ends_with("_slope"))
-    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 8)
+    if (const auto channel = channelNamed(name.substr(0, 2)); channel && name.size() == 8)
       return heft::say("Rate in {}", channelWords(*channel));
   if (name.ends_with("_bend"))
-    if (const auto channel = channelOf(name.substr(0, 2)); channel && name.size() == 7)
+    if (const auto channel = channelNamed(name.substr(0, 2)); channel && name.size() == 7)
       return heft::say("Bend in {}", channelWords(*channel));
   if (const auto once = name.find("_once_"); once != std::string_view::npos && name[0] == 'q') {
     const auto joint = name.substr(1, once - 1);
@@ -142,7 +142,7 @@ std::string wordsOf(std::string_view name) {
   if (name.ends_with("_offset") && name.size() > 8 && name[0] == 'q')
     return heft::say("Angle of joint {} off by", name.substr(1, name.size() - 8));
   if (const auto wave = name.find("_wave_"); wave != std::string_view::npos)
-    if (const auto channel = channelOf(name.substr(0, wave)))
+    if (const auto channel = channelNamed(name.substr(0, wave)))
       return heft::say("Wave {} of {}", name.substr(wave + 6), channelWords(*channel));
   return {};
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSoftest = 11.0, kStiffest = 70.0;  // [Hz]
 /// Damping. Of what rang, 0.035 at most; what smoothing left of a stop in a clean recording looked like 0.21. A rotor
 /// that was switched on looked like 0.004.
-constexpr double kLeast = 0.005, kMost = 0.12;
+constexpr double kShortestRinging = 0.005, kLongestRinging = 0.12;
 
 /// What is left for a while after a stop, a channel a column, each over its usual size; its mean, slope and bend taken
 /// off.
@@ -147,14 +147,14 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
     for (const double f : {1.0 - step, 1.0, 1.0 + step})
       for (const double d : {1.0 - 30.0 * step, 1.0, 1.0 + 30.0 * step}) {
         const double frequency = std::clamp(out.frequencyHz * f, kSoftest, fastest),
-                     damping = std::clamp(out.damping * d, kLeast, kMost),
+                     damping = std::clamp(out.damping * d, kShortestRinging, kLongestRinging),
                      explained = explainedBy(windows, frequency, damping, signals.rateHz);
         if (explained <= most) continue;
         most = explained;
         out.frequencyHz = frequency;
         out.damping = damping;
       }
-  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kLeast || out.damping >= kMost)
+  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kShortestRinging || out.damping >= kLongestRinging)
     return std::nullopt;
 
   struct Rings {

@@ -90,19 +90,19 @@ Between between(double samples) {
 
 /// Rows that are known at compile time, 3 of a vector or 6 of a wrench, take a fraction of the time.
 template <int Rows>
-using Columns = Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+using MappedColumns = Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 template <int Rows>
-using ConstColumns = Eigen::Map<const Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+using ConstMappedColumns = Eigen::Map<const Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
 template <int Rows>
-using Column = Eigen::Matrix<double, Rows, 1>;
+using MappedColumn = Eigen::Matrix<double, Rows, 1>;
 
-/// work(ConstColumns<Rows>, Columns<Rows>) with `value` and what is returned.
+/// work(ConstMappedColumns<Rows>, MappedColumns<Rows>) with `value` and what is returned.
 template <class Work>
 Eigen::MatrixXd columnwise(const Eigen::Ref<const Eigen::MatrixXd>& value, Work work) {
   Eigen::MatrixXd out(value.rows(), value.cols());
   const auto run = [&]<int Rows>(std::integral_constant<int, Rows>) {
-    work(ConstColumns<Rows>(value.data(), value.rows(), value.cols(), Eigen::OuterStride<>(value.outerStride())),
-         Columns<Rows>(out.data(), out.rows(), out.cols(), Eigen::OuterStride<>(out.rows())));
+    work(ConstMappedColumns<Rows>(value.data(), value.rows(), value.cols(), Eigen::OuterStride<>(value.outerStride())),
+         MappedColumns<Rows>(out.data(), out.rows(), out.cols(), Eigen::OuterStride<>(out.rows())));
   };
   if (value.rows() == 3)
     run(std::integral_constant<int, 3>());
@@ -113,17 +113,17 @@ Eigen::MatrixXd columnwise(const Eigen::Ref<const Eigen::MatrixXd>& value, Work 
   return out;
 }
 
-using Weights = std::array<double, 4>;
+using EndWeights = std::array<double, 4>;
 
 /// Four columns of `u`, the first of them at `first`; before and after, the first and the last one go on.
 template <int Rows>
-Column<Rows> weighedAtEnds(const ConstColumns<Rows>& u, Eigen::Index first, const Weights& w) {
+MappedColumn<Rows> weighedAtEnds(const ConstMappedColumns<Rows>& u, Eigen::Index first, const EndWeights& w) {
   const auto at = [&](Eigen::Index i) { return u.col(std::clamp<Eigen::Index>(first + i, 0, u.cols() - 1)); };
   return w[0] * at(0) + w[1] * at(1) + w[2] * at(2) + w[3] * at(3);
 }
 
 template <int Rows>
-inline Column<Rows> weighed(const ConstColumns<Rows>& u, Eigen::Index first, const Weights& w) {
+inline MappedColumn<Rows> weighed(const ConstMappedColumns<Rows>& u, Eigen::Index first, const EndWeights& w) {
   if (first < 0 || first + 4 > u.cols()) return weighedAtEnds<Rows>(u, first, w);
   return w[0] * u.col(first) + w[1] * u.col(first + 1) + w[2] * u.col(first + 2) + w[3] * u.col(first + 3);
 }
@@ -131,7 +131,7 @@ inline Column<Rows> weighed(const ConstColumns<Rows>& u, Eigen::Index first, con
 }  // namespace
 
 Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const VectorXd& delays, double rateHz) {
-  return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& in, Columns<Rows> out) {
+  return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& in, MappedColumns<Rows> out) {
     for (Eigen::Index k = 0; k < out.cols(); ++k) {
       const Between by = between(-delays(k) * rateHz);
       out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
@@ -141,22 +141,22 @@ Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const Ve
 
 Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, double delay, double rateHz) {
   const Between by = between(-delay * rateHz);
-  return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& in, Columns<Rows> out) {
+  return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& in, MappedColumns<Rows> out) {
     for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
   });
 }
 
 Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double duration, double rateHz) {
   // Integrals of the cubic through u = -1, 0, 1, 2 from 0 to x.
-  const auto integral = [](double x) -> Weights {
+  const auto integral = [](double x) -> EndWeights {
     const double a = x * x / 2.0, b = x * x * x / 3.0, c = x * x * x * x / 4.0;
     return {-a / 3.0 + b / 2.0 - c / 6.0, x - a / 2.0 - b + c / 2.0, a + b / 2.0 - c / 2.0, (c - a) / 6.0};
   };
   const double samples = duration * rateHz, whole = std::floor(-samples), part = -samples - whole;
-  const Weights step = integral(1.0), beginning = integral(part);
+  const EndWeights step = integral(1.0), beginning = integral(part);
   const auto back = static_cast<Eigen::Index>(whole);  // To the sample before the mean begins, a negative number
-  return columnwise(value, [&]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
-    Column<Rows> sum = Column<Rows>::Zero(u.rows());  // From `back` to k
+  return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    MappedColumn<Rows> sum = MappedColumn<Rows>::Zero(u.rows());  // From `back` to k
     for (Eigen::Index k = back; k < 0; ++k) sum += weighed<Rows>(u, k - 1, step);
     for (Eigen::Index k = 0; k < out.cols(); ++k) {
       out.col(k) = (sum - weighed<Rows>(u, k + back - 1, beginning)) / samples;
@@ -207,8 +207,8 @@ Following<Scalar> following(Scalar kappa) {
 
 Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T, double rateHz) {
   const auto [keep, weight] = following(1.0 / (T * rateHz));
-  return columnwise(value, [keep, weight]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
-    Column<Rows> y = u.col(0);
+  return columnwise(value, [keep, weight]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    MappedColumn<Rows> y = u.col(0);
     out.col(0) = y;
     for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
       y = keep * y + weighed<Rows>(u, k - 1, weight);
@@ -229,11 +229,11 @@ Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, do
     real[i] = weight[i].real();
     imaginary[i] = weight[i].imag();
   }
-  return columnwise(value, [&, keep = keep]<int Rows>(const ConstColumns<Rows>& u, Columns<Rows> out) {
-    Column<Rows> x = u.col(0), y = 0.0 * x;
+  return columnwise(value, [&, keep = keep]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    MappedColumn<Rows> x = u.col(0), y = 0.0 * x;
     out.col(0) = share.real() * x;
     for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
-      const Column<Rows> next = keep.real() * x - keep.imag() * y + weighed<Rows>(u, k - 1, real);
+      const MappedColumn<Rows> next = keep.real() * x - keep.imag() * y + weighed<Rows>(u, k - 1, real);
       y = keep.imag() * x + keep.real() * y + weighed<Rows>(u, k - 1, imaginary);
       x = next;
       out.col(k + 1) = share.real() * x - share.imag() * y;

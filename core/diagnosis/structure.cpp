@@ -208,9 +208,9 @@ MatrixXd cosinesOver(Eigen::Index count) {
 }
 
 /// The judged blocks of a residual as slow and fast waves.
-class Waves {
+class ShuffledWaves {
  public:
-  Waves(const Wrenches& residual, const std::vector<Stretch>& stretches) : residual_(residual), stretches_(stretches) {
+  ShuffledWaves(const Wrenches& residual, const std::vector<Stretch>& stretches) : residual_(residual), stretches_(stretches) {
     Eigen::Index count = 0, at = 0;
     for (const auto& s : stretches) count += s.to - s.from;
     MatrixXd judged(count, 6);
@@ -277,7 +277,7 @@ class Chance {
   const Ground& ground_;
   double lnN_;
   Wrenches residual_;
-  Waves waves_;
+  ShuffledWaves waves_;
   std::array<MatrixXd, kDraws> signs_;
 };
 

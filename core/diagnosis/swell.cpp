@@ -11,7 +11,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr Eigen::Index kShortest = 100;  ///< Blocks of a stretch that is looked at
+constexpr Eigen::Index kShortestSwell = 100;  ///< Blocks of a stretch that is looked at
 
 struct Band {
   double low, high;  ///< [Hz]
@@ -35,7 +35,7 @@ BandPower<Bands> powerIn(const std::array<Band, Bands>& bands, const Signals& si
   out.sums.fill(Vector6d::Zero());
   for (const auto& s : stretches) {
     const Eigen::Index length = s.to - s.from;
-    if (length < kShortest) continue;
+    if (length < kShortestSwell) continue;
     const double resolution = signals.blockRate() / static_cast<double>(length);
     const auto lines = static_cast<Eigen::Index>(std::ceil(bands.back().high / resolution)) - 1;
     const MatrixXd here = taperedPower(residual.middleCols(s.from, length), lines);
@@ -87,7 +87,7 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
     VectorXd count = VectorXd::Constant(kBins, 1e-300);
     for (const auto& s : stretches) {
       const Eigen::Index length = s.to - s.from;
-      if (length < kShortest) continue;
+      if (length < kShortestSwell) continue;
       const double resolution = signals.blockRate() / static_cast<double>(length);
       const auto lines = static_cast<Eigen::Index>((kBins + 0.5) / resolution);
       const MatrixXd here = taperedPower(course.middleCols(s.from, length), lines);

@@ -92,7 +92,7 @@ VectorXd sampleSearch(const Eliminated& problem, VectorXd centre, const VectorXd
     }
     centre = mean;
     covariance.diagonal() += VectorXd((1e-18 * half.cwiseAbs2()));
-    spread = covariance.llt().matrixL();
+    spread = choleskyFactor(covariance);
     if ((spread.rowwise().norm().array() < kSmallest * half.array()).all()) break;
   }
   return problem.cost(centre) < bestCost ? centre : best;
@@ -106,9 +106,9 @@ SolverSolution solveBruteForce(const SolverProblem& problem) {
   const Eigen::Index biases = problem.bias ? kBiasColumns : 0;
   const Eigen::Index free = d - biases;
   MatrixXd augmented(problem.A.rows(), d + 1);
-  augmented.leftCols(d).noalias() = problem.A * map;
+  augmented.leftCols(d) = product(problem.A, map);
   augmented.col(d) = problem.y - problem.A * offset;
-  const MatrixXd R = Eigen::HouseholderQR<MatrixXd>(augmented).matrixQR().topRows(d + 1).triangularView<Eigen::Upper>();
+  const MatrixXd R = upperTriangle(augmented);
   const Eliminated eliminated{R.block(biases, biases, free + 1, free), R.col(d).tail(free + 1)};
 
   // The region: mass by half, centre of mass by 10 cm, inertia by the known one's own size, around the known values.
@@ -121,9 +121,8 @@ SolverSolution solveBruteForce(const SolverProblem& problem) {
                                : sampleSearch(eliminated, known.head(free), half.head(free), solution.iterations);
   VectorXd z(d);
   z.tail(free) = w;
-  z.head(biases) = R.topLeftCorner(biases, biases)
-                       .triangularView<Eigen::Upper>()
-                       .solve(R.col(d).head(biases) - R.block(0, biases, biases, free) * w);
+  z.head(biases) =
+      solveUpper(R.topLeftCorner(biases, biases), R.col(d).head(biases) - R.block(0, biases, biases, free) * w);
   const VectorXd x = offset + map * z;
   solution.bias = x.head<6>();
   solution.phi = x.tail<10>();

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/estimation/uncertainty.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -17,15 +18,14 @@ constexpr double kUselessMass = 50.0, kUselessCom = 1.0, kUselessInertia = 10.0;
 Matrix10d covarianceOf(const MatrixXd& A) {
   const Vector10d scale = A.colwise().norm().transpose().cwiseMax(1e-9).cwiseInverse();
   const MatrixXd scaled = A * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix10d> eigen(Matrix10d(scaled.transpose() * scaled));
-  const Vector10d inverse = eigen.eigenvalues().cwiseMax(1e-13).cwiseInverse();
-  return scale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() *
-         scale.asDiagonal();
+  const auto [values, vectors] = symmetricEigen(transposedProduct(scaled, scaled));
+  const VectorXd inverse = values.cwiseMax(1e-13).cwiseInverse();
+  return congruence(scale.asDiagonal() * vectors, inverse.asDiagonal().toDenseMatrix());
 }
 
 Vector10d componentStd(const Vector10d& phi, const Matrix10d& covariance) {
   const Matrix10d J = componentsJacobian(phi);
-  return (J * covariance * J.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
+  return congruence(J, covariance).diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
 /// NaN for what is too uncertain to be called known at all.
@@ -50,7 +50,7 @@ Evidence evidenceOf(const Triangle& R, bool bias, const Vector10d& result, const
   const MatrixXd A = R.block(first, kBiasColumns, kColumns + 1 - first, 10);
   const VectorXd y = R.col(kColumns).tail(kColumns + 1 - first);
   const Matrix10d covariance = covarianceOf(A);
-  const Vector10d phi = A.completeOrthogonalDecomposition().solve(y);
+  const Vector10d phi = shortestLeastSquares(A, y);
   const Vector10d value = componentsOf(fromParameters(result));
   out.best = componentStd(result, covariance);
   Vector10d unused = value;

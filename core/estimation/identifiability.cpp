@@ -7,6 +7,7 @@
 
 #include "core/base/say.h"
 #include "core/estimation/uncertainty.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -23,20 +24,20 @@ struct NamedAxes {
 /// The tool's principal axes where its moments of inertia tell them apart, the sensor's otherwise.
 NamedAxes namedAxes(const Payload& payload) {
   constexpr double kDistinct = 1.25;
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(payload.inertiaCom);
-  const Vector3d moments = eigen.eigenvalues();  // rising
+  const SymmetricEigen eigen = symmetricEigen(payload.inertiaCom);
+  const Vector3d moments = eigen.values;
   const bool isLong = moments(1) > kDistinct * moments(0), isFlat = moments(2) > kDistinct * moments(1);
   if (!isLong && !isFlat)
     return {Matrix3d::Identity(),
             {heft::say("the sensor's x axis"), heft::say("the sensor's y axis"), heft::say("the sensor's z axis")}};
   const auto near = [&](int i) {
     Eigen::Index axis = 0;
-    eigen.eigenvectors().col(i).cwiseAbs().maxCoeff(&axis);
+    eigen.vectors.col(i).cwiseAbs().maxCoeff(&axis);
     return " " + heft::say("(near the sensor's {})", kAxes[axis]);
   };
   const std::string crosswise = heft::say("an axis across the tool"),
                     flat = heft::say("an axis in the tool's flat side");
-  return {eigen.eigenvectors(),
+  return {eigen.vectors,
           {(isLong ? heft::say("the tool's long axis") : flat) + near(0), (isLong ? crosswise : flat) + near(1),
            (isFlat && !isLong ? heft::say("the axis square to the tool's flat side") : crosswise) + near(2)}};
 }
@@ -71,13 +72,12 @@ std::vector<Identifiability::Direction> directionsOf(const MapPrior& prior, cons
                                                      const Matrix10d& componentsByV) {
   const Payload payload = fromParameters(solution.phi);
   const NamedAxes axes = namedAxes(payload);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix10d> eigen(solution.dataInformation,
-                                                                  prior.normalInformation(solution.v));
+  const auto [values, vectors] = generalizedEigen(solution.dataInformation, prior.normalInformation(solution.v));
   std::vector<Identifiability::Direction> directions;
   for (int i = 9; i >= 0; --i) {
-    const double lambda = std::max(0.0, eigen.eigenvalues()(i));
+    const double lambda = std::max(0.0, values(i));
     directions.push_back(
-        {lambda / (1.0 + lambda), aboutWhat(componentsByV * eigen.eigenvectors().col(i), payload, axes)});
+        {lambda / (1.0 + lambda), aboutWhat(componentsByV * vectors.col(i), payload, axes)});
   }
   return directions;
 }
@@ -100,7 +100,7 @@ double scaledCondition(const Triangle& R) {
   const MatrixXd block = R.block<11, 10>(kBiasColumns, kBiasColumns);
   const VectorXd lengths = block.colwise().norm();
   if (lengths.minCoeff() <= 0.0) return std::numeric_limits<double>::infinity();
-  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(block * lengths.cwiseInverse().asDiagonal()).singularValues();
+  const VectorXd values = singularValues(block * lengths.cwiseInverse().asDiagonal());
   return values(9) > 0.0 ? values(0) / values(9) : std::numeric_limits<double>::infinity();
 }
 
@@ -108,9 +108,9 @@ Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSoluti
                        const ToldParts& told) {
   Identifiability out;
   out.conditionNumber = scaledCondition(R);
-  const Matrix10d J = componentsJacobian(solution.phi) * parametersJacobian(prior, solution.v);
-  const Vector10d posterior = (J * solution.covariance * J.transpose()).diagonal();
-  const Vector10d before = (J * prior.normalInformation(solution.v).inverse() * J.transpose()).diagonal();
+  const Matrix10d J = product(componentsJacobian(solution.phi), parametersJacobian(prior, solution.v));
+  const Vector10d posterior = congruence(J, solution.covariance).diagonal();
+  const Vector10d before = congruence(J, inverse(prior.normalInformation(solution.v))).diagonal();
   const Payload payload = fromParameters(solution.phi);
   const Vector10d deviation = componentsOf(std);
   const double size = std::sqrt(std::max(0.0, payload.inertiaCom.trace() / (2.0 * payload.mass)));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/nnls.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -32,12 +33,11 @@ InsideSolution solveInside(const Triangle& R, const MapPrior& prior, bool bias, 
   bool converged = false;
   for (; iterations < 100 && !converged; ++iterations) {
     const Matrix10d J = parametersJacobian(prior, v);
-    const MatrixXd AJ = cost.A() * J;
-    const Matrix10d H = AJ.transpose() * AJ + prior.curvature(v);
+    const MatrixXd AJ = product(cost.A(), J);
+    const Matrix10d H = transposedProduct(AJ, AJ) + prior.curvature(v);
     const Vector10d gradient = AJ.transpose() * (cost.A() * phi - cost.y()) + prior.halfGradient(v);
-    const Eigen::LLT<Matrix10d> llt(H);
-    out.root = Matrix10d(llt.matrixU()) * J.inverse();
-    const Vector10d target = phi - J * llt.solve(gradient);
+    out.root = transposedProduct(choleskyFactor(H), inverse(J));
+    const Vector10d target = phi - J * solveSymmetric(H, gradient);
     const Vector10d step = cone.nearest(out.root, target) - phi;
     converged = true;
     for (double length = 0.999; length > 1e-6; length *= 0.5) {

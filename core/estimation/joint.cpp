@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/prior.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -64,7 +65,7 @@ bool contradict(const Told& a, const Told& b) {
   Eigen::Matrix4d S = (a.covariance + b.covariance).topLeftCorner<4, 4>();
   const double mass = kMassFloor * std::max(a.components(0), b.components(0));
   S.diagonal() += Eigen::Vector4d(mass * mass, kComFloor * kComFloor, kComFloor * kComFloor, kComFloor * kComFloor);
-  return d.dot(S.ldlt().solve(d)) > kContradiction;
+  return d.dot(solveSymmetric(S, d)) > kContradiction;
 }
 
 /// The largest set of recordings that agree with one of them; of equal ones the first.

@@ -6,6 +6,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"
 
 namespace heft {
@@ -84,14 +85,10 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
   // A clearly negative mass is the other sign of the wrench. Linear fits say it; the map estimate cannot.
   if (report.identifiability.mass == Source::data || report.payload.mass < 0.0) {
     const MatrixXd A = prepared.whitened.leftCols<kColumns>();
-    const VectorXd x = A.colPivHouseholderQr().solve(prepared.whitened.col(kColumns));
+    const VectorXd x = leastSquares(A, prepared.whitened.col(kColumns)).x;
     const double mass = x(kBiasColumns);
-    const double sd = (A.transpose() * A)
-                          .completeOrthogonalDecomposition()
-                          .pseudoInverse()
-                          .diagonal()
-                          .cwiseMax(0.0)
-                          .cwiseSqrt()(kBiasColumns);
+    const double sd =
+        std::sqrt(std::max(0.0, pseudoInverse(transposedProduct(A, A))(kBiasColumns, kBiasColumns)));
     if (mass < -6.0 * sd && mass < -0.02)
       report.findings.push_back(
           {Severity::warning,

@@ -40,9 +40,7 @@ SolverSolution fromFull(const VectorXd& x, int iterations, bool usable, std::str
 
 SolverSolution solveLeastSquares(const SolverProblem& problem) {
   const auto [map, offset] = selectionFor(problem.parameters, problem.bias, problem.known);
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(problem.A * map);
-  const VectorXd z = qr.solve(problem.y - problem.A * offset);
-  const bool fullRank = qr.rank() == map.cols();
+  const auto [z, fullRank] = leastSquares(product(problem.A, map), problem.y - problem.A * offset);
   return fromFull(offset + map * z, 1, fullRank,
                   fullRank ? heft::say("Solved in one step.")
                            : heft::say("This motion leaves some parameters without any information."));
@@ -52,18 +50,10 @@ SolverSolution solveTls(const SolverProblem& problem, SvdKind kind) {
   const auto [map, offset] = selectionFor(problem.parameters, problem.bias, problem.known);
   const Eigen::Index d = map.cols();
   MatrixXd augmented(problem.A.rows(), d + 1);
-  augmented.leftCols(d).noalias() = problem.A * map;
+  augmented.leftCols(d) = product(problem.A, map);
   augmented.col(d) = problem.y - problem.A * offset;
   // The right singular vector of the smallest singular value is the direction that [A | y] knows least about.
-  VectorXd v;
-  if (kind == SvdKind::jacobi) {
-    v = Eigen::JacobiSVD<MatrixXd, Eigen::HouseholderQRPreconditioner>(augmented,
-                                                                       Eigen::ComputeThinU | Eigen::ComputeThinV)
-            .matrixV()
-            .col(d);
-  } else {
-    v = Eigen::BDCSVD<MatrixXd>(augmented, Eigen::ComputeThinU | Eigen::ComputeThinV).matrixV().col(d);
-  }
+  const VectorXd v = rightSingularVectors(augmented, kind).col(d);
   if (std::abs(v(d)) < 1e-12)
     return fromFull(
         offset, 1, false,
@@ -77,9 +67,9 @@ SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<
   const Eigen::Index d = map.cols();
   const Eigen::Index exact = problem.bias ? kBiasColumns : 0;
   MatrixXd augmented(problem.A.rows(), d + 1);
-  augmented.leftCols(d).noalias() = problem.A * map;
+  augmented.leftCols(d) = product(problem.A, map);
   augmented.col(d) = problem.y - problem.A * offset;
-  MatrixXd R = Eigen::HouseholderQR<MatrixXd>(augmented).matrixQR().topRows(d + 1).triangularView<Eigen::Upper>();
+  const MatrixXd R = upperTriangle(augmented);
   const Eigen::Index noisy = d - exact;
   VectorXd scale(noisy + 1);
   const MatrixXd phiMap = map.bottomRightCorner(10, noisy);
@@ -87,16 +77,15 @@ SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<
   scale(noisy) = columnNoise(10);
   scale = scale.cwiseMax(1e-9 * scale.maxCoeff());
   const MatrixXd block = R.bottomRightCorner(noisy + 1, noisy + 1) * scale.cwiseInverse().asDiagonal();
-  const VectorXd v = Eigen::JacobiSVD<MatrixXd>(block, Eigen::ComputeFullV).matrixV().col(noisy);
+  const VectorXd v = rightSingularVectors(block).col(noisy);
   if (std::abs(v(noisy)) < 1e-12)
     return fromFull(
         offset, 1, false,
         heft::say("Total least squares has no solution here: the smallest singular value belongs to the regressor."));
   VectorXd z(d);
   z.tail(noisy) = (-v.head(noisy) / v(noisy) * scale(noisy)).cwiseQuotient(scale.head(noisy));
-  z.head(exact) = R.topLeftCorner(exact, exact)
-                      .triangularView<Eigen::Upper>()
-                      .solve(R.col(d).head(exact) - R.block(0, exact, exact, noisy) * z.tail(noisy));
+  z.head(exact) = solveUpper(R.topLeftCorner(exact, exact),
+                             R.col(d).head(exact) - R.block(0, exact, exact, noisy) * z.tail(noisy));
   return fromFull(offset + map * z, 1, true, heft::say("Singular value decomposition done."));
 }
 

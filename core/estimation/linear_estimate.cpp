@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft {
 
 namespace {
@@ -29,11 +31,9 @@ SolverSolution runSolver(Method method, const SolverProblem& problem, const Colu
 }
 
 /// Of a symmetric positive semidefinite matrix with very unequal units.
-MatrixXd pseudoInverse(const MatrixXd& H) {
+MatrixXd scaledPseudoInverse(const MatrixXd& H) {
   const VectorXd scale = H.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
-  return scale.asDiagonal() *
-         MatrixXd(scale.asDiagonal() * H * scale.asDiagonal()).completeOrthogonalDecomposition().pseudoInverse() *
-         scale.asDiagonal();
+  return scale.asDiagonal() * pseudoInverse(scale.asDiagonal() * H * scale.asDiagonal()) * scale.asDiagonal();
 }
 
 }  // namespace
@@ -96,8 +96,8 @@ SolverSolution solveWithKnown(Method method, const Triangle* triangle, const Row
 
 Matrix10d covarianceOf(const Triangle& whitened, const EstimateOptions& options, const Payload& known) {
   const MatrixXd map = selectionFor(options.parameters, options.bias, known).map;
-  const MatrixXd A = whitened.leftCols<kColumns>() * map;
-  return (map * pseudoInverse(A.transpose() * A) * map.transpose()).bottomRightCorner<10, 10>();
+  const MatrixXd A = product(whitened.leftCols<kColumns>(), map);
+  return congruence(map, scaledPseudoInverse(transposedProduct(A, A))).bottomRightCorner<10, 10>();
 }
 
 Matrix10d sandwich(const Prepared& prepared, const EstimateOptions& options, const Payload& known,
@@ -108,12 +108,12 @@ Matrix10d sandwich(const Prepared& prepared, const EstimateOptions& options, con
   for (const auto& run : prepared.runs)
     for (Eigen::Index k = run.from; k < run.to; ++k) {
       const Eigen::Matrix<double, 6, kColumns> A = blockRows(prepared.blocks, k).leftCols<kColumns>();
-      bread.noalias() += A.transpose() * W.asDiagonal() * A;
+      bread += transposedProduct(A, W.asDiagonal() * A);
     }
-  const MatrixXd H = map.transpose() * bread * map;
-  const MatrixXd meat = map.transpose() * scoreCovariance(prepared.blocks, prepared.noise, W, prepared.runs) * map;
-  const MatrixXd inverse = pseudoInverse(H);
-  return (map * inverse * meat * inverse * map.transpose()).bottomRightCorner<10, 10>();
+  const MatrixXd back = map.transpose();
+  const MatrixXd inverse = product(map, scaledPseudoInverse(congruence(back, bread)));
+  const MatrixXd meat = congruence(back, scoreCovariance(prepared.blocks, prepared.noise, W, prepared.runs));
+  return congruence(inverse, meat).bottomRightCorner<10, 10>();
 }
 
 }  // namespace heft

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft {
 
 namespace {
@@ -77,7 +79,7 @@ StatedTerm termFrom(const StatedPayload& stated) {
   const Vector3d com = stated.com.value_or(Vector3d::Zero());
   const Matrix3d spread = stated.spread.value_or(kUsualRadius * kUsualRadius * Matrix3d::Identity());
   StatedTerm term;
-  term.inverseU = upperFactor(bodyOf(mass, com, spread)).inverse();
+  term.inverseU = inverse(upperFactor(bodyOf(mass, com, spread)));
   if (stated.spread) term.weight.head<6>().setConstant(1.0 / stated.shapeStd);
   if (stated.com) term.weight.segment<3>(6).setConstant(1.0 / stated.centreStd);
   if (stated.mass) term.weight(9) = 2.0 / stated.massStd;
@@ -89,7 +91,7 @@ LinearTerm linearised(const StatedTerm& term, const Vector10d& phi) {
   here.U0 = upperFactor(pseudoInertia(phi));
   Matrix10d byV;
   const Vector10d residual = residualsOf(term, here.U0, Vector10d::Zero(), byV);
-  const Matrix10d A = byV * parametersJacobian(here, Vector10d::Zero()).inverse();
+  const Matrix10d A = product(byV, inverse(parametersJacobian(here, Vector10d::Zero())));
   return {A, A * phi - residual};
 }
 
@@ -97,7 +99,7 @@ Matrix10d MapPrior::statedInformation(const Vector10d& v, Vector10d* halfGradien
   Matrix10d sum = Matrix10d::Zero(), J;
   for (const auto& term : stated) {
     const Vector10d residual = residualsOf(term, U0, v, J);
-    sum += J.transpose() * J;
+    sum += transposedProduct(J, J);
     if (halfGradient) *halfGradient += J.transpose() * residual;
   }
   return sum;
@@ -200,13 +202,13 @@ double MapCost::operator()(const Vector10d& v) const {
 MapSolution solutionAt(const Triangle& R, const MapPrior& prior, bool bias, const Vector10d& v) {
   MapSolution solution;
   solution.v = v;
-  const MatrixXd AJ = MapCost(R, prior, bias).A() * parametersJacobian(prior, v);
-  solution.dataInformation = AJ.transpose() * AJ;
-  solution.covariance = (solution.dataInformation + prior.curvature(v)).inverse();
+  const MatrixXd AJ = product(MapCost(R, prior, bias).A(), parametersJacobian(prior, v));
+  solution.dataInformation = transposedProduct(AJ, AJ);
+  solution.covariance = inverse(solution.dataInformation + prior.curvature(v));
   solution.phi = parametersFromV(prior, v);
   if (bias)
-    solution.bias = R.topLeftCorner<6, 6>().triangularView<Eigen::Upper>().solve(
-        R.block<6, 1>(0, kColumns) - R.block<6, 10>(0, kBiasColumns) * solution.phi);
+    solution.bias = solveUpper(R.topLeftCorner<6, 6>(),
+                               R.block<6, 1>(0, kColumns) - R.block<6, 10>(0, kBiasColumns) * solution.phi);
   return solution;
 }
 
@@ -221,13 +223,13 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
   Matrix10d J, data;
   for (solution.iterations = 0; solution.iterations < 1000; ++solution.iterations) {
     J = parametersJacobian(prior, solution.v);
-    const MatrixXd AJ = A * J;
-    data = AJ.transpose() * AJ;
+    const MatrixXd AJ = product(A, J);
+    data = transposedProduct(AJ, AJ);
     const Matrix10d H = data + prior.curvature(solution.v);
     const Vector10d gradient =
         AJ.transpose() * (A * parametersFromV(prior, solution.v) - y) + prior.halfGradient(solution.v);
     // Gradient in units of the posterior's own standard deviations.
-    const double slope = std::sqrt(std::max(0.0, gradient.dot(H.ldlt().solve(gradient))));
+    const double slope = std::sqrt(std::max(0.0, gradient.dot(solveSymmetric(H, gradient))));
     if (slope < 1e-7) {
       solution.converged = true;
       break;
@@ -236,7 +238,7 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
     for (int attempt = 0; attempt < 30 && !improved; ++attempt) {
       Matrix10d damped = H;
       damped.diagonal() *= 1.0 + damping;
-      Vector10d step = -damped.ldlt().solve(gradient);
+      Vector10d step = -solveSymmetric(damped, gradient);
       // The exponentials are trusted over a factor of two at a time.
       const double longest = step.cwiseAbs().maxCoeff();
       if (longest > 2.0) step *= 2.0 / longest;
@@ -262,12 +264,12 @@ MapSolution solveMap(const Triangle& R, const MapPrior& prior, bool bias, const 
 }
 
 Triangle priorRows(const MapPrior& prior, const Vector10d& v) {
-  const Eigen::LLT<Matrix10d> llt(prior.curvature(v));
+  const MatrixXd L = choleskyFactor(prior.curvature(v));
   Eigen::Matrix<double, 10, kColumns + 1> rows;
   rows.setZero();
-  const Matrix10d A = Matrix10d(llt.matrixU()) * parametersJacobian(prior, v).inverse();
+  const Matrix10d A = transposedProduct(L, inverse(parametersJacobian(prior, v)));
   rows.middleCols<10>(kBiasColumns) = A;
-  rows.col(kColumns) = A * parametersFromV(prior, v) - Vector10d(llt.matrixL().solve(prior.halfGradient(v)));
+  rows.col(kColumns) = A * parametersFromV(prior, v) - L.triangularView<Eigen::Lower>().solve(prior.halfGradient(v));
   TriangleBuilder builder;
   builder.add(rows);
   return builder.finish();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft {
 
 namespace {
@@ -65,14 +67,14 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   covariance *= count / (count + 60.0);
   covariance.diagonal() = variance;
   for (int c = 0; c < 6; ++c) noise.channels[static_cast<std::size_t>(c)].sigma = std::sqrt(variance(c));
-  noise.whitener = covariance.llt().matrixL().solve(Matrix6d::Identity());
+  noise.whitener = whitenerOf(covariance);
   return noise;
 }
 
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent) {
   constexpr double kHuge = 1e4;  // [N, N m]
   NoiseModel out = noise;
-  const Matrix6d L = noise.whitener.inverse();
+  const Matrix6d L = inverse(noise.whitener);
   Matrix6d covariance = L * L.transpose();
   for (Eigen::Index c = 0; c < 6; ++c) {
     if (!silent[static_cast<std::size_t>(c)]) continue;
@@ -83,7 +85,7 @@ NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent) {
     channel.coefficients.setZero();
     channel.sigma = kHuge;
   }
-  out.whitener = covariance.llt().matrixL().solve(Matrix6d::Identity());
+  out.whitener = whitenerOf(covariance);
   return out;
 }
 
@@ -153,7 +155,7 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const Triangle plain = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
   // With z = Wt Fb F^-1 L u (u white; F, Fb the autoregressive filters of noise and weighting, Wt = L^-1 the whitener)
   // the scores are sum_k A_k^T w z_k, so their covariance is that of the rows sent backwards through the same filters.
-  const Matrix6d L = noise.whitener.inverse();
+  const Matrix6d L = inverse(noise.whitener);
   Eigen::Matrix<double, kColumns, kColumns> M = Eigen::Matrix<double, kColumns, kColumns>::Zero();
   for (const auto& run : runs) {
     const Eigen::Index n = run.to - run.from;
@@ -196,14 +198,14 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const Eigen::Matrix<double, kColumns, kColumns> A = plain.topLeftCorner<kColumns, kColumns>();
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-12).cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
+  const auto [values, vectors] = symmetricEigen(scaled);
   // Directions without any motion have neither score nor variance.
-  const VectorXd inverseRoot = eigen.eigenvalues().unaryExpr([top = eigen.eigenvalues().maxCoeff()](double value) {
+  const VectorXd inverseRoot = values.unaryExpr([top = values.maxCoeff()](double value) {
     return value > 1e-11 * top ? 1.0 / std::sqrt(value) : 0.0;
   });
-  const MatrixXd left = inverseRoot.asDiagonal() * eigen.eigenvectors().transpose() * scale.asDiagonal();
+  const MatrixXd left = inverseRoot.asDiagonal() * vectors.transpose() * scale.asDiagonal();
   TriangleBuilder builder;
-  const MatrixXd system = left * A.transpose() * plain.topRows<kColumns>();
+  const MatrixXd system = product(left, transposedProduct(A, plain.topRows<kColumns>()));
   builder.add(system);
   return builder.finish();
 }
@@ -226,7 +228,7 @@ Eigen::Matrix<double, kColumns, kColumns> scoreCovariance(const WrenchRows& rows
         for (int i = 0; i < model.order() && k + 1 + i < n; ++i) G.row(k) += model.coefficients(i) * G.row(k + 1 + i);
       }
       const double scale = model.sigma * channelWeights(c);
-      sum.noalias() += scale * scale * (G.transpose() * G);
+      sum += scale * scale * transposedProduct(G, G);
     }
   }
   return sum;

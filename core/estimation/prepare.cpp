@@ -10,6 +10,7 @@
 #include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
+#include "core/math/linear_algebra.h"
 #include "core/recording/channels.h"
 #include "core/recording/frozen.h"
 
@@ -29,7 +30,7 @@ Wrenches residualOf(const WrenchRows& blocks, const Triangle& whitened) {
   VectorXd sd(kColumns);
   sd << VectorXd::Constant(6, 1e4), 30.0, VectorXd::Constant(3, 3.0), VectorXd::Constant(6, 1.0);
   A.bottomRows<kColumns>() = sd.cwiseInverse().asDiagonal();
-  const VectorXd x = A.colPivHouseholderQr().solve(y);
+  const VectorXd x = leastSquares(A, y).x;
   Wrenches residual(6, blocks.size());
   for (Eigen::Index k = 0; k < blocks.size(); ++k)
     residual.col(k) = blocks.wrench.col(k) - x.head<6>() - blocks.Y[static_cast<std::size_t>(k)] * x.tail<10>();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/math/linear_algebra.h"
 #include "core/payload/shape_bound.h"
 #include "core/payload/shape_prior.h"
 
@@ -27,7 +28,7 @@ RoughFit roughFit(const Triangle& R) {
   sd << 3.0, 0.25, 0.25, 0.25, VectorXd::Constant(6, 0.1);
   A.bottomRows<10>() = sd.cwiseInverse().asDiagonal();
   y(11) = 1.0 / sd(0);
-  const VectorXd phi = A.colPivHouseholderQr().solve(y);
+  const VectorXd phi = leastSquares(A, y).x;
   const double mass = std::clamp(phi(0), 0.01, 100.0);
   Vector3d com = phi.segment<3>(1) / mass;
   if (com.norm() > 0.5) com *= 0.5 / com.norm();
@@ -55,7 +56,7 @@ ShapeFit fitWithStated(const ShapePrior& shape, const MatrixXd& A, const VectorX
     const Vector10d before = fit.phi;
     fit = shape.fit(rows, values);
     const Vector10d step = fit.phi - before;
-    if (step.dot(fit.covariance.ldlt().solve(step)) < 1e-12) break;
+    if (step.dot(solveSymmetric(fit.covariance, step)) < 1e-12) break;
   }
   return fit;
 }

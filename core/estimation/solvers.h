@@ -4,6 +4,7 @@
 
 #include "core/estimation/options.h"
 #include "core/estimation/triangle.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -37,7 +38,6 @@ Selection selectionFor(ParameterSet parameters, bool bias, const Payload& known)
 /// Column-pivoted Householder QR: least squares of the rows as they are weighted.
 SolverSolution solveLeastSquares(const SolverProblem& problem);
 
-enum class SvdKind { divideAndConquer, jacobi };
 /// Total least squares of [A | y], every column with the same error (seed paper; Kubus 2008).
 SolverSolution solveTls(const SolverProblem& problem, SvdKind kind);
 /// Total least squares with columns scaled by their own noise; columns without noise (the biases) are exact and

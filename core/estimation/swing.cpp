@@ -1,4 +1,5 @@
 #include "core/estimation/swing.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -36,7 +37,7 @@ double solve(const MatrixXd& N, int unknowns, VectorXd& x) {
   // About one kilogram and metre: nothing tells the lever along the only axis that the wrist turns about.
   if (unknowns == kUnknowns) H.diagonal().tail<3>().array() += 1.0;
   const VectorXd g = N.col(kUnknowns).head(unknowns);
-  x = H.ldlt().solve(g);
+  x = solveSymmetric(H, g);
   return N(kUnknowns, kUnknowns) - 2.0 * x.dot(g) + x.dot(N.topLeftCorner(unknowns, unknowns) * x);
 }
 

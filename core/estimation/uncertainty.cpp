@@ -1,4 +1,5 @@
 #include "core/estimation/uncertainty.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bi
   // The draws come from the curvature of the data and of the prior as a normal distribution: an entropic prior is
   // nearly flat far below its mean, and draws by its curvature there would miss everything else.
   const Matrix10d information = solution.dataInformation + prior.normalInformation(solution.v);
-  const Matrix10d L = Matrix10d(information.inverse()).llt().matrixL();
+  const Matrix10d L = choleskyFactor(inverse(information));
   const double best = cost(solution.v);
   struct Draw {
     Vector10d components;

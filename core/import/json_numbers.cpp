@@ -12,12 +12,12 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kMostNumbers = 4096;
-constexpr std::size_t kDeepest = 32;
+constexpr std::size_t kDeepestArray = 32;
 
 using nlohmann::json;
 
 bool flatten(const json& node, const std::string& path, std::size_t depth, NamedNumbers& out) {
-  if (out.size() > kMostNumbers || depth > kDeepest) return false;
+  if (out.size() > kMostNumbers || depth > kDeepestArray) return false;
   if (node.is_number()) {
     out.emplace_back(path, node.get<double>());
   } else if (node.is_boolean()) {
@@ -63,7 +63,7 @@ bool flattenJson(std::string_view text, NamedNumbers& out) {
     } else if (c == '"') {
       quoted = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > kDeepest) return false;
+      if (++depth > kDeepestArray) return false;
     } else if ((c == '}' || c == ']') && depth > 0) {
       --depth;
     }

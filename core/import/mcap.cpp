@@ -13,11 +13,11 @@ namespace heft {
 
 namespace {
 
-constexpr std::string_view kMagic = "\x89MCAP0\r\n";
+constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
 constexpr std::uint64_t kLargestRecord = 1u << 30;
-constexpr std::size_t kLargestChunk = 1u << 30;
+constexpr std::size_t kLargestMcapChunk = 1u << 30;
 
-enum Op : unsigned char { kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunk = 0x06, kDataEnd = 0x0F };
+enum McapOp : unsigned char { kMcapSchema = 0x03, kMcapChannel = 0x04, kMcapMessage = 0x05, kMcapChunk = 0x06, kMcapDataEnd = 0x0F };
 
 struct Schema {
   std::string name, encoding, definition;
@@ -29,7 +29,7 @@ class McapScan {
       : file_(file), name_(std::move(name)), listener_(listener), findings_(findings) {}
 
   Result<bool> run(const Progress& progress) {
-    std::uint64_t at = kMagic.size();
+    std::uint64_t at = kMcapMagic.size();
     bool ended = false;
     while (!stopped_ && !ended) {
       if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
@@ -42,8 +42,8 @@ class McapScan {
       ByteReader reader(head);
       const auto op = reader.read<std::uint8_t>();
       const auto length = reader.read<std::uint64_t>();
-      ended = op == kDataEnd;
-      const bool wanted = op == kSchema || op == kChannel || op == kMessage || op == kChunk;
+      ended = op == kMcapDataEnd;
+      const bool wanted = op == kMcapSchema || op == kMcapChannel || op == kMcapMessage || op == kMcapChunk;
       const std::uint64_t left = file_.size() - at - 9;
       if (length > left && (!wanted || length > kLargestRecord)) {
         cutOff(at);
@@ -51,7 +51,7 @@ class McapScan {
       }
       if (wanted && length <= kLargestRecord) {
         const auto content = file_.read(at + 9, length);
-        if (op == kChunk)
+        if (op == kMcapChunk)
           chunk(content);
         else if (content.size() == length)
           record(op, content);
@@ -99,7 +99,7 @@ class McapScan {
     if (compression.empty()) {
       complete = records(packed) && complete;
     } else if (compression == "zstd" || compression == "lz4") {
-      const auto unpacked = unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4, kLargestChunk);
+      const auto unpacked = unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4, kLargestMcapChunk);
       complete = records(unpacked.bytes) && unpacked.complete && complete;
     } else {
       unknownCompression_ = printable(compression);
@@ -120,14 +120,14 @@ class McapScan {
 
   void record(unsigned char op, std::string_view content) {
     ByteReader reader(content);
-    if (op == kSchema) {
+    if (op == kMcapSchema) {
       const auto id = reader.read<std::uint16_t>();
       Schema schema;
       schema.name = reader.text();
       schema.encoding = reader.text();
       schema.definition = reader.text();
       if (reader.ok() && id != 0) schemas_[id] = std::move(schema);
-    } else if (op == kChannel) {
+    } else if (op == kMcapChannel) {
       const auto id = reader.read<std::uint16_t>();
       const auto schemaId = reader.read<std::uint16_t>();
       TopicInfo info;
@@ -144,7 +144,7 @@ class McapScan {
                       : encoding == "json" ? PayloadEncoding::json
                                            : PayloadEncoding::other;
       listener_.topic(id, info);
-    } else if (op == kMessage) {
+    } else if (op == kMcapMessage) {
       const auto channel = reader.read<std::uint16_t>();
       reader.read<std::uint32_t>();  // sequence
       const auto logged = reader.read<std::uint64_t>();
@@ -170,7 +170,7 @@ Result<bool> scanMcap(const std::filesystem::path& path, MessageListener& listen
                       const Progress& progress) {
   const auto file = ByteFile::open(path);
   if (!file) return file.error();
-  if (file->read(0, kMagic.size()) != kMagic)
+  if (file->read(0, kMcapMagic.size()) != kMcapMagic)
     return errorAt({displayName(path), 0, 0}, heft::say("this is no MCAP file."),
                    heft::say("Its first eight bytes are others."));
   return McapScan(*file, displayName(path), listener, findings).run(progress);

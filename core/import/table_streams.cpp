@@ -24,7 +24,7 @@ namespace heft {
 
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// What the names of a stream's columns begin with: up to the last '/', '.' or '['.
 std::string prefixOf(const std::vector<std::string>& names) {
@@ -119,9 +119,9 @@ std::vector<double> toNumbers(const std::vector<std::string>& cells) {
   std::vector<double> out;
   out.reserve(cells.size());
   for (const auto& cell : cells) {
-    double value = kMissing;
+    double value = kNoNumber;
     const char* const end = cell.data() + cell.size();
-    if (cell.empty() || csv::parseNumber(cell.data(), end, value) != end || !std::isfinite(value)) value = kMissing;
+    if (cell.empty() || csv::parseNumber(cell.data(), end, value) != end || !std::isfinite(value)) value = kNoNumber;
     out.push_back(value);
   }
   return out;
@@ -258,7 +258,7 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
       }
       if (entry->second >= table.columns.size()) continue;
       auto& column = table.columns[entry->second];
-      column.resize(rows, kMissing);
+      column.resize(rows, kNoNumber);
       column.push_back(value);
     }
     ++rows;
@@ -266,7 +266,7 @@ Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeCho
       return errorAt({set.file, line, 0}, heft::say("the file holds more numbers than can be held in memory."),
                      heft::say("Record fewer values, or a shorter stretch."));
   }
-  for (auto& column : table.columns) column.resize(rows, kMissing);
+  for (auto& column : table.columns) column.resize(rows, kNoNumber);
   if (rows == 0)
     return errorAt({set.file, firstBad, 0}, heft::say("no line of the file is a JSON object."),
                    heft::say("JSON recordings have one object a line."));

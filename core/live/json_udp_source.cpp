@@ -15,7 +15,7 @@ namespace heft {
 
 namespace {
 
-constexpr double kSilence = 1.0;  ///< [s] after which the sender counts as gone
+constexpr double kSenderGone = 1.0;  ///< [s] after which the sender counts as gone
 
 class JsonUdpSource : public ThreadedSource {
  public:
@@ -39,7 +39,7 @@ class JsonUdpSource : public ThreadedSource {
       if (bytes) {
         take(*bytes, now);
         heard = now;
-      } else if (now - heard > kSilence) {
+      } else if (now - heard > kSenderGone) {
         setState(LinkState::lost, heft::say("Nothing arrives at {}:{}.", host_, port_));
         heard = now;
       }

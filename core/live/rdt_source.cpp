@@ -16,7 +16,7 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kRecordBytes = 36;
-constexpr double kSilence = 1.0;             ///< [s] after which the stream is asked for again
+constexpr double kAskAgain = 1.0;             ///< [s] after which the stream is asked for again
 constexpr std::uint32_t kRemembered = 1000;  ///< Missing numbers that may still come late
 enum Command : unsigned char { kStop = 0, kRealTime = 2 };
 
@@ -67,7 +67,7 @@ class RdtSource : public ThreadedSource {
       if (bytes) {
         take(*bytes, now);
         heard = now;
-      } else if (now - heard > kSilence) {
+      } else if (now - heard > kAskAgain) {
         setState(LinkState::lost, heft::say("{} sends nothing. Is RDT enabled on its web page, and does no other "
                                             "program take the stream? It serves one client only.",
                                             settings_.host));

@@ -1,4 +1,5 @@
 #include "core/math/nnls.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <limits>
@@ -29,7 +30,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& A, const Eigen::V
     isPassive[static_cast<std::size_t>(next)] = true;
     while (!passive.empty()) {
       const Eigen::MatrixXd P = A(Eigen::all, passive);
-      const Eigen::VectorXd z = P.colPivHouseholderQr().solve(b);
+      const Eigen::VectorXd z = leastSquares(P, b).x;
       if (z.minCoeff() > 0.0) {
         for (std::size_t i = 0; i < passive.size(); ++i) x(passive[i]) = z(static_cast<Index>(i));
         break;

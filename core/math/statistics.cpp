@@ -1,4 +1,5 @@
 #include "core/math/statistics.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,9 @@ double robustStd(const std::vector<double>& values) {
 }
 
 double shareAlongOneDirection(const Eigen::MatrixXd& power) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(power, Eigen::EigenvaluesOnly);
-  const double all = eigen.eigenvalues().sum();
-  return all > 0.0 ? eigen.eigenvalues().maxCoeff() / all : 0.0;
+  const VectorXd values = symmetricEigen(power).values;
+  const double all = values.sum();
+  return all > 0.0 ? values.maxCoeff() / all : 0.0;
 }
 
 void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,

@@ -1,4 +1,5 @@
 #include "core/motion/savitzky_golay.h"
+#include "core/math/linear_algebra.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -16,7 +17,7 @@ SavitzkyGolay::SavitzkyGolay(int order, int window) : order_(order), window_(win
   MatrixXd vandermonde(window_, order_ + 1);
   for (int i = 0; i < window_; ++i)
     for (int j = 0; j <= order_; ++j) vandermonde(i, j) = std::pow((i - half) / scale, j);
-  projection_ = vandermonde.colPivHouseholderQr().solve(MatrixXd::Identity(window_, window_));
+  projection_ = pseudoInverse(vandermonde);
 }
 
 VectorXd SavitzkyGolay::weights(int derivative, int offset) const {

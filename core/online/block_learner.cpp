@@ -6,6 +6,7 @@
 #include "core/estimation/prior.h"
 #include "core/estimation/standstill.h"
 #include "core/segmentation/segmentation.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -134,7 +135,7 @@ void BlockLearner::solve(bool sampled) {
   Eigen::Matrix<double, kColumns, kColumns> H = total_.leftCols<kColumns>().transpose() * total_.leftCols<kColumns>();
   H.diagonal().head<6>().array() += options_->bias ? 1e-4 : 1e8;
   H.diagonal().tail<10>() += sd.cwiseAbs2().cwiseInverse();
-  covariance_ = H.ldlt().solve(Eigen::Matrix<double, kColumns, kColumns>::Identity());
+  covariance_ = SymmetricSolver(H).solveAll(MatrixXd::Identity(kColumns, kColumns));
 
   const Vector10d value = componentsOf(fromParameters(solution_.phi));
   const Vector10d half = kNormal95 * curvatureStd(chosen_.prior, solution_);

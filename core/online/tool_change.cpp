@@ -1,4 +1,5 @@
 #include "core/online/tool_change.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ std::optional<ToolChange> findToolChange(const Blocks& blocks, const BlockLearne
         H1.noalias() += six.leftCols<kColumns>().transpose() * six.leftCols<kColumns>();
         g1.noalias() += six.leftCols<kColumns>().transpose() * six.col(kColumns);
       }
-      x = H1.ldlt().solve(g1);
+      x = solveSymmetric(H1, g1);
     }
     const double mass = x(kBiasColumns);
     if (!(mass > 0.0)) continue;

@@ -1,4 +1,5 @@
 #include "core/payload/shape_prior.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +144,7 @@ ShapePrior::ShapePrior(const Shape& shape, const std::vector<BodySamples>& sampl
     // Stretches and shears along the axes of the body, not of the sensor.
     const Matrix4d X_SB = stated.X_SB.matrix(), X_BS = stated.X_SB.inverse().matrix();
     own.U = X_SB * upperFactor(X_BS * body.unitPseudoInertia * X_BS.transpose());
-    own.inverseU = own.U.inverse();
+    own.inverseU = inverse(own.U);
     own.trust = trustIn(shape.certainty, stated.kind, parts);
     const int bodyPieces = body.piece.size() > 0 ? body.piece.maxCoeff() + 1 : 1;
     for (Eigen::Index i = 0; i < own.count; ++i, ++next) {
@@ -193,8 +194,8 @@ Vector10d ShapePrior::parameters(const VectorXd& q, MatrixXd* jacobian) const {
     Matrix10d turn;
     for (int k = 0; k < 10; ++k)
       turn.col(k) = parametersFromPseudoInertia(T * pseudoInertia(Vector10d::Unit(k)) * T.transpose());
-    jacobian->leftCols(modes_).noalias() +=
-        turn * (basis * (own.asDiagonal() * field_.middleRows(body.first, body.count)));
+    const MatrixXd masses = own.asDiagonal() * field_.middleRows(body.first, body.count);
+    jacobian->leftCols(modes_) += product(turn, product(basis, masses));
     for (int k = 0; k < kDeformations; ++k) {
       const auto [r, c] = kEntries[k];
       const double scale = deformationSd(body.trust, k) * (r == c ? V(r, c) : 1.0);
@@ -240,17 +241,16 @@ ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
   const auto linearise = [&] {
     phi = parameters(q, &J);
     observe(q, seen, &dSeen);
-    prior = dSeen.transpose() * dSeen;
+    prior = transposedProduct(dSeen, dSeen);
     prior.diagonal().array() += 1.0;
   };
   double best = cost(q), damping = 1e-3;
   for (result.iterations = 0; result.iterations < 200; ++result.iterations) {
     linearise();
-    const MatrixXd AJ = A * J;
-    MatrixXd H = prior;
-    H.noalias() += AJ.transpose() * AJ;
+    const MatrixXd AJ = product(A, J);
+    const MatrixXd H = prior + transposedProduct(AJ, AJ);
     gradient = AJ.transpose() * (A * phi - y) + dSeen.transpose() * seen + q;
-    const double slope = std::sqrt(std::max(0.0, gradient.dot(H.ldlt().solve(gradient))));
+    const double slope = std::sqrt(std::max(0.0, gradient.dot(solveSymmetric(H, gradient))));
     if (slope < 1e-7) {
       result.converged = true;
       break;
@@ -259,7 +259,7 @@ ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
     for (int attempt = 0; attempt < 30 && !improved; ++attempt) {
       MatrixXd damped = H;
       damped.diagonal() += damping * prior.diagonal();
-      VectorXd step = -damped.ldlt().solve(gradient);
+      VectorXd step = -solveSymmetric(damped, gradient);
       // The exponentials are trusted over two standard deviations at a time.
       const double longest = step.cwiseAbs().maxCoeff();
       if (longest > 2.0) step *= 2.0 / longest;
@@ -280,13 +280,11 @@ ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
   }
 
   linearise();
-  const MatrixXd AJ = A * J;
-  MatrixXd H = prior;
-  H.noalias() += AJ.transpose() * AJ;
-  const Eigen::LDLT<MatrixXd> posterior(H), priorOnly(prior);
+  const MatrixXd AJ = product(A, J);
+  const SymmetricSolver posterior(prior + transposedProduct(AJ, AJ)), priorOnly(prior);
   result.phi = phi;
-  result.covariance = J * posterior.solve(J.transpose());
-  result.priorCovariance = J * priorOnly.solve(J.transpose());
+  result.covariance = product(J, posterior.solveAll(J.transpose()));
+  result.priorCovariance = product(J, priorOnly.solveAll(J.transpose()));
   result.conflict = q.squaredNorm() + seen.squaredNorm();
 
   result.U0 = upperFactor(pseudoInertia(phi));
@@ -296,9 +294,9 @@ ShapeFit ShapePrior::fit(const MatrixXd& A, const VectorXd& y) const {
     const Matrix4d half = result.U0.col(r) * result.U0.col(c).transpose();
     G.col(k) = parametersFromPseudoInertia(half + half.transpose());
   }
-  const MatrixXd toV = G.partialPivLu().solve(J);
-  const Matrix10d covariance = toV * priorOnly.solve(toV.transpose());
-  result.information = covariance.ldlt().solve(Matrix10d::Identity());
+  const MatrixXd toV = product(inverse(G), J);
+  result.information =
+      SymmetricSolver(product(toV, priorOnly.solveAll(toV.transpose()))).solveAll(Matrix10d::Identity());
   result.information = 0.5 * (result.information + result.information.transpose()).eval();
   // The prior's own Gauss-Newton step from here leads to its mean.
   result.mean = -toV * priorOnly.solve(q + dSeen.transpose() * seen);

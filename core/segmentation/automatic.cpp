@@ -11,7 +11,7 @@ namespace heft {
 
 namespace {
 
-constexpr int kStarts = 60;            // random starts of the first fit; each costs a few small factorisations
+constexpr int kFirstStarts = 60;            // random starts of the first fit; each costs a few small factorisations
 constexpr double kOuter = 6.0;         // scatter multiples that open a contact,
 constexpr double kInner = 3.5;         // and those that end it
 constexpr double kOuterAllowed = 2.0;  // but never less than so many allowances
@@ -235,7 +235,7 @@ void splitAtStretches(const WrenchRows& rows, const FitWindows& windows, const V
     k = stretch.to;
     PayloadPart inner = pieceOf(stretch);
     if (inner.to < inner.from + kFewestWindows) continue;
-    inner = partOf(windows, usable, weakPrior(), inner.from, inner.to, kStarts);
+    inner = partOf(windows, usable, weakPrior(), inner.from, inner.to, kFirstStarts);
     if (compareParts(windows, whole, inner, weakPrior()).same) continue;
     if (stretch.from > done) {
       cutRanges.push_back({done, stretch.from});
@@ -267,7 +267,7 @@ void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::o
   const FitPrior prior = guess ? priorFrom(guess->payload, guess->std) : weakPrior();
   auto parts = payloadParts(windows, usable, weakPrior());
   // With one payload the first estimate helps from the start; with several it only says which one is meant.
-  if (parts.size() == 1 && guess) parts[0].x = cappedFit(windows, 0, windows.size(), usable, prior, kStarts).x;
+  if (parts.size() == 1 && guess) parts[0].x = cappedFit(windows, 0, windows.size(), usable, prior, kFirstStarts).x;
   std::vector<Range> ranges;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Range range{static_cast<Eigen::Index>(parts[p].from) * windows.length,

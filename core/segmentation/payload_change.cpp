@@ -1,4 +1,5 @@
 #include "core/segmentation/payload_change.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ class ExtendedFit {
     T.topLeftCorner<16, 16>().setIdentity();
     T.block(first_, 16, count_, count_) = share * MatrixXd::Identity(count_, count_);
     T(16, 16 + count_) = 1.0;
-    M_ += T.transpose() * window * T;
+    M_ += congruence(T.transpose(), window);
   }
   /// Solves; the energy that is left.
   double solve(const FitPrior& prior) {
@@ -34,7 +35,7 @@ class ExtendedFit {
     H.diagonal().tail(count_) += prior.information.segment(first_, count_).cwiseMin(1.0);
     g.head<16>() += prior.information.cwiseProduct(prior.mean);
     VectorXd z(n + 1);
-    z << -H.ldlt().solve(g), 1.0;
+    z << -solveSymmetric(H, g), 1.0;
     extra_ = -z.segment(16, count_);
     return std::max(0.0, z.dot(M_ * z));
   }

@@ -1,4 +1,5 @@
 #include "core/segmentation/robust_fit.h"
+#include "core/math/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ WindowMatrix normalMatrix(const WrenchRows& rows, const Vector6d& scale, Eigen::
 FitVector solveNormal(const WindowMatrix& N, const FitPrior& prior) {
   Eigen::Matrix<double, 16, 16> H = N.topLeftCorner<16, 16>();
   H.diagonal() += prior.information;
-  return H.ldlt().solve(N.topRightCorner<16, 1>() + prior.information.cwiseProduct(prior.mean));
+  return solveSymmetric(H, N.topRightCorner<16, 1>() + prior.information.cwiseProduct(prior.mean));
 }
 
 double energyOf(const WindowMatrix& N, const FitVector& x) {

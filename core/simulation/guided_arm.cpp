@@ -17,8 +17,8 @@ constexpr double kDamping = 0.06;              ///< Of the inverse at a singular
 constexpr double kSingular = 0.02;             ///< Manipulability below which it is damped
 constexpr double kHomewards = 0.4;             ///< [1/s] Where the elbow is free it goes towards the home posture
 constexpr double kJointSpeed = 0.6;            ///< [rad/s] On the way to a path's beginning
-constexpr double kLinearAcceleration = 10.0;   ///< [m/s2] Below what cartesianLoad allows
-constexpr double kAngularAcceleration = 20.0;  ///< [rad/s2]
+constexpr double kHandLinearAcceleration = 10.0;   ///< [m/s2] Below what cartesianLoad allows
+constexpr double kHandAngularAcceleration = 20.0;  ///< [rad/s2]
 
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
@@ -159,7 +159,7 @@ void GuidedArm::limitAcceleration(VectorXd& ddq) const {
   for (Eigen::Index j = 0; j < ddq.size(); ++j)
     load = std::max(load, std::abs(ddq(j)) / (0.9 * rooms_[static_cast<std::size_t>(j)].acceleration));
   ddq /= load;
-  scaleToCaps(robot_->jacobian(tool_.link, tool_.X_LS, q_), kLinearAcceleration, kAngularAcceleration, ddq);
+  scaleToCaps(robot_->jacobian(tool_.link, tool_.X_LS, q_), kHandLinearAcceleration, kHandAngularAcceleration, ddq);
 }
 
 void GuidedArm::brakeBeforeEnds(VectorXd& ddq) const {

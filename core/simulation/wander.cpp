@@ -10,7 +10,7 @@ namespace heft {
 
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// The clock tau(t) of the motion. Its rate goes smoothly between 0 (at rest) and 1, so that starting, stopping and
 /// pausing never exceed the speed of the motion itself.
@@ -96,14 +96,14 @@ std::vector<Wave> drawWaves(const SimulateOptions& options, RandomStream& random
     constexpr double kBaseHz = 0.1;
     for (const int k : {1, 2, 3, 5, 7, 10}) {
       const double a = random.normal(), b = random.normal();
-      waves.push_back({kTwoPi * kBaseHz * k * pace, std::atan2(b, a), std::hypot(a, b) / k});
+      waves.push_back({kTurn * kBaseHz * k * pace, std::atan2(b, a), std::hypot(a, b) / k});
     }
   } else {
     constexpr int kWaves = 8;
     for (int k = 0; k < kWaves; ++k) {
       // One frequency in each eighth of the band, so that no draw is all slow or all fast.
       const double hz = 0.06 + 0.94 * (k + random.uniform()) / kWaves;
-      waves.push_back({kTwoPi * hz * pace, random.uniform(0.0, kTwoPi), std::abs(random.normal()) / (0.15 + hz)});
+      waves.push_back({kTurn * hz * pace, random.uniform(0.0, kTurn), std::abs(random.normal()) / (0.15 + hz)});
     }
   }
   return waves;

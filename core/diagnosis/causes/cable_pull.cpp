@@ -11,7 +11,7 @@ namespace {
 Vector3d middle(const Signals& signals) { return signals.position.rowwise().mean(); }
 
 /// Form::choice
-enum Kind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5, kHardens = 6 };
+enum PullKind { kSpring = 0, kAway = 1, kPerAxis = 2, kTwist = 3, kTaut = 4, kAllWays = 5, kHardens = 6 };
 
 /// Fixed to a spot, and slack up to a length.
 bool hasLength(int kind) { return kind == kTaut || kind == kHardens; }
