@@ -7,6 +7,7 @@
 
 #include "core/base/say.h"
 #include "core/simulation/trajectory.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -69,10 +70,10 @@ Matrix3d toolAxes(const std::optional<OnlineInformation>& information) {
   Vector3d along = Vector3d::UnitZ();
   if (information) {
     const Payload payload = fromParameters(information->solution.phi);
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(payload.inertiaCom);
-    const Vector3d moments = eigen.eigenvalues();
+    const auto [values, vectors] = symmetricEigen(payload.inertiaCom);
+    const Vector3d moments = values;
     if (uncertaintyOf(*information).inertia < 0.2 && moments(0) < 0.7 * moments(1))
-      along = eigen.eigenvectors().col(0);
+      along = vectors.col(0);
     else if (payload.com.norm() > 0.02)
       along = payload.com.normalized();
   }
@@ -145,7 +146,7 @@ JointMotion motionFor(const Kind& kind, double scale, const GuidedTool& tool, co
     twist << Vector3d::Zero(), R * axes * rate;
     // Damped: near a singular posture the arm turns less instead of jumping.
     const Matrix6d JJ = J * J.transpose() + 1e-4 * Matrix6d::Identity();
-    return J.transpose() * JJ.ldlt().solve(twist);
+    return J.transpose() * solveSymmetric(JJ, twist);
   };
   // Simpson's rule along midpoint steps: positions, speeds and accelerations have to agree well enough for quintics.
   VectorXd q = start, dq = velocity(0.0, q);

@@ -8,6 +8,7 @@
 
 #include "core/motion/motion.h"
 #include "core/simulation/trajectory.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -184,8 +185,8 @@ void PoseGuide::judge() {
       H += A.transpose() * w.asDiagonal() * A;
       g += A.transpose() * w.asDiagonal() * poses_[i].pose.wrench;
     }
-    const Eigen::LDLT<Normal> solver(H);
-    return Fit{solver.solve(g), solver.solve(Normal::Identity())};
+    const SymmetricSolver solver(H);
+    return Fit{solver.solve(g), solver.solveAll(Normal::Identity())};
   };
   const std::size_t nobody = poses_.size();
   // One touched pose after the other: the one whose removal lets the rest fit best, if the others contradict it.
@@ -239,7 +240,7 @@ void PoseGuide::judge() {
     const Vector3d d = gravityIn(p.pose).normalized() - mean;
     spread += d * d.transpose() / std::max(1, used);
   }
-  const Vector3d values = Eigen::SelfAdjointEigenSolver<Matrix3d>(spread).eigenvalues();
+  const Vector3d values = symmetricEigen(spread).values;
   result_.known = used >= 4 && values(1) > kPoorSpread && fit.x(6) > 0.0 && result_.massStd < 0.3 * fit.x(6);
   if (used < 2 || values(2) < kPoorSpread) {
     result_.spreadWords = "The tool has been in one tilt only: tilt it, at least by 30 degrees.";
@@ -272,7 +273,7 @@ std::optional<NextPose> PoseGuide::next(const VectorXd& from) const {
     H += A.transpose() * w.asDiagonal() * A;
     g += A.transpose() * w.asDiagonal() * p.pose.wrench;
   }
-  const Unknowns x = H.ldlt().solve(g);
+  const Unknowns x = solveSymmetric(H, g);
   constexpr int kGrid = 9;
   const int dof = robot.dof(), moved = std::min(3, dof);
   int combinations = 1;
@@ -293,8 +294,7 @@ std::optional<NextPose> PoseGuide::next(const VectorXd& from) const {
     if (closest < 1.5 * options_.closest) continue;
     const PoseRows A = rowsFor(direction);
     const Normal after = H + A.transpose() * w.asDiagonal() * A;
-    const Eigen::LDLT<Normal> solver(after);
-    const Fit fit{x, solver.solve(Normal::Identity())};
+    const Fit fit{x, SymmetricSolver(after).solveAll(Normal::Identity())};
     // Volume of what stays unknown of m and m c; of equal ones the pose that is nearer.
     const double volume = fit.covariance.bottomRightCorner<4, 4>().determinant();
     const double score = -std::log(std::max(volume, 1e-300)) - 0.05 * (q - from).cwiseAbs().maxCoeff();

@@ -7,6 +7,7 @@
 
 #include "core/estimation/prepare.h"
 #include "core/estimation/prior.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft {
 
@@ -41,10 +42,10 @@ Uncertainty uncertaintyOf(const OnlineInformation& information) {
   const MapSolution& s = information.solution;
   const MapCost cost(information.whitened, information.prior, information.bias);
   const Matrix10d Jv = parametersJacobian(information.prior, s.v);
-  const MatrixXd AJ = cost.A() * Jv;
-  const Matrix10d H = AJ.transpose() * AJ + information.prior.curvature(s.v);
-  const Matrix10d J = componentsJacobian(s.phi) * Jv;
-  const Vector10d sd = (J * H.ldlt().solve(J.transpose())).diagonal().cwiseMax(0.0).cwiseSqrt();
+  const MatrixXd AJ = product(cost.A(), Jv);
+  const SymmetricSolver solver(transposedProduct(AJ, AJ) + information.prior.curvature(s.v));
+  const MatrixXd J = product(componentsJacobian(s.phi), Jv);
+  const Vector10d sd = product(J, solver.solveAll(J.transpose())).diagonal().cwiseMax(0.0).cwiseSqrt();
   const Payload payload = fromParameters(s.phi);
   Uncertainty out;
   out.mass = sd(0);

@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/work.h"
 #include "core/wrench/regressor.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -38,7 +39,7 @@ Best bestOf(const Wrenches& scaled, const std::vector<Contact>& contacts, const 
         information += A.transpose() * A;
         g += A.transpose() * w;
       }
-    out.parameters = information.ldlt().solve(g);
+    out.parameters = solveSymmetric(information, g);
     out.information = std::move(information);
   }
   for (const Contact& contact : contacts)
@@ -119,7 +120,7 @@ struct LoadIn {
     share = load.left / leftBy.all(contacts);
     shareOfHolding = load.left / leftByHolding;
     mass = load.parameters(0);
-    massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * load.information.inverse()(0, 0));
+    massStd = std::sqrt(std::max(1.0, load.left / (6.0 * blocks)) * inverse(load.information)(0, 0));
   }
 
   double share, shareOfHolding;  ///< That it leaves: of what is there, of what holding on to the tool leaves

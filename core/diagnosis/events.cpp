@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/say.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -66,8 +67,8 @@ bool swings(const Wrenches& scaled, const Stretch& where) {
   constexpr double kLobe = 0.25;      // Of the most: what is smaller is no swing of its own
   constexpr int kLobes = 3;
   const auto part = scaled.middleCols(where.from, where.to - where.from);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(part * part.transpose());
-  const VectorXd course = part.transpose() * eigen.eigenvectors().col(5);
+  const MatrixXd directions = symmetricEigen(product(part, part.transpose())).vectors;
+  const VectorXd course = part.transpose() * directions.col(5);
   if (std::abs(course.sum()) > kOneSided * course.cwiseAbs().sum()) return false;
   const double least = kLobe * course.cwiseAbs().maxCoeff();
   int lobes = 0;

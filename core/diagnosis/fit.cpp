@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -44,7 +46,7 @@ MatrixXd informationBeside(const MatrixXd& information, const std::vector<Eigen:
   const MatrixXd B = information(others, own);
   MatrixXd A = information(others, others);
   A.diagonal().array() += 1e-9;
-  return information(own, own) - B.transpose() * A.ldlt().solve(B);
+  return information(own, own) - transposedProduct(B, SymmetricSolver(A).solveAll(B));
 }
 
 constexpr double kWidth = 3.5;       ///< 2 ln of how many widths of a prior there are to choose from
@@ -57,7 +59,7 @@ double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const st
   MatrixXd M = prior.asDiagonal() * informationBeside(information, own, others) * prior.asDiagonal();
   M.diagonal().array() += 1.0;
   double out =
-      2.0 * MatrixXd(M.llt().matrixL()).diagonal().array().log().sum() + term.v.cwiseQuotient(spread).squaredNorm();
+      2.0 * choleskyFactor(M).diagonal().array().log().sum() + term.v.cwiseQuotient(spread).squaredNorm();
   for (const int c : {0, 3}) {
     const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
     if (term.walk(c) > 2.0 * least * least) out += kWidth;
@@ -118,8 +120,8 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, const Vector
   std::vector<Eigen::Index> linear(kLinear), causes(static_cast<std::size_t>(model.size() - kLinear));
   std::iota(linear.begin(), linear.end(), Eigen::Index{0});
   std::iota(causes.begin(), causes.end(), Eigen::Index{kLinear});
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(informationBeside(unit, causes, linear), Eigen::EigenvaluesOnly);
-  out.dimensions = static_cast<int>((eigen.eigenvalues().array() > 1e-6).count());
+  const VectorXd values = symmetricEigen(informationBeside(unit, causes, linear)).values;
+  out.dimensions = static_cast<int>((values.array() > 1e-6).count());
   double all = 0.0, waves = 0.0;
   for (const auto& [placedTerm, at] : placed(model)) {
     const Term& term = *placedTerm;
@@ -172,12 +174,12 @@ Normal::Normal(const ChannelColumns& J, const VectorXd& sd) : information(J.gram
   MatrixXd H = information;
   H.diagonal() += sd.cwiseAbs2().cwiseInverse();
   scale_ = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  unit_.compute(scale_.asDiagonal() * H * scale_.asDiagonal());
+  unit_ = SymmetricSolver(scale_.asDiagonal() * H * scale_.asDiagonal());
 }
 
 MatrixXd Normal::inverse() const {
   const Eigen::Index n = scale_.size();
-  return scale_.asDiagonal() * unit_.solve(MatrixXd::Identity(n, n)) * scale_.asDiagonal();
+  return scale_.asDiagonal() * unit_.solveAll(MatrixXd::Identity(n, n)) * scale_.asDiagonal();
 }
 
 VectorXd whisper(const Model& model) {
@@ -364,8 +366,7 @@ Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, co
 MatrixXd explainedSpace(const MatrixXd& jacobian, const Noise& noise, const std::vector<Stretch>& stretches) {
   const MatrixXd J = whitened(jacobian, noise, stretches);
   const VectorXd size = J.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(J * size.asDiagonal());
-  return qr.householderQ() * MatrixXd::Identity(J.rows(), qr.rank());
+  return columnSpace(J * size.asDiagonal());
 }
 
 }  // namespace heft::diagnosis

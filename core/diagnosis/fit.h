@@ -5,6 +5,7 @@
 #include "core/diagnosis/channel_columns.h"
 #include "core/diagnosis/model.h"
 #include "core/diagnosis/noise.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -39,7 +40,7 @@ class Normal {
 
  private:
   VectorXd scale_;
-  Eigen::LDLT<MatrixXd> unit_;
+  SymmetricSolver unit_;
 };
 
 /// Gauss-Newton from `start`, the noise refitted in between, until the evidence rests. A parameter whose step is

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -47,7 +49,7 @@ Dictionary::Dictionary(const Ground& ground, const MatrixXd& columns)
   scale_ = (squares.array() > 0.0).select(squares.cwiseSqrt().cwiseMax(1e-9).cwiseInverse(), 0.0);
   MatrixXd unit = scale_.asDiagonal() * products * scale_.asDiagonal();
   unit.diagonal().array() += 1e-6;
-  together_.compute(unit);
+  together_ = SymmetricSolver(unit);
 }
 
 VectorXd Dictionary::likeness(const VectorXd& r) const {

@@ -1,6 +1,7 @@
 #pragma once
 // Columns that might explain what a fit leaves over, judged under its noise.
 #include "core/diagnosis/fit.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -57,7 +58,7 @@ class Dictionary {
   ChannelColumns C_;
   MatrixXd explained_;  ///< Products with the ground's basis, a row a column
   VectorXd scale_;
-  Eigen::LDLT<MatrixXd> together_;
+  SymmetricSolver together_;
 };
 
 /// All columns at once, which must be few: a little of everything is cheaper so than piece by piece. `tries`: of how

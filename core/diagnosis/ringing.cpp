@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/work.h"
 #include "core/math/statistics.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -32,7 +33,7 @@ MatrixXd slowCourses(Eigen::Index count) {
   MatrixXd out(count, 3);
   const VectorXd t = VectorXd::LinSpaced(count, -1.0, 1.0);
   out << VectorXd::Ones(count), t, t.cwiseAbs2();
-  return Eigen::HouseholderQR<MatrixXd>(out).householderQ() * MatrixXd::Identity(count, 3);
+  return orthonormal(out);
 }
 
 /// An orthonormal basis of free swings over a window, its slow courses taken off.
@@ -45,7 +46,7 @@ MatrixXd swingsOf(const Window& window, double frequency, double damping, double
     out.row(i) << size * std::cos(fast * t), size * std::sin(fast * t);
   }
   out -= window.slow * (window.slow.transpose() * out);
-  return Eigen::HouseholderQR<MatrixXd>(out).householderQ() * MatrixXd::Identity(count, 2);
+  return orthonormal(out);
 }
 
 double explainedBy(const Window& window, double frequency, double damping, double rateHz) {

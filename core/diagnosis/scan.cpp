@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/diagnosis/two_threads.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -112,7 +113,7 @@ class Weighting {
       const VectorXd s = Gf.diagonal().cwiseSqrt().cwiseInverse();
       MatrixXd unit = s.asDiagonal() * Gf * s.asDiagonal();
       unit.diagonal().array() += 1e-9;
-      const MatrixXd inverse = unit.ldlt().solve(MatrixXd::Identity(size, size));
+      const MatrixXd inverse = SymmetricSolver(unit).solveAll(MatrixXd::Identity(size, size));
       const VectorXd gamma = s.asDiagonal() * (inverse * (s.asDiagonal() * gf));
       // The least telling one goes, as long as its evidence does not pay for it.
       Eigen::Index weakest = -1;

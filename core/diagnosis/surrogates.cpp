@@ -7,6 +7,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/two_threads.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -54,8 +55,7 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
     if (out.subset) {
       out.Q = kept;
     } else {
-      const Eigen::HouseholderQR<MatrixXd> own_qr(kept);
-      out.Q = own_qr.householderQ() * MatrixXd::Identity(rows, kept.cols());
+      out.Q = orthonormal(kept);
     }
   });
 

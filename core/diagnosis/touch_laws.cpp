@@ -10,6 +10,7 @@
 #include "core/diagnosis/carried.h"
 #include "core/math/rigid.h"
 #include "core/math/statistics.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -31,7 +32,7 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
       A += motion.col(n) * motion.col(n).transpose();
       b += motion.col(n) * residual.col(n).transpose();
     }
-    const MatrixXd X = A.ldlt().solve(b);
+    const MatrixXd X = SymmetricSolver(A).solveAll(b);
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n) {
       const Vector6d r = residual.col(n), rest = r - X.transpose() * motion.col(n);
       all += Eigen::Vector2d(r.head<3>().squaredNorm(), r.tail<3>().squaredNorm());
@@ -76,8 +77,8 @@ std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const
     count += 1.0;
   }
   A.diagonal().array() -= 2.0 * noise / count * many;
-  if (!(Eigen::SelfAdjointEigenSolver<Matrix3d>(A).eigenvalues()(0) > 0.0)) return {};
-  const Vector3d place = A.ldlt().solve(b), centre = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
+  if (!(symmetricEigen(A).values(0) > 0.0)) return {};
+  const Vector3d place = solveSymmetric(A, b), centre = fit.model.x.segment<3>(7) / std::max(0.02, fit.model.x(6));
   double left = 0.0, all = 0.0;
   for (const Vector6d& w : means) {
     left += (w.tail<3>() - place.cross(w.head<3>())).squaredNorm();

@@ -12,6 +12,7 @@
 #include "core/diagnosis/search.h"
 #include "core/diagnosis/two_threads.h"
 #include "core/diagnosis/wandering.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -170,7 +171,7 @@ std::ptrdiff_t massesIn(const Model& model) {
 }
 
 double Amplitudes::squaredDeviations() const {
-  return sizes.size() == 0 ? 0.0 : sizes.dot(covariance.ldlt().solve(sizes));
+  return sizes.size() == 0 ? 0.0 : sizes.dot(solveSymmetric(covariance, sizes));
 }
 
 Amplitudes amplitudesOf(const Fit& fit, const std::function<bool(const Term&)>& which) {

@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/two_threads.h"
 #include "core/math/statistics.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -50,10 +51,10 @@ Turned turned(const Signals& signals, const std::vector<Stretch>& stretches, con
   K.rowwise() -= K.colwise().mean().eval();
   K.colwise() -= K.rowwise().mean().eval();
   // The smallest is the mean's: nothing of it is left.
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(K);
-  out.from = solver.eigenvectors().rightCols(count - 1).transpose();
-  out.walk = solver.eigenvalues().tail(count - 1).cwiseMax(0.0);
-  out.y = out.from * y;
+  const auto [values, vectors] = symmetricEigen(K);
+  out.from = vectors.rightCols(count - 1).transpose();
+  out.walk = values.tail(count - 1).cwiseMax(0.0);
+  out.y = product(out.from, y);
   return out;
 }
 
@@ -98,7 +99,7 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
     if (X.cols() > 0) {
       const MatrixXd W = weight.asDiagonal() * X;
       const VectorXd b = W.transpose() * y;
-      left -= b.dot((X.transpose() * W + 1e-9 * MatrixXd::Identity(2, 2)).ldlt().solve(b));
+      left -= b.dot(solveSymmetric(transposedProduct(X, W) + 1e-9 * MatrixXd::Identity(2, 2), b));
     }
     return weight.array().log().sum() - static_cast<double>(count) * std::log(std::max(1e-300, left));
   };

@@ -25,6 +25,15 @@ MatrixXd upperTriangle(const MatrixArgument& A) {
   return Eigen::HouseholderQR<MatrixXd>(A).matrixQR().topRows(A.cols()).triangularView<Eigen::Upper>();
 }
 
+MatrixXd orthonormal(const MatrixArgument& A) {
+  return Eigen::HouseholderQR<MatrixXd>(A).householderQ() * MatrixXd::Identity(A.rows(), A.cols());
+}
+
+MatrixXd columnSpace(const MatrixArgument& A) {
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
+  return qr.householderQ() * MatrixXd::Identity(A.rows(), qr.rank());
+}
+
 VectorXd solveUpper(const MatrixArgument& U, const VectorArgument& b) {
   return U.triangularView<Eigen::Upper>().solve(b);
 }
@@ -43,27 +52,6 @@ MatrixXd choleskyFactor(const MatrixArgument& M) { return Eigen::LLT<MatrixXd>(M
 
 MatrixXd whitenerOf(const MatrixArgument& M) {
   return Eigen::LLT<MatrixXd>(M).matrixL().solve(MatrixXd::Identity(M.rows(), M.cols()));
-}
-
-SymmetricEigen symmetricEigen(const MatrixArgument& M) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(M);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
-}
-
-SymmetricEigen generalizedEigen(const MatrixArgument& A, const MatrixArgument& B) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(A, B);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
-}
-
-VectorXd singularValues(const MatrixArgument& A) {
-  return Eigen::JacobiSVD<MatrixXd, Eigen::HouseholderQRPreconditioner>(A).singularValues();
-}
-
-MatrixXd rightSingularVectors(const MatrixArgument& A, SvdKind kind) {
-  // Householder reflections without pivoting are all that tall matrices need; thin U and V ask for no more.
-  constexpr unsigned kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
-  if (kind == SvdKind::divideAndConquer) return Eigen::BDCSVD<MatrixXd>(A, kThin).matrixV();
-  return Eigen::JacobiSVD<MatrixXd, Eigen::HouseholderQRPreconditioner>(A, kThin).matrixV();
 }
 
 }  // namespace heft

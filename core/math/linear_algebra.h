@@ -26,6 +26,9 @@ VectorXd shortestLeastSquares(const MatrixArgument& A, const VectorArgument& y);
 MatrixXd pseudoInverse(const MatrixArgument& A);
 /// The triangle R of A = Q R: as many rows as A has columns.
 MatrixXd upperTriangle(const MatrixArgument& A);
+/// Orthonormal columns that span those of A, by Householder QR: all of them, or as many as A has rank.
+MatrixXd orthonormal(const MatrixArgument& A);
+MatrixXd columnSpace(const MatrixArgument& A);
 /// U x = b with the upper triangle of U.
 VectorXd solveUpper(const MatrixArgument& U, const VectorArgument& b);
 
@@ -58,6 +61,13 @@ SymmetricEigen symmetricEigen(const MatrixArgument& M);
 /// A x = lambda B x with B positive definite.
 SymmetricEigen generalizedEigen(const MatrixArgument& A, const MatrixArgument& B);
 
+/// A = U diag(values) V^T, thin; values falling.
+struct ThinSvd {
+  MatrixXd U;
+  VectorXd values;
+  MatrixXd V;
+};
+ThinSvd thinSvd(const MatrixArgument& A);
 /// Falling.
 VectorXd singularValues(const MatrixArgument& A);
 enum class SvdKind { divideAndConquer, jacobi };

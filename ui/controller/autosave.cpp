@@ -10,11 +10,7 @@
 #include "ui/controller/workspace.h"
 
 namespace heft {
-namespace {
-
-QString lockOf(const QString& file) { return file + QStringLiteral(".lock"); }
-
-}  // namespace
+QString lockBeside(const QString& file) { return file + QStringLiteral(".lock"); }
 
 QString stateFolder() {
   const QString state = qEnvironmentVariable("XDG_STATE_HOME");
@@ -32,7 +28,7 @@ Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QO
     file_ =
         QDir(folder_).filePath(QStringLiteral("autosave-%1-%2.heft").arg(QCoreApplication::applicationPid()).arg(k));
     if (QFileInfo::exists(file_)) continue;
-    auto lock = std::make_unique<QLockFile>(lockOf(file_));
+    auto lock = std::make_unique<QLockFile>(lockBeside(file_));
     lock->setStaleLockTime(0);  // Only a dead owner makes it stale, not its age.
     if (lock->tryLock(0)) lock_ = std::move(lock);
   }
@@ -64,7 +60,7 @@ QStringList Autosave::leftBehind() const {
   const QFileInfoList files = QDir(folder_).entryInfoList({QStringLiteral("autosave-*.heft")}, QDir::Files, QDir::Time);
   for (const QFileInfo& info : files) {
     if (info.absoluteFilePath() == QFileInfo(file_).absoluteFilePath()) continue;
-    QLockFile lock(lockOf(info.absoluteFilePath()));
+    QLockFile lock(lockBeside(info.absoluteFilePath()));
     lock.setStaleLockTime(0);
     if (lock.tryLock(0)) orphans << info.absoluteFilePath();
   }
@@ -93,7 +89,7 @@ bool Autosave::recover() {
 
 void Autosave::discard(const QString& file) {
   QFile::remove(file);
-  QFile::remove(lockOf(file));
+  QFile::remove(lockBeside(file));
 }
 
 }  // namespace heft

@@ -14,6 +14,8 @@ class Workspace;
 
 /// XDG_STATE_HOME/heft, or ~/.local/state/heft.
 QString stateFolder();
+/// The lock beside a file that belongs to a running program.
+QString lockBeside(const QString& file);
 /// Where recordings made in the program are kept until the user saves them elsewhere.
 QString recordedFolder();
 

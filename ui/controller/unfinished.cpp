@@ -5,17 +5,17 @@
 #include <QFileInfo>
 
 #include "core/recording/csv_reader.h"
+#include "ui/controller/autosave.h"
 
 namespace heft {
 namespace {
 
 // The mark outlives a kill; the lock's owner does not.
 QString markOf(const QString& csv) { return csv + QStringLiteral(".unfinished"); }
-QString lockOf(const QString& csv) { return csv + QStringLiteral(".lock"); }
 
 }  // namespace
 
-UnderWay::UnderWay(const QString& csv) : csv_(csv), lock_(lockOf(csv)) {
+UnderWay::UnderWay(const QString& csv) : csv_(csv), lock_(lockBeside(csv)) {
   lock_.setStaleLockTime(0);  // Only a dead owner makes it stale, not its age.
   lock_.tryLock(0);
   QFile mark(markOf(csv_));
@@ -29,7 +29,7 @@ QStringList unfinishedRecordings(const QString& folder) {
   const QString ending = markOf({});
   for (const QFileInfo& mark : QDir(folder).entryInfoList({QStringLiteral("*") + ending}, QDir::Files, QDir::Time)) {
     const QString csv = mark.absoluteFilePath().chopped(ending.size());
-    QLockFile lock(lockOf(csv));
+    QLockFile lock(lockBeside(csv));
     lock.setStaleLockTime(0);
     if (!lock.tryLock(0)) continue;  // It is still being made.
     if (QFileInfo(csv).size() > 0) {

@@ -11,7 +11,7 @@ namespace heft {
 namespace {
 
 /// Gives free functions a translation context that lupdate finds.
-struct Words {
+struct ResultWords {
   Q_DECLARE_TR_FUNCTIONS(ResultText)
 };
 
@@ -29,7 +29,7 @@ NumberText number(const QString& name, double value, const Interval& interval, d
   out.value = numberText(value * scale, decimals);
   out.plusMinus = QStringLiteral("± ") + numberText(std::max(half, 0.5 * std::pow(10.0, -decimals)), decimals);
   out.source = source;
-  out.tip = Words::tr("%1\n95 % interval: %2 to %3 %4")
+  out.tip = ResultWords::tr("%1\n95 % interval: %2 to %3 %4")
                 .arg(meaning, numberText(interval.lower * scale, decimals + 1),
                      numberText(interval.upper * scale, decimals + 1), unit);
   return out;
@@ -62,12 +62,12 @@ Source most(Source a, Source b) { return static_cast<int>(a) > static_cast<int>(
 
 QString answerText(Source mass, Source com, Source inertia) {
   if (mass == Source::data && com == Source::data && inertia == Source::data) {
-    return Words::tr("Mass, centre and inertia are measured.");
+    return ResultWords::tr("Mass, centre and inertia are measured.");
   }
   const struct {
     QString name;
     Source source;
-  } parts[] = {{Words::tr("mass"), mass}, {Words::tr("centre"), com}, {Words::tr("inertia"), inertia}};
+  } parts[] = {{ResultWords::tr("mass"), mass}, {ResultWords::tr("centre"), com}, {ResultWords::tr("inertia"), inertia}};
   QStringList clauses;
   for (const Source source : {Source::data, Source::prior, Source::none}) {
     QStringList names;
@@ -76,17 +76,17 @@ QString answerText(Source mass, Source com, Source inertia) {
     }
     if (names.isEmpty()) continue;
     const bool several = names.size() > 1;
-    const QString who = names.size() == 3 ? Words::tr("%1, %2 and %3").arg(names[0], names[1], names[2])
-                        : several         ? Words::tr("%1 and %2").arg(names[0], names[1])
+    const QString who = names.size() == 3 ? ResultWords::tr("%1, %2 and %3").arg(names[0], names[1], names[2])
+                        : several         ? ResultWords::tr("%1 and %2").arg(names[0], names[1])
                                           : names[0];
-    clauses << (source == Source::data ? (several ? Words::tr("%1 are measured") : Words::tr("%1 is measured"))
+    clauses << (source == Source::data ? (several ? ResultWords::tr("%1 are measured") : ResultWords::tr("%1 is measured"))
                 : source == Source::prior
-                    ? (several ? Words::tr("%1 lean on your shape") : Words::tr("%1 leans on your shape"))
-                    : (several ? Words::tr("%1 are not fully known from this motion")
-                               : Words::tr("%1 is not fully known from this motion")))
+                    ? (several ? ResultWords::tr("%1 lean on your shape") : ResultWords::tr("%1 leans on your shape"))
+                    : (several ? ResultWords::tr("%1 are not fully known from this motion")
+                               : ResultWords::tr("%1 is not fully known from this motion")))
                    .arg(who);
   }
-  return capitalised(clauses.join(Words::tr("; "))) + Words::tr(".");
+  return capitalised(clauses.join(ResultWords::tr("; "))) + ResultWords::tr(".");
 }
 
 /// An interval far wider than any inertia of this tool says no more than its tag; the tip keeps it.
@@ -108,8 +108,8 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
     rows.push_back(
         number(QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j), report.interval95.inertiaCom[i][j],
                scale, 3, unit, id[i][j],
-               i == j ? Words::tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
-                      : Words::tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+               i == j ? ResultWords::tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
+                      : ResultWords::tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
     hideHopeless(rows.back(), report.interval95.inertiaCom[i][j], largest);
   }
   if (productsUnknown) {
@@ -120,8 +120,8 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
       if (interval.upper - interval.lower <= width) continue;
       width = interval.upper - interval.lower;
       const double middle = 0.5 * (interval.upper + interval.lower);
-      widest = number(Words::tr("Ixy, Ixz, Iyz"), middle, interval, scale, 3, unit, Source::none,
-                      Words::tr("Products of inertia; the widest of the three intervals"));
+      widest = number(ResultWords::tr("Ixy, Ixz, Iyz"), middle, interval, scale, 3, unit, Source::none,
+                      ResultWords::tr("Products of inertia; the widest of the three intervals"));
       hideHopeless(widest, interval, largest);
     }
     rows.push_back(widest);
@@ -144,43 +144,43 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
     return QStringLiteral("%1  %2  %3")
         .arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
   };
-  add(Words::tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
-      r.termination.why.empty() ? Words::tr("How the numbers were found") : QString::fromStdString(r.termination.why));
-  add(Words::tr("Used"),
-      Words::tr("%1 of %2 s, %3 Hz")
+  add(ResultWords::tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
+      r.termination.why.empty() ? ResultWords::tr("How the numbers were found") : QString::fromStdString(r.termination.why));
+  add(ResultWords::tr("Used"),
+      ResultWords::tr("%1 of %2 s, %3 Hz")
           .arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
-      Words::tr("Free parts without the ends that were trimmed"));
-  add(Words::tr("Left over, force"), Words::tr("%1 N").arg(numberText(r.forceRms, 3)),
-      Words::tr("Root mean square of the difference, free parts"));
-  add(Words::tr("Left over, torque"), Words::tr("%1 N m").arg(numberText(r.torqueRms, 4)),
-      Words::tr("Root mean square of the difference, free parts"));
+      ResultWords::tr("Free parts without the ends that were trimmed"));
+  add(ResultWords::tr("Left over, force"), ResultWords::tr("%1 N").arg(numberText(r.forceRms, 3)),
+      ResultWords::tr("Root mean square of the difference, free parts"));
+  add(ResultWords::tr("Left over, torque"), ResultWords::tr("%1 N m").arg(numberText(r.torqueRms, 4)),
+      ResultWords::tr("Root mean square of the difference, free parts"));
   if (r.heldoutForceRms > 0) {
-    add(Words::tr("On unseen parts"),
-        Words::tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
-        Words::tr("The same on parts that the estimate did not see"));
+    add(ResultWords::tr("On unseen parts"),
+        ResultWords::tr("%1 N, %2 N m").arg(numberText(r.heldoutForceRms, 3), numberText(r.heldoutTorqueRms, 4)),
+        ResultWords::tr("The same on parts that the estimate did not see"));
   }
-  add(Words::tr("Sensor zero, force"), Words::tr("%1 N").arg(triple(r.forceBias, 2)),
-      Words::tr("Constant offset x, y, z of the sensor"));
-  add(Words::tr("Sensor zero, torque"), Words::tr("%1 N m").arg(triple(r.torqueBias, 3)),
-      Words::tr("Constant offset x, y, z of the sensor"));
+  add(ResultWords::tr("Sensor zero, force"), ResultWords::tr("%1 N").arg(triple(r.forceBias, 2)),
+      ResultWords::tr("Constant offset x, y, z of the sensor"));
+  add(ResultWords::tr("Sensor zero, torque"), ResultWords::tr("%1 N m").arg(triple(r.torqueBias, 3)),
+      ResultWords::tr("Constant offset x, y, z of the sensor"));
   if (r.identifiability.conditionNumber > 0) {
-    add(Words::tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
-        Words::tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
+    add(ResultWords::tr("Condition number"), numberText(r.identifiability.conditionNumber, 0),
+        ResultWords::tr("Of the scaled, whitened regressor: how unevenly the motion tells the ten parameters"));
   }
   if (r.relativeError) {
     QStringList errors;
-    if (r.relativeError->hasMass) errors << Words::tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
-    if (r.relativeError->hasCom) errors << Words::tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
+    if (r.relativeError->hasMass) errors << ResultWords::tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
+    if (r.relativeError->hasCom) errors << ResultWords::tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
     if (r.relativeError->hasInertia)
-      errors << Words::tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
+      errors << ResultWords::tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
     if (!errors.isEmpty())
-      add(Words::tr("Off what you stated"), errors.join(", "),
-          Words::tr("Relative error |estimate − stated| / |stated|"));
+      add(ResultWords::tr("Off what you stated"), errors.join(", "),
+          ResultWords::tr("Relative error |estimate − stated| / |stated|"));
   }
-  add(Words::tr("A real body could be so"), r.physicallyConsistent ? Words::tr("yes") : Words::tr("no"),
-      Words::tr("Positive mass and an inertia that some distribution of mass can have"));
-  add(Words::tr("Time to compute"), Words::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
-      Words::tr("Preparing and solving"));
+  add(ResultWords::tr("A real body could be so"), r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
+      ResultWords::tr("Positive mass and an inertia that some distribution of mass can have"));
+  add(ResultWords::tr("Time to compute"), ResultWords::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
+      ResultWords::tr("Preparing and solving"));
   return rows;
 }
 
@@ -196,43 +196,43 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
       const double data = scale * report.evidence.data(k), told = scale * report.evidence.prior(k);
       const double shift = report.evidence.shift(k);
       if (!std::isfinite(data) || !std::isfinite(told)) continue;
-      lines << Words::tr("The motion alone said %1 %3, your shape said %2 %3.")
+      lines << ResultWords::tr("The motion alone said %1 %3, your shape said %2 %3.")
                    .arg(numberText(data, 3), numberText(told, 3), unit);
-      if (std::isfinite(shift)) lines << Words::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
+      if (std::isfinite(shift)) lines << ResultWords::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
     }
     rows.push_back({name, share,
-                    mostlyData ? Words::tr("%1 % data").arg(percent) : Words::tr("%1 % your shape").arg(percent),
+                    mostlyData ? ResultWords::tr("%1 % data").arg(percent) : ResultWords::tr("%1 % your shape").arg(percent),
                     lines.join('\n')});
   };
-  add(Words::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, Words::tr("kg"));
-  add(Words::tr("Centre"), report.identifiability.comShare, 1, 3, 1e3, Words::tr("mm"));
-  add(Words::tr("Inertia"), report.identifiability.inertiaShare, 4, 6, 1e4, Words::tr("kg cm²"));
+  add(ResultWords::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, ResultWords::tr("kg"));
+  add(ResultWords::tr("Centre"), report.identifiability.comShare, 1, 3, 1e3, ResultWords::tr("mm"));
+  add(ResultWords::tr("Inertia"), report.identifiability.inertiaShare, 4, 6, 1e4, ResultWords::tr("kg cm²"));
   return rows;
 }
 
 std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPayload& known) {
   std::vector<DetailText> rows;
   if (known.mass && *known.mass > 0) {
-    rows.push_back({Words::tr("Mass"),
-                    Words::tr("%1 kg known, %2 % away")
+    rows.push_back({ResultWords::tr("Mass"),
+                    ResultWords::tr("%1 kg known, %2 % away")
                         .arg(numberText(*known.mass, 3),
                              numberText(100 * std::abs(report.payload.mass - *known.mass) / *known.mass, 2)),
-                    Words::tr("|estimate − known| / known")});
+                    ResultWords::tr("|estimate − known| / known")});
   }
   if (known.com) {
     const double away = (report.payload.com - *known.com).norm();
-    QString value = Words::tr("%1 mm away").arg(numberText(1e3 * away, 1));
-    if (known.com->norm() > 0) value += Words::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
+    QString value = ResultWords::tr("%1 mm away").arg(numberText(1e3 * away, 1));
+    if (known.com->norm() > 0) value += ResultWords::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
     rows.push_back(
-        {Words::tr("Centre of mass"), value, Words::tr("|estimate − known|, and by the length of the known")});
+        {ResultWords::tr("Centre of mass"), value, ResultWords::tr("|estimate − known|, and by the length of the known")});
   }
   if (report.relativeError && report.relativeError->hasInertia) {
     rows.push_back(
-        {Words::tr("Inertia"),
-         Words::tr("%1 % away, about the sensor %2 %")
+        {ResultWords::tr("Inertia"),
+         ResultWords::tr("%1 % away, about the sensor %2 %")
              .arg(numberText(100 * report.relativeError->inertiaCom, 1),
                   numberText(100 * report.relativeError->inertiaOrigin, 1)),
-         Words::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
+         ResultWords::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
                    "origin")});
   }
   return rows;
@@ -243,11 +243,11 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
 QString sourceWord(Source source) {
   switch (source) {
     case Source::data:
-      return Words::tr("measured");
+      return ResultWords::tr("measured");
     case Source::prior:
-      return Words::tr("from your shape");
+      return ResultWords::tr("from your shape");
     case Source::none:
-      return Words::tr("not known from this motion");
+      return ResultWords::tr("not known from this motion");
   }
   return {};
 }
@@ -263,39 +263,39 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
   const auto& id = report.identifiability;
   const auto& interval = report.interval95;
 
-  out.mass = number(Words::tr("Mass"), report.payload.mass, interval.mass, 1.0, 4, Words::tr("kg"), id.mass,
-                    Words::tr("Mass of the tool"));
-  out.mass.plusMinus += Words::tr(" kg");
+  out.mass = number(ResultWords::tr("Mass"), report.payload.mass, interval.mass, 1.0, 4, ResultWords::tr("kg"), id.mass,
+                    ResultWords::tr("Mass of the tool"));
+  out.mass.plusMinus += ResultWords::tr(" kg");
   out.massScale = massScale(report, stated.mass);
   if (stated.mass && *stated.mass > 0) {
     const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
-    out.massNote = Words::tr("you stated %1 kg, %2 % away").arg(numberText(*stated.mass, 3), numberText(away, 1));
+    out.massNote = ResultWords::tr("you stated %1 kg, %2 % away").arg(numberText(*stated.mass, 3), numberText(away, 1));
   }
 
   double comAway = -1.0;
   if (stated.com) comAway = 1e3 * (report.payload.com - *stated.com).norm();
   for (int i = 0; i < 3; ++i) {
     out.com.push_back(
-        number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, Words::tr("mm"), id.com[i],
-               Words::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
-    out.com.back().plusMinus += Words::tr(" mm");
+        number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, ResultWords::tr("mm"), id.com[i],
+               ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
+    out.com.back().plusMinus += ResultWords::tr(" mm");
   }
-  if (comAway >= 0) out.comNote = Words::tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
+  if (comAway >= 0) out.comNote = ResultWords::tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
 
   // Small tools read better in g cm² than as 0.02 kg cm².
   const double largest = report.payload.inertiaCom.diagonal().cwiseAbs().maxCoeff();
   const bool small = largest * 1e4 < 0.5;
-  out.inertiaUnit = small ? Words::tr("kg mm²") : Words::tr("kg cm²");
+  out.inertiaUnit = small ? ResultWords::tr("kg mm²") : ResultWords::tr("kg cm²");
   out.inertia = inertiaNumbers(report, small ? 1e6 : 1e4, out.inertiaUnit);
   if (report.relativeError && report.relativeError->hasInertia) {
     out.inertiaNote =
-        Words::tr("%1 % from the inertia you stated").arg(numberText(100 * report.relativeError->inertiaCom, 1));
+        ResultWords::tr("%1 % from the inertia you stated").arg(numberText(100 * report.relativeError->inertiaCom, 1));
   }
 
   const Source comSource = jointSource(out.com), inertiaSource = jointSource(out.inertia);
   const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
-  out.question = id.mass == Source::none ? Words::tr("This motion does not tell the mass.")
-                                         : Words::tr("Your tool weighs %1 kg.")
+  out.question = id.mass == Source::none ? ResultWords::tr("This motion does not tell the mass.")
+                                         : ResultWords::tr("Your tool weighs %1 kg.")
                                                .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))));
   out.answer = answerText(id.mass, comSource, inertiaSource);
   out.advice = adviceText(report);
@@ -313,10 +313,10 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
     out.doubtful = out.doubtful || out.findings.back().doubt;
   }
   if (out.doubtful && id.mass != Source::none)
-    out.question = Words::tr("Your tool seems to weigh %1 kg.")
+    out.question = ResultWords::tr("Your tool seems to weigh %1 kg.")
                        .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))))
                        .replace(QStringLiteral(" kg"), QStringLiteral("\u00a0kg"));  // Not alone on the next line.
-  if (out.doubtful) out.answer = Words::tr("Check the warnings first: these numbers may be off by more than they say.");
+  if (out.doubtful) out.answer = ResultWords::tr("Check the warnings first: these numbers may be off by more than they say.");
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });

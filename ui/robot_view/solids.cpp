@@ -13,7 +13,7 @@
 namespace heft {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 /// Collects points with normals and polygons.
 class Builder {
@@ -69,7 +69,7 @@ void revolve(Builder& builder, const Vector3d& origin, const Vector3d& axis, con
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const vtkIdType first = builder.size();
     for (int s = 0; s < sides; ++s) {
-      const double angle = 2 * kPi * s / sides;
+      const double angle = 2 * kHalfTurn * s / sides;
       const Vector3d out = std::cos(angle) * x + std::sin(angle) * y;
       builder.add(origin + rings[r].z * axis + rings[r].radius * out,
                   (rings[r].normalZ * axis + rings[r].normalOut * out).normalized());
@@ -107,7 +107,7 @@ void addTube(Builder& builder, const std::vector<Vector3d>& way, double radius, 
     const Vector3d y = along.cross(x);
     const vtkIdType first = builder.size();
     for (int s = 0; s < sides; ++s) {
-      const double angle = 2 * kPi * s / sides;
+      const double angle = 2 * kHalfTurn * s / sides;
       const Vector3d out = std::cos(angle) * x + std::sin(angle) * y;
       builder.add(way[i] + radius * out, out);
     }
@@ -220,7 +220,7 @@ vtkSmartPointer<vtkPolyData> makeCentreBall(double radius) {
     const vtkIdType first = builder.size();
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; j <= kSteps; ++j) {
-        const double a = 0.5 * kPi * i / kSteps, b = 0.5 * kPi * j / kSteps;
+        const double a = 0.5 * kHalfTurn * i / kSteps, b = 0.5 * kHalfTurn * j / kSteps;
         const Vector3d n(sx * std::cos(a) * std::cos(b), sy * std::sin(a) * std::cos(b), sz * std::sin(b));
         builder.add(radius * n, n);
       }
@@ -243,7 +243,7 @@ vtkSmartPointer<vtkPolyData> makeUnitBall() {
   std::vector<Ring> rings;
   constexpr int kRings = 24;
   for (int r = 0; r <= kRings; ++r) {
-    const double angle = kPi * r / kRings - kPi / 2;
+    const double angle = kHalfTurn * r / kRings - kHalfTurn / 2;
     rings.push_back({std::sin(angle), std::max(1e-6, std::cos(angle)), std::sin(angle), std::cos(angle)});
   }
   revolve(builder, Vector3d::Zero(), Vector3d::UnitZ(), rings, 40);
@@ -257,7 +257,7 @@ vtkSmartPointer<vtkPolyData> makeUnitCircles() {
   for (int plane = 0; plane < 3; ++plane) {
     const vtkIdType first = points->GetNumberOfPoints();
     for (int s = 0; s < kSides; ++s) {
-      const double angle = 2 * kPi * s / kSides;
+      const double angle = 2 * kHalfTurn * s / kSides;
       Vector3d p = Vector3d::Zero();
       p((plane + 1) % 3) = 1.004 * std::cos(angle);
       p((plane + 2) % 3) = 1.004 * std::sin(angle);

@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -141,12 +142,11 @@ class BiasDrift final : public Cause {
                                                     const Signals& signals) const {
     Vector6d usual;
     for (int c = 0; c < 6; ++c) usual(c) = sizeOf(c);
-    const Eigen::JacobiSVD<MatrixXd> svd(usual.cwiseInverse().asDiagonal() * walk.leftCols<kCourseWaves>(),
-                                         Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const VectorXd course = svd.matrixV().col(0);
+    const ThinSvd svd = thinSvd(usual.cwiseInverse().asDiagonal() * walk.leftCols<kCourseWaves>());
+    const VectorXd course = svd.V.col(0);
     Eigen::Index strongest = 0;
     course.cwiseAbs().maxCoeff(&strongest);
-    if (!(svd.singularValues()(0) > 0.0)) return {};
+    if (!(svd.values(0) > 0.0)) return {};
     std::vector<Form> all = forms(signals);
     const std::vector<int> choice{kAnyCourse, static_cast<int>(strongest) + 1};
     const auto form = std::ranges::find(all, choice, &Form::choice);
@@ -154,8 +154,8 @@ class BiasDrift final : public Cause {
     for (Eigen::Index k = 0, at = 6; k < kCourseWaves; ++k)
       if (k != strongest) v(at++) = course(k) / course(strongest);
     const Eigen::RowVectorXd whole = courseOf(*form, v, signals);
-    v.head<6>() = usual.cwiseProduct(svd.matrixU().col(0)) *
-                  (svd.singularValues()(0) * course(strongest) * (whole.maxCoeff() - whole.minCoeff()));
+    v.head<6>() = usual.cwiseProduct(svd.U.col(0)) *
+                  (svd.values(0) * course(strongest) * (whole.maxCoeff() - whole.minCoeff()));
     return {{std::move(*form), std::move(v)}};
   }
 

@@ -3,6 +3,7 @@
 
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -52,11 +53,11 @@ class ConstantPull final : public Cause {
     constexpr double kMiddle = 0.08, kFarthest = 0.5;  // [m]
     if (!form.guide) return {};
     const Eigen::Map<const Matrix3d> turns(v.data() + 3);  // Force along each axis, at each place
-    const Eigen::JacobiSVD<Matrix3d> svd(turns, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double most = svd.singularValues()(0);
+    const ThinSvd svd = thinSvd(turns);
+    const double most = svd.values(0);
     if (!(most > 0.0)) return {};
     const Vector3d seen = v.head<3>();
-    Vector3d along = svd.matrixU().col(0);
+    Vector3d along = svd.U.col(0);
     if (along.dot(seen) < 0.0) along = -along;
     const std::vector<Form> all = forms(signals);
     const Form& away = *std::ranges::find_if(all, [](const Form& f) { return f.later; });
