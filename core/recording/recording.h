@@ -43,6 +43,12 @@ struct RecordingMeta {
   PartialPayload knownPayload;
   std::vector<Mark> marks;
   std::string note;
+
+  /// From now on this goes with numbers in the plain form: those of a recording in memory, for instance.
+  void numbersArePlain() {
+    wrenchSign = WrenchSign::sensorOnPayload;
+    conventions = {};
+  }
 };
 
 struct ExtraColumn {

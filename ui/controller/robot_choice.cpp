@@ -21,7 +21,7 @@ struct RobotChoice {
 json triple(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 json changesBetween(const RecordingMeta& before, const RecordingMeta& after) {
-  json out = json::object();
+  json out = metaPatch(before.conventions, after.conventions);
   if (before.robot != after.robot) out["robot"] = after.robot ? json(*after.robot) : json(nullptr);
   if (before.kind != after.kind) out["kind"] = after.kind == RecordingKind::poses ? "poses" : "motion";
   if (before.gravity != after.gravity) out["gravity_m_s2"] = triple(after.gravity);

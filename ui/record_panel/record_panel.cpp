@@ -506,7 +506,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
       auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);
       if (!meta) return Result<bool>(meta.error());
       origin.meta = std::move(*meta);
-      origin.meta.wrenchSign = WrenchSign::sensorOnPayload;
+      origin.meta.numbersArePlain();
     }
     listenTo(std::move(origin), false);
     if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));
