@@ -305,8 +305,8 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
     } else if (key == "sensor") {
       if (!value.is_object()) return badMap(name, heft::say("\"sensor\" is no object."));
       for (const auto& [inner, unused] : value.items())
-        if (!isConvention(inner, true))
-          return badMap(name, heft::say("\"{}\" is not known.", "sensor." + printable(inner)));
+        if (const auto path = "sensor." + printable(inner); !isConvention(inner, true))
+          return badMap(name, heft::say("\"{}\" is not known.", path));
     } else if (!isConvention(key, false)) {
       return badMap(name, heft::say("\"{}\" is not known.", printable(key)));
     }

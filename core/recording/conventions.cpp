@@ -130,7 +130,7 @@ std::optional<std::string> readMirroredAxis(const ConventionJson& value, Convent
   for (int axis = 0; axis < 3; ++axis)
     if (value == std::string(1, "xyz"[axis])) into.mirroredAxis = axis;
   if (into.mirroredAxis) return std::nullopt;
-  return heft::say("null, {}", quotedWords({"x", "y", "z"}));
+  return "null, " + quotedWords({"x", "y", "z"});
 }
 
 ConventionJson writeMirroredAxis(const Conventions& from) {
@@ -188,9 +188,11 @@ Result<StatedConventions> readConventions(const nlohmann::json& root, const std:
     const auto value = object->find(key.name);
     if (value == object->end() || (value->is_null() && std::string_view(key.name) != "mirrored_axis")) continue;
     if (const auto expected = key.read(*value, out.values))
-      return errorAt({file, 0, 0},
-                     heft::say("{}{}: must be {}, not {}.", key.inSensor ? "sensor." : "", key.name, *expected,
-                               printable(value->dump(-1, ' ', false, ConventionJson::error_handler_t::replace), 60)));
+      return errorAt(
+          {file, 0, 0},
+          fmt::format("{}{}: ", key.inSensor ? "sensor." : "", key.name) +
+              heft::say("must be {}, not {}.", *expected,
+                        printable(value->dump(-1, ' ', false, ConventionJson::error_handler_t::replace), 60)));
     out.keys.insert(key.name);
   }
   return out;

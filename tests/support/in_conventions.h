@@ -22,32 +22,43 @@ struct PlainMotion {
   Recording recording;
   std::vector<Isometry3d> X_BS;
 
+  /// Of a recording with a Panda's joints and their rates.
+  explicit PlainMotion(Recording joints) : recording(std::move(joints)) { fillPoses(); }
+
   explicit PlainMotion(Eigen::Index rows = 150, double rateHz = 100.0) {
-    const RobotModel& panda = RobotModel::panda();
     recording.file = "rec.csv";
     recording.meta.robot = "panda";
     recording.meta.mount = {"panda_link8", {0.01, -0.02, 0.05}, {0.2, -0.3, 0.4}};
-    const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
     recording.time.resize(rows);
     recording.q.resize(rows, 7);
     recording.dq.resize(rows, 7);
-    recording.position.resize(rows, 3);
-    recording.quaternion.resize(rows, 4);
     recording.wrench.resize(rows, 6);
     for (Eigen::Index k = 0; k < rows; ++k) {
       const double t = static_cast<double>(k) / rateHz;
       recording.time(k) = t;
       for (int j = 0; j < 7; ++j) {
-        recording.q(k, j) = panda.homePosture()(j) + 0.3 * std::sin((1.0 + 0.3 * j) * t + j);
+        recording.q(k, j) = RobotModel::panda().homePosture()(j) + 0.3 * std::sin((1.0 + 0.3 * j) * t + j);
         recording.dq(k, j) = 0.3 * (1.0 + 0.3 * j) * std::cos((1.0 + 0.3 * j) * t + j);
       }
-      X_BS.push_back(panda.linkPose(recording.q.row(k).transpose(), *panda.findLink("panda_link8")) * X_LS);
+      for (int c = 0; c < 6; ++c)
+        recording.wrench(k, c) = (c < 3 ? 8.0 : 0.6) * std::sin(1.7 * t + 1.3 * c) + (c < 3 ? 2.0 : -0.1);
+    }
+    fillPoses();
+  }
+
+ private:
+  void fillPoses() {
+    const RobotModel& panda = RobotModel::panda();
+    const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+    const int link = *panda.findLink(recording.meta.mount.parent);
+    recording.position.resize(recording.rows(), 3);
+    recording.quaternion.resize(recording.rows(), 4);
+    for (Eigen::Index k = 0; k < recording.rows(); ++k) {
+      X_BS.push_back(panda.linkPose(recording.q.row(k).transpose(), link) * X_LS);
       recording.position.row(k) = X_BS.back().translation().transpose();
       Quaterniond q(X_BS.back().linear());
       if (k > 0 && q.coeffs().dot(recording.quaternion.row(k - 1).transpose()) < 0.0) q.coeffs() *= -1.0;
       recording.quaternion.row(k) = q.coeffs().transpose();
-      for (int c = 0; c < 6; ++c)
-        recording.wrench(k, c) = (c < 3 ? 8.0 : 0.6) * std::sin(1.7 * t + 1.3 * c) + (c < 3 ? 2.0 : -0.1);
     }
   }
 };
@@ -153,7 +164,7 @@ inline FileNumbers numbersIn(const nlohmann::json& meta, const PlainMotion& moti
   out.names = {"time"};
   if (form == MotionForm::joints) {
     for (int j = 1; j <= 7; ++j) out.names.push_back(fmt::format("q{}", j));
-    for (int j = 1; j <= 7; ++j) out.names.push_back(fmt::format("dq{}", j));
+    for (int j = 1; j <= motion.recording.dq.cols(); ++j) out.names.push_back(fmt::format("dq{}", j));
   } else {
     out.names.insert(out.names.end(), {"px", "py", "pz", "qx", "qy", "qz", "qw"});
   }
@@ -163,7 +174,7 @@ inline FileNumbers numbersIn(const nlohmann::json& meta, const PlainMotion& moti
     std::vector<double> row = {plain.time(k)};
     if (form == MotionForm::joints) {
       for (int j = 0; j < 7; ++j) row.push_back(plain.q(k, j) * anglesPerRad(meta));
-      for (int j = 0; j < 7; ++j) row.push_back(plain.dq(k, j) * anglesPerRad(meta));
+      for (int j = 0; j < plain.dq.cols(); ++j) row.push_back(plain.dq(k, j) * anglesPerRad(meta));
     } else {
       const auto pose = poseIn(meta, plain.position.row(k).transpose(), plain.quaternion.row(k).transpose());
       for (const double value : pose.position) row.push_back(value);
