@@ -73,7 +73,7 @@ NamedUnit splitUnit(std::string_view text) {
 }
 
 /// The unit that a column is in by what the meta file states; SI where it states nothing.
-std::string unitOf(Column column, const Conventions& conventions) {
+std::string columnUnit(Column column, const Conventions& conventions) {
   const std::string angle = conventions.radPerAngle == 1.0 ? "rad" : "deg";
   const std::string length = conventions.mPerLength == 1.0 ? "m" : "mm";
   const bool torqueFirst = conventions.wrenchOrder == Conventions::WrenchOrder::torqueFirst;
@@ -162,9 +162,11 @@ class Mapper {
       const auto meaning = meaningOf(name);
       if (meaning.role == Role::extra || map_.columns[f].role != Role::extra) continue;
       const std::pair key(meaning.role, meaning.index);
-      const auto expected = unitOf(meaning, meta_.conventions);
-      const auto si = unitOf(meaning, {});
-      const bool right = isUnit(unit, expected);
+      const auto expected = columnUnit(meaning, meta_.conventions);
+      const auto si = columnUnit(meaning, {});
+      // Counts have no unit that could be told apart from a remark.
+      const bool counts = meaning.role == Role::wrench && expected.empty();
+      const bool right = counts || isUnit(unit, expected);
       if (exact.contains(key) || (!right && !isForeignUnit(unit) && !isUnit(unit, si))) continue;
       if (!right)
         return errorAt(at(field),

@@ -19,11 +19,11 @@ namespace heft {
 namespace {
 
 using ConventionJson = nlohmann::json;
-using Point = Conventions::WrenchPoint;
+using ConventionPoint = Conventions::WrenchPoint;
 
 constexpr double kPound = 4.4482216152605;  ///< [N] exactly
 constexpr double kStandardGravity = 9.80665;
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr double kFarthestPoint = 5.0;  ///< [m]
 
 const std::array<Conventions::Unit, 5> kForceUnits = {
@@ -106,7 +106,8 @@ ConventionKey unitKey(const char* name, Conventions::Unit Conventions::*member,
 std::optional<std::string> readWrenchPoint(const ConventionJson& value, Conventions& into) {
   const auto isNumber = [](const ConventionJson& x) { return x.is_number() && std::isfinite(x.get<double>()); };
   if (value == "sensor" || value == "base") {
-    into.wrenchPoint = {value == "base" ? Point::Kind::base : Point::Kind::sensor, Vector3d::Zero()};
+    into.wrenchPoint = {value == "base" ? ConventionPoint::Kind::base : ConventionPoint::Kind::sensor,
+                        Vector3d::Zero()};
     return std::nullopt;
   }
   if (!value.is_array() || value.size() != 3 || !std::all_of(value.begin(), value.end(), isNumber))
@@ -114,14 +115,14 @@ std::optional<std::string> readWrenchPoint(const ConventionJson& value, Conventi
   const Vector3d offset(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
   if (offset.norm() > kFarthestPoint)
     return heft::say("a point within {} m of the sensor (in metres, not millimetres)", kFarthestPoint);
-  into.wrenchPoint = {offset.isZero(0.0) ? Point::Kind::sensor : Point::Kind::offset, offset};
+  into.wrenchPoint = {offset.isZero(0.0) ? ConventionPoint::Kind::sensor : ConventionPoint::Kind::offset, offset};
   return std::nullopt;
 }
 
 ConventionJson writeWrenchPoint(const Conventions& from) {
   const auto& [kind, offset] = from.wrenchPoint;
-  if (kind == Point::Kind::offset) return {offset.x(), offset.y(), offset.z()};
-  return kind == Point::Kind::base ? "base" : "sensor";
+  if (kind == ConventionPoint::Kind::offset) return {offset.x(), offset.y(), offset.z()};
+  return kind == ConventionPoint::Kind::base ? "base" : "sensor";
 }
 
 std::optional<std::string> readMirroredAxis(const ConventionJson& value, Conventions& into) {
@@ -150,7 +151,7 @@ const std::vector<ConventionKey>& allConventionKeys() {
       {"mirrored_axis", true, readMirroredAxis, writeMirroredAxis},
       unitKey("force_unit", &C::force, kForceUnits),
       unitKey("torque_unit", &C::torque, kTorqueUnits),
-      twoWords<double>("angle_unit", false, &C::radPerAngle, {"rad", 1.0}, {"deg", kDegree}),
+      twoWords<double>("angle_unit", false, &C::radPerAngle, {"rad", 1.0}, {"deg", kRadPerDegree}),
       twoWords<double>("length_unit", false, &C::mPerLength, {"m", 1.0}, {"mm", 1e-3}),
       twoWords<C::PoseDirection>("pose", false, &C::pose, {"sensor_in_base", C::PoseDirection::sensorInBase},
                                  {"base_in_sensor", C::PoseDirection::baseInSensor}),

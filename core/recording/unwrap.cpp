@@ -34,15 +34,15 @@ double Unwrapper::next(double angle, double step) {
 }
 
 std::vector<int> unwrapJoints(const VectorXd& time, MatrixXd& q) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kWholeTurn = 2.0 * std::numbers::pi;
   std::vector<int> joints;
   for (Eigen::Index j = 0; j < q.cols(); ++j) {
-    Unwrapper angle(kTurn);
+    Unwrapper angle(kWholeTurn);
     for (Eigen::Index k = 0; k < q.rows(); ++k) q(k, j) = angle.next(q(k, j), k > 0 ? time(k) - time(k - 1) : 0.0);
     if (!angle.jumped()) continue;
     joints.push_back(static_cast<int>(j));
     const double middle = 0.5 * (q.col(j).maxCoeff() + q.col(j).minCoeff());
-    q.col(j).array() -= kTurn * std::round(middle / kTurn);
+    q.col(j).array() -= kWholeTurn * std::round(middle / kWholeTurn);
   }
   return joints;
 }

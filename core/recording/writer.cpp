@@ -133,13 +133,11 @@ Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::p
   if (!meta.sensorModel.empty()) sensor["model"] = meta.sensorModel;
   sensor["wrench_sign"] = meta.wrenchSign == WrenchSign::payloadOnSensor ? "payload_on_sensor" : "sensor_on_payload";
   const nlohmann::json conventions = metaPatch(meta.conventions);
-  for (const auto& [key, value] : conventions.items()) {
-    if (key != "sensor") {
-      root[key] = value;
-      continue;
-    }
-    for (const auto& [name, convention] : value.items()) sensor[name] = convention;
-  }
+  // The sensor's first: a further key of an ordered object moves what `sensor` refers to.
+  if (conventions.contains("sensor"))
+    for (const auto& [key, value] : conventions["sensor"].items()) sensor[key] = value;
+  for (const auto& [key, value] : conventions.items())
+    if (key != "sensor") root[key] = value;
   root["gravity_m_s2"] = vectorJson(meta.gravity);
   const auto& known = meta.knownPayload;
   if (known.mass) root["known_payload"]["mass_kg"] = *known.mass;

@@ -11,7 +11,9 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing_support::MotionForm;
+using testing_support::numbersIn;
 using testing_support::PlainMotion;
+using testing_support::withRig;
 
 const json kBaseAxes = {{"sensor",
                          {{"wrench_sign", "payload_on_sensor"},

@@ -15,9 +15,8 @@
 namespace heft {
 namespace {
 
-using C = Conventions;
-constexpr double kRadPerDegree = std::numbers::pi / 180.0;
-constexpr double kMillimetre = 1e-3;
+constexpr double kAngleDegree = std::numbers::pi / 180.0;
+constexpr double kLengthMillimetre = 1e-3;
 constexpr int kUnfoldedHeight = 240;  ///< [px] So that the dialog stays on a small screen.
 
 }  // namespace
@@ -44,7 +43,8 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
   form->addRow(styledLabel(tr("Force and torque"), "rowName", content));
   axes_ = addChoice(form, "rigWrenchAxes", tr("Along the axes of"),
                     tr("UR's TCP force, for instance, is along the axes of the robot's base"),
-                    {tr("the sensor"), tr("the robot's base")}, conventions.wrenchAxes == C::WrenchAxes::base ? 1 : 0);
+                    {tr("the sensor"), tr("the robot's base")},
+                    conventions.wrenchAxes == Conventions::WrenchAxes::base ? 1 : 0);
   const auto kind = conventions.wrenchPoint.kind;
   point_ = addChoice(form, "rigWrenchPoint", tr("Torque about"), tr("The point that the torque is taken about"),
                      {tr("the sensor's origin"), tr("the base's origin"), tr("another point of the sensor")},
@@ -60,16 +60,17 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
     offset_[a]->setRange(-2000, 2000);
     offset_[a]->setDecimals(2);
     offset_[a]->setSuffix(tr(" mm"));
-    offset_[a]->setValue(conventions.wrenchPoint.offset(a) / kMillimetre);
+    offset_[a]->setValue(conventions.wrenchPoint.offset(a) / kLengthMillimetre);
     row->addWidget(offset_[a], 1);
   }
   form->addRow(tr("That point x, y, z"), offset);
-  torqueSign_ = addChoice(
-      form, "rigTorqueSign", tr("Torque's sign"), tr("Some drivers turn the torque round, but not the force"),
-      {tr("as the force's"), tr("opposite to the force's")}, conventions.torqueSign == C::TorqueSign::opposite ? 1 : 0);
+  torqueSign_ =
+      addChoice(form, "rigTorqueSign", tr("Torque's sign"), tr("Some drivers turn the torque round, but not the force"),
+                {tr("as the force's"), tr("opposite to the force's")},
+                conventions.torqueSign == Conventions::TorqueSign::opposite ? 1 : 0);
   order_ = addChoice(form, "rigWrenchOrder", tr("Order"), tr("What the first three of the six columns are"),
                      {tr("force, then torque"), tr("torque, then force")},
-                     conventions.wrenchOrder == C::WrenchOrder::torqueFirst ? 1 : 0);
+                     conventions.wrenchOrder == Conventions::WrenchOrder::torqueFirst ? 1 : 0);
   mirror_ = addChoice(form, "rigMirror", tr("Mirrored axis"),
                       tr("The axis along which force and torque have the other sign: a left-handed sensor"),
                       {tr("none"), "x", "y", "z"}, conventions.mirroredAxis ? 1 + *conventions.mirroredAxis : 0);
@@ -83,10 +84,10 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
                        {tr("metres"), tr("millimetres")}, conventions.mPerLength == 1.0 ? 0 : 1);
   pose_ = addChoice(form, "rigPose", tr("A pose is that of"), tr("Some programs write the pose the other way round"),
                     {tr("the sensor in the base"), tr("the base in the sensor")},
-                    conventions.pose == C::PoseDirection::baseInSensor ? 1 : 0);
-  quaternions_ =
-      addChoice(form, "rigQuaternions", tr("Quaternions"), tr("Where the real part w stands"),
-                {"x, y, z, w", "w, x, y, z"}, conventions.quaternionOrder == C::QuaternionOrder::wxyz ? 1 : 0);
+                    conventions.pose == Conventions::PoseDirection::baseInSensor ? 1 : 0);
+  quaternions_ = addChoice(form, "rigQuaternions", tr("Quaternions"), tr("Where the real part w stands"),
+                           {"x, y, z, w", "w, x, y, z"},
+                           conventions.quaternionOrder == Conventions::QuaternionOrder::wxyz ? 1 : 0);
   for (QComboBox* box : {point_, force_.name, torque_.name})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ConventionsForm::enableNumbers);
   enableNumbers();
@@ -136,7 +137,8 @@ ConventionsForm::UnitChoice ConventionsForm::addUnit(QFormLayout* form, const ch
 }
 
 void ConventionsForm::enableNumbers() {
-  for (auto* box : offset_) box->setEnabled(point_->currentIndex() == static_cast<int>(C::WrenchPoint::Kind::offset));
+  for (auto* box : offset_)
+    box->setEnabled(point_->currentIndex() == static_cast<int>(Conventions::WrenchPoint::Kind::offset));
   for (const UnitChoice& unit : {force_, torque_})
     unit.si->setEnabled(unit.name->currentIndex() + 1 == unit.name->count());
 }
@@ -152,25 +154,30 @@ Conventions::Unit ConventionsForm::chosen(const UnitChoice& choice, std::span<co
 
 Conventions ConventionsForm::conventions() const {
   Conventions out = before_;
-  out.wrenchAxes = axes_->currentIndex() == 1 ? C::WrenchAxes::base : C::WrenchAxes::sensor;
-  out.wrenchPoint.kind = static_cast<C::WrenchPoint::Kind>(point_->currentIndex());
-  if (out.wrenchPoint.kind != C::WrenchPoint::Kind::offset) out.wrenchPoint.offset.setZero();
-  for (int a = 0; a < 3 && out.wrenchPoint.kind == C::WrenchPoint::Kind::offset; ++a) {
-    const double number = offset_[a]->value() * kMillimetre;
-    if (std::abs(number - before_.wrenchPoint.offset(a)) > 0.006 * kMillimetre) out.wrenchPoint.offset(a) = number;
+  out.wrenchAxes = axes_->currentIndex() == 1 ? Conventions::WrenchAxes::base : Conventions::WrenchAxes::sensor;
+  out.wrenchPoint.kind = static_cast<Conventions::WrenchPoint::Kind>(point_->currentIndex());
+  if (out.wrenchPoint.kind != Conventions::WrenchPoint::Kind::offset) out.wrenchPoint.offset.setZero();
+  for (int a = 0; a < 3 && out.wrenchPoint.kind == Conventions::WrenchPoint::Kind::offset; ++a) {
+    const double number = offset_[a]->value() * kLengthMillimetre;
+    if (std::abs(number - before_.wrenchPoint.offset(a)) > 0.006 * kLengthMillimetre)
+      out.wrenchPoint.offset(a) = number;
   }
-  if (out.wrenchPoint.offset.isZero(0.0) && out.wrenchPoint.kind == C::WrenchPoint::Kind::offset)
-    out.wrenchPoint.kind = C::WrenchPoint::Kind::sensor;
-  out.torqueSign = torqueSign_->currentIndex() == 1 ? C::TorqueSign::opposite : C::TorqueSign::asForce;
-  out.wrenchOrder = order_->currentIndex() == 1 ? C::WrenchOrder::torqueFirst : C::WrenchOrder::forceFirst;
+  if (out.wrenchPoint.offset.isZero(0.0) && out.wrenchPoint.kind == Conventions::WrenchPoint::Kind::offset)
+    out.wrenchPoint.kind = Conventions::WrenchPoint::Kind::sensor;
+  out.torqueSign =
+      torqueSign_->currentIndex() == 1 ? Conventions::TorqueSign::opposite : Conventions::TorqueSign::asForce;
+  out.wrenchOrder =
+      order_->currentIndex() == 1 ? Conventions::WrenchOrder::torqueFirst : Conventions::WrenchOrder::forceFirst;
   out.mirroredAxis.reset();
   if (mirror_->currentIndex() > 0) out.mirroredAxis = mirror_->currentIndex() - 1;
   out.force = chosen(force_, forceUnits(), before_.force);
   out.torque = chosen(torque_, torqueUnits(), before_.torque);
-  out.radPerAngle = angles_->currentIndex() == 1 ? kRadPerDegree : 1.0;
-  out.mPerLength = lengths_->currentIndex() == 1 ? kMillimetre : 1.0;
-  out.pose = pose_->currentIndex() == 1 ? C::PoseDirection::baseInSensor : C::PoseDirection::sensorInBase;
-  out.quaternionOrder = quaternions_->currentIndex() == 1 ? C::QuaternionOrder::wxyz : C::QuaternionOrder::xyzw;
+  out.radPerAngle = angles_->currentIndex() == 1 ? kAngleDegree : 1.0;
+  out.mPerLength = lengths_->currentIndex() == 1 ? kLengthMillimetre : 1.0;
+  out.pose =
+      pose_->currentIndex() == 1 ? Conventions::PoseDirection::baseInSensor : Conventions::PoseDirection::sensorInBase;
+  out.quaternionOrder =
+      quaternions_->currentIndex() == 1 ? Conventions::QuaternionOrder::wxyz : Conventions::QuaternionOrder::xyzw;
   return out;
 }
 

@@ -140,5 +140,38 @@ TEST_F(ImportedConventions, AnglesAreUnwrappedBeforeTheyAreAveraged) {
   }
 }
 
+TEST_F(ImportedConventions, ClocksAreAlignedByForcesInBaseAxesToo) {
+  constexpr double kLate = 3.217;  // [s]
+  const PlainMotion motion(4000, 200.0);
+  const auto& p = motion.recording.position;
+  std::string joints = "time,q1,q2,q3,q4,q5,q6,q7\n";
+  std::string wrench = "time,fx,fy,fz,tx,ty,tz\n";
+  std::vector<Vector3d> expected;
+  for (Eigen::Index k = 1; k + 1 < p.rows(); ++k) {
+    const double t = motion.recording.time(k);
+    joints += fmt::format("{:.6f}", 1700000000.0 + t);
+    for (int j = 0; j < 7; ++j) joints += fmt::format(",{:.12f}", motion.recording.q(k, j));
+    joints += "\n";
+    const Vector3d a = (p.row(k + 1) - 2.0 * p.row(k) + p.row(k - 1)).transpose() * 200.0 * 200.0;
+    const Vector3d f = 1.5 * (a + Vector3d(0.0, 0.0, 9.81));
+    wrench += fmt::format("{:.6f},{:.9f},{:.9f},{:.9f},0.1,0.2,{:.9f}\n", t + 40.0 + kLate, f.x(), f.y(), f.z(), f.x());
+    expected.push_back(motion.X_BS[static_cast<std::size_t>(k)].linear().transpose() * f);
+  }
+  const auto file = write("joints.csv", joints);
+  write("joints.meta.json", withRig({{"sensor", {{"wrench_axes", "base"}}}}, motion.recording.meta).dump());
+  ImportOptions options;
+  options.join = {write("wrench.csv", wrench)};
+  auto read = openRecording(file, options);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_TRUE(hasCode(read->findings, "clock_offset")) << allTexts(read->findings);
+  ASSERT_TRUE(toSensorAxes(read->recording));
+  ASSERT_GT(read->recording.rows(), 3000);
+  for (Eigen::Index k = 0; k < read->recording.rows(); k += 100) {
+    const auto row = static_cast<std::size_t>(std::lround(read->recording.time(k) * 200.0));
+    ASSERT_LT(row, expected.size());
+    EXPECT_LT((read->recording.wrench.row(k).head<3>().transpose() - expected[row]).norm(), 0.1) << k;
+  }
+}
+
 }  // namespace
 }  // namespace heft

@@ -163,6 +163,10 @@ TEST(ConventionKeys, ColumnsMayNameTheStatedUnit) {
   const auto read = parse(table.text(), meta);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_LT((read->recording.q - parse(goodTable(Form::joints).text())->recording.q).cwiseAbs().maxCoeff(), 1e-12);
+  table.names[8] = "fx [counts]";
+  EXPECT_FALSE(parse(table.text(), meta)) << "a remark, and so another column";
+  meta.conventions.force = {"", 0.001};
+  EXPECT_TRUE(parse(table.text(), meta));
   table.names[1] = "q1 [rad]";
   EXPECT_THAT(failureOf(table.text(), meta), HasSubstr("another unit than the one stated, deg"));
 }
