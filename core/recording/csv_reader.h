@@ -38,7 +38,7 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
 Result<ReadRecording> parseRecording(std::string_view csv, const std::string& name, RecordingMeta meta,
                                      const Progress& progress = {});
 
-/// In which form the numbers of a recording come.
+/// In which form the numbers of a recording come: as the meta states, or with all undone that takes no pose.
 enum class NumberForm { asStated, plain };
 
 /// The same checks for a recording that was joined from messages or streams: time, rotations, units, signals, marks.

@@ -248,6 +248,11 @@ TEST_F(ImportDialogsTest, ConventionsAreSetInTheDialogAndObeyed) {
     ASSERT_NE(box, nullptr) << name;
     box->setCurrentIndex(index);
   };
+  dialog.show();
+  const int unfolded = dialog.height();
+  dialog.findChild<QPushButton*>("rigConventions")->click();
+  EXPECT_LT(dialog.height(), unfolded - 100);
+  dialog.findChild<QPushButton*>("rigConventions")->click();
   EXPECT_EQ(dialog.findChild<QComboBox*>("rigLengths")->currentIndex(), 1);
   choose("rigWrenchAxes", 1);
   choose("rigMirror", 2);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kAngleDegree = std::numbers::pi / 180.0;
 constexpr double kLengthMillimetre = 1e-3;
-constexpr int kUnfoldedHeight = 240;  ///< [px] So that the dialog stays on a small screen.
+constexpr int kUnfoldedHeight = 160;  ///< [px] So that the dialog stays on a small screen.
 
 }  // namespace
 
@@ -93,6 +93,8 @@ ConventionsForm::ConventionsForm(const Conventions& conventions, QWidget* parent
   enableNumbers();
   connect(toggle, &QPushButton::toggled, this, [this, scroll](bool on) {
     scroll->setVisible(on);
+    layout()->activate();
+    updateGeometry();
     emit folded();
   });
   toggle->setChecked(!conventions.plain());

@@ -118,7 +118,10 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   model_->setToolTip(tr("Only for your own record"));
   form->addRow(tr("Make of the sensor"), model_);
   conventions_ = new ConventionsForm(meta.conventions, this);
-  connect(conventions_, &ConventionsForm::folded, this, [this] { adjustSize(); });
+  connect(conventions_, &ConventionsForm::folded, this, [this] {
+    layout()->activate();
+    adjustSize();
+  });
   form->addRow(conventions_);
   form->addRow(wrappedLabel(tr("Written into %1 beside the recording; all else in it stays.")
                                 .arg(QFileInfo(metaFileBeside(recording)).fileName()),
