@@ -9,6 +9,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/recording_options.h"
 #include "core/base/text.h"
+#include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
 namespace {
@@ -93,17 +94,20 @@ void run(const ConvertArguments& options) {
     ProgressLine line;
     return orFail(openRecording(options.input, options.import, line.progress()));
   }();
-  // One sign in every file that Heft writes: what the sensor exerts on the payload.
+  orFail(toSensorAxes(read.recording));
+  // One form in every file that Heft writes, and one sign: what the sensor exerts on the payload.
   const bool flipped = read.recording.meta.wrenchSign == WrenchSign::payloadOnSensor;
-  read.recording.meta.wrenchSign = WrenchSign::sensorOnPayload;
+  const json conventions = toJson(read.recording.meta.conventions);
+  read.recording.meta.numbersArePlain();
   orFail(writeRecording(read.recording, csv));
 
   const Recording& recording = read.recording;
   if (!options.json.empty()) {
-    const json summary{
-        {"schema", "heft.convert/1"},      {"file", displayName(csv)},       {"meta", displayName(metaOut)},
-        {"samples", recording.rows()},     {"rate_hz", recording.rateHz()},  {"duration_s", recording.duration()},
-        {"motion", motionForm(recording)}, {"wrench_sign_changed", flipped}, {"findings", toJson(read.findings)}};
+    const json summary{{"schema", "heft.convert/1"},           {"file", displayName(csv)},
+                       {"meta", displayName(metaOut)},         {"samples", recording.rows()},
+                       {"rate_hz", recording.rateHz()},        {"duration_s", recording.duration()},
+                       {"motion", motionForm(recording)},      {"wrench_sign_changed", flipped},
+                       {"conventions_taken_out", conventions}, {"findings", toJson(read.findings)}};
     writeOutput(options.json, fileText(summary),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.convert/1"); }});
   }
@@ -112,6 +116,11 @@ void run(const ConvertArguments& options) {
                                  displayName(metaOut.filename()), recording.rows(), recording.duration(),
                                  recording.rateHz(), motionForm(recording));
   if (flipped) text += "  the wrench's sign was turned: it is now what the sensor exerts on the payload\n";
+  std::string taken;
+  for (const auto& [key, value] : conventions.items())
+    taken += fmt::format("{}{} {}", taken.empty() ? "" : ", ", key,
+                         value.is_string() ? value.get<std::string>() : value.dump());
+  if (!taken.empty()) text += fmt::format("  brought to the plain form from: {}\n", taken);
   print(text);
   printFindings(read.findings, true);
 }

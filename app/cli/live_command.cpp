@@ -19,6 +19,8 @@
 #include "core/import/import.h"
 #include "core/live/session.h"
 #include "core/motion/motion.h"
+#include "core/motion/sensor_axes.h"
+#include "core/recording/unwrap.h"
 #include "core/simulation/virtual_rig.h"
 
 namespace heft::cli {
@@ -184,8 +186,8 @@ RecordingMeta metaOf(const LiveArguments& options, Findings& findings) {
   const auto isVirtual = [](const auto& s) { return s == "virtual" || s.starts_with("virtual:"); };
   if (file.empty() && std::ranges::all_of(options.sources, isVirtual)) meta = VirtualRig::metaFor(VirtualRigOptions());
   if (meta.kind == RecordingKind::poses) throw Failed("Live samples are of a motion, not of standing poses.");
-  // A replayed recording was brought to one sign when it was read.
-  if (replays) meta.wrenchSign = WrenchSign::sensorOnPayload;
+  // A replayed recording was brought to the plain form when it was read.
+  if (replays) meta.numbersArePlain();
   return meta;
 }
 
@@ -194,13 +196,14 @@ class LiveRun {
   LiveRun(const LiveArguments& options, EstimateOptions settings)
       : options_(options), settings_(std::move(settings)), meta_(metaOf(options, findings_)) {
     for (const auto& address : options.sources) {
-      auto source = makeLiveSource(address);
+      auto source = makeLiveSource(address, options.meta);
       if (!source) throw WrongUsage(source.error().message);
       session_.addSource(std::move(*source));
     }
   }
 
   void run() {
+    session_.setConventions(meta_.conventions);
     if (!options_.record.empty()) orFail(session_.record(options_.record, meta_));
     orFail(session_.start());
     {
@@ -245,6 +248,9 @@ class LiveRun {
     auto checked = orFail(checkRecording(kept_.toRecording(meta_, name)));
     std::optional<RobotModel> robot;
     if (checked.recording.hasJoints()) robot = orFail(robotFor(checked.recording.meta, findings_));
+    orFail(toSensorAxes(checked.recording, robot ? &*robot : nullptr));
+    if (!status_.wrapped.empty())
+      findings_.push_back({Severity::info, "angles_unwrapped", unwrapped(status_.wrapped), {}, {}});
     auto report = orFail(estimate(checked.recording, robot ? &*robot : nullptr, settings_));
     report.findings.insert(report.findings.begin(), checked.findings.begin(), checked.findings.end());
     report.findings.insert(report.findings.begin(), findings_.begin(), findings_.end());

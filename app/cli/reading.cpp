@@ -4,6 +4,7 @@
 
 #include "app/cli/cli.h"
 #include "core/motion/motion.h"
+#include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
 
@@ -11,15 +12,19 @@ Input readInput(const std::string& file, const ImportOptions& options, const std
                 const Progress& progress) {
   ReadRecording read = orFail(openRecording(file, options, progress));
   Input input{std::move(read.recording), std::nullopt, std::move(read.findings)};
-  const Recording& recording = input.recording;
+  Recording& recording = input.recording;
   if (!robot.empty()) input.recording.meta.robot = robot == "panda" ? robot : std::filesystem::absolute(robot).string();
-  if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) return input;
+  if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) {
+    orFail(toSensorAxes(recording, nullptr));
+    return input;
+  }
   if (!recording.meta.robot)
     throw Failed(
         fmt::format("{} has joint angles, but nothing says of which arm: state \"robot\", \"panda\" or a URDF, in its "
                     "meta file.",
                     recording.file));
   input.robot = orFail(robotFor(recording.meta, input.findings));
+  orFail(toSensorAxes(recording, input.model()));
   return input;
 }
 

@@ -17,7 +17,8 @@ struct Input {
   const RobotModel* model() const { return robot ? &*robot : nullptr; }
 };
 
-/// Reads any recording; `robot` ("panda" or a URDF, may be empty) overrides the meta's. Throws Failed.
+/// Reads any recording and brings it to the plain form; `robot` ("panda" or a URDF, may be empty) overrides the meta's.
+/// Throws Failed.
 Input readInput(const std::string& file, const ImportOptions& options, const std::string& robot,
                 const Progress& progress);
 

@@ -5,12 +5,13 @@
 #include <set>
 
 #include "app/cli/cli.h"
+#include "core/live/plain_samples.h"
 #include "core/online/online_estimator.h"
 
 namespace heft::cli {
 
 struct RunningEstimate::Impl {
-  bool flip = false;  ///< The samples' wrench is the payload's on the sensor.
+  PlainSamples plain;
   std::optional<double> start;
   OnlineEstimator estimator;
   std::set<std::string> told;
@@ -20,20 +21,21 @@ RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* ro
                                  const std::optional<Shape>& shape) {
   OnlineOptions options;
   options.shape = shape;
-  impl_.reset(new Impl{meta.wrenchSign == WrenchSign::payloadOnSensor,
+  impl_.reset(new Impl{orFail(PlainSamples::create(meta, robot)),
                        std::nullopt,
                        orFail(OnlineEstimator::create(meta, robot, options)),
                        {}});
 }
 
-void RunningEstimate::add(const LiveSample& sample) {
+void RunningEstimate::add(const LiveSample& read) {
+  const LiveSample sample = orFail(impl_->plain.plain(read));
   if (!impl_->start) impl_->start = sample.time;
   OnlineSample out;
   out.time = sample.time - *impl_->start;
   out.q = sample.q;
   out.dq = sample.dq;
   if (sample.orientation) out.pose = OnlineSample::Pose{sample.position, *sample.orientation};
-  out.wrench = impl_->flip ? Vector6d(-*sample.wrench) : *sample.wrench;
+  out.wrench = *sample.wrench;
   impl_->estimator.add(out);
 }
 

@@ -19,7 +19,7 @@ class RunningEstimate {
   RunningEstimate(const RunningEstimate&) = delete;
   RunningEstimate& operator=(const RunningEstimate&) = delete;
 
-  /// A complete sample, in the wrench sign of the meta.
+  /// A complete sample, in the conventions of the meta. Throws Failed where they take a pose that it does not have.
   void add(const LiveSample& sample);
   /// "  12.4 s  0.800 kg [0.798, 0.803]  centre (8.4, 2.1, 53.1) mm  free  Inertia: turn the tool faster"
   std::string line() const;

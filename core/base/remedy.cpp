@@ -31,6 +31,8 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
       return heft::say("Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
     case Remedy::mountSensor:
       return heft::say("Set sensor.mount.parent in the meta file to one of: {}.", subject);
+    case Remedy::stateConvention:
+      return heft::say("If so, write {} into the meta file.", subject);
     case Remedy::turnWrench:
       return heft::say(
           "Set sensor.wrench_sign in the meta file to the other convention (sensor_on_payload or payload_on_sensor).");

@@ -15,6 +15,7 @@ enum class Remedy {
   stateOffset,       ///< Say how much one clock is late; subject: the stream.
   nameRobot,         ///< Say which robot was recorded.
   mountSensor,       ///< Say which link carries the sensor; subject: the links there are.
+  stateConvention,   ///< Say which unit or form the numbers have; subject: as in a meta file, "angle_unit": "deg".
   turnWrench,        ///< The wrench has the other sign.
   turnGravity,       ///< Gravity points the other way.
   correctMount,      ///< The sensor is mounted turned.

@@ -62,6 +62,27 @@ Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& 
   return true;
 }
 
+/// A scale of the map file and a unit that is stated would both be applied.
+std::optional<Error> refuseTwoScales(const MappingWishes& wishes, const Conventions& conventions,
+                                     const std::string& file) {
+  for (const auto& [target, factor] : wishes.scale) {
+    const char first = target[0];
+    const bool quaternion = target == "quaternion" || (first == 'q' && target.find_first_of("xyzw") == 1);
+    const bool angle = (first == 'j' || first == 'v' || first == 'd' || first == 'q') && !quaternion;
+    const bool wrench = first == 'w' || first == 'f' || (first == 't' && target != "time");
+    const char* key = nullptr;
+    if (angle && conventions.radPerAngle != 1.0) key = "angle_unit";
+    if (first == 'p' && conventions.mPerLength != 1.0) key = "length_unit";
+    if (wrench && conventions.force.si != 1.0) key = "force_unit";
+    if (wrench && conventions.torque.si != 1.0) key = "torque_unit";
+    if (key != nullptr)
+      return errorAt({file, 0, 0},
+                     heft::say("the map file scales {} by {}, and {} is stated, too.", target, factor, key),
+                     heft::say("State one of them."));
+  }
+  return std::nullopt;
+}
+
 Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const ImportOptions& options,
                        const Progress& progress) {
   Opened opened;
@@ -109,6 +130,8 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
     if (!read) return read.error();
     opened.meta = std::move(*read);
   }
+  takeOver(opened.wishes.conventions, opened.meta.conventions);
+  if (auto failure = refuseTwoScales(opened.wishes, opened.meta.conventions, displayName(path))) return *failure;
   if (opened.meta.robot) {
     Findings aside;
     if (const auto robot = robotFor(opened.meta, aside))
@@ -332,7 +355,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   auto joined = joinStreams(opened->streams, found, opened->wishes, std::move(opened->meta), opened->findings);
   if (!joined) return joined.error();
   joined->file = displayName(path);
-  auto checked = checkRecording(std::move(*joined));
+  auto checked = checkRecording(std::move(*joined), NumberForm::plain);
   if (!checked) return checked.error();
   checked->findings.insert(checked->findings.begin(), opened->findings.begin(), opened->findings.end());
   return checked;

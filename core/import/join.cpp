@@ -14,6 +14,8 @@
 #include "core/import/align.h"
 #include "core/math/statistics.h"
 #include "core/motion/motion.h"
+#include "core/recording/checks.h"
+#include "core/recording/plain_form.h"
 
 namespace heft {
 
@@ -63,6 +65,7 @@ class Joiner {
                        heft::say("{} has fewer than two complete samples.", nameOf(signal->stream)),
                        heft::say("Record again, or choose other columns."));
     makeTimes();
+    if (auto failure = toPlainForm()) return *failure;
     makeQuaternionsSmooth();
     if (auto failure = align()) return *failure;
     if (auto failure = resample()) return *failure;
@@ -239,6 +242,27 @@ class Joiner {
     }
   }
 
+  /// Of each signal by itself; the position has to wait for the orientation at its times.
+  std::optional<Error> toPlainForm() {
+    plain_.emplace(recording_.meta);
+    if (!wrench_.empty()) plain_->undoWrench(wrench_.values);
+    plain_->undoAngles(joints_.values);
+    plain_->undoAngles(velocities_.values);
+    if (!quaternion_.empty()) plain_->undoQuaternionOrder(quaternion_.values);
+    if (!quaternion_.empty()) plain_->undoDirection(quaternion_.values);
+    if (joints_.empty()) return std::nullopt;
+    Recording angles;
+    angles.meta = recording_.meta;
+    angles.time = joints_.time;
+    angles.q = std::move(joints_.values);
+    ColumnMap map;
+    map.joints.assign(static_cast<std::size_t>(angles.q.cols()), 1);
+    std::vector<std::uint32_t> lines(static_cast<std::size_t>(angles.q.rows()), 0);
+    if (auto failure = checkAngles({angles, map, recording_.file, lines, findings_, false})) return failure;
+    joints_.values = std::move(angles.q);
+    return std::nullopt;
+  }
+
   /// Two files share a clock if both count from 1970 and overlap.
   bool clocksRelated() {
     const auto& a = motion().nanoseconds;
@@ -290,6 +314,14 @@ class Joiner {
     return std::move(*motion);
   }
 
+  /// The specific force in the axes that the wrench comes in.
+  Eigen::Matrix3Xd inWrenchAxes(const Motion& motion) const {
+    Eigen::Matrix3Xd out = motion.specificForce;
+    if (recording_.meta.conventions.wrenchAxes == Conventions::WrenchAxes::base)
+      for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = motion.R_BS[static_cast<std::size_t>(k)] * out.col(k);
+    return out;
+  }
+
   std::optional<Error> align() {
     if (wrench_.stream == motion().stream) return std::nullopt;
     const auto how = remedy(Remedy::stateOffset, displayName(nameOf(wrench_.stream)));
@@ -306,7 +338,7 @@ class Joiner {
     }
     OffsetEstimate offset;
     if (moved)
-      offset = findOffset(moved->specificForce, moved->startTime, moved->rateHz, wrench_.time,
+      offset = findOffset(inWrenchAxes(*moved), moved->startTime, moved->rateHz, wrench_.time,
                           wrench_.values.leftCols<3>(), from, to);
     const auto figures = heft::say("{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)",
                                    offset.seconds, 2.0 * offset.std, 100.0 * offset.explained);
@@ -373,7 +405,12 @@ class Joiner {
     recording_.q = on(joints_);
     recording_.dq = on(velocities_);
     if (!quaternion_.empty()) recording_.quaternion = on(quaternion_);
-    if (!position_.empty()) recording_.position = on(position_);
+    if (!position_.empty() && !quaternion_.empty()) {
+      MatrixXd unit = recording_.quaternion;
+      unit.rowwise().normalize();
+      recording_.position = on(position_);
+      plain_->undoPosition(recording_.position, unit);
+    }
     if (wishes_.poseOfFlange && !quaternion_.empty()) fromFlangeToSensor();
 
     if (!together) {
@@ -452,6 +489,7 @@ class Joiner {
   const std::vector<ColumnSource>& columns_;
   const MappingWishes& wishes_;
   Findings& findings_;
+  std::optional<PlainForm> plain_;
   std::set<std::size_t> used_;
   std::vector<std::int64_t> clockShift_;
   std::vector<bool> useStamps_;

@@ -11,7 +11,8 @@
 
 namespace heft {
 
-/// `streams` hold the values of the chosen fields. The recording is not yet checked; what was joined, shifted and
+/// `streams` hold the values of the chosen fields, in the conventions that the meta states; the recording's are in the
+/// plain form, so that no average runs across the jump of an angle, and not yet checked. What was joined, shifted and
 /// thinned is in the findings.
 Result<Recording> joinStreams(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns,
                               const MappingWishes& wishes, RecordingMeta meta, Findings& findings);

@@ -243,7 +243,8 @@ class Chooser {
 
 Error badMap(const std::string& name, const std::string& what) {
   return errorAt({name, 0, 0}, what,
-                 heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock."));
+                 heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, sensor, {}.",
+                           fmt::join(conventionKeys(false), ", ")));
 }
 
 }  // namespace
@@ -254,6 +255,13 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
   if (!read) return read.error();
   if (!read->is_object()) return badMap(name, heft::say("this is no JSON object."));
   MappingWishes wishes;
+  auto stated = readConventions(*read, name);
+  if (!stated) return stated.error();
+  wishes.conventions = std::move(*stated);
+  const auto isConvention = [](const std::string& key, bool inSensor) {
+    const auto keys = conventionKeys(inSensor);
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   const auto numbers = [&](const json& node, std::map<std::string, double>& out) {
     if (!node.is_object()) return false;
     for (const auto& [key, value] : node.items()) {
@@ -294,7 +302,12 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
       if (value != "header" && value != "received")
         return badMap(name, heft::say("\"clock\" is neither header nor received."));
       wishes.clock = value.get<std::string>();
-    } else {
+    } else if (key == "sensor") {
+      if (!value.is_object()) return badMap(name, heft::say("\"sensor\" is no object."));
+      for (const auto& [inner, unused] : value.items())
+        if (const auto path = "sensor." + printable(inner); !isConvention(inner, true))
+          return badMap(name, heft::say("\"{}\" is not known.", path));
+    } else if (!isConvention(key, false)) {
       return badMap(name, heft::say("\"{}\" is not known.", printable(key)));
     }
   }
@@ -309,7 +322,7 @@ std::filesystem::path mapFileOf(const std::filesystem::path& recording) {
 }
 
 std::string mapText(const MappingWishes& wishes, const std::filesystem::path& folder) {
-  json out = json::object();
+  json out = metaPatch(wishes.conventions);
   if (!wishes.use.empty()) out["use"] = wishes.use;
   if (!wishes.scale.empty()) out["scale"] = wishes.scale;
   if (!wishes.offset.empty()) out["offset_s"] = wishes.offset;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/import/streams.h"
+#include "core/recording/conventions.h"
 
 namespace heft {
 
@@ -34,13 +35,15 @@ struct MappingWishes {
   std::vector<std::filesystem::path> join;  ///< Further files.
   bool poseOfFlange = false;                ///< Poses are the flange's, not the sensor's.
   std::string clock;                        ///< "header", "received", or empty: whichever is better.
+  StatedConventions conventions;            ///< Stronger than the meta file's.
 
   bool operator==(const MappingWishes&) const = default;
 };
 
 /// Reads a map file (JSON): {"use": {"wrench": "/ft/raw", "q1": "/arm:position[j1]"}, "scale": {"torque": 0.001},
-/// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header"}. Relative files count
-/// from the map file's folder. Unknown keys fail.
+/// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header"}, and the conventions
+/// as in a meta file: {"sensor": {"torque_unit": "N mm"}, "angle_unit": "deg"}. Relative files count from the map
+/// file's folder. Unknown keys fail.
 Result<MappingWishes> readMapFile(const std::filesystem::path& file);
 
 /// The map file that is read with a recording where no other is given: NAME.map.json beside it.

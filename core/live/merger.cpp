@@ -101,8 +101,25 @@ void StreamMerger::emitReady(std::vector<LiveSample>& complete) {
   }
 }
 
-void StreamMerger::add(const LiveSample& part, std::vector<LiveSample>& complete) {
-  if (!std::isfinite(part.time)) return;
+LiveSample StreamMerger::unwrapped(const LiveSample& part) {
+  LiveSample out = part;
+  if (!out.q) return out;
+  const auto joints = static_cast<std::size_t>(std::clamp(part.joints, 0, 7));
+  for (std::size_t j = 0; j < joints; ++j) (*out.q)[j] = angles_[j].next((*out.q)[j], part.time - anglesAt_);
+  anglesAt_ = part.time;
+  return out;
+}
+
+std::vector<int> StreamMerger::wrapped() const {
+  std::vector<int> out;
+  for (std::size_t j = 0; j < angles_.size(); ++j)
+    if (angles_[j].jumped()) out.push_back(static_cast<int>(j));
+  return out;
+}
+
+void StreamMerger::add(const LiveSample& read, std::vector<LiveSample>& complete) {
+  if (!std::isfinite(read.time)) return;
+  const LiveSample part = unwrapped(read);
   if (part.hasMotion() && part.wrench) {
     if (part.time <= emitted_) {
       ++late_;

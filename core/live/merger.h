@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/live/source.h"
+#include "core/recording/unwrap.h"
 
 namespace heft {
 
@@ -16,6 +17,12 @@ class StreamMerger {
  public:
   /// Takes a part in and appends the samples that have become complete, their times rising.
   void add(const LiveSample& part, std::vector<LiveSample>& complete);
+
+  /// By how much joint angles jump where they wrap: 2 pi, or 360 for samples in degrees. Turns are taken out before
+  /// anything is interpolated.
+  void setTurn(double turn) { angles_.fill(Unwrapper(turn)); }
+  /// Joints that wrapped so far, from 0.
+  std::vector<int> wrapped() const;
 
   std::uint64_t late() const { return late_; }            ///< Came after their time had passed, or twice.
   std::uint64_t unmatched() const { return unmatched_; }  ///< Found no partner within two seconds, or across a gap.
@@ -31,7 +38,11 @@ class StreamMerger {
   void emitReady(std::vector<LiveSample>& complete);
   std::optional<LiveSample> matched(const LiveSample& base, const Lane& other, double width, bool wrenchBase) const;
 
+  LiveSample unwrapped(const LiveSample& part);
+
   Lane motion_, wrench_;
+  std::array<Unwrapper, 7> angles_;
+  double anglesAt_ = 0.0;  ///< [s] Of the newest joint angles
   double emitted_ = -1e300;
   std::uint64_t late_ = 0;
   std::uint64_t unmatched_ = 0;

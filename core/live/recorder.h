@@ -16,8 +16,8 @@ namespace heft {
 /// Not safe to use from several threads at once.
 class Recorder {
  public:
-  /// Fails if a file exists (nothing is ever overwritten) or cannot be made. `meta.wrenchSign` says which sign the
-  /// samples' wrench has.
+  /// Fails if a file exists (nothing is ever overwritten) or cannot be made. `meta.wrenchSign` and
+  /// `meta.conventions` say what the samples' numbers mean; they are written as they come.
   static Result<Recorder> create(const std::filesystem::path& csv, const RecordingMeta& meta);
 
   Recorder(Recorder&& other) noexcept = default;

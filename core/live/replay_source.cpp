@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/import/import.h"
 #include "core/live/sources.h"
+#include "core/motion/sensor_axes.h"
 
 namespace heft {
 
@@ -10,10 +11,11 @@ namespace {
 
 class ReplaySource : public ThreadedSource {
  public:
-  ReplaySource(std::filesystem::path file, double speed)
+  ReplaySource(std::filesystem::path file, double speed, std::filesystem::path metaFile)
       : ThreadedSource(heft::say("replay of {}", displayName(file.filename()))),
         file_(std::move(file)),
-        speed_(speed) {}
+        speed_(speed),
+        metaFile_(std::move(metaFile)) {}
   ~ReplaySource() override { ReplaySource::stop(); }
 
  protected:
@@ -41,8 +43,11 @@ class ReplaySource : public ThreadedSource {
 
  private:
   Result<bool> read() {
-    auto opened = openRecording(file_);
+    ImportOptions options;
+    options.metaFile = metaFile_;
+    auto opened = openRecording(file_, options);
     if (!opened) return opened.error();
+    if (auto turned = toSensorAxes(opened->recording); !turned) return turned.error();
     recording_ = std::move(opened->recording);
     if (recording_.hasJoints() && recording_.q.cols() > 7)
       return Error{
@@ -70,13 +75,15 @@ class ReplaySource : public ThreadedSource {
 
   const std::filesystem::path file_;
   const double speed_;
+  const std::filesystem::path metaFile_;
   Recording recording_;
 };
 
 }  // namespace
 
-std::unique_ptr<LiveSource> makeReplaySource(const std::filesystem::path& file, double speed) {
-  return std::make_unique<ReplaySource>(file, speed);
+std::unique_ptr<LiveSource> makeReplaySource(const std::filesystem::path& file, double speed,
+                                             const std::filesystem::path& metaFile) {
+  return std::make_unique<ReplaySource>(file, speed, metaFile);
 }
 
 }  // namespace heft

@@ -1,6 +1,7 @@
 #include "core/live/session.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace heft {
 
@@ -21,6 +22,11 @@ LiveSession::LiveSession(std::size_t ringCapacity) : ring_(ringCapacity) {}
 LiveSession::~LiveSession() { stop(); }
 
 void LiveSession::addSource(std::unique_ptr<LiveSource> source) { sources_.push_back(std::move(source)); }
+
+void LiveSession::setConventions(const Conventions& conventions) {
+  const std::lock_guard lock(mutex_);
+  merger_.setTurn(2.0 * std::numbers::pi / conventions.radPerAngle);
+}
 
 Result<bool> LiveSession::start() {
   for (const auto& source : sources_) {
@@ -80,6 +86,7 @@ SessionStatus LiveSession::status() const {
   out.recorded = recorder_ ? recorder_->rows() : 0;
   if (recorder_) out.recordingProblem = recorder_->problem();
   out.newest = newest_;
+  out.wrapped = merger_.wrapped();
   return out;
 }
 

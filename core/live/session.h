@@ -37,6 +37,7 @@ struct SessionStatus {
   std::uint64_t recorded = 0;    ///< Rows on disk or on their way
   std::string recordingProblem;  ///< The disk is full, or gone
   double newest = 0.0;           ///< [s] hostNow() of the newest complete sample
+  std::vector<int> wrapped;      ///< Joints, from 0, out of whose angles whole turns were taken
 };
 
 /// All functions may be called from any thread.
@@ -46,6 +47,8 @@ class LiveSession {
   ~LiveSession();
 
   void addSource(std::unique_ptr<LiveSource> source);
+  /// What the sources' numbers mean; before start(). Samples stay in these conventions: see PlainSamples.
+  void setConventions(const Conventions& conventions);
   /// Starts every source; on failure those that run are stopped again.
   Result<bool> start();
   void stop();

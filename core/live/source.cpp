@@ -104,7 +104,8 @@ Error badAddress(const std::string& address) {
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address) {
+Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
+                                                   const std::filesystem::path& replayMeta) {
   Address parts;
   if (address == "virtual" || address.starts_with("virtual:")) {
     std::uint64_t seed = 1;
@@ -153,7 +154,7 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address) {
       speed = *value;
     }
     if (auto failure = unknownParameter()) return *failure;
-    return makeReplaySource(parts.rest, speed);
+    return makeReplaySource(parts.rest, speed, replayMeta);
   }
 
   std::string host = parts.rest;

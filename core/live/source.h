@@ -5,6 +5,7 @@
 // brings parts from several sources together. All times are on one clock, hostNow().
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -22,7 +23,7 @@ namespace heft {
 struct LiveSample {
   double time = 0.0;                        ///< [s] hostNow() when it was measured, as well as that is known
   int joints = 7;                           ///< How many of q and dq count, from the first
-  std::optional<std::array<double, 7>> q;   ///< [rad]
+  std::optional<std::array<double, 7>> q;   ///< [rad] unless the meta states other conventions, as all of this
   std::optional<std::array<double, 7>> dq;  ///< [rad/s]; only together with q
   std::optional<Vector3d> position;         ///< p_BSo_B [m]; only together with orientation
   std::optional<Quaterniond> orientation;   ///< R_BS
@@ -102,7 +103,9 @@ class ThreadedSource : public LiveSource {
 ///   udp:[HOST:]PORT                  JSON objects in datagrams; without a host only from this machine
 ///   replay:FILE[?speed=N]            a recording, in real time
 ///   virtual:[SEED]                   a simulated Panda with a tool that the seed chooses, moving by itself
-/// Fails with a sentence that lists these forms.
-Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address);
+/// `replayMeta`: the meta file of a recording that is replayed; empty: its own, if it exists. A replay's samples are in
+/// the plain form. Fails with a sentence that lists these forms.
+Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
+                                                   const std::filesystem::path& replayMeta = {});
 
 }  // namespace heft

@@ -32,7 +32,8 @@ std::unique_ptr<LiveSource> makeRosbridgeSource(const std::string& host, std::ui
                                                 const RosbridgeTopics& topics);
 
 /// A recording of any kind that openRecording reads, `speed` times as fast as it was recorded; the
-/// samples' times stay those of the motion.
-std::unique_ptr<LiveSource> makeReplaySource(const std::filesystem::path& file, double speed);
+/// samples' times stay those of the motion, and they are in the plain form. `metaFile` may be empty: its own.
+std::unique_ptr<LiveSource> makeReplaySource(const std::filesystem::path& file, double speed,
+                                             const std::filesystem::path& metaFile = {});
 
 }  // namespace heft

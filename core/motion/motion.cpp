@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
@@ -266,6 +267,12 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
          {}});
 }
 
+/// Whoever forgets it would fit a payload to forces in the wrong axes.
+void requireSensorAxes(const Recording& recording) {
+  if (recording.wrenchNeedsPose)
+    throw std::logic_error("a wrench that is not in sensor axes is used; see toSensorAxes()");
+}
+
 }  // namespace
 
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
@@ -275,6 +282,7 @@ Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
 }
 
 Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot) {
+  requireSensorAxes(recording);
   Motion motion;
   motion.rateHz = 1.0;
   const Eigen::Index n = recording.rows();
@@ -303,6 +311,7 @@ Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot
 }
 
 Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, const MotionOptions& options) {
+  requireSensorAxes(recording);
   const bool savitzkyGolay = options.smoothing == SmoothingKind::savitzkyGolay;
   const int window = options.window + (options.window % 2 == 0 ? 1 : 0);
   if (savitzkyGolay && (options.order < 2 || window <= options.order))

@@ -4,6 +4,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/recording/plain_form.h"
 
 namespace heft {
 
@@ -60,14 +61,39 @@ void checkMarks(const Examined& examined) {
                     heft::say("Marks are on the clock of the column time."));
 }
 
+void undoTwist(const Examined& examined, const PlainForm& plain) {
+  auto& twist = examined.recording.twist;
+  if (twist.rows() == 0) return;
+  if (!plain.twistIsLost()) return plain.undoTwist(twist);
+  twist.resize(0, 6);
+  examined.note(
+      Severity::info, "columns_set_aside", examined.column(examined.map.twist[0]),
+      heft::say("vx, vy, vz, wx, wy, wz are left aside: the pose is the base's in the sensor, and which point "
+                "and axes the velocities belong to is not said."));
+}
+
 }  // namespace
 
-std::optional<Error> checkAll(const Examined& examined) {
+std::optional<Error> checkAll(const Examined& examined, NumberForm form) {
   if (auto failure = checkTime(examined)) return failure;
-  if (auto failure = checkQuaternions(examined)) return failure;
-  if (auto failure = checkUnits(examined)) return failure;
   auto& recording = examined.recording;
-  if (recording.meta.wrenchSign == WrenchSign::payloadOnSensor) recording.wrench = -recording.wrench;
+  const PlainForm plain(recording.meta);
+  const bool undo = form == NumberForm::asStated;
+  if (undo) {
+    plain.undoWrench(recording.wrench);
+    plain.undoAngles(recording.q);
+    plain.undoAngles(recording.dq);
+    plain.undoQuaternionOrder(recording.quaternion);
+    undoTwist(examined, plain);
+  }
+  recording.wrenchNeedsPose = recording.meta.conventions.needPose();
+  if (auto failure = checkQuaternions(examined)) return failure;
+  if (undo) {
+    plain.undoDirection(recording.quaternion);
+    plain.undoPosition(recording.position, recording.quaternion);
+  }
+  if (auto failure = checkAngles(examined)) return failure;
+  if (auto failure = checkUnits(examined)) return failure;
   checkSignals(examined);
   checkMarks(examined);
   return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "core/base/findings.h"
 #include "core/recording/columns.h"
+#include "core/recording/csv_reader.h"
 #include "core/recording/recording.h"
 
 namespace heft {
@@ -34,8 +35,8 @@ struct Examined {
 /// "34 %", "3.2 %", "0.05 %".
 std::string percent(double share);
 
-/// All checks below in order, and the wrench brought to the sign that it has in memory.
-std::optional<Error> checkAll(const Examined& examined);
+/// All checks below in order, and the numbers brought to the plain form unless they come in it.
+std::optional<Error> checkAll(const Examined& examined, NumberForm form);
 
 /// Seven joints without a named robot are a Panda's; other numbers of joints need a name or poses. `header` is the line
 /// of the header, `field` that of the first joint.
@@ -54,8 +55,10 @@ std::optional<Error> checkTime(const Examined& examined);
 /// Brings quaternions to unit length and neighbours to the same sign; fails if one is far from a rotation.
 std::optional<Error> checkQuaternions(const Examined& examined);
 
-/// Degrees and millimetres are errors, found from the size of values and from velocities that do not fit their
-/// positions.
+/// Joint angles in degrees are an error, found from their size; turns are taken out of those that wrap. In [rad].
+std::optional<Error> checkAngles(const Examined& examined);
+
+/// Millimetres are errors, found from the size of values, and so are velocities that do not fit their positions.
 std::optional<Error> checkUnits(const Examined& examined);
 
 /// Channels without life, stretches in which a logger hung, rows that repeat, jumps, a wrench that looks tared. Never

@@ -72,26 +72,31 @@ NamedUnit splitUnit(std::string_view text) {
   return {lowered(name), lowered(text.substr(open + 1, text.size() - open - 2))};
 }
 
-const char* siUnit(Column column) {
+/// The unit that a column is in by what the meta file states; SI where it states nothing.
+std::string columnUnit(Column column, const Conventions& conventions) {
+  const std::string angle = conventions.radPerAngle == 1.0 ? "rad" : "deg";
+  const std::string length = conventions.mPerLength == 1.0 ? "m" : "mm";
+  const bool torqueFirst = conventions.wrenchOrder == Conventions::WrenchOrder::torqueFirst;
+  const auto named = [](const Conventions::Unit& unit, const char* si) { return unit.si == 1.0 ? si : unit.name; };
   switch (column.role) {
     case Role::time:
       return "s";
     case Role::joint:
-      return "rad";
+      return angle;
     case Role::jointVelocity:
-      return "rad/s";
+      return angle + "/s";
     case Role::position:
-      return "m";
+      return length;
     case Role::twist:
-      return column.index < 3 ? "m/s" : "rad/s";
+      return (column.index < 3 ? length : angle) + "/s";
     case Role::wrench:
-      return column.index < 3 ? "N" : "N m";
+      return (column.index < 3) != torqueFirst ? named(conventions.force, "N") : named(conventions.torque, "N m");
     case Role::quaternion:
     case Role::label:
     case Role::extra:
-      return "";
+      return {};
   }
-  return "";
+  return {};
 }
 
 /// Lower case, without blanks, dots and multiplication signs.
@@ -157,12 +162,20 @@ class Mapper {
       const auto meaning = meaningOf(name);
       if (meaning.role == Role::extra || map_.columns[f].role != Role::extra) continue;
       const std::pair key(meaning.role, meaning.index);
-      const bool si = isUnit(unit, siUnit(meaning));
-      if (exact.contains(key) || (!si && !isForeignUnit(unit))) continue;
-      if (!si)
-        return errorAt(
-            at(field), heft::say("column \"{}\" is not in SI units.", printable(names_[f])),
-            heft::say("Convert it to {} and name it {}.", siUnit(meaning), columnName(meaning.role, meaning.index)));
+      const auto expected = columnUnit(meaning, meta_.conventions);
+      const auto si = columnUnit(meaning, {});
+      // Counts have no unit that could be told apart from a remark.
+      const bool counts = meaning.role == Role::wrench && expected.empty();
+      const bool right = counts || isUnit(unit, expected);
+      if (exact.contains(key) || (!right && !isForeignUnit(unit) && !isUnit(unit, si))) continue;
+      if (!right)
+        return errorAt(at(field),
+                       expected == si ? heft::say("column \"{}\" is not in SI units.", printable(names_[f]))
+                                      : heft::say("column \"{}\" is in another unit than the one stated, {}.",
+                                                  printable(names_[f]), expected),
+                       heft::say("Convert it to {} and name it {}, or state the unit of all such columns in the meta "
+                                 "file.",
+                                 si, columnName(meaning.role, meaning.index)));
       const auto [first, fresh] = loose.emplace(key, field);
       if (!fresh) return duplicate(field, first->second);
       map_.columns[f] = meaning;

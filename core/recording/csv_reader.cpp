@@ -64,7 +64,7 @@ class RecordingParser {
     readLabels();
     truncateRows(recording_, lines_, static_cast<Eigen::Index>(lines_.size()));
     if (auto failure = removeMissing()) return *failure;
-    if (auto failure = checkAll(examined)) return *failure;
+    if (auto failure = checkAll(examined, NumberForm::asStated)) return *failure;
     return ReadRecording{std::move(recording_), std::move(findings_)};
   }
 
@@ -277,7 +277,7 @@ Result<ReadRecording> parseRecording(std::string_view csv, const std::string& na
   return RecordingParser(csv, name, std::move(meta)).parse(progress);
 }
 
-Result<ReadRecording> checkRecording(Recording recording) {
+Result<ReadRecording> checkRecording(Recording recording, NumberForm form) {
   ReadRecording read{std::move(recording), {}};
   Recording& checked = read.recording;
   // Numbers of columns stand for "is there"; no message shows them.
@@ -295,7 +295,7 @@ Result<ReadRecording> checkRecording(Recording recording) {
     return errorAt({file, 0, 0}, heft::say("there is no sample."), heft::say("Record again, or check the export."));
   const Examined examined{checked, map, file, lines, read.findings, false};
   if (auto failure = assumeRobot(examined, 0)) return *failure;
-  if (auto failure = checkAll(examined)) return *failure;
+  if (auto failure = checkAll(examined, form)) return *failure;
   return read;
 }
 

@@ -4,7 +4,8 @@
 // What cannot be trusted is an error that names file, line and field: text in a number, rows of a wrong length, time
 // that falls, values missing in more than 5 % of the rows, degrees or millimetres, quaternions that are none. What can
 // be repaired without guessing is repaired and said in a finding: rows with missing values or a repeated time stamp are
-// left out, quaternions brought to length 1 and one sign, a line cut off at the end dropped. Units are never converted.
+// left out, quaternions brought to length 1 and one sign, turns taken out of angles that wrap, a line cut off at the
+// end dropped. Units, axes and signs are converted where the meta file states them (conventions.h), never by a guess.
 #include <filesystem>
 #include <string_view>
 
@@ -37,9 +38,13 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
 Result<ReadRecording> parseRecording(std::string_view csv, const std::string& name, RecordingMeta meta,
                                      const Progress& progress = {});
 
+/// In which form the numbers of a recording come: as the meta states, or with all undone that takes no pose.
+enum class NumberForm { asStated, plain };
+
 /// The same checks for a recording that was joined from messages or streams: time, rotations, units, signals, marks.
-/// The wrench comes in the sign that the meta states and leaves as sensorOnPayload. All numbers must be finite.
-Result<ReadRecording> checkRecording(Recording recording);
+/// The numbers come in the sign and the conventions that the meta states, or in the plain form, and leave in the plain
+/// form; where that takes the sensor's pose, toSensorAxes() is to follow. All numbers must be finite.
+Result<ReadRecording> checkRecording(Recording recording, NumberForm form = NumberForm::asStated);
 
 Result<RecordingMeta> readMeta(const std::filesystem::path& file, Findings& findings);
 
@@ -50,8 +55,9 @@ Result<RecordingMeta> parseMeta(std::string_view json, const std::string& name, 
 /// Writes a meta file alone.
 Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file);
 
-/// Writes NAME.csv and NAME.meta.json in the file's own wrench sign; numbers survive the round trip bit by bit. "-"
-/// writes the CSV alone to stdout. Refuses NaN, infinities and series of unequal length.
+/// Writes NAME.csv and NAME.meta.json in the file's own wrench sign and otherwise in the plain form, without any key of
+/// Conventions; numbers survive the round trip bit by bit. "-" writes the CSV alone to stdout. Refuses NaN, infinities
+/// and series of unequal length.
 Result<bool> writeRecording(const Recording& recording, const std::filesystem::path& csv);
 
 }  // namespace heft

@@ -25,10 +25,14 @@ class MetaReader {
   Result<RecordingMeta> read(const Json& root) {
     if (!root.is_object())
       return fail("", heft::say("a meta file must be a JSON object {{...}}"), heft::say("See the keys in the manual."));
-    noteUnknown(root, "", {"robot", "kind", "sensor", "gravity_m_s2", "known_payload", "marks", "note"});
+    noteUnknown(root, "", {"robot", "kind", "sensor", "gravity_m_s2", "known_payload", "marks", "note"},
+                conventionKeys(false));
     if (auto error = readRobot(root)) return *error;
     if (auto error = readKind(root)) return *error;
     if (auto error = readSensor(root)) return *error;
+    const auto stated = readConventions(root, name_);
+    if (!stated) return stated.error();
+    meta_.conventions = stated->values;
     if (auto error = readGravity(root)) return *error;
     if (auto error = readKnownPayload(root)) return *error;
     if (auto error = readMarks(root)) return *error;
@@ -54,9 +58,11 @@ class MetaReader {
     return path.empty() ? key : path + "." + key;
   }
 
-  void noteUnknown(const Json& object, const std::string& path, std::initializer_list<const char*> known) {
+  void noteUnknown(const Json& object, const std::string& path, std::initializer_list<const char*> known,
+                   const std::vector<std::string>& more = {}) {
     for (const auto& [key, value] : object.items())
-      if (std::find(known.begin(), known.end(), key) == known.end())
+      if (std::find(known.begin(), known.end(), key) == known.end() &&
+          std::find(more.begin(), more.end(), key) == more.end())
         note(Severity::info, "unknown_key", join(path, printable(key)),
              heft::say("this key is not known and has no effect"));
   }
@@ -127,7 +133,7 @@ class MetaReader {
     const auto* sensor = member(root, "sensor");
     if (sensor == nullptr) return std::nullopt;
     if (!sensor->is_object()) return fail("sensor", heft::say("must be an object, not {}", shown(*sensor)));
-    noteUnknown(*sensor, "sensor", {"mount", "model", "wrench_sign"});
+    noteUnknown(*sensor, "sensor", {"mount", "model", "wrench_sign"}, conventionKeys(true));
     if (auto error = readString(*sensor, "sensor", "model", meta_.sensorModel)) return error;
     if (const auto* sign = member(*sensor, "wrench_sign")) {
       if (*sign == "sensor_on_payload")

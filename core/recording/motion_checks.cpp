@@ -1,11 +1,11 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
 #include "core/recording/checks.h"
 
+#include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/recording/unwrap.h"
 
 namespace heft {
 
@@ -83,7 +83,7 @@ std::optional<Error> judgeRates(const Examined& examined, const RateFit& fit, co
   return std::nullopt;
 }
 
-std::optional<Error> checkJointAngles(const Examined& examined) {
+std::optional<Error> checkAngleSize(const Examined& examined) {
   const auto& q = examined.recording.q;
   if (q.rows() == 0) return std::nullopt;
   // Arms without stops exist, but none of the Panda's joints passes 3.8 rad.
@@ -95,10 +95,9 @@ std::optional<Error> checkJointAngles(const Examined& examined) {
   const auto field = examined.map.joints[static_cast<std::size_t>(joint)];
   if (ownArm || largest > 4.0 * kTurn)
     return errorAt(examined.at(row, field),
-                   heft::say("{} is {:.6g}, more than a turn in radians.",
+                   heft::say("{} is {:.6g}, more than a turn in radians: degrees?",
                              columnName(Role::joint, static_cast<int>(joint)), q(row, joint)),
-                   heft::say("If the joints are in degrees, convert {} to radians.",
-                             q.cols() == 1 ? "q1" : fmt::format("q1..q{}", q.cols())));
+                   remedy(Remedy::stateConvention, "\"angle_unit\": \"deg\""));
   examined.note(Severity::warning, "joint_angle_large", examined.at(row, field),
                 heft::say("{} reaches {:.6g} rad, more than a turn.", columnName(Role::joint, static_cast<int>(joint)),
                           q(row, joint)),
@@ -114,9 +113,9 @@ std::optional<Error> checkPositions(const Examined& examined) {
   const double largest = position.cwiseAbs().maxCoeff(&row, &axis);
   if (largest <= kLargestReach) return std::nullopt;
   return errorAt(examined.at(row, examined.map.position[static_cast<std::size_t>(axis)]),
-                 heft::say("{} is {:.6g}: no arm reaches that many metres from its base.",
+                 heft::say("{} is {:.6g}: no arm reaches that many metres from its base. Millimetres?",
                            columnName(Role::position, static_cast<int>(axis)), position(row, axis)),
-                 heft::say("If positions are in millimetres, convert px, py, pz to metres."));
+                 remedy(Remedy::stateConvention, "\"length_unit\": \"mm\""));
 }
 
 Quaterniond quaternionAt(const Recording& recording, Eigen::Index row) {
@@ -200,8 +199,18 @@ std::optional<Error> checkQuaternions(const Examined& examined) {
   return std::nullopt;
 }
 
+std::optional<Error> checkAngles(const Examined& examined) {
+  // Before the turns are taken out: a joint without stops may make as many as it likes.
+  if (auto failure = checkAngleSize(examined)) return failure;
+  auto& recording = examined.recording;
+  if (recording.q.rows() == 0 || recording.meta.kind == RecordingKind::poses) return std::nullopt;
+  if (const auto joints = unwrapJoints(recording.time, recording.q); !joints.empty())
+    examined.note(Severity::info, "angles_unwrapped",
+                  examined.column(examined.map.joints[static_cast<std::size_t>(joints[0])]), unwrapped(joints));
+  return std::nullopt;
+}
+
 std::optional<Error> checkUnits(const Examined& examined) {
-  if (auto failure = checkJointAngles(examined)) return failure;
   if (auto failure = checkPositions(examined)) return failure;
   return checkRates(examined);
 }

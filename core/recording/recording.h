@@ -8,6 +8,7 @@
 #include "core/base/findings.h"
 #include "core/math/rigid.h"
 #include "core/payload/inertial_parameters.h"
+#include "core/recording/conventions.h"
 
 namespace heft {
 
@@ -37,10 +38,17 @@ struct RecordingMeta {
   SensorMount mount;
   std::string sensorModel;
   WrenchSign wrenchSign = WrenchSign::sensorOnPayload;  ///< Sign in the FILE; in memory it is always sensorOnPayload.
-  Vector3d gravity{0.0, 0.0, -9.81};                    ///< g_B [m/s2], pointing down.
+  Conventions conventions;            ///< Of the FILE's numbers; in memory they are in the plain form.
+  Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2], pointing down.
   PartialPayload knownPayload;
   std::vector<Mark> marks;
   std::string note;
+
+  /// From now on this goes with numbers in the plain form: those of a recording in memory, for instance.
+  void numbersArePlain() {
+    wrenchSign = WrenchSign::sensorOnPayload;
+    conventions = {};
+  }
 };
 
 struct ExtraColumn {
@@ -59,8 +67,10 @@ struct Recording {
   Eigen::Matrix<double, Eigen::Dynamic, 4> quaternion;  ///< R_BS as x, y, z, w; unit length
   Eigen::Matrix<double, Eigen::Dynamic, 6> twist;       ///< v_BSo_B [m/s], w_BS_B [rad/s], optional
   Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;      ///< F_PSo_S: sensor on payload, force [N], torque [N m]
-  std::vector<std::optional<MarkLabel>> labels;         ///< From the column `label`; empty if there is none.
-  std::vector<ExtraColumn> extra;                       ///< Columns that Heft does not know, kept for writing back.
+  /// The wrench is still in the axes and about the point that meta.conventions states: toSensorAxes() is to come.
+  bool wrenchNeedsPose = false;
+  std::vector<std::optional<MarkLabel>> labels;  ///< From the column `label`; empty if there is none.
+  std::vector<ExtraColumn> extra;                ///< Columns that Heft does not know, kept for writing back.
 
   Eigen::Index rows() const { return time.size(); }
   bool hasJoints() const { return q.rows() > 0; }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/recording/checks.h"
 
@@ -44,7 +43,7 @@ class SignalChecker {
     noteFrozenWrench();
     noteFrozenMotion();
     noteJumps();
-    noteTare();
+    if (!recording_.wrenchNeedsPose) noteTare();
     noteTorqueUnit();
   }
 
@@ -201,12 +200,10 @@ class SignalChecker {
     const auto report = [&](const std::pair<Eigen::Index, Eigen::Index>& found, long field, const std::string& what,
                             double size, const std::string& unit) {
       if (found.first == 0) return;
-      const bool turn = std::abs(size - 2.0 * std::numbers::pi) < 0.2 && recording_.q.rows() > 0;
       examined_.note(Severity::warning, "motion_jump", examined_.at(found.second, field),
                      heft::say("{} jumps by {:.3g} {} within one row{}.", what, size, unit,
                                found.first > 1 ? heft::say(", and {} times more", found.first - 1) : std::string()),
-                     turn ? heft::say("The angle wraps around; write it without turns of 2 pi taken off.")
-                          : heft::say("Mark that place as \"ignore\" or split the recording there."));
+                     heft::say("Mark that place as \"ignore\" or split the recording there."));
     };
     if (recording_.q.rows() > 0) {
       const auto step = [&](Eigen::Index k) {

@@ -1,6 +1,7 @@
 // Recording to CSV and meta file. Doubles are written in the shortest form that reads back to the same bits.
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "core/base/json_file.h"
 #include "core/base/say.h"
@@ -60,6 +61,8 @@ void appendText(std::string& out, std::string_view cell) {
 Result<std::string> csvText(const Recording& recording) {
   const auto rows = recording.rows();
   if (rows == 0) return Error{heft::say("The recording cannot be written: it has no rows.")};
+  if (recording.wrenchNeedsPose)
+    throw std::logic_error("a recording whose wrench is not in sensor axes is written; see toSensorAxes()");
   const double sign = recording.meta.wrenchSign == WrenchSign::payloadOnSensor ? -1.0 : 1.0;
   std::vector<Series> series;
   if (auto error = addSeries(series, recording.time, Role::time, rows)) return *error;
@@ -129,6 +132,12 @@ Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::p
   sensor["mount"]["rpy_rad"] = vectorJson(meta.mount.rpy);
   if (!meta.sensorModel.empty()) sensor["model"] = meta.sensorModel;
   sensor["wrench_sign"] = meta.wrenchSign == WrenchSign::payloadOnSensor ? "payload_on_sensor" : "sensor_on_payload";
+  const nlohmann::json conventions = metaPatch(meta.conventions);
+  // The sensor's first: a further key of an ordered object moves what `sensor` refers to.
+  if (conventions.contains("sensor"))
+    for (const auto& [key, value] : conventions["sensor"].items()) sensor[key] = value;
+  for (const auto& [key, value] : conventions.items())
+    if (key != "sensor") root[key] = value;
   root["gravity_m_s2"] = vectorJson(meta.gravity);
   const auto& known = meta.knownPayload;
   if (known.mass) root["known_payload"]["mass_kg"] = *known.mass;
@@ -161,7 +170,9 @@ Result<bool> writeRecording(const Recording& recording, const std::filesystem::p
   if (!text) return text.error();
   if (csv == "-") return writeTextFile(csv, *text);
   if (auto written = writeTextFile(csv, *text); !written) return written;
-  return writeMeta(recording.meta, metaFileOf(csv));
+  RecordingMeta meta = recording.meta;
+  meta.conventions = {};  // The numbers are in the plain form, but for the wrench's sign.
+  return writeMeta(meta, metaFileOf(csv));
 }
 
 }  // namespace heft

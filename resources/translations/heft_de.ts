@@ -1447,6 +1447,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Say in Shape what the tool looks like.</source>
         <translation>Sagen Sie unter Form, wie das Werkzeug aussieht.</translation>
     </message>
+    <message>
+        <source>If so, say it under Tools, “Robot and sensor”, “Conventions of the numbers”.</source>
+        <translation>Wenn ja, sagen Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“.</translation>
+    </message>
 </context>
 <context>
     <name>ResultText</name>
@@ -3263,10 +3267,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>, und {} weitere Male</translation>
     </message>
     <message>
-        <source>The angle wraps around; write it without turns of 2 pi taken off.</source>
-        <translation>Der Winkel springt um eine Umdrehung; schreiben Sie ihn, ohne 2π abzuziehen.</translation>
-    </message>
-    <message>
         <source>Mark that place as &quot;ignore&quot; or split the recording there.</source>
         <translation>Markieren Sie die Stelle als „ignoriert“, oder teilen Sie die Aufnahme dort.</translation>
     </message>
@@ -4695,10 +4695,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Spalte „{}“ ist nicht in SI-Einheiten.</translation>
     </message>
     <message>
-        <source>Convert it to {} and name it {}.</source>
-        <translation>Rechnen Sie sie in {} um, und nennen Sie sie {}.</translation>
-    </message>
-    <message>
         <source>&quot;{}&quot; as {}</source>
         <translation>„{}“ als {}</translation>
     </message>
@@ -5001,22 +4997,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>do not fit: the positions are in millimetres</source>
         <translation>passen nicht: Die Positionen sind in Millimetern</translation>
-    </message>
-    <message>
-        <source>{} is {:.6g}, more than a turn in radians.</source>
-        <translation>{} ist {:.6g}, mehr als eine Umdrehung in Radiant.</translation>
-    </message>
-    <message>
-        <source>If the joints are in degrees, convert {} to radians.</source>
-        <translation>Wenn die Gelenke in Grad sind, rechnen Sie {} in Radiant um.</translation>
-    </message>
-    <message>
-        <source>{} is {:.6g}: no arm reaches that many metres from its base.</source>
-        <translation>{} ist {:.6g}: Kein Arm reicht so viele Meter weit von seinem Sockel.</translation>
-    </message>
-    <message>
-        <source>If positions are in millimetres, convert px, py, pz to metres.</source>
-        <translation>Wenn die Positionen in Millimetern sind, rechnen Sie px, py, pz in Meter um.</translation>
     </message>
     <message>
         <source> (base axes, at the sensor&apos;s origin)</source>
@@ -6255,10 +6235,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>so gewählt</translation>
     </message>
     <message>
-        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock.</source>
-        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock.</translation>
-    </message>
-    <message>
         <source>this is no JSON object.</source>
         <translation>das ist kein JSON-Objekt.</translation>
     </message>
@@ -7030,6 +7006,90 @@ Bitte prüfen Sie den Namen.</translation>
         <source>It acts straight up: does the robot or the sensor&apos;s driver take a tool&apos;s weight off already? If not: is there a balancer or a hose that carries a part of it?</source>
         <translation>Es zieht genau nach oben: Zieht der Roboter oder der Treiber des Sensors das Gewicht eines Werkzeugs schon ab? Wenn nicht: Trägt ein Balancer oder ein Schlauch einen Teil davon?</translation>
     </message>
+    <message>
+        <source>If so, write {} into the meta file.</source>
+        <translation>Wenn ja, schreiben Sie {} in die Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>the map file scales {} by {}, and {} is stated, too.</source>
+        <translation>die Zuordnungsdatei skaliert {} mit {}, und {} ist ebenfalls angegeben.</translation>
+    </message>
+    <message>
+        <source>State one of them.</source>
+        <translation>Geben Sie nur eines davon an.</translation>
+    </message>
+    <message>
+        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, sensor, {}.</source>
+        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock, sensor, {}.</translation>
+    </message>
+    <message>
+        <source>&quot;sensor&quot; is no object.</source>
+        <translation>„sensor“ ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>The wrench is stated in the base&apos;s axes or about its origin, and the samples do not tell where the sensor is.</source>
+        <translation>Kraft und Moment sind in den Achsen des Sockels oder um dessen Ursprung angegeben, und die Messwerte sagen nicht, wo der Sensor ist.</translation>
+    </message>
+    <message>
+        <source>the torque is about the base&apos;s origin, but where the sensor was is not recorded.</source>
+        <translation>das Moment ist um den Ursprung des Sockels angegeben, aber wo der Sensor war, ist nicht aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Record px, py, pz or the joint angles.</source>
+        <translation>Zeichnen Sie px, py, pz oder die Gelenkwinkel auf.</translation>
+    </message>
+    <message>
+        <source>the wrench is stated in the base&apos;s axes or about its origin, and no robot says where the sensor was.</source>
+        <translation>Kraft und Moment sind in den Achsen des Sockels oder um dessen Ursprung angegeben, und kein Roboter sagt, wo der Sensor war.</translation>
+    </message>
+    <message>
+        <source>there are {} joints, the robot &quot;{}&quot; has {}.</source>
+        <translation>es gibt {} Gelenke, der Roboter „{}“ hat {}.</translation>
+    </message>
+    <message>
+        <source>vx, vy, vz, wx, wy, wz are left aside: the pose is the base&apos;s in the sensor, and which point and axes the velocities belong to is not said.</source>
+        <translation>vx, vy, vz, wx, wy, wz bleiben unbenutzt: Die Pose ist die des Sockels im Sensor, und zu welchem Punkt und welchen Achsen die Geschwindigkeiten gehören, ist nicht gesagt.</translation>
+    </message>
+    <message>
+        <source>column &quot;{}&quot; is in another unit than the one stated, {}.</source>
+        <translation>die Spalte „{}“ hat eine andere Einheit als die angegebene, {}.</translation>
+    </message>
+    <message>
+        <source>Convert it to {} and name it {}, or state the unit of all such columns in the meta file.</source>
+        <translation>Rechnen Sie sie in {} um und nennen Sie sie {}, oder geben Sie die Einheit aller solchen Spalten in der Meta-Datei an.</translation>
+    </message>
+    <message>
+        <source>{}, or a number above zero ({} in one of it)</source>
+        <translation>{} oder eine Zahl über null sein ({} in einer davon)</translation>
+    </message>
+    <message>
+        <source>&quot;sensor&quot;, &quot;base&quot; or three numbers [m] from the sensor&apos;s origin in its axes</source>
+        <translation>&quot;sensor&quot;, &quot;base&quot; oder drei Zahlen [m] vom Ursprung des Sensors in seinen Achsen</translation>
+    </message>
+    <message>
+        <source>a point within {} m of the sensor (in metres, not millimetres)</source>
+        <translation>ein Punkt bis {} m vom Sensor (in Metern, nicht Millimetern)</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}, more than a turn in radians: degrees?</source>
+        <translation>{} ist {:.6g}, im Bogenmaß mehr als eine Umdrehung: Grad?</translation>
+    </message>
+    <message>
+        <source>{} is {:.6g}: no arm reaches that many metres from its base. Millimetres?</source>
+        <translation>{} ist {:.6g}: Kein Arm reicht so viele Meter weit von seinem Sockel. Millimeter?</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>Angles that wrap around: whole turns were taken out of {}.</source>
+        <translation>Winkel, die umspringen: Ganze Umdrehungen wurden herausgenommen aus {}.</translation>
+    </message>
+    <message>
+        <source>must be {}, not {}.</source>
+        <translation>muss {} sein, nicht {}.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -7080,6 +7140,193 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>a sensor misplaced by less than %1</source>
         <translation>ein Sensor weniger als %1 am falschen Ort</translation>
+    </message>
+</context>
+<context>
+    <name>heft::ConventionsForm</name>
+    <message>
+        <source>Conventions of the numbers</source>
+        <translation>Konventionen der Zahlen</translation>
+    </message>
+    <message>
+        <source>Axes, signs, units and orders, where they are not the usual ones</source>
+        <translation>Achsen, Vorzeichen, Einheiten und Reihenfolgen, wo sie nicht die üblichen sind</translation>
+    </message>
+    <message>
+        <source>Force and torque</source>
+        <translation>Kraft und Moment</translation>
+    </message>
+    <message>
+        <source>Along the axes of</source>
+        <translation>Entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>UR&apos;s TCP force, for instance, is along the axes of the robot&apos;s base</source>
+        <translation>Die TCP-Kraft von UR zum Beispiel steht in den Achsen des Robotersockels</translation>
+    </message>
+    <message>
+        <source>the sensor</source>
+        <translation>des Sensors</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s base</source>
+        <translation>des Robotersockels</translation>
+    </message>
+    <message>
+        <source>Torque about</source>
+        <translation>Moment um</translation>
+    </message>
+    <message>
+        <source>The point that the torque is taken about</source>
+        <translation>Der Punkt, um den das Moment genommen ist</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s origin</source>
+        <translation>den Ursprung des Sensors</translation>
+    </message>
+    <message>
+        <source>the base&apos;s origin</source>
+        <translation>den Ursprung des Sockels</translation>
+    </message>
+    <message>
+        <source>another point of the sensor</source>
+        <translation>einen anderen Punkt des Sensors</translation>
+    </message>
+    <message>
+        <source>That point from the sensor&apos;s origin along its %1</source>
+        <translation>Dieser Punkt vom Ursprung des Sensors aus entlang seines %1</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>That point x, y, z</source>
+        <translation>Dieser Punkt x, y, z</translation>
+    </message>
+    <message>
+        <source>Torque&apos;s sign</source>
+        <translation>Vorzeichen des Moments</translation>
+    </message>
+    <message>
+        <source>Some drivers turn the torque round, but not the force</source>
+        <translation>Manche Treiber drehen das Moment um, die Kraft aber nicht</translation>
+    </message>
+    <message>
+        <source>as the force&apos;s</source>
+        <translation>wie das der Kraft</translation>
+    </message>
+    <message>
+        <source>opposite to the force&apos;s</source>
+        <translation>entgegengesetzt zu dem der Kraft</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>What the first three of the six columns are</source>
+        <translation>Was die ersten drei der sechs Spalten sind</translation>
+    </message>
+    <message>
+        <source>force, then torque</source>
+        <translation>Kraft, dann Moment</translation>
+    </message>
+    <message>
+        <source>torque, then force</source>
+        <translation>Moment, dann Kraft</translation>
+    </message>
+    <message>
+        <source>Mirrored axis</source>
+        <translation>Gespiegelte Achse</translation>
+    </message>
+    <message>
+        <source>The axis along which force and torque have the other sign: a left-handed sensor</source>
+        <translation>Die Achse, entlang der Kraft und Moment das andere Vorzeichen haben: ein linkshändiger Sensor</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Unit of force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>Unit of torque</source>
+        <translation>Einheit des Moments</translation>
+    </message>
+    <message>
+        <source>Joints and poses</source>
+        <translation>Gelenke und Posen</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Joint angles and their speeds</source>
+        <translation>Gelenkwinkel und ihre Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>Bogenmaß</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>Positions and their speeds</source>
+        <translation>Positionen und ihre Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>A pose is that of</source>
+        <translation>Eine Pose ist die</translation>
+    </message>
+    <message>
+        <source>Some programs write the pose the other way round</source>
+        <translation>Manche Programme schreiben die Pose andersherum</translation>
+    </message>
+    <message>
+        <source>the sensor in the base</source>
+        <translation>des Sensors im Sockel</translation>
+    </message>
+    <message>
+        <source>the base in the sensor</source>
+        <translation>des Sockels im Sensor</translation>
+    </message>
+    <message>
+        <source>Quaternions</source>
+        <translation>Quaternionen</translation>
+    </message>
+    <message>
+        <source>Where the real part w stands</source>
+        <translation>Wo der Realteil w steht</translation>
+    </message>
+    <message>
+        <source>In which unit the file holds it</source>
+        <translation>In welcher Einheit es in der Datei steht</translation>
+    </message>
+    <message>
+        <source>another</source>
+        <translation>andere</translation>
+    </message>
+    <message>
+        <source>%1: how many %2 are one of it</source>
+        <translation>%1: wie viele %2 eine davon sind</translation>
     </message>
 </context>
 <context>

@@ -216,5 +216,68 @@ TEST_F(ImportDialogsTest, RobotAndSensorGoIntoTheMetaFileAndNothingElseChanges) 
   EXPECT_NEAR(workspace.opened()->recording.wrench(0, 0), -0.2 * std::sin(6.0), 1e-5);
 }
 
+TEST_F(ImportDialogsTest, ConventionsAreSetInTheDialogAndObeyed) {
+  const auto cell = [](int k, int c) { return 0.2 * std::sin(0.02 * k + c); };
+  QString text = "time,qx,qy,qz,qw,px,py,pz,fx,fy,fz,tx,ty,tz\n";
+  for (int k = 0; k < 200; ++k) {
+    const double half = 0.5 * cell(k, 0);
+    // w stands first: (cos, 0, 0, sin) is a turn about z.
+    text +=
+        QStringLiteral("%1,%2,0,0,%3").arg(0.01 * k).arg(std::cos(half), 0, 'g', 17).arg(std::sin(half), 0, 'g', 17);
+    for (int c = 0; c < 9; ++c) text += QStringLiteral(",%1").arg(cell(k, c), 0, 'g', 17);
+    text += "\n";
+  }
+  const QString file = write("odd.csv", text);
+  write("odd.meta.json",
+        R"({"robot": null, "note": "kept", "length_unit": "mm", "sensor": {"torque_unit": 0.123456789123}})");
+  write("odd.map.json", R"({"clock": "received", "sensor": {"torque_unit": "N cm", "torque_sign": "opposite"}})");
+  Workspace workspace;
+  workspace.open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && workspace.opened(); }, kPatience));
+  const auto opened = workspace.opened();
+  EXPECT_EQ(opened->recording.meta.conventions.torque.name, "N cm") << "the map file counts more";
+  const RecordingMeta before = opened->recording.meta;
+  RigDialog dialog(file, before, [&](const RecordingMeta& after) {
+    const auto written = writeRig(file, opened.get(), before, after);
+    return written ? QString() : QString::fromStdString(written.error().message);
+  });
+  EXPECT_EQ(dialog.meta().conventions, before.conventions) << "nothing was touched";
+  EXPECT_TRUE(dialog.findChild<QPushButton*>("rigConventions")->isChecked()) << "what is not the usual is shown";
+  const auto choose = [&](const char* name, int index) {
+    auto* box = dialog.findChild<QComboBox*>(name);
+    ASSERT_NE(box, nullptr) << name;
+    box->setCurrentIndex(index);
+  };
+  dialog.show();
+  const int unfolded = dialog.height();
+  dialog.findChild<QPushButton*>("rigConventions")->click();
+  EXPECT_LT(dialog.height(), unfolded - 100);
+  dialog.findChild<QPushButton*>("rigConventions")->click();
+  EXPECT_EQ(dialog.findChild<QComboBox*>("rigLengths")->currentIndex(), 1);
+  choose("rigWrenchAxes", 1);
+  choose("rigMirror", 2);
+  choose("rigForceUnit", 2);
+  choose("rigTorqueUnit", 1);
+  choose("rigLengths", 0);
+  choose("rigQuaternions", 1);
+  dialog.accept();
+  ASSERT_EQ(dialog.result(), QDialog::Accepted) << dialog.findChild<QLabel*>("rigProblem")->text().toStdString();
+  const auto meta = readJsonFile(folder.filePath("odd.meta.json").toStdString());
+  ASSERT_TRUE(meta.ok());
+  EXPECT_EQ(*meta, nlohmann::json::parse(R"({"robot": null, "note": "kept", "quaternion_order": "wxyz", "sensor":
+    {"wrench_axes": "base", "mirrored_axis": "y", "force_unit": "kgf", "torque_unit": "N mm"}})"));
+  const auto map = readJsonFile(folder.filePath("odd.map.json").toStdString());
+  EXPECT_EQ(*map, nlohmann::json::parse(R"({"clock": "received", "sensor": {"torque_sign": "opposite"}})"));
+  workspace.open(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && workspace.opened() != opened; }, kPatience));
+  const Recording& recording = workspace.opened()->recording;
+  // A turn by -angle about z, then y mirrored.
+  const double angle = cell(7, 0);
+  const double fx = 9.80665 * cell(7, 3), fy = 9.80665 * cell(7, 4);
+  EXPECT_NEAR(recording.wrench(7, 0), std::cos(angle) * fx + std::sin(angle) * fy, 1e-9);
+  EXPECT_NEAR(recording.wrench(7, 1), -(std::cos(angle) * fy - std::sin(angle) * fx), 1e-9);
+  EXPECT_NEAR(recording.wrench(7, 5), -1e-3 * cell(7, 8), 1e-9);
+}
+
 }  // namespace
 }  // namespace heft

@@ -6,6 +6,7 @@
 #include "core/base/say.h"
 #include "core/import/import.h"
 #include "core/motion/motion.h"
+#include "core/motion/sensor_axes.h"
 #include "core/recording/csv_reader.h"
 
 namespace heft {
@@ -56,6 +57,10 @@ Result<std::shared_ptr<const OpenRecording>> loadRecording(const QString& path, 
     } else {
       opened->findings.push_back({Severity::warning, "robot_not_loaded", robot.error().message, "", {}});
     }
+  }
+  if (auto turned = toSensorAxes(opened->recording, opened->robot.get()); !turned) {
+    cure = ReadCure::rig;
+    return turned.error();
   }
   return std::shared_ptr<const OpenRecording>(std::move(opened));
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
+#include "core/import/mapping.h"
 #include "core/motion/motion.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/meta_file.h"
@@ -21,7 +22,7 @@ struct RobotChoice {
 json triple(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 json changesBetween(const RecordingMeta& before, const RecordingMeta& after) {
-  json out = json::object();
+  json out = metaPatch(before.conventions, after.conventions);
   if (before.robot != after.robot) out["robot"] = after.robot ? json(*after.robot) : json(nullptr);
   if (before.kind != after.kind) out["kind"] = after.kind == RecordingKind::poses ? "poses" : "motion";
   if (before.gravity != after.gravity) out["gravity_m_s2"] = triple(after.gravity);
@@ -34,6 +35,23 @@ json changesBetween(const RecordingMeta& before, const RecordingMeta& after) {
     out["sensor"]["mount"] = {
         {"parent", after.mount.parent}, {"xyz_m", triple(after.mount.xyz)}, {"rpy_rad", triple(after.mount.rpy)}};
   return out;
+}
+
+/// Conventions that change are no longer stated in the map file beside the recording, which would count more.
+std::optional<Error> leaveToMeta(const QString& recording, const Conventions& before, const Conventions& after) {
+  const std::filesystem::path file = mapFileOf(recording.toStdString());
+  if (before == after || !std::filesystem::exists(file)) return std::nullopt;
+  auto wishes = readMapFile(file);
+  if (!wishes) return wishes.error();
+  const json patch = metaPatch(before, after);
+  bool stated = false;
+  for (const bool inSensor : {true, false})
+    for (const auto& key : conventionKeys(inSensor))
+      if (inSensor ? patch.value("sensor", json::object()).contains(key) : patch.contains(key))
+        stated = wishes->conventions.keys.erase(key) > 0 || stated;
+  if (!stated) return std::nullopt;
+  const auto written = writeTextFile(file, mapText(*wishes, file.parent_path()));
+  return written ? std::nullopt : std::optional<Error>(written.error());
 }
 
 }  // namespace
@@ -77,6 +95,7 @@ Result<bool> writeRig(const QString& recording, const OpenRecording* opened, con
   const std::filesystem::path file = meta.toStdString();
   if (after.robot && !std::filesystem::exists(file)) changes["robot"] = *after.robot;
   if (changes.empty()) return true;
+  if (auto failure = leaveToMeta(recording, before.conventions, after.conventions)) return *failure;
   const auto merged = mergedMeta(file, changes);
   if (!merged) return merged.error();
   json out = *merged;

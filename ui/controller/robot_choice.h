@@ -13,10 +13,10 @@ QString metaFileBeside(const QString& recording);
 /// What holds for a recording now: as it was opened, else what its meta file says, else the usual.
 Result<RecordingMeta> rigOf(const QString& recording, const OpenRecording* opened);
 
-/// Writes what differs between `before` and `after` (robot, kind, sensor, gravity) into the meta file beside the
-/// recording; all else in it stays as it is. Fails, and writes nothing, if the robot's description cannot be read or
-/// does not fit: other joints than the opened recording has, or no link where the sensor is mounted. The recording has
-/// to be opened again to show it.
+/// Writes what differs between `before` and `after` (robot, kind, sensor, gravity, conventions) into the meta file
+/// beside the recording; all else in it stays as it is, and a map file that stated a convention otherwise leaves it to
+/// this. Fails, and writes nothing, if the robot's description cannot be read or does not fit: other joints than the
+/// opened recording has, or no link where the sensor is mounted. The recording has to be opened again to show it.
 Result<bool> writeRig(const QString& recording, const OpenRecording* opened, const RecordingMeta& before,
                       const RecordingMeta& after);
 

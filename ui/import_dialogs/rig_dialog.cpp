@@ -16,6 +16,7 @@
 #include "core/robot/robot_model.h"
 #include "ui/controller/robot_choice.h"
 #include "ui/import_dialogs/choice.h"
+#include "ui/import_dialogs/conventions_form.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
@@ -116,6 +117,12 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
   model_->setAccessibleName(tr("Make of the sensor"));
   model_->setToolTip(tr("Only for your own record"));
   form->addRow(tr("Make of the sensor"), model_);
+  conventions_ = new ConventionsForm(meta.conventions, this);
+  connect(conventions_, &ConventionsForm::folded, this, [this] {
+    layout()->activate();
+    adjustSize();
+  });
+  form->addRow(conventions_);
   form->addRow(wrappedLabel(tr("Written into %1 beside the recording; all else in it stays.")
                                 .arg(QFileInfo(metaFileBeside(recording)).fileName()),
                             "caption", this));
@@ -214,6 +221,7 @@ RecordingMeta RigDialog::meta() const {
   }
   out.wrenchSign = sign_->currentIndex() == 1 ? WrenchSign::payloadOnSensor : WrenchSign::sensorOnPayload;
   out.kind = kind_->currentIndex() == 1 ? RecordingKind::poses : RecordingKind::motion;
+  out.conventions = conventions_->conventions();
   out.sensorModel = model_->text().trimmed().toStdString();
   return out;
 }

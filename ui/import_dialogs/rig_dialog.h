@@ -1,5 +1,6 @@
 #pragma once
-// Which robot was recorded, where the sensor sits on it, which way its forces point, and how the robot stands.
+// Which robot was recorded, where the sensor sits on it, which way its forces point, how the robot stands, and what the
+// numbers mean.
 #include <QDialog>
 #include <array>
 #include <functional>
@@ -13,6 +14,8 @@ class QLineEdit;
 class QPushButton;
 
 namespace heft {
+
+class ConventionsForm;
 
 class RigDialog : public QDialog {
   Q_OBJECT
@@ -36,6 +39,7 @@ class RigDialog : public QDialog {
   QLineEdit *urdf_, *model_;
   QWidget* urdfRow_;
   QWidget* gravityRow_;
+  ConventionsForm* conventions_;
   std::array<QDoubleSpinBox*, 3> xyz_{}, rpy_{}, gravity_{};
   QLabel* problem_;
 };

@@ -49,11 +49,19 @@ Result<std::shared_ptr<LiveLearner>> LiveLearner::create(const LearnerSetup& set
     if (!made) return made.error();
     tool = std::move(*made);
   }
-  return std::shared_ptr<LiveLearner>(new LiveLearner(setup, std::move(*estimator), std::move(tool)));
+  auto plain = PlainSamples::create(setup.meta, setup.robot.get());
+  if (!plain) return plain.error();
+  return std::shared_ptr<LiveLearner>(
+      new LiveLearner(setup, std::move(*plain), std::move(*estimator), std::move(tool)));
 }
 
-LiveLearner::LiveLearner(const LearnerSetup& setup, OnlineEstimator estimator, std::optional<GuidedTool> tool)
-    : setup_(setup), estimator_(std::move(estimator)), tool_(tool), guide_(tool, setup.meta.gravity) {}
+LiveLearner::LiveLearner(const LearnerSetup& setup, PlainSamples plain, OnlineEstimator estimator,
+                         std::optional<GuidedTool> tool)
+    : setup_(setup),
+      plain_(std::move(plain)),
+      estimator_(std::move(estimator)),
+      tool_(tool),
+      guide_(tool, setup.meta.gravity) {}
 
 Isometry3d LiveLearner::poseOf(const OnlineSample& sample) const {
   Isometry3d X_BS = Isometry3d::Identity();
@@ -67,16 +75,21 @@ Isometry3d LiveLearner::poseOf(const OnlineSample& sample) const {
   return X_BS;
 }
 
-void LiveLearner::add(const LiveSample& sample) {
-  if (!sample.wrench || !sample.hasMotion()) return;
+void LiveLearner::add(const LiveSample& read) {
+  if (!read.wrench || !read.hasMotion()) return;
+  const auto plain = plain_.plain(read);
+  if (!plain) {
+    problem_ = plain.error().message;
+    return;
+  }
+  const LiveSample& sample = *plain;
   if (!start_) start_ = sample.time;
   OnlineSample now;
   now.time = sample.time - *start_;
   now.q = sample.q;
   now.dq = sample.dq;
   if (sample.orientation) now.pose = OnlineSample::Pose{sample.position, *sample.orientation};
-  const bool flip = setup_.meta.wrenchSign == WrenchSign::payloadOnSensor;
-  now.wrench = flip ? Vector6d(-*sample.wrench) : *sample.wrench;
+  now.wrench = *sample.wrench;
   if (!now.wrench.allFinite() || (!newest_.empty() && now.time <= newest_.back().time)) return;
   note(now);
   if (setup_.poses) {
@@ -136,7 +149,7 @@ void LiveLearner::simulate() {
   const auto rows = static_cast<Eigen::Index>(newest_.size() / stride);
   Recording recording;
   recording.meta = setup_.meta;
-  recording.meta.wrenchSign = WrenchSign::sensorOnPayload;
+  recording.meta.numbersArePlain();
   recording.time.resize(rows);
   recording.wrench.resize(rows, 6);
   const bool poses = newest_.front().pose.has_value();
@@ -173,6 +186,7 @@ void LiveLearner::simulate() {
 
 LiveView LiveLearner::view() {
   LiveView view;
+  view.problem = problem_;
   if (newest_.empty()) return view;
   view.any = true;
   const OnlineSample& last = newest_.back();
@@ -212,7 +226,7 @@ Recording recordingOf(const std::vector<JudgedPose>& poses, const RecordingMeta&
   Recording out;
   out.meta = meta;
   out.meta.kind = RecordingKind::poses;
-  out.meta.wrenchSign = WrenchSign::sensorOnPayload;
+  out.meta.numbersArePlain();
   std::vector<const StandingPose*> rows;
   for (const JudgedPose& pose : poses)
     if (pose.light == PoseLight::used) rows.push_back(&pose.pose);

@@ -3,10 +3,12 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/coach/coach.h"
 #include "core/coach/pose_guide.h"
+#include "core/live/plain_samples.h"
 #include "core/live/source.h"
 #include "core/online/online_estimator.h"
 #include "ui/wrench_plots/live_history.h"
@@ -37,6 +39,7 @@ struct LiveView {
   PoseResult poseResult;
   std::optional<NextPose> next;
   int posesWanted = 0;
+  std::string problem;  ///< Why samples cannot be used; empty while they can.
 };
 
 struct LearnerSetup {
@@ -54,17 +57,20 @@ class LiveLearner {
   /// Fails like OnlineEstimator::create.
   static Result<std::shared_ptr<LiveLearner>> create(const LearnerSetup& setup);
 
+  /// A sample as its source gives it, in the conventions of the setup's meta.
   void add(const LiveSample& sample);
   LiveView view();
   void removePose(std::size_t index);
 
  private:
-  LiveLearner(const LearnerSetup& setup, OnlineEstimator estimator, std::optional<GuidedTool> tool);
+  LiveLearner(const LearnerSetup& setup, PlainSamples plain, OnlineEstimator estimator, std::optional<GuidedTool> tool);
   void note(const OnlineSample& sample);
   void simulate();
   Isometry3d poseOf(const OnlineSample& sample) const;
 
   LearnerSetup setup_;
+  PlainSamples plain_;
+  std::string problem_;
   OnlineEstimator estimator_;
   std::optional<GuidedTool> tool_;
   PoseGuide guide_;

@@ -31,6 +31,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   stop();
   auto session = std::make_shared<LiveSession>(30000);
   for (auto& source : setup.sources) session->addSource(std::move(source));
+  session->setConventions(setup.meta.conventions);
   QString file;
   if (!setup.poses) {
     if (!QDir().mkpath(setup.folder))
@@ -165,6 +166,10 @@ void LiveRun::pump() {
       [this, run = run_](Result<LiveView> result) {
         if (run != run_ || !session_) return pump();
         if (!result) return emit failed(QString::fromStdString(result.error().message));
+        if (!result->problem.empty()) {
+          stop();
+          return emit failed(QString::fromStdString(result->problem));
+        }
         const std::size_t poses = view_.poses.size();
         view_ = std::move(*result);
         if (view_.state.tools != tools_) {

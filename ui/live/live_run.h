@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,6 +23,7 @@ struct LiveOrigin {
   std::uint64_t tool = 0;              ///< Seed of the virtual arm's hidden tool
   std::vector<std::string> addresses;  ///< Of the sources; empty for the virtual arm
   RecordingMeta meta;                  ///< As the rig file says
+  std::filesystem::path replayMeta;    ///< For a recording that is played: the rig file; empty: its own meta file
 };
 
 struct LiveSetup {

@@ -330,13 +330,13 @@ void RecordPanel::startListening() {
   if (!addresses) return fail(QString::fromStdString(addresses.error().message));
   auto meta = form_->meta();
   if (!meta) return fail(QString::fromStdString(meta.error().message));
-  listenTo({0, std::move(*addresses), std::move(*meta)}, false);
+  listenTo({0, std::move(*addresses), std::move(*meta), form_->rigFile().toStdString()}, false);
 }
 
 void RecordPanel::listenTo(LiveOrigin origin, bool poses) {
   LiveSetup setup;
   for (const std::string& address : origin.addresses) {
-    auto source = makeLiveSource(address);
+    auto source = makeLiveSource(address, origin.replayMeta);
     if (!source) return fail(QString::fromStdString(source.error().message));
     setup.sources.push_back(std::move(*source));
   }
@@ -500,13 +500,13 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
   if (what == "replay" && words.size() >= 3) {
     way_ = Way::live;
     form_ = nullptr;
-    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}};
+    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}, {}};
     Findings findings;
     if (QFileInfo::exists(QString::fromStdString(metaFileOf(words[2].toStdString()).string()))) {
       auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);
       if (!meta) return Result<bool>(meta.error());
       origin.meta = std::move(*meta);
-      origin.meta.wrenchSign = WrenchSign::sensorOnPayload;
+      origin.meta.numbersArePlain();
     }
     listenTo(std::move(origin), false);
     if (!run_->running()) return wrong(tr("%1 could not be played.").arg(words[2]));

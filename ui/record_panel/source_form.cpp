@@ -192,8 +192,8 @@ Result<RecordingMeta> SourceForm::meta() const {
     meta = std::move(*read);
   }
   if (meta.kind == RecordingKind::poses) return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
-  // A replayed recording was brought to one sign when it was read.
-  if (kind_ == Kind::replay) meta.wrenchSign = WrenchSign::sensorOnPayload;
+  // A replayed recording is brought to the plain form when it is read.
+  if (kind_ == Kind::replay) meta.numbersArePlain();
   meta.marks.clear();
   return meta;
 }

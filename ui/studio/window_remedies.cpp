@@ -28,6 +28,8 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::mountSensor:
       return Words::tr("Choose the link that carries the sensor under Tools, “Robot and sensor”: one of %1.")
           .arg(subject);
+    case Remedy::stateConvention:
+      return Words::tr("If so, say it under Tools, “Robot and sensor”, “Conventions of the numbers”.");
     case Remedy::turnWrench:
       return Words::tr("Under Tools, “Robot and sensor”, say that forces point the other way.");
     case Remedy::turnGravity:

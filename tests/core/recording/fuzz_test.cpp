@@ -144,7 +144,9 @@ TEST(Fuzz, RandomBytes) {
 
 TEST(Fuzz, DamagedMetaFiles) {
   const std::string seed = R"({"robot": "panda", "kind": "motion",
-    "sensor": {"mount": {"parent": "panda_link8", "xyz_m": [0, 0, 0.1], "rpy_rad": [0, 0, 0]}, "model": "x", "wrench_sign": "sensor_on_payload"},
+    "sensor": {"mount": {"parent": "panda_link8", "xyz_m": [0, 0, 0.1], "rpy_rad": [0, 0, 0]}, "model": "x", "wrench_sign": "sensor_on_payload",
+      "wrench_axes": "base", "wrench_point": [0, 0.01, 0.1], "torque_sign": "opposite", "mirrored_axis": "x", "torque_unit": 0.5},
+    "angle_unit": "deg", "pose": "base_in_sensor",
     "gravity_m_s2": [0, 0, -9.81],
     "known_payload": {"mass_kg": 0.5, "com_m": [0, 0, 0.1], "inertia_com_kgm2": [[1e-3, 0, 0], [0, 1e-3, 0], [0, 0, 1e-3]]},
     "marks": [{"from_s": 0, "to_s": 1, "label": "free"}], "note": ""})";
@@ -160,6 +162,7 @@ TEST(Fuzz, DamagedMetaFiles) {
     }
     ++read;
     EXPECT_TRUE(result->gravity.allFinite()) << text;
+    EXPECT_TRUE(result->conventions.wrenchPoint.offset.allFinite() && result->conventions.torque.si > 0.0) << text;
     EXPECT_TRUE(result->mount.xyz.allFinite() && result->mount.rpy.allFinite()) << text;
     EXPECT_GT(result->knownPayload.mass.value_or(1.0), 0.0) << text;
     EXPECT_TRUE(result->knownPayload.com.value_or(Vector3d::Zero()).allFinite()) << text;

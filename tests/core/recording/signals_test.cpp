@@ -142,18 +142,6 @@ TEST(Jumps, AreSaidWithTheirLine) {
   EXPECT_EQ(finding->where.column, 8);
 }
 
-TEST(Jumps, WrappedAnglesAreRecognised) {
-  auto table = goodTable(Form::joints);
-  for (std::size_t r = 80; r < 200; ++r)
-    table.cell(r, "q7") = fmt::format("{}", table.number(r, "q7") - 6.283185307179586);
-  RecordingMeta meta;
-  meta.robot = "/arm.urdf";
-  const auto findings = findingsOf(table, meta);
-  const auto* finding = findCode(findings, "motion_jump");
-  ASSERT_NE(finding, nullptr);
-  EXPECT_THAT(finding->remedy, HasSubstr("wraps"));
-}
-
 TEST(Tare, ZeroStartIsMentioned) {
   auto table = goodTable(Form::joints, 400);
   for (const char* name : {"fx", "fy", "fz"}) {
