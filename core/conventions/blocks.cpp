@@ -68,4 +68,18 @@ Blocks blocksOf(const Motion& motion, const MatrixXd& file, const std::vector<bo
   return out;
 }
 
+Blocks withLessGravity(Blocks blocks, const Vector3d& change) {
+  MatrixXd more(blocks.size(), 3);
+  for (int c = 0; c < 3; ++c) more.col(c) = blocks.R_SB[static_cast<std::size_t>(c)] * change;
+  for (int c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const int j = (c + 1) % 3, l = (c + 2) % 3;
+    blocks.force[i].col(0) += more.col(c);
+    // h x s: component c is h_j s_l - h_l s_j.
+    blocks.torque[i].col(j) += more.col(l);
+    blocks.torque[i].col(l) -= more.col(j);
+  }
+  return blocks;
+}
+
 }  // namespace heft::conventions

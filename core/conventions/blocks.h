@@ -40,4 +40,7 @@ struct Blocks {
 /// not used are left out. `standing`: each sample is a pose.
 Blocks blocksOf(const Motion& motion, const MatrixXd& file, const std::vector<bool>& use, bool standing);
 
+/// The same blocks where gravity is `change` [m/s2, base axes] less than it was: s becomes s + R^T change.
+Blocks withLessGravity(Blocks blocks, const Vector3d& change);
+
 }  // namespace heft::conventions

@@ -41,9 +41,11 @@ constexpr double kLeastTurn = 15.0 * std::numbers::pi / 180.0;
 constexpr double kReach = 1.0, kUsualReach = 0.25;
 /// A load's torque is compared at least with what its weight makes at this distance [m].
 constexpr double kLeastLever = 0.01;
+/// A centre so far behind the sensor lies in the arm [m].
+constexpr double kBehind = 0.01;
 /// Two payloads are the same thing: relative mass, and distance of centres [m].
 constexpr double kSameMass = 0.02, kSameCentre = 0.003;
-constexpr int kRobustRounds = 8, kQuickRounds = 4;
+constexpr int kRobustRounds = 8;
 
 struct UnitPair {
   const char *force, *torque;
@@ -78,8 +80,9 @@ struct Candidate {
   std::vector<Change> differs;
   Payload payload;
   Misfit misfit;
-  double reach = 0.0;  ///< outOfReach() of it
-  double score = 0.0;  ///< 2 ln L less prices, and less what speaks against the payload
+  double reach = 0.0;   ///< outOfReach() of it
+  double behind = 0.0;  ///< Price of a centre that lies in the arm
+  double score = 0.0;   ///< 2 ln L less prices, and less what speaks against the payload
 };
 
 bool byScore(const Candidate& a, const Candidate& b) { return a.score > b.score; }
@@ -155,12 +158,18 @@ double negativeMoments(const Vector10d& phi, const Covariance16& covariance, dou
   return against(-moments(0), std::sqrt(std::max(0.0, g.dot(covariance.block<6, 6>(4, 4) * g))), rows);
 }
 
+bool operator==(const Way& a, const Way& b) {
+  return a.axes == b.axes && a.aboutBase == b.aboutBase && a.torqueFirst == b.torqueFirst && a.mirror == b.mirror &&
+         a.torqueSign == b.torqueSign && a.forceSi == b.forceSi && a.torqueSi == b.torqueSi;
+}
+
 /// Works on one question.
 class Check {
  public:
   explicit Check(const Question& q) : q_(q), standing_(q.kind == RecordingKind::poses) {
     file_ = asInFile(*q.motion, q.stated.conventions);
     forms_.push_back({q.stated, blocksOf(*q.motion, file_, q.use, standing_)});
+    place_.gravity = q.stated.gravity;
   }
 
   Report run();
@@ -175,21 +184,26 @@ class Check {
   }
   Reading readingOf(const Candidate& candidate) const;
   /// Fits `way` robustly and judges it.
-  Candidate candidate(const Way& way, std::size_t form, Free free = Free::nothing, const Place& start = {},
-                      int rounds = kRobustRounds) const;
-  double priceOf(const Way& way, std::size_t form, double mass) const;
+  Candidate candidate(const Way& way, std::size_t form, Free free, const Place& start) const;
+  std::size_t changesOf(const Way& way, std::size_t form) const;
+  /// Units of force and torque, SI in one of them.
+  std::vector<std::pair<double, double>> units() const;
   std::vector<Way> ways(std::size_t form) const;
   void addForms();
-  void scanAll(const VectorXd& weights, std::size_t most, std::vector<Candidate>& into) const;
-  void addTurned(std::vector<Candidate>& into) const;
-  void addGravity(const std::vector<Candidate>& bases, std::vector<Candidate>& into) const;
+  /// The `most` ways that fit best by least squares join `into`, unless they are in it: with gravity as stated, or
+  /// along any axis of the base.
+  void scanAll(const VectorXd& weights, bool anyGravity, std::size_t most, std::vector<Candidate>& into) const;
+  void addTurned(const VectorXd& weights, std::vector<Candidate>& into) const;
   /// What may be wrong with the stated conventions and is none: small turns, a sensor beside its place.
   void addCauses(std::vector<Candidate>& into) const;
   bool same(const Candidate& a, const Candidate& b) const;
+  void decide(const Candidate& stated, std::vector<Candidate>& all, Report& report) const;
+  void say(const Candidate& stated, Report& report) const;
 
   const Question& q_;
   bool standing_;
   MatrixXd file_;
+  Place place_;  ///< As stated
   std::vector<PoseForm> forms_;
 };
 
@@ -214,20 +228,20 @@ Reading Check::readingOf(const Candidate& candidate) const {
         }
   }
   if (candidate.free == Free::point) out.conventions.wrenchPoint = {PointKind::offset, candidate.fit.place.point};
-  if (candidate.free == Free::mount) out.turn = candidate.fit.place.turn;
-  if (candidate.free == Free::gravity) out.gravity = candidate.fit.place.gravity;
+  out.turn = candidate.fit.place.turn * out.turn;
+  out.gravity = candidate.fit.place.gravity;
   if (candidate.fit.x(0) < 0.0)
     out.sign = out.sign == WrenchSign::sensorOnPayload ? WrenchSign::payloadOnSensor : WrenchSign::sensorOnPayload;
   return out;
 }
 
-Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Place& start, int rounds) const {
+Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Place& start) const {
   Candidate out;
   out.way = way;
   out.form = form;
   out.free = free;
   const Blocks& blocks = forms_[form].blocks;
-  out.fit = robustFit(blocks, way, free, start, q_.stated.gravity, rounds);
+  out.fit = robustFit(blocks, way, free, start, q_.stated.gravity, kRobustRounds);
   out.reading = readingOf(out);
   if (free == Free::gravity) {
     // A base stands, hangs or is bolted to a wall: what is near an axis is on it but for a tilt, which is a cause.
@@ -240,7 +254,7 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   }
   out.differs = changes(q_.stated, out.reading);
   // As stated a negative mass is evidence against it; elsewhere it is the other sign of all readings.
-  const bool stated = way.axes == kStated && free == Free::nothing;
+  const bool stated = way.axes == kStated && free == Free::nothing && start.gravity == q_.stated.gravity;
   const double rows = 3.0 * static_cast<double>(blocks.size());
   if (stated) {
     out.reading = q_.stated;
@@ -254,42 +268,41 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   out.reach = outOfReach(phi, out.fit.covariance, q_.heaviest, rows);
   out.score += out.fit.evidence - kPriceOfChange * static_cast<double>(out.differs.size()) - out.reach -
                negativeMoments(phi, out.fit.covariance, rows);
+  // Poses do not tell the centre from its mirror image. Most sensors' z axes point to the tool.
+  if (standing_ && out.payload.com.z() < -kBehind) out.behind = kPriceOfChange;
+  out.score -= out.behind;
+  return out;
+}
+
+std::vector<std::pair<double, double>> Check::units() const {
+  std::vector<std::pair<double, double>> out;
+  for (const UnitPair& pair : kUnits) out.emplace_back(pair.forceSi, pair.torqueSi);
+  const std::pair own{q_.stated.conventions.force.si, q_.stated.conventions.torque.si};
+  if (std::find(out.begin(), out.end(), own) == out.end()) out.push_back(own);
   return out;
 }
 
 std::vector<Way> Check::ways(std::size_t form) const {
   std::vector<Way> out;
-  const Conventions& stated = q_.stated.conventions;
-  std::vector<std::pair<double, double>> units;
-  for (const UnitPair& pair : kUnits) units.emplace_back(pair.forceSi, pair.torqueSi);
-  const std::pair own{stated.force.si, stated.torque.si};
-  if (std::find(units.begin(), units.end(), own) == units.end()) units.push_back(own);
+  const auto pairs = units();
   for (int axes = 0; axes < 3; ++axes) {
     if (axes == 2 && !forms_[form].blocks.positionKnown) continue;
     for (const bool torqueFirst : {false, true})
       for (int mirror = -1; mirror < 3; ++mirror)
         for (const double sign : {1.0, -1.0})
-          for (const auto& [force, torque] : units) {
-            Way way;
-            way.axes = axes == 0 ? kAsRead : kTurned;
-            way.aboutBase = axes == 2;
-            way.torqueFirst = torqueFirst;
-            way.mirror = mirror;
-            way.torqueSign = sign;
-            way.forceSi = force;
-            way.torqueSi = torque;
-            out.push_back(way);
-          }
+          for (const auto& [force, torque] : pairs)
+            out.push_back({axes == 0 ? kAsRead : kTurned, axes == 2, torqueFirst, mirror, sign, force, torque});
   }
   return out;
 }
 
-double Check::priceOf(const Way& way, std::size_t form, double mass) const {
+std::size_t Check::changesOf(const Way& way, std::size_t form) const {
   Candidate probe;
   probe.way = way;
   probe.form = form;
-  probe.fit.x(0) = mass;
-  return kPriceOfChange * static_cast<double>(changes(q_.stated, readingOf(probe)).size());
+  probe.fit.place = place_;
+  probe.fit.x(0) = 1.0;
+  return changes(q_.stated, readingOf(probe)).size();
 }
 
 void Check::addForms() {
@@ -308,83 +321,98 @@ void Check::addForms() {
     }
 }
 
-void Check::scanAll(const VectorXd& weights, std::size_t most, std::vector<Candidate>& into) const {
+void Check::scanAll(const VectorXd& weights, bool anyGravity, std::size_t most, std::vector<Candidate>& into) const {
   struct Scanned {
     Way way;
-    std::size_t form;
-    double score;
+    std::size_t form, scan;
+    double price, score;
   };
-  std::vector<Scanned> scanned;
+  const auto best = [](std::vector<Scanned>& list, std::size_t count) {
+    count = std::min(count, list.size());
+    std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count), list.end(),
+                      [](const Scanned& a, const Scanned& b) { return a.score > b.score; });
+    list.resize(count);
+  };
+  std::vector<Vector3d> gravities{q_.stated.gravity};
+  if (anyGravity)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double sign : {1.0, -1.0}) {
+        const Vector3d g = q_.stated.gravity.norm() * sign * Vector3d::Unit(axis);
+        if ((g - q_.stated.gravity).norm() > 1e-9 * g.norm()) gravities.push_back(g);
+      }
+  std::vector<Scan> scans;
+  std::vector<Scanned> all;
   for (std::size_t form = 0; form < forms_.size(); ++form) {
-    const Scan scan(forms_[form].blocks, weights);
-    for (const Way& way : ways(form)) {
-      const Scan::Found found = scan.of(way);
-      scanned.push_back({way, form, found.evidence - priceOf(way, form, found.mass)});
+    const Blocks& blocks = forms_[form].blocks;
+    const std::vector<Way> each = ways(form);
+    std::vector<double> prices;
+    for (const Way& way : each) prices.push_back(kPriceOfChange * static_cast<double>(changesOf(way, form)));
+    for (const Vector3d& g : gravities) {
+      const bool stated = &g == &gravities.front();
+      scans.emplace_back(stated ? blocks : withLessGravity(blocks, q_.stated.gravity - g), weights);
+      for (std::size_t i = 0; i < each.size(); ++i) {
+        const double price = prices[i] + (stated ? 0.0 : kPriceOfChange);
+        all.push_back({each[i], form, scans.size() - 1, price, scans.back().bound(each[i]) - price});
+      }
     }
   }
-  most = std::min(most, scanned.size());
-  std::partial_sort(scanned.begin(), scanned.begin() + static_cast<std::ptrdiff_t>(most), scanned.end(),
-                    [](const Scanned& a, const Scanned& b) { return a.score > b.score; });
-  for (std::size_t i = 0; i < most; ++i) {
-    const Scanned& s = scanned[i];
+  // All units and signs of the torque that go with the few best of everything else.
+  constexpr std::size_t kCombinations = 8;
+  best(all, kCombinations * 2 * units().size());
+  for (Scanned& s : all) {
+    const Scan::Found found = scans[s.scan].of(s.way);
+    s.score = found.evidence - s.price - (found.mass < 0.0 ? kPriceOfChange : 0.0);
+  }
+  best(all, most);
+  for (const Scanned& s : all) {
+    Place start = place_;
+    start.gravity = gravities[s.scan % gravities.size()];
     const bool known = std::any_of(into.begin(), into.end(), [&](const Candidate& c) {
-      return c.form == s.form && c.way.axes == s.way.axes && c.way.aboutBase == s.way.aboutBase &&
-             c.way.torqueFirst == s.way.torqueFirst && c.way.mirror == s.way.mirror &&
-             c.way.torqueSign == s.way.torqueSign && c.way.forceSi == s.way.forceSi && c.way.torqueSi == s.way.torqueSi;
+      return c.form == s.form && c.way == s.way && c.fit.place.gravity == start.gravity;
     });
     if (known) continue;
-    Candidate next = candidate(s.way, s.form);
+    Candidate next = candidate(s.way, s.form, Free::nothing, start);
     if (!next.differs.empty()) into.push_back(std::move(next));
   }
 }
 
-void Check::addTurned(std::vector<Candidate>& into) const {
+void Check::addTurned(const VectorXd& weights, std::vector<Candidate>& into) const {
+  struct Turned {
+    Way way;
+    std::size_t form;
+    Matrix3d turn;
+    double score;
+  };
+  std::vector<Turned> turned;
   for (std::size_t form = 0; form < forms_.size(); ++form) {
-    const Scan scan(forms_[form].blocks);
-    struct Turned {
+    const Scan scan(forms_[form].blocks, weights);
+    for (const bool torqueFirst : {false, true}) {
       Way way;
-      Matrix3d turn;
-      double evidence;
-    };
-    std::vector<Turned> turned;
-    for (const bool torqueFirst : {false, true})
-      for (const double sign : {1.0, -1.0}) {
-        Way way;
-        way.torqueFirst = torqueFirst;
-        way.torqueSign = sign;
-        way.forceSi = q_.stated.conventions.force.si;
-        way.torqueSi = q_.stated.conventions.torque.si;
-        const auto [turn, evidence] = scan.bestTurn(way);
-        turned.push_back({way, turn, evidence});
-      }
-    std::sort(turned.begin(), turned.end(), [](const Turned& a, const Turned& b) { return a.evidence > b.evidence; });
-    for (std::size_t i = 0; i < 2; ++i) {
-      Place start;
-      start.turn = turned[i].turn;
-      into.push_back(candidate(turned[i].way, form, Free::mount, start));
+      way.torqueFirst = torqueFirst;
+      const Matrix3d turn = scan.bestTurn(way);
+      for (const double sign : {1.0, -1.0})
+        for (const auto& [force, torque] : units()) {
+          way.torqueSign = sign;
+          way.forceSi = force;
+          way.torqueSi = torque;
+          const Scan::Found found = scan.of(way, turn);
+          const auto count = static_cast<double>(changesOf(way, form) + (found.mass < 0.0 ? 1 : 0));
+          turned.push_back({way, form, turn, found.evidence - kPriceOfChange * count});
+        }
     }
   }
-}
-
-void Check::addGravity(const std::vector<Candidate>& bases, std::vector<Candidate>& into) const {
-  for (const Candidate& base : bases) {
-    std::vector<Candidate> tried;
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double sign : {1.0, -1.0}) {
-        Place start;
-        start.gravity = q_.stated.gravity.norm() * sign * Vector3d::Unit(axis);
-        tried.push_back(candidate(base.way, base.form, Free::gravity, start, kQuickRounds));
-      }
-    std::sort(tried.begin(), tried.end(), byScore);
-    for (std::size_t i = 0; i < 2; ++i)
-      into.push_back(candidate(base.way, base.form, Free::gravity, tried[i].fit.place));
+  std::sort(turned.begin(), turned.end(), [](const Turned& a, const Turned& b) { return a.score > b.score; });
+  constexpr std::size_t kMost = 4;
+  for (std::size_t i = 0; i < std::min(kMost, turned.size()); ++i) {
+    Place start = place_;
+    start.turn = turned[i].turn;
+    into.push_back(candidate(turned[i].way, turned[i].form, Free::mount, start));
   }
 }
 
 void Check::addCauses(std::vector<Candidate>& into) const {
-  into.push_back(candidate(statedWay(), 0, Free::mount));
-  into.push_back(candidate(statedWay(), 0, Free::gravity));
-  into.push_back(candidate(statedWay(), 0, Free::point));
+  for (const Free free : {Free::mount, Free::gravity, Free::point})
+    into.push_back(candidate(statedWay(), 0, free, place_));
 }
 
 bool Check::same(const Candidate& a, const Candidate& b) const {
@@ -408,6 +436,21 @@ bool isCause(const Candidate& c, const Reading& stated) {
   return isSmall(c, stated) && std::all_of(c.differs.begin(), c.differs.end(), [&](Change change) {
            return std::find(std::begin(kPlace), std::end(kPlace), change) != std::end(kPlace);
          });
+}
+
+bool isNegative(const Candidate& stated) {
+  constexpr double kSure = 5.0;  // Standard deviations
+  return stated.fit.x(0) < -kSure * std::sqrt(std::max(0.0, stated.fit.covariance(0, 0)));
+}
+
+/// The same changes with nearly the same payload.
+bool isTold(const Candidate& c, const Candidate& first, const std::vector<Alternative>& ties) {
+  const auto alike = [&](const std::vector<Change>& differs, const Payload& payload) {
+    return differs == c.differs && std::abs(payload.mass - c.payload.mass) < kSameMass * std::abs(c.payload.mass) &&
+           (payload.com - c.payload.com).norm() < kSameCentre;
+  };
+  return alike(first.differs, first.payload) ||
+         std::any_of(ties.begin(), ties.end(), [&](const Alternative& tie) { return alike(tie.changes, tie.payload); });
 }
 
 Alternative alternativeOf(const Candidate& c, const Candidate& stated, const Reading& as) {
@@ -438,83 +481,95 @@ void addCautions(Report& report, const Candidate& best, double heaviest) {
 Report Check::run() {
   Report report;
   report.stated = q_.stated;
-  const Blocks& blocks = forms_.front().blocks;
-  const Eigen::Index least = standing_ ? 6 : 20;
-  if (blocks.size() < least) {
+  constexpr Eigen::Index kLeastPoses = 6, kLeastBlocks = 20;
+  if (forms_.front().blocks.size() < (standing_ ? kLeastPoses : kLeastBlocks)) {
     report.enough = false;
     return report;
   }
-  const Candidate stated = candidate(statedWay(), 0);
+  const Candidate stated = candidate(statedWay(), 0, Free::nothing, place_);
   report.statedMisfit = stated.misfit;
   report.statedPayload = stated.payload;
-  const bool plausible = stated.reach == 0.0;
-  const double massStd = std::sqrt(std::max(0.0, stated.fit.covariance(0, 0)));
-  const bool negative = stated.fit.x(0) < -5.0 * massStd;
   std::vector<Candidate> all;
   // Where somebody pushes shows under the stated conventions, too, unless they are far off: then they are out anyway.
-  scanAll(stated.fit.weights, 4, all);
+  scanAll(stated.fit.weights, false, 4, all);
   std::sort(all.begin(), all.end(), byScore);
-  const bool doubtful = stated.misfit.worst() > kFits || !plausible || negative ||
+  const bool doubtful = stated.misfit.worst() > kFits || stated.reach > 0.0 || isNegative(stated) ||
                         (!all.empty() && all.front().score - stated.score > kOverwhelming);
-  if (!doubtful) {
-    report.misfit = stated.misfit;
-    report.payload = stated.payload;
-    report.evidence = all.empty() ? 0.0 : stated.score - all.front().score;
-    for (const Candidate& c : all) {
-      // A unit alone is never out where its ratio does not show; people know it.
-      const bool unit = std::find(c.differs.begin(), c.differs.end(), Change::unit) != c.differs.end();
-      const double behind = stated.score - c.score - kPriceOfChange * static_cast<double>(c.differs.size());
-      if (!unit && behind < kTie && !same(stated, c)) report.ties.push_back(alternativeOf(c, stated, q_.stated));
-    }
-  } else {
+  if (doubtful) {
     addForms();
-    scanAll({}, 10, all);
+    scanAll({}, true, 10, all);
     std::sort(all.begin(), all.end(), byScore);
     // Whoever fits best knows best where somebody pushes.
     constexpr int kRescans = 3;
     for (int round = 0; round < kRescans && !all.empty(); ++round) {
       const double before = all.front().score;
-      scanAll(all.front().fit.weights, 6, all);
+      scanAll(all.front().fit.weights, true, 4, all);
       std::sort(all.begin(), all.end(), byScore);
       if (all.front().score <= before) break;
     }
-    std::vector<Candidate> bases{stated};
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, all.size()); ++i) bases.push_back(all[i]);
-    addTurned(all);
-    addGravity(bases, all);
+    const std::size_t discrete = std::min<std::size_t>(2, all.size());
+    addTurned(all.empty() ? stated.fit.weights : all.front().fit.weights, all);
+    for (std::size_t i = 0; i < discrete; ++i)
+      all.push_back(candidate(all[i].way, all[i].form, Free::gravity, all[i].fit.place));
     addCauses(all);
     std::sort(all.begin(), all.end(), byScore);
-    // What a cause explains as well is no convention.
-    const bool cause = !all.empty() && isCause(all.front(), q_.stated);
-    std::erase_if(all, [&](const Candidate& c) { return isSmall(c, q_.stated); });
-    const Candidate* first = all.empty() ? nullptr : &all.front();
-    const bool better = !cause && first != nullptr && first->score - stated.score > kOverwhelming;
-    const bool explains = better && first->misfit.worst() < kExplains &&
-                          (first->misfit.worst() < kBetter * stated.misfit.worst() || negative || !plausible);
-    const Candidate& taken = explains ? *first : stated;
-    report.misfit = taken.misfit;
-    report.payload = taken.payload;
-    report.overStated = first != nullptr ? first->score - stated.score : 0.0;
-    report.evidence = report.overStated;
-    bool tied = false;
-    if (explains) {
-      report.suggested = first->reading;
-      for (std::size_t i = 1; i < all.size(); ++i) {
-        const double behind = first->score - all[i].score;
-        if (!same(*first, all[i])) report.evidence = std::min(report.evidence, behind);
-        if (behind >= kTie) continue;
-        tied = tied || !same(*first, all[i]);
-        report.ties.push_back(alternativeOf(all[i], stated, q_.stated));
-      }
-      report.verdict = tied ? Verdict::ambiguous : Verdict::suggested;
-    } else if (stated.misfit.worst() > kDescribes) {
-      report.verdict = Verdict::none;
-    }
   }
+  decide(stated, all, report);
+  say(stated, report);
+  return report;
+}
+
+void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report& report) const {
+  // What a cause explains as well is no convention.
+  const bool cause = !all.empty() && isCause(all.front(), q_.stated);
+  const double standard = cause ? all.front().score : stated.score;
+  std::erase_if(all, [&](const Candidate& c) { return isSmall(c, q_.stated); });
+  const Candidate* first = all.empty() ? nullptr : &all.front();
+  report.misfit = stated.misfit;
+  report.payload = stated.payload;
+  if (first == nullptr) return;
+  report.overStated = first->score - stated.score;
+  const bool impossible = isNegative(stated) || stated.reach > 0.0;
+  const bool explains = !cause && report.overStated > kOverwhelming && first->misfit.worst() < kExplains &&
+                        (impossible || first->misfit.worst() < kBetter * stated.misfit.worst());
+  if (!explains) {
+    report.evidence = -report.overStated;
+    if (stated.misfit.worst() > kDescribes) {
+      report.verdict = Verdict::none;
+      return;
+    }
+    // The price of a change is for choosing; whether a motion can tell is another question. A unit's ratio is known to
+    // people, and hardly any motion shows it: it is named only where it fits better.
+    for (const Candidate& c : all) {
+      const bool scaled = std::find(c.differs.begin(), c.differs.end(), Change::unit) != c.differs.end();
+      const double free = scaled ? 0.0 : kPriceOfChange * static_cast<double>(c.differs.size());
+      if (standard - c.score - free < (scaled ? 0.0 : kTie) && c.misfit.worst() < kExplains && !same(stated, c))
+        report.ties.push_back(alternativeOf(c, stated, q_.stated));
+    }
+    return;
+  }
+  // In standing poses nothing but the reach of the tool speaks for one ratio of units.
+  const bool unit = std::find(first->differs.begin(), first->differs.end(), Change::unit) != first->differs.end();
+  report.verdict = standing_ && unit ? Verdict::ambiguous : Verdict::suggested;
+  report.suggested = first->reading;
+  report.misfit = first->misfit;
+  report.payload = first->payload;
+  report.evidence = report.overStated;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const Candidate& c = all[i];
+    const double priced = first->score - c.score, behind = std::min(priced, priced + first->behind - c.behind);
+    if (!same(*first, c)) report.evidence = std::min(report.evidence, behind);
+    if (behind >= kTie || isTold(c, *first, report.ties)) continue;
+    if (!same(*first, c)) report.verdict = Verdict::ambiguous;
+    report.ties.push_back(alternativeOf(c, stated, q_.stated));
+  }
+}
+
+void Check::say(const Candidate& stated, Report& report) const {
   Candidate taken = stated;
   taken.payload = report.payload;
   addCautions(report, taken, q_.heaviest);
-  if (standing_ && report.payload.com.z() < -0.01 && report.verdict != Verdict::none)
+  if (standing_ && report.payload.com.z() < -kBehind && report.verdict != Verdict::none)
     report.cautions.push_back(
         {Severity::warning,
          "centre_behind_sensor",
@@ -541,14 +596,14 @@ Report Check::run() {
       break;
     case Verdict::none:
       report.sentence =
-          heft::say("No rigid payload explains the readings, under these or any other usual conventions.");
+          heft::say("No rigid payload explains the readings, under the stated conventions or any other usual ones.");
+      report.check = heft::say("Look for contact, a cable, or a sensor that was zeroed during the recording.");
       break;
   }
   if (!report.ties.empty())
     report.decides = standing_
                          ? heft::say("A motion with brisk turns in all directions would decide.")
                          : heft::say("A longer motion that tilts and turns the tool in all directions would decide.");
-  return report;
 }
 
 }  // namespace
@@ -566,6 +621,10 @@ json toJson(const Report& report, const SensorMount& mount, bool fromJoints) {
   out["stated"] = toJson(report.stated);
   const bool told = report.verdict == Verdict::suggested;
   out["suggested"] = told ? toJson(*report.suggested) : json(nullptr);
+  if (told && report.suggested->gravity != report.stated.gravity) {
+    const Vector3d& g = report.suggested->gravity;
+    out["suggested"]["gravity_m_s2"] = {g.x(), g.y(), g.z()};
+  }
   out["meta"] = told ? metaPatch(report.stated, *report.suggested, mount, fromJoints) : json(nullptr);
   out["evidence"] = report.evidence;
   out["over_stated"] = report.overStated;

@@ -17,6 +17,8 @@ constexpr double kMassSd = 30.0, kFirstMomentSd = 3.0, kInertiaSd = 1.0, kBiasSd
 constexpr double kRounding = 1e-6;
 
 using Sixteen = Eigen::Matrix<double, 16, 1>;
+using Nine = Eigen::Matrix<double, 9, 1>;
+using Nine9 = Eigen::Matrix<double, 9, 9>;
 
 Sixteen payloadAndBiasPrecision() {
   Sixteen sd;
@@ -118,88 +120,78 @@ ScaledFit scaledFit(const Eigen::Matrix4d& Af, const Eigen::Matrix<double, 9, 9>
 
 }  // namespace
 
-Scan::Found Scan::of(const Way& way) const {
+Scan::Products Scan::productsOf(const Way& way) const {
   Eigen::Matrix<double, 8, 1> f, t;
   coefficientsOf(way, f, t);
-  Eigen::Vector4d bf = Eigen::Vector4d::Zero();
-  Eigen::Matrix<double, 9, 1> bt = Eigen::Matrix<double, 9, 1>::Zero();
-  double ff = 0.0, tt = 0.0;
-  for (int c = 0; c < 3; ++c) {
-    const double sign = c == way.mirror ? -1.0 : 1.0;
-    const auto& cross = cross_[static_cast<std::size_t>(c)];
-    for (int g = 0; g < 2 * kSeen; ++g) {
-      if (f(g) != 0.0) bf += sign * f(g) * cross.col(3 * g + c).head<4>();
-      if (t(g) != 0.0) bt += sign * t(g) * cross.col(3 * g + c).tail<9>();
-      for (int h = 0; h < 2 * kSeen; ++h) {
-        const double product = seen_(3 * g + c, 3 * h + c);
-        if (f(g) != 0.0 && f(h) != 0.0) ff += f(g) * f(h) * product;
-        if (t(g) != 0.0 && t(h) != 0.0) tt += t(g) * t(h) * product;
-      }
-    }
-  }
-  const auto alone = [&](double square, double explained) {
-    return std::sqrt(std::max(square - explained, kRounding * kRounding * square) / rows_ + 1e-24);
-  };
-  const double force = alone(ff, bf.dot(forceInverse_ * bf)), torque = alone(tt, bt.dot(torqueInverse_ * bt));
-  const ScaledFit fit = scaledFit(forceGram_, torqueGram_, bf, bt, ff, tt, rows_, force, torque);
-  return {-2.0 * rows_ * (std::log(fit.force / way.forceSi) + std::log(fit.torque / way.torqueSi)), fit.phi(0)};
-}
-
-Scan::Turned Scan::bestTurn(const Way& way) const {
-  Eigen::Matrix<double, 8, 1> f, t;
-  coefficientsOf(way, f, t);
-  // b(Q) = sum over c, d of Q_cd (columns of c)^T (readings of d): linear in Q, column 3 d + c of B.
-  Eigen::Matrix<double, 4, 9> Bf = Eigen::Matrix<double, 4, 9>::Zero();
-  Eigen::Matrix<double, 9, 9> Bt = Eigen::Matrix<double, 9, 9>::Zero();
-  double ff = 0.0, tt = 0.0;
+  Products out;
+  out.force.setZero();
+  out.torque.setZero();
   for (int d = 0; d < 3; ++d) {
     const double sign = d == way.mirror ? -1.0 : 1.0;
     for (int g = 0; g < 2 * kSeen; ++g) {
+      if (f(g) == 0.0 && t(g) == 0.0) continue;
       for (int c = 0; c < 3; ++c) {
         const auto& cross = cross_[static_cast<std::size_t>(c)];
-        if (f(g) != 0.0) Bf.col(3 * d + c) += sign * f(g) * cross.col(3 * g + d).head<4>();
-        if (t(g) != 0.0) Bt.col(3 * d + c) += sign * t(g) * cross.col(3 * g + d).tail<9>();
+        if (f(g) != 0.0) out.force.col(3 * d + c) += sign * f(g) * cross.col(3 * g + d).head<4>();
+        if (t(g) != 0.0) out.torque.col(3 * d + c) += sign * t(g) * cross.col(3 * g + d).tail<9>();
       }
       for (int h = 0; h < 2 * kSeen; ++h) {
         const double product = seen_(3 * g + d, 3 * h + d);
-        if (f(g) != 0.0 && f(h) != 0.0) ff += f(g) * f(h) * product;
-        if (t(g) != 0.0 && t(h) != 0.0) tt += t(g) * t(h) * product;
+        out.forceSquare += f(g) * f(h) * product;
+        out.torqueSquare += t(g) * t(h) * product;
       }
     }
   }
-  using Nine = Eigen::Matrix<double, 9, 1>;
-  Eigen::Matrix<double, 9, 9> H;
-  const auto setWeights = [&](double force, double torque) {
-    const double wf = 1.0 / (force * force), wt = 1.0 / (torque * torque);
-    Eigen::Matrix<double, 10, 10> A = payloadAndBiasPrecision().head<10>().asDiagonal();
-    A.topLeftCorner<4, 4>() += wf * forceGram_;
-    A.bottomRightCorner<9, 9>() += wt * torqueGram_;
-    Eigen::Matrix<double, 10, 9> B = Eigen::Matrix<double, 10, 9>::Zero();
-    B.topRows<4>() += wf * Bf;
-    B.bottomRows<9>() += wt * Bt;
-    H = B.transpose() * A.ldlt().solve(B);
+  return out;
+}
+
+std::pair<double, double> Scan::alone(const Products& products, const Nine& q) const {
+  const Eigen::Vector4d bf = products.force * q;
+  const Nine bt = products.torque * q;
+  const auto scale = [&](double square, double explained) {
+    return std::sqrt(std::max(square - explained, kRounding * kRounding * square) / rows_ + 1e-24);
   };
-  const auto evidence = [&](const Matrix3d& Q) {
-    const Nine q = Eigen::Map<const Nine>(Q.data()).eval();
-    // Column-major Q: entry (c, d) stands at 3 d + c.
-    const Eigen::Vector4d bf = Bf * q;
-    const Nine bt = Bt * q;
-    const double force =
-        std::sqrt(std::max(ff - bf.dot(forceInverse_ * bf), kRounding * kRounding * ff) / rows_ + 1e-24);
-    const double torque =
-        std::sqrt(std::max(tt - bt.dot(torqueInverse_ * bt), kRounding * kRounding * tt) / rows_ + 1e-24);
-    return scaledFit(forceGram_, torqueGram_, bf, bt, ff, tt, rows_, force, torque);
+  return {scale(products.forceSquare, bf.dot(forceInverse_ * bf)),
+          scale(products.torqueSquare, bt.dot(torqueInverse_ * bt))};
+}
+
+namespace {
+
+Nine asColumn(const Matrix3d& Q) { return Eigen::Map<const Nine>(Q.data()); }
+
+}  // namespace
+
+Scan::Found Scan::of(const Way& way, const Matrix3d& turn) const {
+  const Products products = productsOf(way);
+  const Nine q = asColumn(turn);
+  const auto [force, torque] = alone(products, q);
+  const ScaledFit fit = scaledFit(forceGram_, torqueGram_, products.force * q, products.torque * q,
+                                  products.forceSquare, products.torqueSquare, rows_, force, torque);
+  return {-2.0 * rows_ * (std::log(fit.force / way.forceSi) + std::log(fit.torque / way.torqueSi)), fit.phi(0)};
+}
+
+double Scan::bound(const Way& way) const {
+  const auto [force, torque] = alone(productsOf(way), asColumn(Matrix3d::Identity()));
+  return -2.0 * rows_ * (std::log(force / way.forceSi) + std::log(torque / way.torqueSi));
+}
+
+Matrix3d Scan::bestTurn(const Way& way) const {
+  const Products products = productsOf(way);
+  // What is explained of the squares of the readings is q^T force q and q^T torque q.
+  const Nine9 force = products.force.transpose() * forceInverse_ * products.force;
+  const Nine9 torque = products.torque.transpose() * torqueInverse_ * products.torque;
+  const auto quality = [&](const Matrix3d& Q) {
+    const auto [f, t] = alone(products, asColumn(Q));
+    return -std::log(f) - std::log(t);
   };
-  const auto quality = [&](const ScaledFit& fit) { return -std::log(fit.force) - std::log(fit.torque); };
-  /// Climbs q^T H q over rotations: the gradient's rotation part, with a step by the projection on SO(3).
-  const auto climb = [&](Matrix3d Q) {
+  /// Climbs q^T H q: as H is positive semidefinite, the rotation nearest to H q is never worse than q.
+  const auto climb = [&](Matrix3d Q, double forceScale, double torqueScale) {
     constexpr int kSteps = 30;
-    constexpr double kRests = 1e-5;  // [rad]
+    constexpr double kRests = 1e-4;  // [rad]; the robust fit goes on from there
+    const Nine9 H = force / (forceScale * forceScale) + torque / (torqueScale * torqueScale);
     for (int step = 0; step < kSteps; ++step) {
-      const Nine q = Eigen::Map<const Nine>(Q.data());
-      const Nine slope = H * q;
+      const Nine slope = H * asColumn(Q);
       const Matrix3d G = Eigen::Map<const Matrix3d>(slope.data());
-      // The rotation nearest to H q: a fixed point maximises, as H is positive definite.
       const Eigen::JacobiSVD<Matrix3d> svd(G, Eigen::ComputeFullU | Eigen::ComputeFullV);
       Matrix3d next = svd.matrixU() * svd.matrixV().transpose();
       if (next.determinant() < 0.0) next = svd.matrixU() * Vector3d(1, 1, -1).asDiagonal() * svd.matrixV().transpose();
@@ -209,7 +201,8 @@ Scan::Turned Scan::bestTurn(const Way& way) const {
     }
     return Q;
   };
-  setWeights(std::sqrt(ff / rows_) + 1e-12, std::sqrt(tt / rows_) + 1e-12);
+  const double forceSpread = std::sqrt(products.forceSquare / rows_) + 1e-12;
+  const double torqueSpread = std::sqrt(products.torqueSquare / rows_) + 1e-12;
   std::vector<std::pair<double, Matrix3d>> found;
   for (int a = 0; a < 3; ++a)
     for (const double sa : {1.0, -1.0})
@@ -220,11 +213,10 @@ Scan::Turned Scan::bestTurn(const Way& way) const {
           Q.col(0) = sa * Vector3d::Unit(a);
           Q.col(1) = sb * Vector3d::Unit(b);
           Q.col(2) = Q.col(0).cross(Q.col(1));
-          Q = climb(Q);
-          const double value = quality(evidence(Q));
-          bool known = false;
-          for (const auto& other : found) known = known || (other.second - Q).norm() < 0.1;
-          if (!known) found.emplace_back(value, Q);
+          Q = climb(Q, forceSpread, torqueSpread);
+          const bool known = std::any_of(found.begin(), found.end(),
+                                         [&Q](const auto& other) { return (other.second - Q).norm() < 0.1; });
+          if (!known) found.emplace_back(quality(Q), Q);
         }
   std::sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
   std::pair<double, Matrix3d> best = found.front();
@@ -232,14 +224,13 @@ Scan::Turned Scan::bestTurn(const Way& way) const {
   for (std::size_t i = 0; i < std::min(kRefined, found.size()); ++i) {
     Matrix3d Q = found[i].second;
     for (int round = 0; round < 3; ++round) {
-      const ScaledFit fit = evidence(Q);
-      setWeights(fit.force, fit.torque);
-      Q = climb(Q);
+      const auto [f, t] = alone(products, asColumn(Q));
+      Q = climb(Q, f, t);
     }
-    const double value = quality(evidence(Q));
-    if (i == 0 || value > best.first) best = {value, Q};
+    const double value = quality(Q);
+    if (value > best.first) best = {value, Q};
   }
-  return {best.second, 2.0 * rows_ * (best.first + std::log(way.forceSi) + std::log(way.torqueSi))};
+  return best.second;
 }
 
 namespace {

@@ -49,28 +49,38 @@ struct Fit {
 /// Force and torque of `way`, K x 3 each.
 void readingsOf(const Blocks& blocks, const Way& way, MatrixXd& force, MatrixXd& torque);
 
-/// All ways on the same blocks by least squares, noise of force and torque free: 2 ln L and mass [kg] of each.
+/// Every way on the same blocks by least squares, noise of force and torque free. One pass over the blocks serves all.
 class Scan {
  public:
   explicit Scan(const Blocks& blocks, const VectorXd& weights = {});
   struct Found {
-    double evidence = 0.0;
-    double mass = 0.0;
+    double evidence = 0.0;  ///< 2 ln L of the file's numbers
+    double mass = 0.0;      ///< [kg]
   };
-  Found of(const Way& way) const;
-  struct Turned {
-    Matrix3d turn;
-    double evidence = 0.0;
-  };
-  /// The turn of the readings of `way` that fits best, of those that 24 starts lead to: proper, mass of either sign.
-  Turned bestTurn(const Way& way) const;
+  /// `turn`: readings in sensor axes = turn * readings.
+  Found of(const Way& way, const Matrix3d& turn = Matrix3d::Identity()) const;
+  /// 2 ln L where force and torque are fitted to payloads of their own: no way of the same axes and order, whatever its
+  /// torque's unit and sign, fits better.
+  double bound(const Way& way) const;
+  /// The turn of the readings that fits best in the sense of bound(), of those that 24 starts lead to: the rotations of
+  /// the cube. Proper; the mass has either sign, for a turn and a mirror are the other sign and another turn.
+  Matrix3d bestTurn(const Way& way) const;
 
  private:
-  double rows_ = 0.0;  ///< A component, weighted
-  Eigen::Matrix4d forceGram_;
-  Eigen::Matrix<double, 9, 9> torqueGram_;
-  Eigen::Matrix4d forceInverse_;
-  Eigen::Matrix<double, 9, 9> torqueInverse_;
+  /// Products of the columns with the readings of a way: (columns)^T (Q readings) is `force` * q, q = Q column by
+  /// column.
+  struct Products {
+    Eigen::Matrix<double, 4, 9> force;
+    Eigen::Matrix<double, 9, 9> torque;
+    double forceSquare = 0.0, torqueSquare = 0.0;
+  };
+  Products productsOf(const Way& way) const;
+  /// Scales of what separate fits leave.
+  std::pair<double, double> alone(const Products& products, const Eigen::Matrix<double, 9, 1>& q) const;
+
+  double rows_ = 0.0;  ///< Of force, and of torque; weighted
+  Eigen::Matrix4d forceGram_, forceInverse_;
+  Eigen::Matrix<double, 9, 9> torqueGram_, torqueInverse_;
   std::array<Eigen::Matrix<double, 13, 24>, 3> cross_;  ///< Of component c's columns with everything seen
   Eigen::Matrix<double, 24, 24> seen_;
 };

@@ -183,8 +183,9 @@ void drivers(std::uint64_t seeds, std::uint64_t first, bool pairs, const std::st
     names.emplace_back("plain");
     names.emplace_back("poses");
   } else {
-    const std::vector<std::string> a{"base_axes", "torque_first", "torque_sign",   "wrench_sign", "mirror_y",
-                                     "N_mm",      "lbf_in",       "pose_inverted", "w_first"};
+    // In the order in which a driver does them: it mirrors, turns, changes signs, scales and swaps.
+    const std::vector<std::string> a{"mirror_y", "base_axes",    "torque_sign",   "wrench_sign", "N_mm",
+                                     "lbf_in",   "torque_first", "pose_inverted", "w_first"};
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = i + 1; j < a.size(); ++j)
         if (!(a[i] == "N_mm" && a[j] == "lbf_in")) names.push_back(a[i] + "+" + a[j]);
@@ -239,8 +240,9 @@ void causes(std::uint64_t seeds, std::uint64_t first, const std::string& only) {
           try {
             const auto hidden = drawHidden(kind, seed, multiple, id);
             const auto report = checked(hidden.recording);
-            ++table[id][fmt::format("x{:02}", multiple)][std::string(toString(report.verdict))];
-            if (report.verdict != Verdict::asStated || !only.empty()) {
+            ++table[id][fmt::format("x{:02}", multiple)]
+                   [std::string(toString(report.verdict)) + (report.ties.empty() ? "" : " with ties")];
+            if (report.verdict != Verdict::asStated || !report.ties.empty() || !only.empty()) {
               const auto& effect = hidden.truth.simulation.effects.front();
               describe(
                   fmt::format("{} {} {:.3g} {} x{} seed {}", id, effect.form, effect.size, effect.unit, multiple, seed),
