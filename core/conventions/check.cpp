@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -30,15 +29,19 @@ const double kTie = 2.0 * std::log(20.0);
 constexpr double kOverwhelming = 60.0;
 /// The best leaves at most this share of the load, and two fifths of what the stated conventions leave.
 constexpr double kExplains = 0.3, kBetter = 0.7;
+/// Of the evidence that a cause has, a convention must have as much.
+constexpr double kShareOfCause = 0.9;
+/// A sensor is not farther from where the setup file has it [m]; the catalogue of causes looks no farther.
+constexpr double kFarthestOrigin = 0.5;
 /// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or
 /// a turn of 15 degrees leaves a quarter and more.
-constexpr double kFits = 0.12;
+constexpr double kFits = 0.08;
 /// Beyond this share of the load the model does not describe the readings.
 constexpr double kDescribes = 0.5;
 /// A smaller turn of mount or gravity is a cause with an interval, no convention [rad].
 constexpr double kLeastTurn = 15.0 * std::numbers::pi / 180.0;
-/// No tool's centre of mass is farther from the sensor [m], and most are nearer than this.
-constexpr double kReach = 1.0, kUsualReach = 0.25;
+/// No tool's centre of mass is farther from the sensor [m]; most are between the other two.
+constexpr double kReach = 1.0, kUsualReach = 0.15, kUsualLeast = 0.01;
 /// A load's torque is compared at least with what its weight makes at this distance [m].
 constexpr double kLeastLever = 0.01;
 /// A centre so far behind the sensor lies in the arm [m].
@@ -80,10 +83,14 @@ struct Candidate {
   std::vector<Change> differs;
   Payload payload;
   Misfit misfit;
-  double reach = 0.0;   ///< outOfReach() of it
-  double behind = 0.0;  ///< Price of a centre that lies in the arm
-  double score = 0.0;   ///< 2 ln L less prices, and less what speaks against the payload
+  double reach = 0.0;  ///< outOfReach() of it
+  double prior = 0.0;  ///< Price of a centre where centres seldom are; standing poses only
+  double score = 0.0;  ///< 2 ln L less prices, and less what speaks against the payload
 };
+
+bool has(const std::vector<Change>& changes, Change change) {
+  return std::find(changes.begin(), changes.end(), change) != changes.end();
+}
 
 bool byScore(const Candidate& a, const Candidate& b) { return a.score > b.score; }
 
@@ -196,6 +203,8 @@ class Check {
   void addTurned(const VectorXd& weights, std::vector<Candidate>& into) const;
   /// What may be wrong with the stated conventions and is none: small turns, a sensor beside its place.
   void addCauses(std::vector<Candidate>& into) const;
+  /// `like` with every unit and sign of the torque: standing poses tell the centre's scale by nothing else.
+  void addOtherScales(const Candidate& like, std::vector<Candidate>& into) const;
   bool same(const Candidate& a, const Candidate& b) const;
   void decide(const Candidate& stated, std::vector<Candidate>& all, Report& report) const;
   void say(const Candidate& stated, Report& report) const;
@@ -268,9 +277,12 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   out.reach = outOfReach(phi, out.fit.covariance, q_.heaviest, rows);
   out.score += out.fit.evidence - kPriceOfChange * static_cast<double>(out.differs.size()) - out.reach -
                negativeMoments(phi, out.fit.covariance, rows);
-  // Poses do not tell the centre from its mirror image. Most sensors' z axes point to the tool.
-  if (standing_ && out.payload.com.z() < -kBehind) out.behind = kPriceOfChange;
-  out.score -= out.behind;
+  // Poses tell the centre from its mirror image or from one of another scale only by where centres are. Most sensors' z
+  // axes point to the tool.
+  const double far = out.payload.com.norm();
+  if (standing_ && out.payload.com.z() < -kBehind) out.prior += kPriceOfChange;
+  if (standing_ && (far > kUsualReach || far < kUsualLeast)) out.prior += kPriceOfChange;
+  out.score -= out.prior;
   return out;
 }
 
@@ -410,6 +422,20 @@ void Check::addTurned(const VectorXd& weights, std::vector<Candidate>& into) con
   }
 }
 
+void Check::addOtherScales(const Candidate& like, std::vector<Candidate>& into) const {
+  for (const double sign : {1.0, -1.0})
+    for (const auto& [force, torque] : units()) {
+      Way way = like.way;
+      way.torqueSign = sign;
+      way.forceSi = force;
+      way.torqueSi = torque;
+      const bool known = std::any_of(into.begin(), into.end(), [&](const Candidate& c) {
+        return c.form == like.form && c.free == like.free && c.way == way;
+      });
+      if (!known) into.push_back(candidate(way, like.form, like.free, like.fit.place));
+    }
+}
+
 void Check::addCauses(std::vector<Candidate>& into) const {
   for (const Free free : {Free::mount, Free::gravity, Free::point})
     into.push_back(candidate(statedWay(), 0, free, place_));
@@ -432,6 +458,7 @@ bool isSmall(const Candidate& c, const Reading& stated) {
 
 /// It is small, and all the rest is as stated.
 bool isCause(const Candidate& c, const Reading& stated) {
+  if (c.free == Free::point && c.fit.place.point.norm() > kFarthestOrigin) return false;
   constexpr Change kPlace[] = {Change::turned, Change::gravityTurned, Change::point};
   return isSmall(c, stated) && std::all_of(c.differs.begin(), c.differs.end(), [&](Change change) {
            return std::find(std::begin(kPlace), std::end(kPlace), change) != std::end(kPlace);
@@ -457,7 +484,7 @@ Alternative alternativeOf(const Candidate& c, const Candidate& stated, const Rea
   return {c.reading, c.differs, c.score - stated.score, c.payload, c.misfit, sentence(as, c.reading)};
 }
 
-void addCautions(Report& report, const Candidate& best, double heaviest) {
+void addCautions(Report& report, const Candidate& best, double heaviest, bool standing) {
   const Payload& p = best.payload;
   if (p.com.norm() > kUsualReach)
     report.cautions.push_back(
@@ -513,6 +540,10 @@ Report Check::run() {
       all.push_back(candidate(all[i].way, all[i].form, Free::gravity, all[i].fit.place));
     addCauses(all);
     std::sort(all.begin(), all.end(), byScore);
+    if (standing_ && !all.empty()) {
+      addOtherScales(Candidate(all.front()), all);
+      std::sort(all.begin(), all.end(), byScore);
+    }
   }
   decide(stated, all, report);
   say(stated, report);
@@ -520,11 +551,14 @@ Report Check::run() {
 }
 
 void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report& report) const {
-  // What a cause explains as well is no convention.
-  const bool cause = !all.empty() && isCause(all.front(), q_.stated);
-  const double standard = cause ? all.front().score : stated.score;
+  // What a cause explains better is no convention, unless that explains nearly as much: causes bend more easily.
+  double byCause = 0.0;
+  for (const Candidate& c : all)
+    if (isCause(c, q_.stated)) byCause = std::max(byCause, c.score - stated.score);
+  const double standard = stated.score + byCause;
   std::erase_if(all, [&](const Candidate& c) { return isSmall(c, q_.stated); });
   const Candidate* first = all.empty() ? nullptr : &all.front();
+  const bool cause = first != nullptr && first->score - stated.score < kShareOfCause * byCause;
   report.misfit = stated.misfit;
   report.payload = stated.payload;
   if (first == nullptr) return;
@@ -539,25 +573,25 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
       return;
     }
     // The price of a change is for choosing; whether a motion can tell is another question. A unit's ratio is known to
-    // people, and hardly any motion shows it: it is named only where it fits better.
+    // people, and hardly any motion shows it: it is named only where it clearly fits better.
     for (const Candidate& c : all) {
-      const bool scaled = std::find(c.differs.begin(), c.differs.end(), Change::unit) != c.differs.end();
+      const bool scaled = has(c.differs, Change::unit);
       const double free = scaled ? 0.0 : kPriceOfChange * static_cast<double>(c.differs.size());
-      if (standard - c.score - free < (scaled ? 0.0 : kTie) && c.misfit.worst() < kExplains && !same(stated, c))
+      if (standard - c.score - free < (scaled ? -kOverwhelming : kTie) && c.misfit.worst() < kExplains &&
+          !same(stated, c))
         report.ties.push_back(alternativeOf(c, stated, q_.stated));
     }
     return;
   }
   // In standing poses nothing but the reach of the tool speaks for one ratio of units.
-  const bool unit = std::find(first->differs.begin(), first->differs.end(), Change::unit) != first->differs.end();
-  report.verdict = standing_ && unit ? Verdict::ambiguous : Verdict::suggested;
+  report.verdict = standing_ && has(first->differs, Change::unit) ? Verdict::ambiguous : Verdict::suggested;
   report.suggested = first->reading;
   report.misfit = first->misfit;
   report.payload = first->payload;
   report.evidence = report.overStated;
   for (std::size_t i = 1; i < all.size(); ++i) {
     const Candidate& c = all[i];
-    const double priced = first->score - c.score, behind = std::min(priced, priced + first->behind - c.behind);
+    const double priced = first->score - c.score, behind = std::min(priced, priced + first->prior - c.prior);
     if (!same(*first, c)) report.evidence = std::min(report.evidence, behind);
     if (behind >= kTie || isTold(c, *first, report.ties)) continue;
     if (!same(*first, c)) report.verdict = Verdict::ambiguous;
@@ -568,7 +602,7 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
 void Check::say(const Candidate& stated, Report& report) const {
   Candidate taken = stated;
   taken.payload = report.payload;
-  addCautions(report, taken, q_.heaviest);
+  addCautions(report, taken, q_.heaviest, standing_);
   if (standing_ && report.payload.com.z() < -kBehind && report.verdict != Verdict::none)
     report.cautions.push_back(
         {Severity::warning,
