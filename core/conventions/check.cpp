@@ -27,8 +27,9 @@ const double kTie = 2.0 * std::log(20.0);
 /// A convention overthrows the stated ones only if nobody could doubt it, and causes could not feign it: the prototype
 /// saw 370 and more in 24 poses, 6,500 and more in motions, and never more than that by chance.
 constexpr double kOverwhelming = 60.0;
-/// The best leaves at most this share of the load, and two fifths of what the stated conventions leave.
-constexpr double kExplains = 0.3, kBetter = 0.7;
+/// The best leaves at most this share of the load, and clearly less than the stated conventions: a torque's sign or
+/// unit shows in the small part of the force that turning makes, beside contact and causes that stay.
+constexpr double kExplains = 0.3, kBetter = 0.85;
 /// Of the evidence that a cause has, a convention must have as much.
 constexpr double kShareOfCause = 0.9;
 /// A sensor is not farther from where the setup file has it [m]; the catalogue of causes looks no farther.
@@ -488,7 +489,7 @@ void addCautions(Report& report, const Candidate& best, double heaviest, bool st
   const Payload& p = best.payload;
   if (p.com.norm() > kUsualReach)
     report.cautions.push_back(
-        {Severity::warning,
+        {standing ? Severity::warning : Severity::info,
          "centre_far",
          heft::say("The centre of mass would be {:.2f} m from the sensor. If the tool is not that "
                    "long, force and torque are in other units than the setup file says.",
@@ -555,7 +556,8 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   double byCause = 0.0;
   for (const Candidate& c : all)
     if (isCause(c, q_.stated)) byCause = std::max(byCause, c.score - stated.score);
-  const double standard = stated.score + byCause;
+  // Half of that is worth telling, if not worth suggesting.
+  const double standard = stated.score + 0.5 * byCause;
   std::erase_if(all, [&](const Candidate& c) { return isSmall(c, q_.stated); });
   const Candidate* first = all.empty() ? nullptr : &all.front();
   const bool cause = first != nullptr && first->score - stated.score < kShareOfCause * byCause;
