@@ -1,0 +1,78 @@
+#pragma once
+// Which conventions do these numbers follow? The readings are fitted under every convention that people have; physics
+// decides, and says where it cannot.
+//
+// Source of the recipe and of the sizes of evidence: the project's notes of a prototype (domain/conventions.md).
+// Exact ties, whatever the data: a unit of force alone scales the mass; all signs turned is gravity pointing up in
+// standing poses; there, too, the torque's sign and the centre of mass mirrored through the sensor are the same, and so
+// are another reference point and another centre.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/findings.h"
+#include "core/conventions/reading.h"
+
+namespace heft::conventions {
+
+struct Question {
+  const Motion* motion = nullptr;  ///< Of the recording as stated; poses: of standingPoses()
+  RecordingKind kind = RecordingKind::motion;
+  Reading stated;
+  bool posesInFile = false;  ///< The motion comes from poses in the file, not from joints.
+  SensorMount mount;         ///< As stated; for the meta keys.
+  std::vector<bool> use;     ///< Empty, or one a sample of the motion: what the user marked as contact is not used.
+  double heaviest = 50.0;    ///< Payload of the arm [kg]: what weighs more is not read rightly. Arms guided by hand
+                             ///< carry 3 to 50 kg (FANUC CR-35iB).
+};
+
+enum class Verdict {
+  asStated,   ///< The stated conventions fit, or what is wrong is no convention.
+  suggested,  ///< The stated conventions are out, and one other fits.
+  ambiguous,  ///< The stated conventions are out, and two or more others fit: this recording cannot tell.
+  none,       ///< Nothing fits: the model does not describe the readings.
+};
+std::string_view toString(Verdict verdict);  ///< "as_stated", "suggested", "ambiguous", "none"
+
+/// How far from the readings a fit stays, robustly: pushed parts count little.
+struct Misfit {
+  Vector6d left = Vector6d::Zero();   ///< Residual of blocks of some 80 ms, or of poses [N, N m]
+  Vector6d noise = Vector6d::Zero();  ///< Of it, what changes from block to block; 0 for poses [N, N m]
+  Vector6d load = Vector6d::Zero();   ///< What the motion makes of the payload, standard deviation [N, N m]
+  double force = 0.0, torque = 0.0;   ///< Residual beyond noise over load: 0 none, 1 all of it
+  double worst() const { return std::max(force, torque); }
+};
+
+struct Alternative {
+  Reading reading;
+  std::vector<Change> changes;  ///< From what is stated
+  double evidence = 0.0;        ///< 2 ln L over the stated conventions, priced
+  Payload payload;              ///< By least squares: may be unphysical in what the motion does not show
+  Misfit misfit;
+  std::string sentence;
+};
+
+struct Report {
+  Verdict verdict = Verdict::asStated;
+  bool enough = true;  ///< False: too little data to say anything; the verdict is asStated then.
+  Reading stated;
+  std::optional<Reading> suggested;  ///< With Verdict::suggested; with ambiguous, the likeliest.
+  double evidence = 0.0;             ///< 2 ln L of the best over the next that is not the same thing
+  double overStated = 0.0;           ///< 2 ln L of the best over the stated conventions
+  std::vector<Alternative> ties;     ///< What fits as well as the best, likeliest first; the best itself is not in it.
+  Misfit misfit;                     ///< Of what the verdict takes for right: as stated, or as suggested
+  Misfit statedMisfit;
+  Payload payload, statedPayload;
+  std::string sentence;  ///< "The force is given in the robot's base axes, not the sensor's."
+  std::string check;     ///< Where to look at the driver; empty for asStated
+  std::string decides;   ///< What would decide a tie; empty without one
+  Findings cautions;     ///< "centre_behind_sensor", "centre_far", "weight_large"
+};
+
+Report check(const Question& question);
+
+/// {"verdict", "stated", "suggested", "evidence", "over_stated", "meta", "ties", "sentence", "misfit": {...}}: the
+/// contract's keys of `conventions` and more.
+nlohmann::json toJson(const Report& report, const SensorMount& mount, bool fromJoints);
+
+}  // namespace heft::conventions

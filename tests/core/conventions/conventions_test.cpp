@@ -1,0 +1,259 @@
+// A few fixed recordings of tests/benchmarks/conventions_study, and what holds for any.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/conventions/check.h"
+#include "core/simulation/effects/effect.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/as_driver.h"
+#include "tests/support/random_tool.h"
+
+namespace heft::conventions {
+namespace {
+
+Payload toolOf(std::uint64_t seed) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+  return test::randomTool(random).payload;
+}
+
+Recording guided(const Payload& payload, std::uint64_t seed, const Vector3d& gravity = {0.0, 0.0, -9.81},
+                 MotionKind kind = MotionKind::free, std::vector<EffectRequest> effects = {}) {
+  SimulateOptions options;
+  options.motion = kind;
+  options.seed = seed;
+  options.duration = 12.0;
+  options.rateHz = 250.0;
+  options.speed = 0.8;
+  options.gravity = gravity;
+  options.effects = std::move(effects);
+  options.sensor.forceRange.setConstant(1e3);
+  options.sensor.torqueRange = 100.0;
+  auto simulated = simulate(RobotModel::panda(), payload, options);
+  EXPECT_TRUE(simulated.ok());
+  simulated->recording.meta.gravity = {0.0, 0.0, -9.81};
+  return simulated->recording;
+}
+
+Motion motionFrom(const Recording& recording) {
+  const RobotModel& robot = RobotModel::panda();
+  const bool poses = recording.meta.kind == RecordingKind::poses;
+  auto motion = poses ? standingPoses(recording, &robot) : motionOf(recording, &robot, MotionOptions{});
+  EXPECT_TRUE(motion.ok());
+  return std::move(*motion);
+}
+
+Question questionOf(const Recording& recording, const Motion& motion) {
+  Question q;
+  q.motion = &motion;
+  q.kind = recording.meta.kind;
+  q.stated.gravity = recording.meta.gravity;
+  q.stated.sign = recording.meta.wrenchSign;
+  q.posesInFile = !recording.hasJoints();
+  q.mount = recording.meta.mount;
+  return q;
+}
+
+Report checkOf(const Recording& recording) {
+  const Motion motion = motionFrom(recording);
+  return check(questionOf(recording, motion));
+}
+
+void expectPayload(const Payload& found, const Payload& truth, const std::string& what) {
+  EXPECT_NEAR(found.mass, truth.mass, 0.02 * truth.mass) << what;
+  EXPECT_LT((found.com - truth.com).norm(), 0.003) << what;
+}
+
+TEST(Conventions, PlainRecordingsAreAsStated) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Payload payload = toolOf(seed);
+    for (const MotionKind kind : {MotionKind::free, MotionKind::excitation, MotionKind::pickAndPlace}) {
+      const Report report = checkOf(guided(payload, seed, {0.0, 0.0, -9.81}, kind));
+      EXPECT_EQ(report.verdict, Verdict::asStated);
+      EXPECT_FALSE(report.suggested);
+      expectPayload(report.payload, payload, "plain");
+    }
+    const Report poses = checkOf(test::standingRecording(payload, 24, {0.0, 0.0, -9.81}, 1.0, seed));
+    EXPECT_EQ(poses.verdict, Verdict::asStated);
+  }
+}
+
+TEST(Conventions, EachIsFoundInAMotion) {
+  const std::uint64_t seed = 5;
+  const Payload payload = toolOf(seed);
+  const Recording plain = guided(payload, seed);
+  for (const std::string& name : test::driverNames()) {
+    Recording recording = plain;
+    test::rewriteAs(name, RobotModel::panda(), seed, recording);
+    const Report report = checkOf(recording);
+    // N cm and kgf cm differ by the scale of the mass alone.
+    const bool scale = name == "N_cm" || name == "kgf_cm";
+    EXPECT_EQ(report.verdict, scale ? Verdict::ambiguous : Verdict::suggested) << name;
+    if (!scale) expectPayload(report.payload, payload, name);
+    EXPECT_FALSE(report.sentence.empty()) << name;
+    EXPECT_FALSE(report.check.empty()) << name;
+  }
+}
+
+TEST(Conventions, EachIsFoundInPoses) {
+  const std::uint64_t seed = 6;
+  const Payload payload = toolOf(seed);
+  for (const std::string& name : test::driverNames()) {
+    Recording recording = test::standingRecording(payload, 24, {0.0, 0.0, -9.81}, 1.0, seed);
+    test::rewriteAs(name, RobotModel::panda(), seed, recording);
+    const Report report = checkOf(recording);
+    if (name == "torque_sign" || name == "lbf_ft") {
+      // Neither can be told from a centre elsewhere.
+      EXPECT_TRUE(!report.cautions.empty() || !report.ties.empty()) << name;
+    } else if (name == "N_mm" || name == "N_cm" || name == "lbf_in" || name == "kgf_cm") {
+      EXPECT_EQ(report.verdict, Verdict::ambiguous) << name;
+    } else {
+      EXPECT_EQ(report.verdict, Verdict::suggested) << name;
+      expectPayload(report.payload, payload, name);
+    }
+  }
+}
+
+TEST(Conventions, BaseOnAWallOrUnderTheCeiling) {
+  const Payload payload = toolOf(7);
+  for (const Vector3d& gravity : {Vector3d(9.81, 0, 0), Vector3d(0, -9.81, 0), Vector3d(0, 0, 9.81)}) {
+    const Report report = checkOf(guided(payload, 7, gravity));
+    ASSERT_EQ(report.verdict, Verdict::suggested);
+    EXPECT_LT((report.suggested->gravity - gravity).norm(), 1e-6);
+    expectPayload(report.payload, payload, "gravity");
+  }
+}
+
+TEST(Conventions, TwoAtOnce) {
+  const Payload payload = toolOf(8);
+  const Recording plain = guided(payload, 8);
+  for (const char* name : {"base_axes+torque_sign", "lbf_in+torque_first", "mirror_y+base_axes", "base_axes+w_first",
+                           "turned_any+torque_first", "N_mm+pose_inverted"}) {
+    Recording recording = plain;
+    test::rewriteAs(name, RobotModel::panda(), 8, recording);
+    const Report report = checkOf(recording);
+    EXPECT_EQ(report.verdict, Verdict::suggested) << name;
+    expectPayload(report.payload, payload, name);
+  }
+}
+
+TEST(Conventions, PushesHideNone) {
+  const Payload payload = toolOf(9);
+  const std::vector<EffectRequest> pushes{
+      {"contact", "push", 15.0}, {"contact", "hands", 15.0}, {"contact", "push", 15.0}};
+  const Recording plain = guided(payload, 9, {0.0, 0.0, -9.81}, MotionKind::free, pushes);
+  EXPECT_EQ(checkOf(plain).verdict, Verdict::asStated);
+  for (const char* name : {"base_axes", "torque_sign", "mirror_x", "turned_45"}) {
+    Recording recording = plain;
+    test::rewriteAs(name, RobotModel::panda(), 9, recording);
+    const Report report = checkOf(recording);
+    EXPECT_EQ(report.verdict, Verdict::suggested) << name;
+    expectPayload(report.payload, payload, name);
+  }
+}
+
+TEST(Conventions, CausesAreNone) {
+  const Payload payload = toolOf(10);
+  const std::vector<EffectRequest> causes{
+      {"gravity_tilt", "tilt", 5.0}, {"sensor_rotation", "any-axis", 5.0}, {"lever_arm", "offset", 40.0},
+      {"gain_error", "axis", 20.0},  {"cable_pull", "linear", 6.0},        {"time_offset", "constant", 20.0},
+      {"bias_drift", "", 1.0},       {"viscous_drag", "linear", 2.0},      {"payload_change", "step", 120.0}};
+  for (EffectRequest cause : causes) {
+    if (cause.form.empty()) cause.form = findEffectKind(cause.id)->forms.front();
+    const Report report = checkOf(guided(payload, 10, {0.0, 0.0, -9.81}, MotionKind::free, {cause}));
+    EXPECT_EQ(report.verdict, Verdict::asStated) << cause.id;
+    EXPECT_FALSE(report.suggested) << cause.id;
+  }
+}
+
+// What the suggestion says, applied in memory, makes a recording that is as stated.
+TEST(Conventions, AppliedInMemory) {
+  const Payload payload = toolOf(11);
+  const Recording plain = guided(payload, 11);
+  for (const std::string& name : test::driverNames()) {
+    if (name == "N_cm" || name == "kgf_cm") continue;
+    Recording recording = plain;
+    test::rewriteAs(name, RobotModel::panda(), 11, recording);
+    const Motion motion = motionFrom(recording);
+    Question q = questionOf(recording, motion);
+    const Report report = check(q);
+    ASSERT_TRUE(report.suggested) << name;
+    const Motion right = readSo(motion, q.stated, *report.suggested, q.posesInFile);
+    Question again = q;
+    again.motion = &right;
+    again.stated = *report.suggested;
+    const Report then = check(again);
+    EXPECT_EQ(then.verdict, Verdict::asStated) << name << ": " << then.sentence;
+    expectPayload(then.payload, payload, name);
+  }
+}
+
+// What was stated and undone is put in again before others are tried: the suggestion replaces it.
+TEST(Conventions, WronglyStated) {
+  const Payload payload = toolOf(12);
+  const Recording plain = guided(payload, 12);
+  const Motion motion = motionFrom(plain);
+  Reading file;  // The file is plain, but stated as base axes, torque first, in pounds.
+  Reading stated;
+  stated.conventions.wrenchAxes = Conventions::WrenchAxes::base;
+  stated.conventions.wrenchOrder = Conventions::WrenchOrder::torqueFirst;
+  stated.conventions.force = {"lbf", 4.4482216152605};
+  stated.conventions.torque = {"lbf in", 0.112984829};
+  const Motion read = readSo(motion, file, stated, false);
+  Question q = questionOf(plain, read);
+  q.stated = stated;
+  const Report report = check(q);
+  ASSERT_EQ(report.verdict, Verdict::suggested);
+  EXPECT_EQ(report.suggested->conventions.wrenchAxes, Conventions::WrenchAxes::sensor);
+  EXPECT_EQ(report.suggested->conventions.wrenchOrder, Conventions::WrenchOrder::forceFirst);
+  EXPECT_DOUBLE_EQ(report.suggested->conventions.force.si, 1.0);
+  const auto patch = metaPatch(stated, *report.suggested, q.mount, true);
+  EXPECT_EQ(patch["sensor"]["wrench_axes"], "sensor");
+  EXPECT_EQ(patch["sensor"]["wrench_order"], "force_first");
+  EXPECT_EQ(patch["sensor"]["force_unit"], "N");
+  EXPECT_EQ(patch["sensor"]["torque_unit"], "N m");
+  expectPayload(report.payload, payload, "wrongly stated");
+  // Rightly stated, nothing is to be said.
+  Recording pounds = plain;
+  test::rewriteAs("base_axes+lbf_in", RobotModel::panda(), 12, pounds);
+  const Motion asRead = motionFrom(pounds);
+  Reading right = stated;
+  right.conventions.wrenchOrder = Conventions::WrenchOrder::forceFirst;
+  const Motion undone = readSo(asRead, file, right, false);
+  Question other = questionOf(pounds, undone);
+  other.stated = right;
+  EXPECT_EQ(check(other).verdict, Verdict::asStated);
+}
+
+TEST(Conventions, ReadingBackAndForth) {
+  const Payload payload = toolOf(13);
+  Recording recording = guided(payload, 13);
+  test::logPoses(RobotModel::panda(), recording);
+  const Motion motion = motionFrom(recording);
+  Reading plain, odd;
+  odd.conventions.wrenchAxes = Conventions::WrenchAxes::base;
+  odd.conventions.wrenchPoint = {Conventions::WrenchPoint::Kind::offset, {0.01, 0.02, 0.03}};
+  odd.conventions.mirroredAxis = 1;
+  odd.conventions.torqueSign = Conventions::TorqueSign::opposite;
+  odd.conventions.wrenchOrder = Conventions::WrenchOrder::torqueFirst;
+  odd.conventions.pose = Conventions::PoseDirection::baseInSensor;
+  odd.conventions.quaternionOrder = Conventions::QuaternionOrder::wxyz;
+  odd.sign = WrenchSign::payloadOnSensor;
+  odd.gravity = {0.0, 9.81, 0.0};
+  odd.turn = rotationFromVector({0.3, 0.2, -1.0});
+  const Motion back = readSo(readSo(motion, plain, odd, true), odd, plain, true);
+  EXPECT_LT((back.wrench - motion.wrench).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((back.position - motion.position).cwiseAbs().maxCoeff(), 1e-9);
+  for (std::size_t k = 0; k < motion.R_BS.size(); k += 50)
+    EXPECT_LT((back.R_BS[k] - motion.R_BS[k]).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(Conventions, TooLittleSaysNothing) {
+  const Report report = checkOf(test::standingRecording(toolOf(14), 4, {0.0, 0.0, -9.81}, 1.0, 14));
+  EXPECT_FALSE(report.enough);
+  EXPECT_EQ(report.verdict, Verdict::asStated);
+}
+
+}  // namespace
+}  // namespace heft::conventions
