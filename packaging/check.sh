@@ -9,15 +9,16 @@ gui=${HEFT_GUI:-ON}
 jobs=$(nproc)
 
 sh packaging/install-packages.sh
-echo "== Build: preset ci, warnings are errors, build/ci, $jobs at a time"
-cmake --preset ci -DHEFT_WITH_GUI="$gui"
-cmake --build --preset ci -j "$jobs"
+echo "== Build: preset release, warnings are errors, build/release, $jobs at a time"
+cmake --preset release -DHEFT_WITH_GUI="$gui" -DHEFT_WERROR=ON -DHEFT_CONSUMER_TEST=ON
+cmake --build --preset release -j "$jobs"
+sh packaging/compile-times.sh build/release | head -n 12
 echo "== Tests"
 status=0
-ctest --preset ci -j "$jobs" || status=$?
-rm -rf build/ci/installed
-cmake --install build/ci --prefix build/ci/installed >build/ci/installed.log
-sh packaging/validate.sh build/ci/installed || status=$?
+ctest --preset release -j "$jobs" || status=$?
+rm -rf build/release/installed
+cmake --install build/release --prefix build/release/installed >build/release/installed.log
+sh packaging/validate.sh build/release/installed || status=$?
 # Whoever called sudo shall be able to go on without it.
 [ -z "${SUDO_UID:-}" ] || chown -R "$SUDO_UID:${SUDO_GID:-$SUDO_UID}" build
 exit "$status"

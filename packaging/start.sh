@@ -14,8 +14,8 @@ bin=build/release/bin
 
 sh packaging/install-packages.sh
 echo "== Build: preset release, build/release, $jobs at a time"
-cmake --preset release -DHEFT_WITH_GUI="$gui" -DHEFT_WITH_TESTS=OFF
-cmake --build --preset release -j "$jobs"
+cmake --preset release -DHEFT_WITH_GUI="$gui"
+cmake --build --preset release --target programs -j "$jobs"
 
 echo "== Sample recordings, made by Heft's own simulator"
 mkdir -p "$samples"

@@ -22,7 +22,7 @@
 namespace heft {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kRadPerDegree = 3.14159265358979323846 / 180.0;
 constexpr double kAsFound = 0.0;  ///< Of a unit: no factor is said.
 
 std::string partOf(const std::string& column) {
@@ -62,9 +62,9 @@ SourcesDialog::SourcesDialog(const QString& recording, QWidget* parent) : QDialo
   addRow(grid, "wrench", tr("Force and torque"), tr("As the sensor at the wrist measured them"),
          {{tr("N and N m"), 1.0}, {tr("N and N mm"), 0.001}});
   addRow(grid, "joints", tr("Joint angles"), tr("With them Heft needs no pose"),
-         {{tr("radians"), 1.0}, {tr("degrees"), kDegree}});
+         {{tr("radians"), 1.0}, {tr("degrees"), kRadPerDegree}});
   addRow(grid, "velocities", tr("Joint speeds"), tr("Only beside joint angles; Heft can do without"),
-         {{tr("rad/s"), 1.0}, {tr("degrees/s"), kDegree}});
+         {{tr("rad/s"), 1.0}, {tr("degrees/s"), kRadPerDegree}});
   addRow(grid, "quaternion", tr("Orientation"),
          tr("Of the sensor or the flange, as a quaternion; needed without joint angles"), {});
   addRow(grid, "position", tr("Position"), tr("Of the sensor or the flange"), {{tr("m"), 1.0}, {tr("mm"), 0.001}});

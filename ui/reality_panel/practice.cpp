@@ -19,7 +19,7 @@
 namespace heft {
 namespace {
 
-struct Words {
+struct PracticeWords {
   Q_DECLARE_TR_FUNCTIONS(Practice)
 };
 
@@ -46,14 +46,14 @@ std::optional<std::uint64_t> practiceSeed(const QString& path) {
 
 void addGuesses(QVBoxLayout* column, QWidget* parent, const std::function<void(std::string)>& guessed) {
   const Card hint = makeCard("cardSuggested", parent);
-  hint.layout->addWidget(styledLabel(Words::tr("How to look"), "sectionTitle", hint.frame));
+  hint.layout->addWidget(styledLabel(PracticeWords::tr("How to look"), "sectionTitle", hint.frame));
   hint.layout->addWidget(wrappedLabel(
-      Words::tr(
+      PracticeWords::tr(
           "When is the difference large: at fast moves, at some places, after a moment, all the time? Does it jump, "
           "drift or ring? The views below the arm show it by frequency and against the motion."),
       "body", hint.frame));
   column->addWidget(hint.frame);
-  column->addWidget(styledLabel(Words::tr("Your guess"), "sectionTitle", parent));
+  column->addWidget(styledLabel(PracticeWords::tr("Your guess"), "sectionTitle", parent));
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
   std::vector<QPushButton*> buttons;
@@ -81,18 +81,18 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
   const bool right = truth == guess;
   const Card card = makeCard(right ? "card" : "cardLook", parent);
   card.frame->setProperty("role", "feedback");
-  card.layout->addWidget(makeVerdictTag(right ? Words::tr("Right") : Words::tr("Not this one"),
+  card.layout->addWidget(makeVerdictTag(right ? PracticeWords::tr("Right") : PracticeWords::tr("Not this one"),
                                         right ? Light::measured : Light::look, false, card.frame));
-  card.layout->addWidget(wrappedLabel(Words::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
+  card.layout->addWidget(wrappedLabel(PracticeWords::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
   card.layout->addWidget(wrappedLabel(looksOf(truth), "body", card.frame));
   if (!right) {
     card.layout->addWidget(
-        wrappedLabel(Words::tr("Your guess, “%1”, would look like this: %2").arg(titleOf(guess), looksOf(guess)),
+        wrappedLabel(PracticeWords::tr("Your guess, “%1”, would look like this: %2").arg(titleOf(guess), looksOf(guess)),
                      "caption", card.frame));
     card.layout->addWidget(
-        wrappedLabel(Words::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)), "caption", card.frame));
+        wrappedLabel(PracticeWords::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)), "caption", card.frame));
   }
-  auto* next = new QPushButton(Words::tr("Another one"), card.frame);
+  auto* next = new QPushButton(PracticeWords::tr("Another one"), card.frame);
   next->setObjectName("anotherRiddle");
   QObject::connect(next, &QPushButton::clicked, parent, [another] { another(); });
   card.layout->addWidget(next, 0, Qt::AlignLeft);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace heft {
 namespace {
-constexpr double kPi = 3.14159265358979323846;
 /// Just short of the poles, where the vertical would be lost.
-constexpr double kSteepest = kPi / 2 - 0.01;
+constexpr double kSteepest = std::numbers::pi / 2 - 0.01;
 }  // namespace
 
 Vector3d OrbitCamera::position() const {
@@ -42,7 +42,7 @@ double OrbitCamera::metresPerPixel(const Vector3d& point, double height) const {
 }
 
 void OrbitCamera::orbit(double dx, double dy) {
-  azimuth = std::remainder(azimuth - dx * 0.008, 2.0 * kPi);
+  azimuth = std::remainder(azimuth - dx * 0.008, 2.0 * std::numbers::pi);
   elevation = std::clamp(elevation + dy * 0.006, -0.35, kSteepest);
 }
 
@@ -84,18 +84,18 @@ void turnToAxes(OrbitCamera& camera, const Matrix3d& axes) {
   for (int a = -18; a < 18; ++a) {
     for (const double elevation : {before.elevation, 0.2, 0.4, 0.6}) {
       OrbitCamera tried = before;
-      tried.azimuth = before.azimuth + a * kPi / 18;
+      tried.azimuth = before.azimuth + a * std::numbers::pi / 18;
       tried.elevation = elevation;
       const Vector3d sight = (tried.target - tried.position()).normalized();
       double least = kEnough;
       for (int i = 0; i < 3; ++i) least = std::min(least, sight.cross(axes.col(i)).norm());
-      const double score = 4 * least - 0.12 * std::abs(a * kPi / 18) - 0.3 * std::abs(elevation - before.elevation);
+      const double score = 4 * least - 0.12 * std::abs(a * std::numbers::pi / 18) - 0.3 * std::abs(elevation - before.elevation);
       if (score <= most) continue;
       most = score;
       camera = tried;
     }
   }
-  camera.azimuth = std::remainder(camera.azimuth, 2 * kPi);
+  camera.azimuth = std::remainder(camera.azimuth, 2 * std::numbers::pi);
 }
 
 }  // namespace heft

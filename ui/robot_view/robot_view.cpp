@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/models/numbers.h"
 #include "ui/robot_view/dimension_editor.h"
@@ -19,7 +20,6 @@
 namespace heft {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kGravity = 9.81;
 
 MarkLabel labelAt(const std::vector<Segment>& segments, double time) {
@@ -503,12 +503,12 @@ void RobotView::usePreset(Preset preset) {
       camera.elevation = 0.05;
       break;
     case Preset::side:
-      camera.azimuth = -kPi / 2;
+      camera.azimuth = -std::numbers::pi / 2;
       camera.elevation = 0.05;
       break;
     case Preset::top:
-      camera.azimuth = -kPi / 2;
-      camera.elevation = kPi / 2 - 0.01;
+      camera.azimuth = -std::numbers::pi / 2;
+      camera.elevation = std::numbers::pi / 2 - 0.01;
       break;
     case Preset::tool:
       camera.elevation = std::clamp(camera.elevation, 0.0, 0.35);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/robot_view/ghost_arm.h"
 #include "ui/robot_view/piece.h"
@@ -24,7 +25,6 @@
 namespace heft {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kBallRadius = 0.013;
 
 void makeMatt(vtkActor* actor) {
@@ -196,7 +196,7 @@ struct Scene3d::Impl {
     const Vector3d origin = state.X_BS.translation();
     force.setMesh(makeArrow(origin, state.forceEnd(), 0.0055));
     const Vector3d tau = state.wrench->tail<3>();
-    const double sweep = std::min(1.0, tau.norm() / std::max(1e-9, state.fullTorque)) * 1.5 * kPi;
+    const double sweep = std::min(1.0, tau.norm() / std::max(1e-9, state.fullTorque)) * 1.5 * std::numbers::pi;
     std::vector<Vector3d> arc;
     if (sweep > 0.15) {
       const Vector3d axis = tau.normalized();
@@ -326,7 +326,7 @@ void Scene3d::applyCamera(const OrbitCamera& camera) {
   c->SetPosition(position.x(), position.y(), position.z());
   c->SetFocalPoint(camera.target.x(), camera.target.y(), camera.target.z());
   c->SetViewUp(up.x(), up.y(), up.z());
-  c->SetViewAngle(camera.viewAngle * 180.0 / kPi);
+  c->SetViewAngle(camera.viewAngle * 180.0 / std::numbers::pi);
   double back[6], front[6];
   impl_->renderer->ComputeVisiblePropBounds(back);
   impl_->front->ComputeVisiblePropBounds(front);

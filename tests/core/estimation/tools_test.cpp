@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder() {
+fs::path toolsFolder() {
   const char* shared = std::getenv("HEFT_SHARED");
   return (shared ? fs::path(shared) : fs::path(HEFT_SOURCE_DIR) / ".." / "shared") / "tools";
 }
@@ -102,12 +102,12 @@ struct Noise {
 class SixTools : public testing::TestWithParam<Noise> {};
 
 TEST_P(SixTools, RoughMeshOfUnknownDensity) {
-  if (!fs::exists(folder())) GTEST_SKIP() << "no tools at " << folder();
+  if (!fs::exists(toolsFolder())) GTEST_SKIP() << "no tools at " << toolsFolder();
   const auto& [force, torque, limit] = GetParam();
   double sum = 0.0;
   int count = 0;
   std::string table;
-  for (const auto& entry : fs::directory_iterator(folder())) {
+  for (const auto& entry : fs::directory_iterator(toolsFolder())) {
     if (entry.path().extension() != ".json") continue;
     const Tool tool = toolFrom(entry.path());
     for (const Kind kind : {Kind::stopAndGo, Kind::free}) {

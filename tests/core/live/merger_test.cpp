@@ -15,7 +15,7 @@ LiveSample motionAt(double t) {
   out.q = std::array<double, 7>{t, 2.0 * t, 0, 0, 0, 0, -t};
   return out;
 }
-LiveSample wrenchAt(double t) {
+LiveSample wrenchSampleAt(double t) {
   LiveSample out;
   out.time = t;
   out.wrench = (Vector6d() << t, -t, 3.0 * t, 0.0, 1.0, t).finished();
@@ -32,7 +32,7 @@ std::vector<LiveSample> merged(double motionStep, double wrenchStep, double unti
       merger.add(motionAt(m), out);
       m += motionStep;
     } else {
-      merger.add(wrenchAt(w), out);
+      merger.add(wrenchSampleAt(w), out);
       w += wrenchStep;
     }
   }
@@ -65,7 +65,7 @@ TEST(Merger, NothingIsInventedAcrossAGap) {
   std::vector<LiveSample> out;
   for (int k = 0; k < 4000; ++k) {
     const double t = 0.001 * k;
-    if (k < 1000 || k > 3000) merger.add(wrenchAt(t), out);
+    if (k < 1000 || k > 3000) merger.add(wrenchSampleAt(t), out);
     if (k % 10 == 5) merger.add(motionAt(t), out);
   }
   for (const auto& sample : out) EXPECT_TRUE(sample.time < 1.01 || sample.time > 2.99) << sample.time;
@@ -76,7 +76,7 @@ TEST(Merger, LateAndRepeatedPartsAreCounted) {
   StreamMerger merger;
   std::vector<LiveSample> out;
   merged(0.01, 0.001, 0.5, merger);
-  merger.add(wrenchAt(0.3), out);
+  merger.add(wrenchSampleAt(0.3), out);
   merger.add(motionAt(0.2), out);
   EXPECT_EQ(merger.late(), 2u);
   LiveSample broken = motionAt(std::nan(""));
@@ -87,7 +87,7 @@ TEST(Merger, LateAndRepeatedPartsAreCounted) {
 TEST(Merger, AnAbsentPartnerDoesNotFillTheMemory) {
   StreamMerger merger;
   std::vector<LiveSample> out;
-  for (int k = 0; k < 20000; ++k) merger.add(wrenchAt(0.001 * k), out);
+  for (int k = 0; k < 20000; ++k) merger.add(wrenchSampleAt(0.001 * k), out);
   EXPECT_TRUE(out.empty());
   EXPECT_GT(merger.unmatched(), 17000u);
 }

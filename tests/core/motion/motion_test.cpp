@@ -9,15 +9,15 @@
 namespace heft {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 /// Joint motion with exact derivatives.
 struct JointMotion {
   static VectorXd at(double t, int derivative) {
     VectorXd out(7);
     for (int j = 0; j < 7; ++j) {
-      const double w = 2 * kPi * (0.15 + 0.06 * j);
-      const double amplitude = 0.3, phase = w * t + j + derivative * kPi / 2;
+      const double w = 2 * kHalfTurn * (0.15 + 0.06 * j);
+      const double amplitude = 0.3, phase = w * t + j + derivative * kHalfTurn / 2;
       out(j) = amplitude * std::pow(w, derivative) * std::sin(phase) +
                (derivative == 0 ? RobotModel::panda().homePosture()(j) : 0.0);
     }
@@ -120,7 +120,7 @@ TEST(Motion, TwicingGivesBackWhatTheFilterTakes) {
   recording.wrench.setZero(4001, 6);
   recording.quaternion.setZero(4001, 4);
   for (Eigen::Index k = 0; k <= 4000; ++k) {
-    const double half = 0.5 * kTurn * std::sin(2.0 * kPi * kHz * static_cast<double>(k) / kRate);
+    const double half = 0.5 * kTurn * std::sin(2.0 * kHalfTurn * kHz * static_cast<double>(k) / kRate);
     recording.quaternion.row(k) << 0.0, 0.0, std::sin(half), std::cos(half);
   }
   const double taken = 1.0 - 1.0 / (1.0 + std::pow(kHz / kCutoff, 12));
@@ -133,7 +133,7 @@ TEST(Motion, TwicingGivesBackWhatTheFilterTakes) {
     double largest = 0.0;
     for (Eigen::Index k = motion->size() / 4; k < motion->size() * 3 / 4; ++k)
       largest = std::max(largest, std::abs(motion->alpha(2, k)));
-    const double left = largest / (kTurn * std::pow(2.0 * kPi * kHz, 2));
+    const double left = largest / (kTurn * std::pow(2.0 * kHalfTurn * kHz, 2));
     // Averages over an output interval of 5 ms, and peaks between two of them, take 0.4 % themselves.
     EXPECT_NEAR(1.0 - left, (twicing ? taken * taken : taken) + 0.002, 0.0025) << twicing;
   }
@@ -175,11 +175,11 @@ TEST(Motion, LateVelocitiesAreNotTrusted) {
 TEST(Motion, TheWrenchIsAveragedWithoutShift) {
   Recording recording = jointRecording(1000.0, 4.0, false);
   for (Eigen::Index k = 0; k < recording.rows(); ++k)
-    for (int c = 0; c < 6; ++c) recording.wrench(k, c) = std::sin(2 * kPi * 1.0 * recording.time(k) + c);
+    for (int c = 0; c < 6; ++c) recording.wrench(k, c) = std::sin(2 * kHalfTurn * 1.0 * recording.time(k) + c);
   const auto motion = motionOf(recording, &RobotModel::panda(), {});
   ASSERT_TRUE(motion.ok());
   for (Eigen::Index k = 0; k < motion->size(); ++k)
-    EXPECT_NEAR(motion->wrench(2, k), std::sin(2 * kPi * 1.0 * motion->time(k) + 2), 2e-4);
+    EXPECT_NEAR(motion->wrench(2, k), std::sin(2 * kHalfTurn * 1.0 * motion->time(k) + 2), 2e-4);
 }
 
 TEST(Motion, StandingPosesAreGravityAlone) {

@@ -28,14 +28,14 @@ Shape shapeOf(std::initializer_list<const char*> texts, Certainty certainty) {
   return shape;
 }
 
-std::vector<BodySamples> samplesOf(const Shape& shape) {
+std::vector<BodySamples> priorSamplesOf(const Shape& shape) {
   Findings findings;
   auto samples = sampleShape(shape, findings);
   EXPECT_TRUE(samples.ok()) << (samples.ok() ? "" : samples.error().message);
   return *samples;
 }
 
-ShapePrior priorOf(const Shape& shape) { return ShapePrior(shape, samplesOf(shape)); }
+ShapePrior priorOf(const Shape& shape) { return ShapePrior(shape, priorSamplesOf(shape)); }
 
 const MatrixXd kNoRows(0, 10);
 const VectorXd kNoValues(0);
@@ -174,7 +174,7 @@ TEST(ShapePrior, WithoutDataItIsTheHomogeneousBody) {
   const ShapeFit fit = priorOf(shape).fit(kNoRows, kNoValues);
   EXPECT_TRUE(fit.converged);
   const Vector10d expected =
-      2500.0 * 0.1 * 0.06 * 0.2 * parametersFromPseudoInertia(samplesOf(shape)[0].unitPseudoInertia);
+      2500.0 * 0.1 * 0.06 * 0.2 * parametersFromPseudoInertia(priorSamplesOf(shape)[0].unitPseudoInertia);
   EXPECT_LT((fit.phi - expected).norm(), 1e-9 * expected.norm());
   EXPECT_NEAR(fit.mean.norm(), 0.0, 1e-9);
   EXPECT_GT(std::sqrt(fit.priorCovariance(0, 0)), 0.9 * fit.phi(0)) << "the mass is not known";
@@ -242,7 +242,7 @@ TEST(ShapePrior, MovingTheSensorFrameMovesTheResult) {
 TEST(ShapePrior, SplitOfTheMassIsFoundFromTheCentreOfMass) {
   // A steel head (7850) on a wooden handle (600 kg/m3).
   const Shape shape = shapeOf({"cylinder:0.015,0.3@0,0,0.15", "box:0.03,0.1,0.03@0,0,0.315"}, Certainty::exact);
-  const auto samples = samplesOf(shape);
+  const auto samples = priorSamplesOf(shape);
   const double handle = 600.0 * samples[0].volume, head = 7850.0 * samples[1].volume;
   const Vector10d truth = handle * parametersFromPseudoInertia(samples[0].unitPseudoInertia) +
                           head * parametersFromPseudoInertia(samples[1].unitPseudoInertia);
@@ -259,7 +259,7 @@ TEST(ShapePrior, SplitOfTheMassIsFoundFromTheCentreOfMass) {
 
 TEST(ShapePrior, ABodyThatIsNotThereKeepsAMassAboveZero) {
   const Shape shape = shapeOf({"box:0.05,0.05,0.1@0,0,0.05", "box:0.05,0.05,0.1@0,0,0.25"}, Certainty::good);
-  const auto samples = samplesOf(shape);
+  const auto samples = priorSamplesOf(shape);
   const Vector10d truth = 0.5 * parametersFromPseudoInertia(samples[0].unitPseudoInertia);
   const Data data = standing(truth, 1e-3);
   const ShapeFit fit = ShapePrior(shape, samples).fit(data.A, data.y);
@@ -340,7 +340,7 @@ RandomTool randomTool(std::mt19937& random, Certainty certainty, double dimensio
   tool.shape.bodies = {handle, head};
   const bool same = uniform(random) < 0.3;
   const double density = material();
-  for (const BodySamples& body : samplesOf(tool.shape)) {
+  for (const BodySamples& body : priorSamplesOf(tool.shape)) {
     const double own = same ? density : material();
     tool.phi += own * body.volume * parametersFromPseudoInertia(body.unitPseudoInertia);
   }
@@ -400,13 +400,13 @@ TEST(ShapePrior, ExactShapeIsPreciseAndHonest) {
   EXPECT_GT(got.inside, 0.93);
 }
 
-std::filesystem::path sharedTools() {
+std::filesystem::path sharedToolFiles() {
   if (const char* shared = std::getenv("HEFT_SHARED")) return std::filesystem::path(shared) / "tools";
   return std::filesystem::path(HEFT_SOURCE_DIR) / ".." / "shared" / "tools";
 }
 
 TEST(ShapePrior, SixRealToolsAsRoughMeshesOfUnknownDensity) {
-  const auto folder = sharedTools();
+  const auto folder = sharedToolFiles();
   if (!std::filesystem::exists(folder))
     GTEST_SKIP() << folder << " is not there: the real tools come with the shared material.";
   const std::array<std::array<double, 3>, 3> levels{{{0.05, 0.0025, 5.0}, {0.1, 0.005, 6.0}, {0.2, 0.01, 8.0}}};
@@ -432,7 +432,7 @@ TEST(ShapePrior, SixRealToolsAsRoughMeshesOfUnknownDensity) {
     body.unit = 0.001;
     body.X_SB = X_MS.inverse();
     shape.bodies.push_back(body);
-    const auto samples = samplesOf(shape);
+    const auto samples = priorSamplesOf(shape);
     const Eigen::Matrix3Xd mesh = X_MS * samples[0].points;
     const Vector3d sides = mesh.rowwise().maxCoeff() - mesh.rowwise().minCoeff();
     const ShapePrior prior(shape, samples);

@@ -35,7 +35,7 @@ struct Outcome {
   }
 };
 
-Outcome read(const std::string& text) {
+Outcome readUrdf(const std::string& text) {
   Findings findings;
   Result<RobotModel> model = RobotModel::fromUrdfText(text, ".", findings);
   return {std::move(model), std::move(findings)};
@@ -47,7 +47,7 @@ std::string oneJoint(const std::string& inside, const std::string& more = "", co
 }
 
 TEST(Urdf, soundArmGivesNoFinding) {
-  const Outcome outcome = read(samples::robot(link("b") + chain("rrcpr")));
+  const Outcome outcome = readUrdf(samples::robot(link("b") + chain("rrcpr")));
   ASSERT_TRUE(outcome.model) << outcome.model.error().message;
   for (const Finding& finding : outcome.findings) ADD_FAILURE() << toLine(finding);
   EXPECT_EQ(outcome.model->name(), "test");
@@ -97,7 +97,7 @@ TEST(Urdf, unusableFilesAreRefusedWithTheirPlace) {
       {"version", "<robot name=\"a\" version=\"7.0\">" + twoArms + "</robot>", "version \"7.0\" is not known"},
   };
   for (const auto& test : cases) {
-    const Outcome outcome = read(test.text);
+    const Outcome outcome = readUrdf(test.text);
     ASSERT_FALSE(outcome.model) << test.message;
     EXPECT_THAT(outcome.model.error().message, testing::ContainsRegex("^URDF:[0-9]+:[0-9]+: ")) << test.message;
     const Finding* finding = outcome.find(test.code);
@@ -109,7 +109,7 @@ TEST(Urdf, unusableFilesAreRefusedWithTheirPlace) {
   }
 }
 
-/// What can be lived with: a warning, and the arm is read.
+/// What can be lived with: a warning, and the arm is readUrdf.
 TEST(Urdf, oddThingsAreWarnedOf) {
   const auto inertial = [](const std::string& mass, const std::string& moments) {
     return link("heavy", "<inertial><mass value=\"" + mass + "\"/><inertia " + moments + "/></inertial>") +
@@ -167,7 +167,7 @@ TEST(Urdf, oddThingsAreWarnedOf) {
        "not four numbers"},
   };
   for (const auto& test : cases) {
-    const Outcome outcome = read(test.text);
+    const Outcome outcome = readUrdf(test.text);
     ASSERT_TRUE(outcome.model) << outcome.model.error().message;
     const Finding* finding = outcome.find(test.code);
     ASSERT_TRUE(finding) << test.message;
@@ -182,7 +182,7 @@ TEST(Urdf, oddThingsAreWarnedOf) {
 
 TEST(Urdf, oddLimitsAreRepaired) {
   const auto limitsOf = [](const std::string& limit) {
-    const Outcome outcome = read(oneJoint(kAxis + limit));
+    const Outcome outcome = readUrdf(oneJoint(kAxis + limit));
     return outcome.model->limits(0);
   };
   const JointLimits inverted = limitsOf(R"(<limit lower="2" upper="-1" velocity="1" effort="1"/>)");
@@ -194,14 +194,14 @@ TEST(Urdf, oddLimitsAreRepaired) {
 }
 
 TEST(Urdf, hugeAxisIsOnlyADirection) {
-  const Outcome outcome = read(oneJoint("<axis xyz=\"0 -3e200 4e200\"/>" + std::string(kLimit)));
+  const Outcome outcome = readUrdf(oneJoint("<axis xyz=\"0 -3e200 4e200\"/>" + std::string(kLimit)));
   ASSERT_TRUE(outcome.model) << outcome.model.error().message;
   EXPECT_LT((outcome.model->joints()[0].axis - Vector3d(0, -0.6, 0.8)).norm(), 1e-15);
 }
 
 TEST(Urdf, severalErrorsAreAllFound) {
   const Outcome outcome =
-      read(samples::robot(link("b") + link("l") + link("l") +
+      readUrdf(samples::robot(link("b") + link("l") + link("l") +
                           joint("j", "revolute", "b", "l", "<axis xyz=\"0 0 0\"/>" + std::string(kLimit))));
   ASSERT_FALSE(outcome.model);
   EXPECT_TRUE(outcome.find("axis_zero"));
@@ -215,7 +215,7 @@ TEST(Urdf, earlierErrorsOfOthersDoNotMatter) {
 }
 
 TEST(Urdf, hostileNamesStayPrintable) {
-  const Outcome outcome = read(samples::robot(link("b") + link("\xFF\x01" + std::string(5000, 'x'))));
+  const Outcome outcome = readUrdf(samples::robot(link("b") + link("\xFF\x01" + std::string(5000, 'x'))));
   ASSERT_FALSE(outcome.model);
   EXPECT_LT(outcome.model.error().message.size(), 1000u);
   EXPECT_EQ(outcome.model.error().message.find('\xFF'), std::string::npos);
@@ -227,7 +227,7 @@ TEST(Urdf, commaLocaleChangesNothing) {
   };
   const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
   std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // Where it is installed.
-  const Outcome outcome = read(oneJoint(kGood + "<origin xyz=\"0.25 0 0\" rpy=\"0 0 0.5\"/>"));
+  const Outcome outcome = readUrdf(oneJoint(kGood + "<origin xyz=\"0.25 0 0\" rpy=\"0 0 0.5\"/>"));
   std::setlocale(LC_NUMERIC, "C");
   std::locale::global(before);
   ASSERT_TRUE(outcome.model) << outcome.model.error().message;
@@ -242,7 +242,7 @@ TEST(Urdf, visualsCarryShapeColourAndPlace) {
       "<material name=\"teal\"/></visual>"
       "<visual><geometry><cylinder radius=\"0.1\" length=\"0.5\"/></geometry></visual>"
       "<visual><geometry><sphere radius=\"0.2\"/></geometry><material><color rgba=\"1 0 0 0.5\"/></material></visual>";
-  const Outcome outcome = read("<robot name=\"v\"><material name=\"teal\"><color rgba=\"0 0.5 0.5 1\"/></material>" +
+  const Outcome outcome = readUrdf("<robot name=\"v\"><material name=\"teal\"><color rgba=\"0 0.5 0.5 1\"/></material>" +
                                link("b", visuals) + chain("r") + "</robot>");
   ASSERT_TRUE(outcome.model) << outcome.model.error().message;
   for (const Finding& finding : outcome.findings) ADD_FAILURE() << toLine(finding);

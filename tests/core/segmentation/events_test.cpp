@@ -12,13 +12,13 @@
 namespace heft {
 namespace {
 
-struct Labelled {
+struct LabelledEvents {
   Recording recording;
   Payload payload;
   WrenchRows rows() const { return rowsOf(*motionOf(recording, &RobotModel::panda(), {}), 50.0); }
 };
 
-Labelled simulated(MotionKind kind, std::uint64_t seed) {
+LabelledEvents simulatedEvents(MotionKind kind, std::uint64_t seed) {
   std::mt19937 random(static_cast<unsigned>(seed));
   SimulateOptions options;
   options.motion = kind;
@@ -52,7 +52,7 @@ const Segment* firstOf(const Segmentation& segmentation, SegmentKind kind) {
 
 TEST(SegmentEvents, ContactOfThreeTenthsOfASecondAndOneNewtonIsFound) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    Labelled data = simulated(seed % 2 == 0 ? MotionKind::free : MotionKind::excitation, 700 + seed);
+    LabelledEvents data = simulatedEvents(seed % 2 == 0 ? MotionKind::free : MotionKind::excitation, 700 + seed);
     const std::array starts{3.1, 7.3, 11.2, 15.7};
     const Vector3d force = Vector3d(0.3 * static_cast<double>(seed), -0.5, 0.6).normalized();
     Vector6d push;
@@ -79,7 +79,7 @@ TEST(SegmentEvents, ContactOfThreeTenthsOfASecondAndOneNewtonIsFound) {
 
 TEST(SegmentEvents, TwoPayloadsAreNotMixed) {
   for (const double mass : {0.1, 0.3, 0.8}) {
-    const Labelled data = simulated(MotionKind::free, 21);
+    const LabelledEvents data = simulatedEvents(MotionKind::free, 21);
     WrenchRows rows = data.rows();
     pickUp(rows, 8.0, {mass, {0.01, 0.02, 0.15}, 1e-3 * mass * Matrix3d::Identity()});
     const auto found = segmentRows(data.recording, rows, SegmentMode::automatic);
@@ -99,7 +99,7 @@ TEST(SegmentEvents, TwoPayloadsAreNotMixed) {
 }
 
 TEST(SegmentEvents, PickedUpAndPutDownAgain) {
-  const Labelled data = simulated(MotionKind::free, 22);
+  const LabelledEvents data = simulatedEvents(MotionKind::free, 22);
   WrenchRows rows = data.rows();
   pickUp(rows, 6.0, {0.3, {0, 0, 0.15}, 1e-4 * Matrix3d::Identity()});
   pickUp(rows, 11.0, {-0.3, {0, 0, 0.15}, -1e-4 * Matrix3d::Identity()});
@@ -114,7 +114,7 @@ TEST(SegmentEvents, PickedUpAndPutDownAgain) {
 }
 
 TEST(SegmentEvents, AFirstEstimateSaysWhichPayloadIsMeant) {
-  const Labelled data = simulated(MotionKind::free, 23);
+  const LabelledEvents data = simulatedEvents(MotionKind::free, 23);
   WrenchRows rows = data.rows();
   const Payload extra{0.3, {0, 0, 0.15}, 1e-4 * Matrix3d::Identity()};
   pickUp(rows, 7.0, extra);
@@ -128,7 +128,7 @@ TEST(SegmentEvents, AFirstEstimateSaysWhichPayloadIsMeant) {
 }
 
 TEST(SegmentEvents, RestIsStandingStill) {
-  Labelled data = simulated(MotionKind::free, 25);
+  LabelledEvents data = simulatedEvents(MotionKind::free, 25);
   Recording& r = data.recording;
   // The arm is held for 2 s: rows repeat their posture and the wrench only its noise.
   for (Eigen::Index i = 0; i < r.rows(); ++i)
@@ -147,7 +147,7 @@ TEST(SegmentEvents, RestIsStandingStill) {
 }
 
 TEST(SegmentEvents, SensorTroubleIsLeftOut) {
-  Labelled data = simulated(MotionKind::free, 26);
+  LabelledEvents data = simulatedEvents(MotionKind::free, 26);
   Recording& r = data.recording;
   for (Eigen::Index i = 1; i < r.rows(); ++i)
     if (r.time(i) > 5.0 && r.time(i) < 5.4) r.wrench.row(i) = r.wrench.row(i - 1);
@@ -166,7 +166,7 @@ TEST(SegmentEvents, SensorTroubleIsLeftOut) {
         << s.from << " to " << s.to << " " << s.reason;
   }
   EXPECT_EQ(troubles, 2);
-  const Labelled clean = simulated(MotionKind::free, 26);
+  const LabelledEvents clean = simulatedEvents(MotionKind::free, 26);
   EXPECT_EQ(firstOf(segmentRows(clean.recording, clean.rows(), SegmentMode::automatic), SegmentKind::sensorTrouble),
             nullptr);
 }
@@ -199,7 +199,7 @@ TEST(SegmentEvents, ConfidenceIsHigherWhereTheLabelIsRight) {
 }
 
 TEST(SegmentEvents, MarksOfTheUserAreCertain) {
-  Labelled data = simulated(MotionKind::free, 27);
+  LabelledEvents data = simulatedEvents(MotionKind::free, 27);
   data.recording.meta.marks = {{4.0, 6.0, MarkLabel::contact}};
   const auto found = segmentRows(data.recording, data.rows(), SegmentMode::automatic);
   const Segment* marked = firstOf(found, SegmentKind::contact);
