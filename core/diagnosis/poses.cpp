@@ -141,9 +141,11 @@ struct PoseFit {
   double force = 0.0, torque = 0.0;  ///< Scale of what is left, a component [N], [N m]
   double evidence = 0.0;             ///< 2 ln L less ln n for each parameter of a cause
   MatrixXd covariance;
+  VectorXd untold;  ///< Share of each parameter that the poses do not tell apart from others
 };
 
-constexpr double kNu = 4.0;  ///< Degrees of freedom of the t-distribution
+constexpr double kUntold = 0.01;  ///< More of PoseFit::untold is not told
+constexpr double kNu = 4.0;       ///< Degrees of freedom of the t-distribution
 
 VectorXd scalesOf(const PoseFit& fit) {
   VectorXd out(fit.residual.size());
@@ -158,8 +160,9 @@ VectorXd scalesOf(const PoseFit& fit) {
 /// Solves by least squares; what the poses do not tell stays where it is.
 VectorXd solved(const MatrixXd& J, const VectorXd& r) {
   const VectorXd norms = J.colwise().norm().transpose().cwiseMax(1e-12);
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(J * norms.cwiseInverse().asDiagonal());
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> qr;
   qr.setThreshold(1e-7);
+  qr.compute(J * norms.cwiseInverse().asDiagonal());
   return norms.cwiseInverse().cwiseProduct(qr.solve(r));
 }
 
@@ -205,9 +208,18 @@ PoseFit fitted(const PosesSeen& poses, PoseState state, const VectorXd& used = {
   const MatrixXd& J = fit.jacobian;
   const VectorXd norms = J.colwise().norm().transpose().cwiseMax(1e-12);
   MatrixXd N = norms.cwiseInverse().asDiagonal() * (J.transpose() * J) * norms.cwiseInverse().asDiagonal();
-  N.diagonal().array() += 1e-12;
-  fit.covariance = norms.cwiseInverse().asDiagonal() * N.ldlt().solve(MatrixXd::Identity(N.rows(), N.rows())) *
-                   norms.cwiseInverse().asDiagonal();
+  // A pull straight up is a smaller mass, exactly: of such pairs neither is told, and as little is made of it as can
+  // be.
+  constexpr double kTold = 1e-9;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(N);
+  const VectorXd values = eigen.eigenvalues();
+  const auto isTold = values.array() > kTold * values(values.size() - 1);
+  const VectorXd inverse = isTold.select(values.cwiseMax(1e-300).cwiseInverse(), 0.0),
+                 untold = isTold.select(VectorXd::Zero(values.size()), 1.0);
+  const MatrixXd& V = eigen.eigenvectors();
+  fit.covariance =
+      norms.cwiseInverse().asDiagonal() * V * inverse.asDiagonal() * V.transpose() * norms.cwiseInverse().asDiagonal();
+  fit.untold = V.cwiseAbs2() * untold;
   return fit;
 }
 
@@ -355,13 +367,15 @@ double student(double count) { return 1.0 + 1.21 / std::max(1.0, count); }
 void setParameters(DiagnosedCause& cause, const PoseFit& fit, double wider) {
   Eigen::Index at = 10;
   for (const auto& [candidate, v] : fit.state.terms) {
-    const VectorXd std = wider * fit.covariance.diagonal().segment(at, v.size()).cwiseMax(0.0).cwiseSqrt();
+    const VectorXd std = wider * fit.covariance.diagonal().segment(at, v.size()).cwiseMax(0.0).cwiseSqrt(),
+                   untold = fit.untold.segment(at, v.size());
     at += v.size();
     if (candidate.cause != cause.id) continue;
     if (candidate.form) {
       for (Eigen::Index p = 0; p < v.size(); ++p) {
         const Parameter& parameter = candidate.form->parameters[static_cast<std::size_t>(p)];
         const double scale = parameter.scale;
+        if (untold(p) > kUntold) continue;
         cause.parameters.push_back({parameter.name, parameter.unit, scale * v(p), std::abs(scale) * std(p)});
       }
       continue;
@@ -421,13 +435,17 @@ Recording goodRows(const Recording& recording, const std::vector<bool>& bad) {
   return out;
 }
 
+/// The deviation is at least `least`.
+void grow(double& deviation, Interval& interval, double least) {
+  if (!(deviation > 0.0) || !(least > deviation)) return;
+  const double factor = least / deviation, middle = 0.5 * (interval.lower + interval.upper);
+  interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
+  deviation = least;
+}
+
+void widenMass(EstimateReport& report, double least) { grow(report.std.mass, report.interval95.mass, least); }
+
 void widenBy(EstimateReport& report, const PoseFit& fit, double wider) {
-  const auto grow = [](double& deviation, Interval& interval, double least) {
-    if (!(deviation > 0.0) || !(least > deviation)) return;
-    const double factor = least / deviation, middle = 0.5 * (interval.lower + interval.upper);
-    interval = {middle + factor * (interval.lower - middle), middle + factor * (interval.upper - middle)};
-    deviation = least;
-  };
   const double m = std::max(0.02, fit.state.model.x(6));
   grow(report.std.mass, report.interval95.mass, wider * std::sqrt(std::max(0.0, fit.covariance(6, 6))));
   for (int i = 0; i < 3; ++i) {
@@ -571,6 +589,20 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
     if (auto is = estimate(goodRows(clean, bad), robot, options.estimate, Progress{progress.stop, {}}))
       out.after = std::move(*is);
     widenBy(out.after, fit, wider);
+    if (fit.untold(6) > kUntold) {
+      // As much of the pull may go straight up as shows.
+      const Wrenches pull = valueOf(poses, fit.state) - valueOf(poses, without);
+      const double size = std::sqrt(pull.topRows<3>().squaredNorm() / static_cast<double>(poses.count()));
+      widenMass(out.after, size / std::max(1e-9, stated.meta.gravity.norm()));
+      out.findings.push_back(
+          {Severity::warning,
+           "mass_not_told",
+           heft::say("Something pulls at the tool. How much of that goes straight up or down is unknown, and so is the "
+                     "mass, to {:.2g} kg.",
+                     1.96 * out.after.std.mass),
+           heft::say("Take the pull away and record the poses again."),
+           {}});
+    }
   }
   out.model = fit.state.modelled();
   out.threshold = kNeeded;
@@ -595,7 +627,7 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
                             seen > 1e-9 * C.col(0).norm() ? std::abs(parameter.scale) * std::sqrt(needed) / seen
                                                           : std::numeric_limits<double>::infinity()});
   }
-  out.findings = told.cautions;
+  out.findings.insert(out.findings.begin(), told.cautions.begin(), told.cautions.end());
   if (out.mistake && !out.mistake->decides.empty())
     out.findings.push_back(
         {Severity::info, "conventions_tied", heft::say("Other conventions fit as well."), out.mistake->decides, {}});

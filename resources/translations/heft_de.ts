@@ -7274,6 +7274,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>These poses do not fit the others, by up to {} N: {}. The tool touched something, or moved.</source>
         <translation>Diese Posen passen nicht zu den anderen, um bis zu {} N: {}. Das Werkzeug berührte etwas oder bewegte sich.</translation>
     </message>
+    <message>
+        <source>Something pulls at the tool. How much of that goes straight up or down is unknown, and so is the mass, to {:.2g} kg.</source>
+        <translation>Etwas zieht am Werkzeug. Wie viel davon genau nach oben oder unten geht, ist unbekannt, und damit die Masse, auf {:.2g} kg.</translation>
+    </message>
+    <message>
+        <source>Take the pull away and record the poses again.</source>
+        <translation>Beseitigen Sie den Zug und nehmen Sie die Posen noch einmal auf.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
