@@ -43,6 +43,8 @@ void addOnce(std::vector<std::string>& ids, std::string_view id) {
 }  // namespace
 
 Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Recording& other, const RobotModel* robot) {
+  if (report.meta.kind == RecordingKind::poses || other.meta.kind == RecordingKind::poses)
+    return Error{heft::say("Causes are checked on motions only, not on standing poses.")};
   const auto motion = usualMotion(other, robot);
   if (!motion) return motion.error();
   Signals signals = signalsOf(other, *motion, robot);
@@ -64,10 +66,11 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
   const Fit before = fitModel(signals, stretches, Model{});
   if (report.mistake) {
     addOnce(out.checked, "frame_error");
-    const Recording righted = undone(other, *report.mistake);
-    const auto moved = usualMotion(righted, robot);
+    const auto righted = undone(other, robot, *report.mistake);
+    if (!righted) return righted.error();
+    const auto moved = usualMotion(*righted, robot);
     if (!moved) return moved.error();
-    signals = signalsOf(righted, *moved, robot);
+    signals = signalsOf(*righted, *moved, robot);
     signals.usable = untouched;
   }
   const Fit after = fitModel(signals, stretches, std::move(kept));

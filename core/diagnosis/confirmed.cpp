@@ -199,8 +199,7 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, const S
   std::map<const Found*, DiagnosedCause> kept;
   for (const Found* found : order) {
     // Part of the model, but no cause that somebody could mend.
-    const bool turned =
-        work.mistake && work.mistake->kind == FrameMistake::Kind::turned && found->cause == "sensor_rotation";
+    const bool turned = work.turnTold && found->cause == "sensor_rotation";
     if (found->cause == kWandering || turned) continue;
     if (ownErrors(work, *found)) {
       out.own.push_back(*found);

@@ -22,15 +22,6 @@ using nlohmann::json;
 
 namespace {
 
-using Kind = FrameMistake::Kind;
-constexpr std::array<std::pair<Kind, std::string_view>, 7> kKinds{{{Kind::gravitySign, "gravity_sign"},
-                                                                   {Kind::gravityTurned, "gravity_turned"},
-                                                                   {Kind::wrenchSign, "wrench_sign"},
-                                                                   {Kind::transposed, "transposed"},
-                                                                   {Kind::quaternionOrder, "quaternion_order"},
-                                                                   {Kind::turned, "turned"},
-                                                                   {Kind::mirrored, "mirrored"}}};
-
 bool has(const std::vector<std::string>& causes, std::string_view id) {
   return std::find(causes.begin(), causes.end(), id) != causes.end();
 }
@@ -42,18 +33,49 @@ const json& memberOf(const json& object, const char* key) {
   return it == object.end() ? nothing : *it;
 }
 
-std::optional<FrameMistake> mistakeFromJson(const json& object) {
-  FrameMistake out;
-  const json& kind = memberOf(object, "kind");
-  for (const auto& [value, name] : kKinds)
-    if (kind == name) out.kind = value;
-  if (out.kind == Kind::none) return std::nullopt;
-  const json& turn = memberOf(object, "turn");
-  if (!turn.is_array() || turn.size() != 9) return std::nullopt;
-  for (int i = 0; i < 9; ++i) {
-    if (!turn[static_cast<std::size_t>(i)].is_number()) return std::nullopt;
-    out.turn(i / 3, i % 3) = turn[static_cast<std::size_t>(i)].get<double>();
+/// `count` numbers under `key`; empty if they are not there.
+std::vector<double> numbersOf(const json& object, const char* key, std::size_t count) {
+  std::vector<double> out;
+  const json& array = memberOf(object, key);
+  if (!array.is_array() || array.size() != count) return out;
+  for (const json& number : array) {
+    if (!number.is_number()) return {};
+    out.push_back(number.get<double>());
   }
+  return out;
+}
+
+json readingJson(const conventions::Reading& reading) {
+  json turn = json::array();
+  for (int i = 0; i < 9; ++i) turn.push_back(reading.turn(i / 3, i % 3));
+  const Vector3d& g = reading.gravity;
+  return {{"meta", metaPatch(reading.conventions)},
+          {"wrench_sign", reading.sign == WrenchSign::sensorOnPayload ? "sensor_on_payload" : "payload_on_sensor"},
+          {"turn", turn},
+          {"gravity_m_s2", {g.x(), g.y(), g.z()}}};
+}
+
+std::optional<conventions::Reading> readingFromJson(const json& object) {
+  const json& meta = memberOf(object, "meta");
+  const auto stated = readConventions(meta.is_object() ? meta : json::object(), "frame_mistake");
+  const auto turn = numbersOf(object, "turn", 9), gravity = numbersOf(object, "gravity_m_s2", 3);
+  if (!stated || turn.empty() || gravity.empty()) return std::nullopt;
+  conventions::Reading out;
+  takeOver(*stated, out.conventions);
+  if (memberOf(object, "wrench_sign") == "payload_on_sensor") out.sign = WrenchSign::payloadOnSensor;
+  for (int i = 0; i < 9; ++i) out.turn(i / 3, i % 3) = turn[static_cast<std::size_t>(i)];
+  out.gravity = Vector3d(gravity[0], gravity[1], gravity[2]);
+  return out;
+}
+
+std::optional<FrameMistake> mistakeFromJson(const json& object) {
+  const auto stated = readingFromJson(memberOf(object, "stated")), reading = readingFromJson(memberOf(object, "is"));
+  if (!stated || !reading) return std::nullopt;
+  FrameMistake out;
+  out.stated = *stated;
+  out.reading = *reading;
+  out.changes = conventions::changes(out.stated, out.reading);
+  out.positionsKept = memberOf(object, "positions_kept") == true;
   return out;
 }
 
@@ -101,47 +123,69 @@ void addBack(WrenchSeries& series, const Recording& raw, const Recording& cleane
   }
 }
 
-/// Forces and torques, a row each [force | torque], turned into other axes.
-void turnEach(Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, const Matrix3d& turn) {
-  wrench.leftCols<3>() = (wrench.leftCols<3>() * turn.transpose()).eval();
-  wrench.rightCols<3>() = (wrench.rightCols<3>() * turn.transpose()).eval();
+/// The sensor's pose in each row, as a motion that stands still there.
+Result<Motion> posesOfRows(const Recording& recording, const RobotModel* robot) {
+  Recording standing = recording;
+  standing.meta.kind = RecordingKind::poses;
+  return standingPoses(standing, robot);
 }
 
 }  // namespace
 
-Recording undone(Recording out, const FrameMistake& mistake) {
-  switch (mistake.kind) {
-    case Kind::wrenchSign:
-    case Kind::turned:
-    case Kind::mirrored:
-      turnEach(out.wrench, mistake.ofReadings());
-      break;
-    case Kind::gravitySign:
-    case Kind::gravityTurned:
-      out.meta.gravity = mistake.gravity(out.meta.gravity);
-      break;
-    case Kind::transposed:
-      out.quaternion.leftCols<3>() *= -1.0;
-      break;
-    case Kind::quaternionOrder: {
-      const Eigen::VectorXd w = out.quaternion.col(0);
-      out.quaternion.leftCols<3>() = out.quaternion.rightCols<3>().eval();
-      out.quaternion.col(3) = w;
-      break;
+Result<Recording> undone(Recording out, const RobotModel* robot, const FrameMistake& mistake) {
+  using conventions::Change;
+  const bool posesInFile = out.hasOrientation();
+  auto motion = posesOfRows(out, robot);
+  if (!motion) return motion.error();
+  const Motion right = conventions::readSo(std::move(*motion), mistake.stated, mistake.reading, posesInFile);
+  out.wrench = right.wrench.transpose();
+  if (posesInFile && (mistake.has(Change::poseInverted) || mistake.has(Change::quaternionOrder))) {
+    for (Eigen::Index k = 0; k < out.rows(); ++k) {
+      out.quaternion.row(k) = Quaterniond(right.R_BS[static_cast<std::size_t>(k)]).coeffs().transpose();
+      if (k > 0 && out.quaternion.row(k).dot(out.quaternion.row(k - 1)) < 0.0) out.quaternion.row(k) *= -1.0;
     }
-    case Kind::none:
-      break;
+    if (!mistake.positionsKept) {
+      if (out.hasPosition()) out.position = right.position.transpose();
+      // Beside poses of the base in the sensor nobody knows what a twist means.
+      if (mistake.has(Change::poseInverted)) out.twist.resize(0, 6);
+    }
   }
+  out.meta.gravity = mistake.reading.gravity;
+  out.meta.conventions = mistake.reading.conventions;
+  out.meta.wrenchSign = mistake.reading.sign;
   return out;
 }
 
-json mistakeToJson(const FrameMistake& mistake) {
+json mistakeToJson(const FrameMistake& mistake, const RecordingMeta& meta, bool fromJoints) {
+  json kinds = json::array(), ties = json::array();
+  for (const auto change : mistake.changes) kinds.push_back(toString(change));
+  for (const auto& tie : mistake.ties) {
+    json others = json::array();
+    for (const auto change : tie.changes) others.push_back(toString(change));
+    ties.push_back({{"kinds", others},
+                    {"sentence", tie.sentence},
+                    {"evidence", tie.evidence},
+                    {"mass_kg", tie.payload.mass},
+                    {"com_m", {tie.payload.com.x(), tie.payload.com.y(), tie.payload.com.z()}},
+                    {"meta", conventions::metaPatch(mistake.stated, tie.reading, meta.mount, fromJoints)}});
+  }
   json turn = json::array();
-  for (int i = 0; i < 9; ++i) turn.push_back(mistake.turn(i / 3, i % 3));
-  std::string_view name;
-  for (const auto& [value, text] : kKinds)
-    if (value == mistake.kind) name = text;
-  return {{"kind", name}, {"turn", turn}};
+  for (int i = 0; i < 9; ++i) turn.push_back(mistake.turn()(i / 3, i % 3));
+  return {
+      {"kind", kinds.front()},
+      {"kinds", kinds},
+      {"sentence", mistake.sentence()},
+      {"check", mistake.check()},
+      {"evidence", mistake.evidence},
+      {"meta", mistake.positionsKept ? json(nullptr)
+                                     : conventions::metaPatch(mistake.stated, mistake.reading, meta.mount, fromJoints)},
+      {"turn", turn},
+      {"positions_kept", mistake.positionsKept},
+      {"tied", mistake.tied},
+      {"ties", ties},
+      {"decides", mistake.decides},
+      {"stated", readingJson(mistake.stated)},
+      {"is", readingJson(mistake.reading)}};
 }
 
 bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
@@ -169,7 +213,9 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
     } else if (id == "frame_error" || id == "sensor_rotation") {
       const auto mistake = mistakeFromJson(memberOf(found, "frame_mistake"));
       if (!mistake) return other;
-      out = undone(std::move(out), *mistake);
+      auto right = undone(std::move(out), robot, *mistake);
+      if (!right) return right.error();
+      out = std::move(*right);
     } else if (id == "contact" || id == "payload_change") {
       const MarkLabel label = id == "contact" ? MarkLabel::contact : MarkLabel::ignore;
       for (const auto& [from, to] : cause->when) out.meta.marks.push_back({from, to, label});
@@ -187,7 +233,11 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
   std::optional<FrameMistake> left;
   if (!has(causes, "frame_error") && !has(causes, "sensor_rotation"))
     left = mistakeFromJson(memberOf(found, "frame_mistake"));
-  if (left) stated = undone(std::move(stated), *left);
+  if (left) {
+    auto right = undone(std::move(stated), robot, *left);
+    if (!right) return right.error();
+    stated = std::move(*right);
+  }
   std::vector<std::string> strange;
   auto model = modelFromJson(memberOf(found, "model"), stated, robot, unknown == nullptr ? nullptr : &strange);
   if (!model) return model.error();
@@ -195,8 +245,16 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
     if (has(fitted, id) && id != kWandering && !has(*unknown, id)) unknown->push_back(id);
   auto effect = effectOf(*model, stated, robot, fitted);
   if (!effect) return effect.error();
-  if (left) turnEach(*effect, left->ofReadings().transpose());
-  out.wrench -= *effect;
+  if (!left) {
+    out.wrench -= *effect;
+    return out;
+  }
+  // What the file's numbers are to be without the effect, as they are told.
+  stated.wrench -= *effect;
+  std::swap(left->stated, left->reading);
+  auto again = undone(std::move(stated), robot, *left);
+  if (!again) return again.error();
+  out.wrench = std::move(again->wrench);
   return out;
 }
 

@@ -8,9 +8,11 @@
 
 namespace heft {
 
-/// The recording as it would be without a mistake of frames or signs.
-Recording undone(Recording recording, const diagnosis::FrameMistake& mistake);
-nlohmann::json mistakeToJson(const diagnosis::FrameMistake& mistake);
+/// The recording as it is where its numbers mean what the mistake's reading says. Fails without the sensor's pose where
+/// that is needed.
+Result<Recording> undone(Recording recording, const RobotModel* robot, const diagnosis::FrameMistake& mistake);
+/// `meta` as stated; `fromJoints`: the motion comes from joints, so that a mount may be corrected.
+nlohmann::json mistakeToJson(const diagnosis::FrameMistake& mistake, const RecordingMeta& meta, bool fromJoints);
 
 /// False for what can only be mended on the rig (a sensor at its limit), or is allowed for anyway (spikes).
 bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause);

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "core/base/say.h"
 #include "core/diagnosis/causes/common.h"
@@ -16,6 +17,7 @@
 #include "core/diagnosis/noisy_motion.h"
 #include "core/diagnosis/own_errors.h"
 #include "core/diagnosis/payload_after.h"
+#include "core/diagnosis/poses.h"
 #include "core/diagnosis/ringing.h"
 #include "core/diagnosis/sharp_motion.h"
 #include "core/diagnosis/stuck_bit.h"
@@ -39,7 +41,7 @@ bool contains(const std::vector<std::string>& list, std::string_view id) {
 
 /// What single readings say, and the recording without what they spoil.
 struct Readings {
-  std::optional<FrameMistake> mistake;  ///< Of the orientations: put right before anything else is made of them
+  std::optional<FrameMistake> mistake;  ///< Put right before anything else is made of the readings
   Recording stated;                     ///< The recording without it
   Recording cleaned;
   Motion motion;
@@ -64,7 +66,43 @@ void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen:
   if (static_cast<double>(std::ranges::count(all, true)) < kMost * static_cast<double>(rows)) bad = std::move(all);
 }
 
-Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options) {
+/// Undoes the mistake in the recordings, and learns what is told of it: how much it left over, and a mount's turn to a
+/// fraction of a degree.
+std::optional<Error> putRight(Readings& readings, const RobotModel* robot, const DiagnoseOptions& options) {
+  FrameMistake& mistake = *readings.mistake;
+  MotionOptions smoothing;
+  smoothing.cutoffHz = kDefaultCutoffHz;
+  smoothing.twicing = true;
+  const Recording cleaned = readings.cleaned;
+  const auto wayIn = [&](const Recording& recording) {
+    return wayOf(recording, recording, robot, smoothing, options, {});
+  };
+  if (const auto stated = wayIn(cleaned)) {
+    const auto stretches = stretchesOf(stated->signals.usable);
+    if (!stretches.empty())
+      mistake.forceBefore = rmsOf(stretches, fitModel(stated->signals, stretches, Model{}).residual).force;
+  }
+  const bool mirrored = mistake.has(conventions::Change::wrenchSign);  // Then it is exact, or beside the axes anyway
+  if (mistake.has(conventions::Change::turned) && !mirrored) {
+    const auto right = undone(cleaned, robot, mistake);
+    if (!right) return right.error();
+    if (auto way = wayIn(*right)) {
+      lookForContact(*way, *right, options);
+      refineTurn(mistake, way->signals, untouched(way->signals, *way));
+    }
+  }
+  auto stated = undone(std::move(readings.stated), robot, mistake);
+  if (!stated) return stated.error();
+  auto right = undone(cleaned, robot, mistake);
+  if (!right) return right.error();
+  readings.stated = std::move(*stated);
+  readings.cleaned = std::move(*right);
+  return std::nullopt;
+}
+
+/// `asStated`: whatever the conventions are.
+Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
+                            bool asStated = false) {
   RowFacts facts = rowFactsOf(recording);
   if (const auto channel = stuckChannel(facts.coarse))
     return Error{
@@ -82,19 +120,11 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
   out.stated = recording;
-  if (recording.hasOrientation()) {
-    MotionOptions twiced = smoothing;
-    twiced.twicing = true;
-    auto way = wayOf(recording, out.cleaned, robot, twiced, options, {});
-    if (!way) return way.error();
-    lookForContact(*way, out.cleaned, options);
-    if (const auto mistake = frameMistake(*way); mistake && mistake->ofOrientation()) {
-      out.mistake = mistake;
-      out.stated = undone(recording, *mistake);
-      out.cleaned = undone(std::move(out.cleaned), *mistake);
-      motion = motionOf(out.cleaned, robot, smoothing);
-      if (!motion) return motion.error();
-    }
+  if (!asStated) out.mistake = frameMistake(out.cleaned, *motion, conventionsOf(out.cleaned, *motion));
+  if (out.mistake) {
+    if (auto error = putRight(out, robot, options)) return *error;
+    motion = motionOf(out.cleaned, robot, smoothing);
+    if (!motion) return motion.error();
   }
   out.motion = std::move(*motion);
   out.directs = sampleTests(out.stated, out.motion, facts);
@@ -185,12 +215,12 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   for (auto& way : smoothed) {
     if (!*way) return way->error();
     ways.push_back(std::move(**way));
-    ways.back().mistakeKnown = readings.mistake.has_value();
+    ways.back().turnTold = readings.mistake && readings.mistake->has(conventions::Change::turned);
   }
   const Way sharper = std::move(ways.back());
   ways.pop_back();
   Way& usual = ways[kUsualWay];
-  lookForBoth(usual, readings.cleaned, options);
+  lookForContact(usual, readings.cleaned, options);
   weighSharpMotion(ways, sharper, wasHeld(readings));
   std::size_t at = kUsualWay;
   // The way that leaves most of the motion among those that are next to best.
@@ -214,7 +244,7 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     if (out.noisy) options.hidden.emplace_back("derivative_noise");
   }
   const auto searchedOn = [&](std::size_t i, double threshold, const GivesUp& givesUp = {}) {
-    lookForBoth(ways[i], readings.cleaned, options, usual.mistake);
+    lookForContact(ways[i], readings.cleaned, options);
     return worked(ways[i], options, threshold, progress, givesUp);
   };
   // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better,
@@ -269,6 +299,29 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   out.work.madeByMotion = madeByMotion(out.work, ways, at);
   if (!contains(options.hidden, "flexible_mount")) setRingingAside(out.work, usual);
   return out;
+}
+
+/// What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: where causes explain more
+/// without a mistake, there is none.
+void unlessCausesExplainMore(const Recording& recording, const RobotModel* robot, DiagnoseOptions options,
+                             const Progress& progress, Readings& readings, Searched& found) {
+  constexpr double kClearly = 30.0;  ///< Evidence without a mistake over that with it
+  // Numbers in other units have another likelihood.
+  if (!readings.mistake || readings.mistake->has(conventions::Change::unit)) return;
+  auto stated = readingsOf(recording, robot, options, true);
+  if (!stated) return;
+  const int surrogates = std::exchange(options.surrogates, 0);
+  auto plain = searched(stated->stated, *stated, robot, options, progress);
+  if (!plain || !believable(plain->work.search.final)) return;
+  const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
+  if ((perBlock(plain->work) - perBlock(found.work)) * blocksIn(found.work.stretches) < kClearly) return;
+  if (surrogates > 0) {
+    options.surrogates = surrogates;
+    plain = searched(stated->stated, *stated, robot, options, progress);
+    if (!plain) return;
+  }
+  readings = std::move(*stated);
+  found = std::move(*plain);
 }
 
 /// Whether single readings that are wrong may be all that there is in stretches that were set aside: coarse steps are
@@ -357,17 +410,18 @@ std::string_view toString(Verdict verdict) {
 Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
                                  const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  if (recording.meta.kind == RecordingKind::poses)
-    return Error{heft::say("Standing poses show too little to look for causes; record a motion.")};
+  if (recording.meta.kind == RecordingKind::poses) return diagnosePoses(recording, robot, options, progress);
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
   out.ofPoses = recording.q.rows() == 0;
   progress(0.02, heft::say("Looking at single readings"));
-  const auto readings = readingsOf(recording, robot, options);
+  auto readings = readingsOf(recording, robot, options);
   if (!readings) return readings.error();
   auto found = searched(readings->stated, *readings, robot, options, progress);
   if (!found) return found.error();
+  unlessCausesExplainMore(recording, robot, options, Progress{progress.stop, {}}, *readings, *found);
+  if (progress.cancelled()) return Error{"Stopped.", true};
   Work& work = found->work;
   out.threshold = found->threshold;
   out.surrogates = static_cast<int>(found->chance.best.size());
@@ -393,10 +447,10 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   sayOwnErrors(fitted.own, out);
   if (readings->frozen) sayFrozen(*readings->frozen, out);
 
-  out.mistake = readings->mistake ? readings->mistake : work.mistake;
+  out.mistake = readings->mistake;
   if (out.mistake) {
     WrenchRms was = out.baseline;
-    was.force = out.mistake->rmsBefore;
+    was.force = out.mistake->forceBefore.value_or(was.force);
     out.causes.push_back(fromMistake(*out.mistake, was, out.baseline));
     out.baseline.force = std::max(out.baseline.force, was.force);
   }

@@ -1,46 +1,45 @@
 #pragma once
-// Mistakes with frames and signs: they are too large to be small corrections, so they are tried out one by one.
+// Conventions that are not as stated, as the diagnosis has them: core/conventions decides which, and they are put right
+// in the recording before any cause is looked for.
 #include <optional>
+#include <vector>
 
+#include "core/conventions/check.h"
 #include "core/diagnosis/fit.h"
 
 namespace heft::diagnosis {
 
 struct FrameMistake {
-  /// Readings in true sensor axes = turn * readings as stated; or gravity = turn * gravity as stated
-  Matrix3d turn = Matrix3d::Identity();
-  Vector3d turnStd = Vector3d::Zero();  ///< Of a turned mount [rad]
-  double rmsBefore = 0;                 ///< Force [N]
-  double angle = 0;                     ///< Of a turned mount or gravity [rad]; 0 for other mistakes
-  enum class Kind {
-    none,
-    gravitySign,
-    gravityTurned,
-    wrenchSign,
-    transposed,
-    quaternionOrder,
-    turned,
-    mirrored
-  } kind = Kind::none;
+  conventions::Reading stated, reading;        ///< What the recording was taken for, and what it is
+  std::vector<conventions::Change> changes;    ///< From the one to the other; never empty
+  bool positionsKept = false;                  ///< Of inverted poses: only the orientations are, positions are in B
+  double evidence = 0.0;                       ///< 2 ln L over what is stated
+  bool tied = false;                           ///< Another reading with another payload fits as well.
+  std::vector<conventions::Alternative> ties;  ///< What fits as well, likeliest first
+  std::string decides;                         ///< What would decide a tie
+  Vector3d turnStd = Vector3d::Zero();         ///< Of a turned mount [rad]
+  std::optional<double> forceBefore;           ///< What bias and payload leave of the force as stated, RMS [N]
 
-  /// What was told about the sensor's orientation: velocities and accelerations are made of it.
-  bool ofOrientation() const { return kind == Kind::transposed || kind == Kind::quaternionOrder; }
-  bool ofGravity() const { return kind == Kind::gravitySign || kind == Kind::gravityTurned; }
-  /// What takes forces and torques as read, each by itself, to what they are: a turn, proper or not.
-  Matrix3d ofReadings() const;
-  /// Gravity [m/s2] as it is where it was told as `stated`, base axes.
-  Vector3d gravity(const Vector3d& stated) const;
+  bool has(conventions::Change change) const;
+  bool only(conventions::Change change) const { return changes.size() == 1 && has(change); }
+  /// Of the readings, in stated sensor axes.
+  Matrix3d turn() const { return reading.turn * stated.turn.transpose(); }
+  std::string sentence() const;
+  std::string check() const;
 };
 
-/// The mistake that, undone, leaves at most two fifths of the force that is left in a usual block of `stretches`,
-/// whatever pushes in fewer than half of them; nothing if the recording is understood as stated. `null`: the fit of
-/// bias and payload to all of them.
-std::optional<FrameMistake> frameMistake(const Signals& signals, const std::vector<Stretch>& stretches,
-                                         const Fit& null);
+/// How a recording is to be understood as its meta file has it.
+conventions::Reading statedIn(const RecordingMeta& meta);
 
-/// The signals as they would be without it.
-Signals corrected(const Signals& signals, const FrameMistake& mistake);
-/// The same of what a sensor sees of a motion, for any mistake but one of the orientation. `gravity` as stated.
-Motion corrected(Motion motion, const Vector3d& gravity, const FrameMistake& mistake);
+/// What core/conventions says of it: of `motion` as stated, standing poses or not. Marked stretches are not used.
+conventions::Report conventionsOf(const Recording& recording, const Motion& motion);
+
+/// The conventions that have to be put right; nothing if the recording is understood as stated, or nothing fits.
+std::optional<FrameMistake> frameMistake(const Recording& recording, const Motion& motion,
+                                         const conventions::Report& report);
+
+/// Finds the turn of a mount once more, beside all that a payload does and with the noise as it is: `right` has the
+/// turn of `mistake` undone.
+void refineTurn(FrameMistake& mistake, const Signals& right, const std::vector<Stretch>& stretches);
 
 }  // namespace heft::diagnosis

@@ -110,22 +110,23 @@ void setGain(DiagnosedCause& cause, const WrenchRms& before, const WrenchRms& af
 }  // namespace
 
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after) {
+  using conventions::Change;
   DiagnosedCause out;
   constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-  const double degrees = mistake.angle * kDegrees;
   // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
-  const bool mount = mistake.kind == FrameMistake::Kind::turned && std::abs(degrees - 180.0) > 4.0;
+  const bool turned = mistake.only(Change::turned),
+             mount = turned && std::abs(vectorFromRotation(mistake.turn()).norm() * kDegrees - 180.0) > 4.0;
   out.id = mount ? "sensor_rotation" : "frame_error";
   out.direct = true;
-  if (mistake.kind == FrameMistake::Kind::turned) {
+  if (turned) {
     constexpr double kKnown = 0.1;  // [deg] Whatever the fit says
-    const Vector3d v = vectorFromRotation(mistake.turn) * kDegrees;
+    const Vector3d v = vectorFromRotation(mistake.turn()) * kDegrees;
     for (Eigen::Index i = 0; i < 3; ++i)
       out.parameters.push_back(
           {std::string("r") + "xyz"[i], "deg", v(i), std::hypot(mistake.turnStd(i) * kDegrees, kKnown)});
     out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
   }
-  if (mistake.kind == FrameMistake::Kind::gravityTurned) out.alternatives = {"gravity_tilt"};
+  if (mistake.only(Change::gravityTurned)) out.alternatives = {"gravity_tilt"};
   setGain(out, before, after);
   return out;
 }

@@ -92,7 +92,6 @@ bool predictsBetter(const EstimateReport& is, const EstimateReport& was) {
 /// The recording as the sensor and the robot would have told it without the causes.
 Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Work& work) {
   Recording out = cleaned;
-  if (work.mistake) out = undone(std::move(out), *work.mistake);
   if (!work.search.final.model.terms.empty()) {
     auto effect = effectOf(work.search.final.model, out, robot);
     if (!effect) return effect.error();

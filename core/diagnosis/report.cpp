@@ -73,8 +73,11 @@ const CauseParameter* findParameter(const std::vector<CauseParameter>& parameter
 
 nlohmann::json DiagnosisReport::metaChanges() const {
   json out = json::object();
+  if (mistake && !mistake->positionsKept)
+    if (json patch = conventions::metaPatch(mistake->stated, mistake->reading, meta.mount, !ofPoses); patch.is_object())
+      out = std::move(patch);
   for (const auto& cause : causes) {
-    if (ofPoses || !mountIsWrong(cause)) continue;
+    if (ofPoses || !mountIsWrong(cause) || cause.direct) continue;
     const auto vectorOf = [&](std::array<std::string_view, 3> names) {
       Vector3d v = Vector3d::Zero();
       for (std::size_t i = 0; i < names.size(); ++i)
@@ -94,25 +97,15 @@ nlohmann::json DiagnosisReport::metaChanges() const {
   for (const auto& term : model.terms) {
     if (term.form->cause->id() != "gravity_tilt") continue;
     diagnosis::Signals one;
-    one.gravity = meta.gravity;
+    one.gravity = mistake ? mistake->reading.gravity : meta.gravity;
     one.R_BS = {Matrix3d::Identity()};
-    one.kinematics.specificForce = -meta.gravity;
+    one.kinematics.specificForce = -one.gravity;
     diagnosis::Kinematics bent = one.kinematics;
     bent.omega = bent.alpha = Eigen::Matrix3Xd::Zero(3, 1);
     one.kinematics.omega = one.kinematics.alpha = bent.omega;
     term.form->cause->geometry(*term.form, term.v, one, bent);
     const Vector3d g = -bent.specificForce.col(0);
     out["gravity_m_s2"] = {g.x(), g.y(), g.z()};
-  }
-  for (const auto& cause : causes) {
-    if (cause.id != "frame_error" || !cause.parameters.empty()) continue;
-    if (mistake && mistake->kind == diagnosis::FrameMistake::Kind::wrenchSign)
-      out["sensor"]["wrench_sign"] =
-          meta.wrenchSign == WrenchSign::sensorOnPayload ? "payload_on_sensor" : "sensor_on_payload";
-    if (mistake && mistake->ofGravity()) {
-      const Vector3d g = mistake->gravity(meta.gravity);
-      out["gravity_m_s2"] = {g.x(), g.y(), g.z()};
-    }
   }
   return out;
 }
@@ -155,7 +148,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
               {"model", modelToJson(report.model)},
               {"timing_s", {{"total", report.seconds}}},
               {"findings", findings}};
-  if (report.mistake) out["frame_mistake"] = mistakeToJson(*report.mistake);
+  if (report.mistake) out["frame_mistake"] = mistakeToJson(*report.mistake, report.meta, !report.ofPoses);
   if (report.check)
     out["check"] = {{"file", report.check->file},
                     {"force_rms_before_n", report.check->before.force},

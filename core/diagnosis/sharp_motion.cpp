@@ -52,12 +52,7 @@ void weighSharpMotion(std::vector<Way>& ways, const Way& sharper, bool held) {
   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
   constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
-  const std::optional<FrameMistake>& mistake = ways[kUsualWay].mistake;
-  std::optional<Signals> right;  // Of the way that was asked for last
-  const auto rightOf = [&](const Way& way) -> const Signals& {
-    return mistake ? right.emplace(corrected(way.signals, *mistake)) : way.signals;
-  };
-  const Signals& least = rightOf(ways[kUsualWay]);
+  const Signals& least = ways[kUsualWay].signals;
   const auto stretches = untouched(least, ways[kUsualWay]);
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});
@@ -69,7 +64,7 @@ void weighSharpMotion(std::vector<Way>& ways, const Way& sharper, bool held) {
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;
   const auto madeOf = [&](const Way& way) {
-    const Signals& signals = rightOf(way);
+    const Signals& signals = way.signals;
     return averaged(signals, payloadWrench(signals.kinematics, payload));
   };
   const Wrenches sharpest = madeOf(sharper);

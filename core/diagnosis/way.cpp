@@ -83,8 +83,6 @@ void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& o
                         std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
   if (!mayTouch)
     way.holes.emplace();
-  else if (way.mistake)
-    way.holes = contactCandidates(cleaned, corrected(way.motion, way.signals.gravity, *way.mistake), way.signals);
   else
     way.holes = contactCandidates(cleaned, way.motion, way.signals);
 }
@@ -110,37 +108,11 @@ std::vector<double> nullEvidence(const std::vector<Way>& ways) {
   const auto stretches = untouched(common, ways[kUsualWay]);
   std::vector<double> out(ways.size(), -1e300);
   if (stretches.empty()) return out;
-  const auto fitAll = [&](const std::optional<FrameMistake>& mistake) {
-    onTwoThreads(ways.size(), [&](std::size_t i) {
-      const Signals& signals = ways[i].signals;
-      if (signals.blocks() == common.blocks())
-        out[i] = fitModel(mistake ? corrected(signals, *mistake) : signals, stretches, Model{}).evidence;
-    });
-  };
-  fitAll({});
-  // Where frames are mixed up, nothing of what moves can be told from noise.
-  if (*std::ranges::max_element(out) > out[kUsualWay])
-    if (const auto mistake = frameMistake(common, stretches, fitModel(common, stretches, Model{}))) fitAll(mistake);
+  onTwoThreads(ways.size(), [&](std::size_t i) {
+    const Signals& signals = ways[i].signals;
+    if (signals.blocks() == common.blocks()) out[i] = fitModel(signals, stretches, Model{}).evidence;
+  });
   return out;
-}
-
-std::optional<FrameMistake> frameMistake(const Way& way) {
-  // A push turns any sign round.
-  const auto quiet = untouched(way.signals, way);
-  if (quiet.empty()) return std::nullopt;
-  return frameMistake(way.signals, quiet, fitModel(way.signals, quiet, Model{}));
-}
-
-void lookForBoth(Way& way, const Recording& cleaned, const DiagnoseOptions& options,
-                 const std::optional<FrameMistake>& otherwise) {
-  lookForContact(way, cleaned, options);
-  if (std::exchange(way.mistakeKnown, true)) return;
-  way.mistake = frameMistake(way);
-  if (!way.mistake) way.mistake = otherwise;
-  if (!way.mistake || way.mistake->ofOrientation()) return;
-  // Where frames are mixed up, what is no contact may look like it, and the other way round.
-  way.holes.reset();
-  lookForContact(way, cleaned, options);
 }
 
 }  // namespace heft::diagnosis

@@ -5,7 +5,6 @@
 
 #include "core/base/result.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/frames.h"
 #include "core/diagnosis/noise.h"
 #include "core/motion/motion.h"
 
@@ -17,8 +16,7 @@ struct Way {
   Signals signals;
   double cutoffHz = 0.0;                      ///< Above which next to nothing is left
   std::optional<std::vector<Stretch>> holes;  ///< Blocks that automatic segmentation takes for contact, once looked for
-  std::optional<FrameMistake> mistake;        ///< With frames, once looked for
-  bool mistakeKnown = false;                  ///< It was, or the recording's was undone: no other is looked for
+  bool turnTold = false;                      ///< A turned mount was put right before
 };
 
 /// Of several ways to smooth a motion, the one that is taken unless another is clearly better: those before it smooth
@@ -30,8 +28,7 @@ constexpr std::size_t kUsualWay = 1;
 Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
                   const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows);
 
-/// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden. `way.mistake`, if
-/// any, is put right before.
+/// Fills `way.holes` the first time that it is asked: none where marks decide or contact is hidden.
 void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options);
 
 /// Contact that was looked for; what takes most of the time is none.
@@ -41,17 +38,8 @@ std::vector<Stretch> holesOf(const Way& way);
 /// takes most of the time, or leaves none.
 std::vector<Stretch> untouched(Signals judged, const Way& way);
 
-/// What is mixed up in it as far as nothing touches, where contact was looked for.
-std::optional<FrameMistake> frameMistake(const Way& way);
-
-/// lookForContact(), and fills `way.mistake` the first time that it is asked: with frameMistake(), or `otherwise`, that
-/// of a way which smooths the motion less and may show what this one does not. Contact is looked for once more without
-/// the mistake, if any.
-void lookForBoth(Way& way, const Recording& cleaned, const DiagnoseOptions& options,
-                 const std::optional<FrameMistake>& otherwise = std::nullopt);
-
 /// What bias and payload alone make of each way: evidence on the blocks that all of them judge, the contact of the
-/// first way left out, frames and signs put right.
+/// first way left out.
 std::vector<double> nullEvidence(const std::vector<Way>& ways);
 
 }  // namespace heft::diagnosis

@@ -107,6 +107,9 @@ std::string driftSentence(const Values& v) {
   const CauseParameter* p = v.strongest();
   if (!p) return {};
   const std::string channel = channelWords(channelOf(p->name)), size = plusMinus(p->value, p->std);
+  if (const auto per = p->unit.find("/pose"); per != std::string::npos)
+    return heft::say("The sensor's zero drifts: {} by {} {} from each pose to the next.", channel, size,
+                     p->unit.substr(0, per));
   if (p->unit.ends_with("/s"))
     return heft::say("The sensor's zero drifts: {} by {} {} per second.", channel, size,
                      p->unit.substr(0, p->unit.size() - 2));
@@ -117,30 +120,6 @@ std::string driftSentence(const Values& v) {
     return heft::say("The sensor's zero drifts to and fro: {} by {} {} in all.", channel,
                      plusMinus(std::abs(p->value), p->std), p->unit);
   return heft::say("The sensor's zero creeps: {} by {} {} before it settles.", channel, size, p->unit);
-}
-
-std::string mistakeSentence(const FrameMistake& mistake) {
-  switch (mistake.kind) {
-    case FrameMistake::Kind::wrenchSign:
-      return heft::say("Forces have the opposite sign: the file holds what the tool does to the sensor.");
-    case FrameMistake::Kind::gravitySign:
-      return heft::say("Gravity points up in the meta file; it should point down.");
-    case FrameMistake::Kind::gravityTurned:
-      return heft::say("Gravity points {} degrees away from where the meta file says: does the robot hang on a wall?",
-                       number(mistake.angle * 180.0 / std::numbers::pi, 0));
-    case FrameMistake::Kind::transposed:
-      return heft::say("Orientations are stored the other way round: base in sensor instead of sensor in base.");
-    case FrameMistake::Kind::quaternionOrder:
-      return heft::say("Quaternions are stored with w first: the columns qx, qy, qz, qw hold w, x, y, z.");
-    case FrameMistake::Kind::turned:
-      return heft::say("The sensor is mounted turned by {} degrees against the meta file.",
-                       number(mistake.angle * 180.0 / std::numbers::pi, 0));
-    case FrameMistake::Kind::mirrored:
-      return heft::say("The force's axes are mirrored: two are swapped, or one has the wrong sign.");
-    case FrameMistake::Kind::none:
-      break;
-  }
-  return {};
 }
 
 std::string dropoutSentence(const Values& v) {
@@ -240,7 +219,22 @@ std::string sentenceOf(const Values& v, const std::optional<FrameMistake>& mista
   const DiagnosedCause& cause = v.cause;
   const std::string& id = cause.id;
   if (id == "frame_error" || (id == "sensor_rotation" && cause.direct))
-    return mistake ? mistakeSentence(*mistake) : std::string();
+    return mistake ? mistake->sentence() : std::string();
+  if (const CauseParameter* last = v.find("after_pose")) {
+    const std::string pose = number(last->value, 0);
+    if (id == "sensor_bias")
+      return heft::say("After pose {} the sensor's zero jumped by {} N and {} N m.", pose, v.norm({"fx", "fy", "fz"}),
+                       v.norm({"tx", "ty", "tz"}));
+    return v.value("mass") > 0.0 ? heft::say("After pose {} the load was {} g heavier.", pose, v.size("mass"))
+                                 : heft::say("After pose {} the load was {} g lighter.", pose, v.size("mass"));
+  }
+  if (id == "contact" && !cause.parameters.empty() && cause.parameters.front().name.starts_with("pose")) {
+    std::string poses;
+    for (const CauseParameter& p : cause.parameters)
+      if (p.name.starts_with("pose")) poses += (poses.empty() ? "" : ", ") + number(p.value, 0);
+    return heft::say("These poses do not fit the others, by up to {} N: {}. The tool touched something, or moved.",
+                     number(v.value("peak_force"), 2), poses);
+  }
   if (id == "sensor_bias")
     return v.find("fx") || v.find("fy") || v.find("fz")
                ? heft::say("At {} s the sensor's zero jumped by {} N.", number(v.value("time"), 1),
@@ -423,7 +417,7 @@ bool pullsUp(const DiagnosedCause& cause, const DiagnosisReport& report) {
   constexpr double kAside = 0.03;  // Share of the force
   const Values v{cause, {}};
   const Vector3d force(v.value("force_x"), v.value("force_y"), v.value("force_z")),
-      down = report.mistake ? report.mistake->gravity(report.meta.gravity) : report.meta.gravity;
+      down = report.mistake ? report.mistake->reading.gravity : report.meta.gravity;
   return !v.find("time") && force.dot(down) < 0.0 && force.cross(down).norm() < kAside * force.norm() * down.norm();
 }
 
@@ -435,24 +429,7 @@ std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& repor
         "Correct how the sensor is mounted where the recorded poses are worked out: the recording states them itself, "
         "and the meta file's mount is not used.");
   const bool mixedUp = cause.direct && (cause.id == "frame_error" || cause.id == "sensor_rotation");
-  switch (mixedUp && report.mistake ? report.mistake->kind : FrameMistake::Kind::none) {
-    case FrameMistake::Kind::wrenchSign:
-      return remedy(Remedy::turnWrench);
-    case FrameMistake::Kind::gravitySign:
-      return remedy(Remedy::turnGravity);
-    case FrameMistake::Kind::gravityTurned:
-      return heft::say("Write in gravity_m_s2 where down is, along the axes of the robot's base.");
-    case FrameMistake::Kind::transposed:
-      return heft::say("Invert the quaternions (qx, qy, qz with the opposite sign).");
-    case FrameMistake::Kind::quaternionOrder:
-      return heft::say("Rename the columns qx, qy, qz, qw to qw, qx, qy, qz.");
-    case FrameMistake::Kind::turned:
-      return remedy(Remedy::correctMount);
-    case FrameMistake::Kind::mirrored:
-      return heft::say("Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor's manual.");
-    case FrameMistake::Kind::none:
-      break;
-  }
+  if (mixedUp && report.mistake) return report.mistake->check();
   if (cause.id == "constant_pull" && pullsUp(cause, report))
     return heft::say(
         "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? If not: is "

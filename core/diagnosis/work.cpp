@@ -125,7 +125,7 @@ void unlessNobodyTouched(Work& work, const Signals& whole, const std::vector<Str
     return is.soFar != SoFar::allCauses && contains(is.fit.model, "contact");
   };
   Work untouched;
-  untouched.mistake = work.mistake;
+  untouched.turnTold = work.turnTold;
   untouched.touchedOr = work.touchedOr;
   untouched.bank = work.bank;
   searchBeside(untouched, whole, {}, searching, progress);
@@ -151,12 +151,12 @@ void unlessNobodyTouched(Work& work, const Signals& whole, const std::vector<Str
   }
 }
 
-/// The search with `mistake`, if any, put right. `holes`: blocks that may be contact.
-Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recorded, std::vector<Stretch> holes,
-                const DiagnoseOptions& options, double threshold, const Progress& progress, const GivesUp& givesUp) {
+/// `holes`: blocks that may be contact.
+Work workedWith(const Way& way, std::vector<Stretch> holes, const DiagnoseOptions& options, double threshold,
+                const Progress& progress, const GivesUp& givesUp) {
   Work work;
-  work.mistake = mistake;
-  const Signals whole = mistake ? corrected(recorded, *mistake) : recorded;
+  work.turnTold = way.turnTold;
+  const Signals& whole = way.signals;
   work.bank = SignatureBank(whole, options.hidden);
   SearchOptions searching;
   searching.threshold = threshold;
@@ -198,25 +198,16 @@ Work workedWith(const std::optional<FrameMistake>& mistake, const Signals& recor
 
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const GivesUp& givesUp) {
-  constexpr double kClearly = 30.0;  ///< Evidence without a mistake over that with it
   const double judged = blocksIn(stretchesOf(way.signals.usable));
   if (judged < 100.0)
     return Error{heft::say("Only {:.1f} s of the recording can be judged; at least 2 s without contact are needed.",
                            judged / way.signals.blockRate())};
-  std::vector<Stretch> holes = holesOf(way);
-  const std::optional<FrameMistake>& mistake = way.mistake;
-  Work work = workedWith(mistake, way.signals, holes, options, threshold, progress, givesUp);
-  if (!mistake || work.search.givenUp) return work;
-  // What pulls at the tool hard may look like a sensor that is turned or a sign mixed up: then that explains more
-  // without.
-  Work plain = workedWith(std::nullopt, way.signals, std::move(holes), options, threshold, progress, {});
-  const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
-  return believable(plain.search.final) && (perBlock(plain) - perBlock(work)) * judged > kClearly ? plain : work;
+  return workedWith(way, holesOf(way), options, threshold, progress, givesUp);
 }
 
 std::optional<Signals> asIn(const Work& work, const Way& way) {
   if (way.signals.blocks() != work.signals.blocks()) return std::nullopt;
-  return work.mistake ? corrected(way.signals, *work.mistake) : way.signals;
+  return way.signals;
 }
 
 double evidenceAt(const Way& other, const Work& work) {

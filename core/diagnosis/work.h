@@ -25,7 +25,7 @@ struct Work {
   std::vector<Contact> again;     ///< Left out as well: what a cause of the model did there once more
   std::optional<Ringing> ringing;
   std::optional<Carried> carried;
-  std::optional<FrameMistake> mistake;
+  bool turnTold = false;                  ///< As of the way
   std::vector<std::string> madeByMotion;  ///< Causes found that are part of the model but nothing of the rig
   SignatureBank bank;                     ///< Of `signals`
   Search search;
@@ -34,7 +34,7 @@ struct Work {
 /// SearchOptions::givesUp, of a work that has come as far.
 using GivesUp = std::function<bool(const Work& work, SoFar soFar)>;
 
-/// Contact and a mistake on `way` must have been looked for. `givesUp`, if any, is asked by the first search, before
+/// Contact on `way` must have been looked for. `givesUp`, if any, is asked by the first search, before
 /// anything is compared.
 Result<Work> worked(const Way& way, const DiagnoseOptions& options, double threshold, const Progress& progress,
                     const GivesUp& givesUp = {});

@@ -11,7 +11,7 @@ namespace heft {
 
 namespace {
 
-constexpr int kFirstStarts = 60;            // random starts of the first fit; each costs a few small factorisations
+constexpr int kFirstStarts = 60;       // random starts of the first fit; each costs a few small factorisations
 constexpr double kOuter = 6.0;         // scatter multiples that open a contact,
 constexpr double kInner = 3.5;         // and those that end it
 constexpr double kOuterAllowed = 2.0;  // but never less than so many allowances
@@ -24,7 +24,8 @@ constexpr double kRest = 0.5;        // [s] that the tool must keep still to cou
 constexpr double kBrief = 0.3;       // [s]
 constexpr std::size_t kFewestWindows = 10;
 
-void scoreBlocks(const WrenchRows& rows, const FitVector& x, const Vector6d& allowed, Range range, Blocks& blocks) {
+void scoreBlocks(const WrenchRows& rows, const FitVector& x, const Vector6d& allowed, Range range,
+                 SegmentBlocks& blocks) {
   const auto residual = residualOf(rows, x);
   Vector6d inner, outer;
   for (int c = 0; c < 6; ++c) {
@@ -44,7 +45,7 @@ void scoreBlocks(const WrenchRows& rows, const FitVector& x, const Vector6d& all
 }
 
 /// Contact where the score passes 2, grown while it stays above 1, widened by kMargin, spikes left out.
-void labelFromScores(double rateHz, Range range, Blocks& blocks) {
+void labelFromScores(double rateHz, Range range, SegmentBlocks& blocks) {
   for (Eigen::Index k = range.from; k < range.to; ++k)
     if (blocks.labels[at(k)] == MarkLabel::contact) blocks.set(k, MarkLabel::free, SegmentKind::freeMotion);
   const auto margin = static_cast<Eigen::Index>(std::ceil(kMargin * rateHz));
@@ -67,7 +68,7 @@ void labelFromScores(double rateHz, Range range, Blocks& blocks) {
 }
 
 /// Free motion for less than kSliver between two contacts is none.
-void closeSlivers(double rateHz, Range range, Blocks& blocks) {
+void closeSlivers(double rateHz, Range range, SegmentBlocks& blocks) {
   const auto longest = static_cast<Eigen::Index>(std::floor(kSliver * rateHz));
   Eigen::Index lastContact = -1;
   for (Eigen::Index k = range.from; k < range.to; ++k) {
@@ -81,7 +82,7 @@ void closeSlivers(double rateHz, Range range, Blocks& blocks) {
 
 /// Labels the blocks of one payload, alternating with the fit; x is the robust start.
 void labelPart(const WrenchRows& rows, const FitWindows& windows, const Vector6d& allowed, const FitPrior& prior,
-               PayloadPart& part, Range range, Blocks& blocks) {
+               PayloadPart& part, Range range, SegmentBlocks& blocks) {
   for (int round = 0; round < 4; ++round) {
     const auto before = blocks.labels;
     scoreBlocks(rows, part.x, allowed, range, blocks);
@@ -102,7 +103,7 @@ void labelPart(const WrenchRows& rows, const FitWindows& windows, const Vector6d
 }
 
 /// Contiguous blocks around k that are contact.
-Range contactAround(const Blocks& blocks, Eigen::Index k) {
+Range contactAround(const SegmentBlocks& blocks, Eigen::Index k) {
   const auto touching = [&](Eigen::Index j) { return blocks.labels[at(j)] == MarkLabel::contact; };
   Range range{k, k};
   while (range.from > 0 && touching(range.from - 1)) --range.from;
@@ -112,7 +113,7 @@ Range contactAround(const Blocks& blocks, Eigen::Index k) {
 
 /// Leaves out the parts whose payload is not that of the reference part, and names the changes.
 void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::vector<PayloadPart>& parts,
-                 const std::vector<Range>& ranges, std::size_t reference, Blocks& blocks, Findings& findings) {
+                 const std::vector<Range>& ranges, std::size_t reference, SegmentBlocks& blocks, Findings& findings) {
   std::vector<PayloadStep> steps;
   for (const auto& part : parts) steps.push_back(compareParts(windows, parts[reference], part, weakPrior()));
   steps[reference] = {};
@@ -158,7 +159,7 @@ void chooseParts(const WrenchRows& rows, const FitWindows& windows, const std::v
 }
 
 /// What is free with hardly any motion.
-void markStanding(const WrenchRows& rows, Blocks& blocks) {
+void markStanding(const WrenchRows& rows, SegmentBlocks& blocks) {
   const auto window = static_cast<Eigen::Index>(std::ceil(kRest * rows.rateHz));
   if (rows.size() < window) return;
   std::vector<char> still(at(rows.size()), 0);
@@ -196,7 +197,7 @@ void markStanding(const WrenchRows& rows, Blocks& blocks) {
   }
 }
 
-void markTrouble(const Recording& recording, const WrenchRows& rows, Blocks& blocks, Findings& findings) {
+void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks, Findings& findings) {
   const double half = 0.5 / rows.rateHz;
   for (const auto& trouble : sensorTrouble(recording)) {
     const int note = blocks.addReason(trouble.reason);
@@ -215,7 +216,7 @@ void markTrouble(const Recording& recording, const WrenchRows& rows, Blocks& blo
 /// and put down again. Cuts the one part there.
 void splitAtStretches(const WrenchRows& rows, const FitWindows& windows, const Vector6d& allowed,
                       const std::vector<char>& usable, std::vector<PayloadPart>& parts, std::vector<Range>& ranges,
-                      Blocks& blocks) {
+                      SegmentBlocks& blocks) {
   const PayloadPart whole = parts.front();
   const auto pieceOf = [&](Range range) {
     PayloadPart piece{static_cast<std::size_t>((range.from + windows.length - 1) / windows.length),
@@ -257,7 +258,7 @@ void splitAtStretches(const WrenchRows& rows, const FitWindows& windows, const V
 }
 
 void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::optional<PayloadGuess>& guess,
-                   Blocks& blocks, Findings& findings) {
+                   SegmentBlocks& blocks, Findings& findings) {
   const FitWindows windows = windowsOf(rows, allowed);
   if (windows.size() < kFewestWindows) return;
   std::vector<char> usable(windows.size(), 1);
@@ -288,12 +289,12 @@ void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::o
 
 /// Where a rigid tool explains next to nothing, the misfit is larger than usual rather than everything contact: more is
 /// allowed until a quarter of the recording is free.
-Blocks automaticBlocks(const Recording& recording, const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
-                       Findings& findings) {
-  Blocks clean(rows.size());
+SegmentBlocks automaticBlocks(const Recording& recording, const WrenchRows& rows,
+                              const std::optional<PayloadGuess>& guess, Findings& findings) {
+  SegmentBlocks clean(rows.size());
   markTrouble(recording, rows, clean, findings);
   Vector6d allowed = allowancesOf(rows);
-  Blocks blocks = clean;
+  SegmentBlocks blocks = clean;
   Findings changes;
   for (int attempt = 0; attempt < 6; ++attempt, allowed *= 2.0) {
     blocks = clean;

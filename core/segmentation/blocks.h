@@ -15,14 +15,14 @@ struct Range {
 };
 
 /// What is known of each block.
-struct Blocks {
+struct SegmentBlocks {
   std::vector<MarkLabel> labels;
   std::vector<SegmentKind> kinds;
   std::vector<int> notes;  ///< 0, or 1 + the index of a reason in `reasons`
   VectorXd scores;         ///< Residual, worst channel: 1 where a contact ends, 2 where one opens
   std::vector<std::string> reasons;
 
-  explicit Blocks(Eigen::Index n)
+  explicit SegmentBlocks(Eigen::Index n)
       : labels(at(n), MarkLabel::free),
         kinds(at(n), SegmentKind::freeMotion),
         notes(at(n), 0),
@@ -40,7 +40,7 @@ struct Blocks {
 
 /// What a rigid payload explains, what pushes, where the payload changes, where the sensor fails and where the tool
 /// rests, without looking at the user's marks.
-Blocks automaticBlocks(const Recording& recording, const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
-                       Findings& findings);
+SegmentBlocks automaticBlocks(const Recording& recording, const WrenchRows& rows,
+                              const std::optional<PayloadGuess>& guess, Findings& findings);
 
 }  // namespace heft

@@ -31,7 +31,7 @@ SegmentKind kindOf(MarkLabel label) {
   return SegmentKind::ignored;
 }
 
-void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode mode, Blocks& blocks) {
+void applyMarks(const Recording& recording, const WrenchRows& rows, SegmentMode mode, SegmentBlocks& blocks) {
   const int byUser = blocks.addReason(heft::say("Marked by you."));
   const int notMarked = blocks.addReason(heft::say("Not marked as free."));
   // Where the user marked free parts, what they left unmarked is not free; where they only marked contact, it is.
@@ -55,7 +55,7 @@ std::string reasonFor(SegmentKind kind, SegmentMode mode) {
 
 /// How sure the label of blocks [from, to) is. A contact is the surer the further its peak lies above the limit that
 /// opens one; free motion, the further its largest residuals stay below it.
-double confidenceOf(const Blocks& blocks, Range range) {
+double confidenceOf(const SegmentBlocks& blocks, Range range) {
   const auto part = blocks.scores.segment(range.from, range.to - range.from);
   const MarkLabel label = blocks.labels[at(range.from)];
   std::vector<double> ordered(part.data(), part.data() + part.size());
@@ -68,7 +68,7 @@ double confidenceOf(const Blocks& blocks, Range range) {
   return std::clamp(1.0 - 0.25 * *high * *high, 0.5, 0.99);
 }
 
-std::vector<Segment> segmentsFrom(const WrenchRows& rows, const Blocks& blocks, SegmentMode mode, int byUser) {
+std::vector<Segment> segmentsFrom(const WrenchRows& rows, const SegmentBlocks& blocks, SegmentMode mode, int byUser) {
   std::vector<Segment> segments;
   const double half = 0.5 / rows.rateHz;
   for (Eigen::Index from = 0; from < rows.size();) {
@@ -122,8 +122,8 @@ SegmentMode defaultSegmentMode(const Recording& recording) {
 Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, SegmentMode mode,
                          const std::optional<PayloadGuess>& guess) {
   Segmentation out;
-  Blocks blocks =
-      mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings) : Blocks(rows.size());
+  SegmentBlocks blocks = mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings)
+                                                        : SegmentBlocks(rows.size());
   const int byUser = static_cast<int>(blocks.reasons.size()) + 1;
   if (mode != SegmentMode::all) applyMarks(recording, rows, mode, blocks);
   out.segments = segmentsFrom(rows, blocks, mode, byUser);

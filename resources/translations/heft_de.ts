@@ -3815,10 +3815,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Diese Bewegung hält von hier aus die Grenzen nicht ein. Bringen Sie den Arm in die Mitte seiner Gelenkbereiche.</translation>
     </message>
     <message>
-        <source>Standing poses show too little to look for causes; record a motion.</source>
-        <translation>Stehende Posen zeigen zu wenig, um nach Ursachen zu suchen; nehmen Sie eine Bewegung auf.</translation>
-    </message>
-    <message>
         <source>Looking at single readings</source>
         <translation>Einzelne Messwerte werden angesehen</translation>
     </message>
@@ -5675,24 +5671,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Null des Sensors kriecht: {} um {} {}, bis sie sich beruhigt.</translation>
     </message>
     <message>
-        <source>Forces have the opposite sign: the file holds what the tool does to the sensor.</source>
-        <translation>Die Kräfte haben das umgekehrte Vorzeichen: Die Datei enthält, was das Werkzeug auf den Sensor ausübt.</translation>
-    </message>
-    <message>
-        <source>Gravity points up in the meta file; it should point down.</source>
-        <translation>Die Schwerkraft zeigt in der Meta-Datei nach oben; sie sollte nach unten zeigen.</translation>
-    </message>
-    <message>
         <source>Orientations are stored the other way round: base in sensor instead of sensor in base.</source>
         <translation>Die Orientierungen sind umgekehrt gespeichert: Basis im Sensor statt Sensor in der Basis.</translation>
-    </message>
-    <message>
-        <source>The sensor is mounted turned by {} degrees against the meta file.</source>
-        <translation>Der Sensor ist gegenüber der Meta-Datei um {} Grad verdreht montiert.</translation>
-    </message>
-    <message>
-        <source>The force&apos;s axes are mirrored: two are swapped, or one has the wrong sign.</source>
-        <translation>Die Achsen der Kraft sind gespiegelt: Zwei sind vertauscht, oder eine hat das falsche Vorzeichen.</translation>
     </message>
     <message>
         <source>{} % of the readings are zero throughout: lost packets.</source>
@@ -5847,16 +5827,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Kehren Sie gravity_m_s2 in der Meta-Datei um.</translation>
     </message>
     <message>
-        <source>Invert the quaternions (qx, qy, qz with the opposite sign).</source>
-        <translation>Kehren Sie die Quaternionen um (qx, qy, qz mit anderem Vorzeichen).</translation>
-    </message>
-    <message>
         <source>Correct sensor.mount.rpy_rad in the meta file.</source>
         <translation>Berichtigen Sie sensor.mount.rpy_rad in der Meta-Datei.</translation>
-    </message>
-    <message>
-        <source>Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor&apos;s manual.</source>
-        <translation>Vergleichen Sie Reihenfolge und Vorzeichen von fx, fy, fz und tx, ty, tz mit dem Handbuch des Sensors.</translation>
     </message>
     <message>
         <source>force {}</source>
@@ -6499,10 +6471,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor merkt sich seine Last: Auf dem Weg hinauf zeigt er um {} % des Lastbereichs anders an als auf dem Weg hinab.</translation>
     </message>
     <message>
-        <source>Quaternions are stored with w first: the columns qx, qy, qz, qw hold w, x, y, z.</source>
-        <translation>Quaternionen stehen mit w zuerst in der Datei: Die Spalten qx, qy, qz, qw enthalten w, x, y, z.</translation>
-    </message>
-    <message>
         <source>From {} s on something pulls at the tool with {} N, always in the same direction.</source>
         <translation>Ab {} s zieht etwas mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
     </message>
@@ -6513,10 +6481,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Something rubs and holds the tool back, with up to {} N.</source>
         <translation>Etwas reibt und hält das Werkzeug mit bis zu {} N zurück.</translation>
-    </message>
-    <message>
-        <source>Rename the columns qx, qy, qz, qw to qw, qx, qy, qz.</source>
-        <translation>Benenne die Spalten qx, qy, qz, qw in qw, qx, qy, qz um.</translation>
     </message>
     <message>
         <source>short knocks</source>
@@ -6689,14 +6653,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The readings shake for a moment {} times, first at {:.1f} s.</source>
         <translation>Die Messwerte zittern {}-mal für einen Augenblick, zuerst bei {:.1f} s.</translation>
-    </message>
-    <message>
-        <source>Gravity points {} degrees away from where the meta file says: does the robot hang on a wall?</source>
-        <translation>Die Schwerkraft zeigt {} Grad neben die Richtung in der Meta-Datei: Hängt der Roboter an einer Wand?</translation>
-    </message>
-    <message>
-        <source>Write in gravity_m_s2 where down is, along the axes of the robot&apos;s base.</source>
-        <translation>In gravity_m_s2 angeben, wo unten ist, entlang der Achsen des Robotersockels.</translation>
     </message>
     <message>
         <source>Something twists the tool on the further it turns: {} N m per radian.</source>
@@ -7089,6 +7045,242 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>must be {}, not {}.</source>
         <translation>muss {} sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>The centre of mass would be {:.2f} m from the sensor. If the tool is not that long, force and torque are in other units than the setup file says.</source>
+        <translation>Der Schwerpunkt läge {:.2f} m vom Sensor entfernt. Ist das Werkzeug nicht so lang, haben Kraft und Drehmoment andere Einheiten, als die Meta-Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Check force_unit and torque_unit in the setup file.</source>
+        <translation>Prüfen Sie force_unit und torque_unit in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>A load of {:.0f} kg is more than this arm carries: the force&apos;s unit is probably not what the setup file says.</source>
+        <translation>Eine Last von {:.0f} kg trägt dieser Arm nicht: Die Einheit der Kraft ist wohl nicht die der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>State force_unit in the setup file.</source>
+        <translation>Geben Sie force_unit in der Meta-Datei an.</translation>
+    </message>
+    <message>
+        <source>The centre of mass lies {:.0f} mm behind the sensor, in the arm. Standing poses cannot distinguish that from a torque with the opposite sign, or one taken about another point.</source>
+        <translation>Der Schwerpunkt liegt {:.0f} mm hinter dem Sensor, im Arm. Stehende Posen können das nicht von einem Drehmoment mit umgekehrtem Vorzeichen oder um einen anderen Punkt unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Check the torque&apos;s sign and reference point, or record a motion with brisk turns.</source>
+        <translation>Prüfen Sie Vorzeichen und Bezugspunkt des Drehmoments, oder nehmen Sie eine Bewegung mit zügigen Drehungen auf.</translation>
+    </message>
+    <message>
+        <source>The readings follow the stated conventions.</source>
+        <translation>Die Messwerte folgen den angegebenen Konventionen.</translation>
+    </message>
+    <message>
+        <source>The readings fit the stated conventions, and others as well.</source>
+        <translation>Die Messwerte passen zu den angegebenen Konventionen, und auch zu anderen.</translation>
+    </message>
+    <message>
+        <source>The stated conventions do not fit, and this recording cannot show which ones do. Likeliest: {}</source>
+        <translation>Die angegebenen Konventionen passen nicht, und diese Aufnahme kann nicht zeigen, welche es tun. Am wahrscheinlichsten: {}</translation>
+    </message>
+    <message>
+        <source>No rigid payload explains the readings, under the stated conventions or any other usual ones.</source>
+        <translation>Keine starre Last erklärt die Messwerte, weder mit den angegebenen Konventionen noch mit anderen üblichen.</translation>
+    </message>
+    <message>
+        <source>Look for contact, a cable, or a sensor that was zeroed during the recording.</source>
+        <translation>Suchen Sie nach Kontakt, einem Kabel oder einem Sensor, der während der Aufnahme genullt wurde.</translation>
+    </message>
+    <message>
+        <source>A motion with brisk turns in all directions would decide.</source>
+        <translation>Eine Bewegung mit zügigen Drehungen in alle Richtungen würde es entscheiden.</translation>
+    </message>
+    <message>
+        <source>A longer motion that tilts and turns the tool in all directions would decide.</source>
+        <translation>Eine längere Bewegung, die das Werkzeug in alle Richtungen kippt und dreht, würde es entscheiden.</translation>
+    </message>
+    <message>
+        <source>Forces are in {}, torques in {}.</source>
+        <translation>Kräfte sind in {} angegeben, Drehmomente in {}.</translation>
+    </message>
+    <message>
+        <source>The signs are those of the load on the sensor, not of the sensor on the load.</source>
+        <translation>Die Vorzeichen sind die der Last auf den Sensor, nicht die des Sensors auf die Last.</translation>
+    </message>
+    <message>
+        <source>The signs are those of the sensor on the load, not of the load on the sensor.</source>
+        <translation>Die Vorzeichen sind die des Sensors auf die Last, nicht die der Last auf den Sensor.</translation>
+    </message>
+    <message>
+        <source>The torque has the opposite sign to the force.</source>
+        <translation>Das Drehmoment hat das umgekehrte Vorzeichen der Kraft.</translation>
+    </message>
+    <message>
+        <source>The torque has the same sign as the force.</source>
+        <translation>Das Drehmoment hat das gleiche Vorzeichen wie die Kraft.</translation>
+    </message>
+    <message>
+        <source>The torque comes first, then the force.</source>
+        <translation>Das Drehmoment kommt zuerst, dann die Kraft.</translation>
+    </message>
+    <message>
+        <source>The force comes first, then the torque.</source>
+        <translation>Die Kraft kommt zuerst, dann das Drehmoment.</translation>
+    </message>
+    <message>
+        <source>The force is given in the robot&apos;s base axes, not the sensor&apos;s.</source>
+        <translation>Die Kraft ist in den Achsen der Roboterbasis angegeben, nicht in denen des Sensors.</translation>
+    </message>
+    <message>
+        <source>The force is given in the sensor&apos;s axes, not the robot&apos;s base axes.</source>
+        <translation>Die Kraft ist in den Achsen des Sensors angegeben, nicht in denen der Roboterbasis.</translation>
+    </message>
+    <message>
+        <source>The torque is taken about the origin of the robot&apos;s base.</source>
+        <translation>Das Drehmoment bezieht sich auf den Ursprung der Roboterbasis.</translation>
+    </message>
+    <message>
+        <source>The torque is taken about the sensor&apos;s origin.</source>
+        <translation>Das Drehmoment bezieht sich auf den Ursprung des Sensors.</translation>
+    </message>
+    <message>
+        <source>The torque is taken about a point {:.0f} mm from the sensor&apos;s origin.</source>
+        <translation>Das Drehmoment bezieht sich auf einen Punkt, der {:.0f} mm vom Ursprung des Sensors entfernt ist.</translation>
+    </message>
+    <message>
+        <source>No axis has the wrong sign.</source>
+        <translation>Keine Achse hat das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Force and torque along {} have the wrong sign.</source>
+        <translation>Kraft und Drehmoment entlang {} haben das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The sensor is mounted {:.0f} degrees away from where the setup file has it.</source>
+        <translation>Der Sensor ist um {:.0f} Grad anders befestigt, als die Meta-Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Gravity points the other way in the robot&apos;s base: it hangs from the ceiling, or stands upright.</source>
+        <translation>Die Schwerkraft zeigt in der Roboterbasis in die andere Richtung: Der Roboter hängt an der Decke oder steht aufrecht.</translation>
+    </message>
+    <message>
+        <source>Gravity points {:.0f} degrees away from what the setup file says: the base is mounted differently.</source>
+        <translation>Die Schwerkraft zeigt um {:.0f} Grad anders, als die Meta-Datei sagt: Die Basis ist anders befestigt.</translation>
+    </message>
+    <message>
+        <source>The poses are those of the base in the sensor&apos;s frame.</source>
+        <translation>Die Posen sind die der Basis im Koordinatensystem des Sensors.</translation>
+    </message>
+    <message>
+        <source>The poses are those of the sensor in the base frame.</source>
+        <translation>Die Posen sind die des Sensors im Koordinatensystem der Basis.</translation>
+    </message>
+    <message>
+        <source>The quaternions have w first.</source>
+        <translation>Die Quaternionen haben w zuerst.</translation>
+    </message>
+    <message>
+        <source>The quaternions have w last.</source>
+        <translation>Die Quaternionen haben w zuletzt.</translation>
+    </message>
+    <message>
+        <source>Check which sign the driver reports at rest: the weight of the load, or the force that carries it.</source>
+        <translation>Prüfen Sie, welches Vorzeichen der Treiber in Ruhe meldet: das Gewicht der Last oder die Kraft, die sie trägt.</translation>
+    </message>
+    <message>
+        <source>Check whether the driver or your own code turns the sign of forces or torques alone.</source>
+        <translation>Prüfen Sie, ob der Treiber oder eigener Code das Vorzeichen nur der Kräfte oder nur der Drehmomente umkehrt.</translation>
+    </message>
+    <message>
+        <source>Check the order of the columns: spatial vectors often have the torque first.</source>
+        <translation>Prüfen Sie die Reihenfolge der Spalten: Räumliche Vektoren haben oft das Drehmoment zuerst.</translation>
+    </message>
+    <message>
+        <source>Check in which frame the controller reports the wrench (UR: actual_TCP_force is in base axes).</source>
+        <translation>Prüfen Sie, in welchen Achsen die Steuerung Kraft und Drehmoment meldet (UR: actual_TCP_force in denen der Basis).</translation>
+    </message>
+    <message>
+        <source>Check which point the controller takes torques about (sensor, TCP, flange or base).</source>
+        <translation>Prüfen Sie, auf welchen Punkt die Steuerung Drehmomente bezieht (Sensor, TCP, Flansch oder Basis).</translation>
+    </message>
+    <message>
+        <source>Check whether the driver uses a left-handed frame or changes the sign of one axis.</source>
+        <translation>Prüfen Sie, ob der Treiber ein linkshändiges System benutzt oder das Vorzeichen einer Achse ändert.</translation>
+    </message>
+    <message>
+        <source>Check the mounting angle of the sensor, and the frame that its driver reports in.</source>
+        <translation>Prüfen Sie den Winkel, in dem der Sensor befestigt ist, und die Achsen, in denen sein Treiber meldet.</translation>
+    </message>
+    <message>
+        <source>Check the units on the sensor&apos;s configuration page or in its calibration file.</source>
+        <translation>Prüfen Sie die Einheiten auf der Einstellungsseite des Sensors oder in seiner Kalibrierdatei.</translation>
+    </message>
+    <message>
+        <source>Check how the base is mounted (floor, wall, ceiling) and the direction of gravity.</source>
+        <translation>Prüfen Sie, wie die Basis befestigt ist (Boden, Wand, Decke), und die Richtung der Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>Check whether the logged transform is sensor to base or base to sensor.</source>
+        <translation>Prüfen Sie, ob die aufgezeichnete Transformation vom Sensor zur Basis oder von der Basis zum Sensor führt.</translation>
+    </message>
+    <message>
+        <source>Check the order of the quaternion&apos;s components (Eigen&apos;s constructor and MuJoCo: w first; ROS: w last).</source>
+        <translation>Prüfen Sie die Reihenfolge der Quaternionen (Eigens Konstruktor und MuJoCo: w zuerst; ROS: w zuletzt).</translation>
+    </message>
+    <message>
+        <source>Causes are checked on motions only, not on standing poses.</source>
+        <translation>Ursachen werden nur an Bewegungen geprüft, nicht an stehenden Posen.</translation>
+    </message>
+    <message>
+        <source>{} poses are too few to look for causes; record at least {}.</source>
+        <translation>{} Posen sind zu wenige, um nach Ursachen zu suchen; nehmen Sie mindestens {} auf.</translation>
+    </message>
+    <message>
+        <source>Looking at conventions</source>
+        <translation>Konventionen werden geprüft</translation>
+    </message>
+    <message>
+        <source>how the tool is turned</source>
+        <translation>der Drehung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Other conventions fit as well.</source>
+        <translation>Andere Konventionen passen ebenso.</translation>
+    </message>
+    <message>
+        <source>Standing poses cannot tell: inertia, delays, friction, a gain that all channels share, a pull straight up or down, or the zero of the first joint.</source>
+        <translation>Stehende Posen zeigen nicht: Trägheit, Verzögerungen, Reibung, eine allen Kanälen gemeinsame Verstärkung, einen Zug genau nach oben oder unten und die Nullstellung des ersten Gelenks.</translation>
+    </message>
+    <message>
+        <source>Record a motion with brisk turns for these.</source>
+        <translation>Nehmen Sie dafür eine Bewegung mit zügigen Drehungen auf.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero drifts: {} by {} {} from each pose to the next.</source>
+        <translation>Der Nullpunkt des Sensors driftet: {} um {} {} von einer Pose zur nächsten.</translation>
+    </message>
+    <message>
+        <source>After pose {} the sensor&apos;s zero jumped by {} N and {} N m.</source>
+        <translation>Nach Pose {} sprang der Nullpunkt des Sensors um {} N und {} N m.</translation>
+    </message>
+    <message>
+        <source>After pose {} the load was {} g heavier.</source>
+        <translation>Nach Pose {} war die Last {} g schwerer.</translation>
+    </message>
+    <message>
+        <source>After pose {} the load was {} g lighter.</source>
+        <translation>Nach Pose {} war die Last {} g leichter.</translation>
+    </message>
+    <message>
+        <source>These poses do not fit the others, by up to {} N: {}. The tool touched something, or moved.</source>
+        <translation>Diese Posen passen nicht zu den anderen, um bis zu {} N: {}. Das Werkzeug berührte etwas oder bewegte sich.</translation>
+    </message>
+    <message>
+        <source>Something pulls at the tool. How much of that goes straight up or down is unknown, and so is the mass, to {:.2g} kg.</source>
+        <translation>Etwas zieht am Werkzeug. Wie viel davon genau nach oben oder unten geht, ist unbekannt, und damit die Masse, auf {:.2g} kg.</translation>
+    </message>
+    <message>
+        <source>Take the pull away and record the poses again.</source>
+        <translation>Beseitigen Sie den Zug und nehmen Sie die Posen noch einmal auf.</translation>
     </message>
 </context>
 <context>

@@ -30,13 +30,13 @@ const std::vector<std::vector<std::string>> kGroups{
     {"saturation", "quantisation", "spikes"},
 };
 
-bool lists(const std::vector<std::string>& list, const std::string& id) {
+bool listed(const std::vector<std::string>& list, const std::string& id) {
   return std::find(list.begin(), list.end(), id) != list.end();
 }
 
 std::size_t groupOf(const std::string& id) {
   for (std::size_t i = 0; i < kGroups.size(); ++i)
-    if (lists(kGroups[i], id)) return i;
+    if (listed(kGroups[i], id)) return i;
   return kGroups.size();
 }
 
@@ -157,7 +157,7 @@ std::optional<EffectRequest> drawRequest(const EffectKind& kind, const std::stri
                                          const Payload& payload, const SimulateOptions& options, RandomStream& random) {
   EffectRequest request{kind.id, form, kind.typical};
   if (kind.id == "frame_error") return request;  // There is no half mistake.
-  if (!lists(kSeenDirectly, kind.id) || form == "recorded") {
+  if (!listed(kSeenDirectly, kind.id) || form == "recorded") {
     const auto size = visibleSize(kind.typical, kind.largest, [&](double s) {
       return misfit(payload, options, {kind.id, form, s});
     });

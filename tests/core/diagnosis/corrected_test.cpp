@@ -167,8 +167,7 @@ TEST(Corrected, TouchesHideNoOtherGravity) {
 /// Nor a sensor that is mounted turned by half, nor swapped columns, and the touches are found beside them: with these,
 /// what was no touch looked like one, and the sign of all forces was changed, or a loose mass was found.
 TEST(Corrected, TouchesHideNoMistake) {
-  using Kind = diagnosis::FrameMistake::Kind;
-  for (const auto& [form, kind] : {std::pair{"mount-180", Kind::turned}, std::pair{"swapped-xy", Kind::mirrored}}) {
+  for (const char* form : {"mount-180", "swapped-xy"}) {
     Recording recording = aRecording(MotionKind::pickAndPlace, 508, {{"frame_error", form, 1.0}});
     recording.meta.marks.clear();
     const auto report = diagnosed(recording);
@@ -177,7 +176,7 @@ TEST(Corrected, TouchesHideNoMistake) {
     EXPECT_EQ(report.causes.front().id, "frame_error") << form << ": " << said(report);
     EXPECT_EQ(report.causes.back().id, "contact") << form << ": " << said(report);
     ASSERT_TRUE(report.mistake) << form;
-    EXPECT_EQ(report.mistake->kind, kind) << form;
+    EXPECT_TRUE(report.mistake->has(conventions::Change::turned)) << form;
     EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01) << form;
   }
 }
