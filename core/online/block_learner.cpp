@@ -46,7 +46,7 @@ Vector10d curvatureStd(const MapPrior& prior, const MapSolution& solution) {
 
 }  // namespace
 
-Prepared learnedWith(const Blocks& blocks, std::vector<MarkLabel> labels) {
+Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels) {
   Prepared out;
   out.blocks = blocks.rows(0, blocks.size());
   out.labels = std::move(labels);
@@ -64,7 +64,7 @@ Prepared learnedWith(const Blocks& blocks, std::vector<MarkLabel> labels) {
   return out;
 }
 
-Prepared learnedFrom(const Blocks& blocks) {
+Prepared learnedFrom(const LaneBlocks& blocks) {
   if (6 * blocks.size() < 4 * kColumns) {
     Prepared out;
     out.blocks = blocks.rows(0, blocks.size());
@@ -167,7 +167,7 @@ double BlockLearner::score(const Regressor& Y, const Vector6d& wrench) const {
   return worst;
 }
 
-void BlockLearner::judge(const Blocks& blocks) {
+void BlockLearner::judge(const LaneBlocks& blocks) {
   for (auto k = static_cast<Eigen::Index>(judged_.size()); k < blocks.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     const bool fits = score(blocks.Y[i], blocks.wrench[i]) < 1.0;
@@ -183,7 +183,7 @@ void BlockLearner::judge(const Blocks& blocks) {
   }
 }
 
-void BlockLearner::follow(const Blocks& blocks) {
+void BlockLearner::follow(const LaneBlocks& blocks) {
   if (!estimated_) return;
   judge(blocks);
   const Eigen::Index ready = blocks.size() - kMargin;

@@ -10,9 +10,9 @@
 namespace heft {
 
 /// The batch's way from blocks to a noise model: labels, runs, noise. Empty runs where too little is free.
-Prepared learnedFrom(const Blocks& blocks);
+Prepared learnedFrom(const LaneBlocks& blocks);
 /// The same with labels that are known.
-Prepared learnedWith(const Blocks& blocks, std::vector<MarkLabel> labels);
+Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels);
 /// Without the first `count` blocks.
 Prepared withoutFirst(const Prepared& prepared, Eigen::Index count);
 
@@ -28,7 +28,7 @@ class BlockLearner {
   /// too little is free.
   void learn(const Prepared& prepared);
   /// Judges and takes in the blocks that came since.
-  void follow(const Blocks& blocks);
+  void follow(const LaneBlocks& blocks);
   /// The first `count` blocks are about to be dropped: what they say is kept. To be followed by learn().
   void freeze(const Prepared& prepared, Eigen::Index count);
 
@@ -55,13 +55,13 @@ class BlockLearner {
 
  private:
   void forgetBlocks();
-  void judge(const Blocks& blocks);
+  void judge(const LaneBlocks& blocks);
   void solve(bool sampled);
 
   const EstimateOptions* options_;
   const ShapePrior* shape_;
   bool estimated_ = false;
-  Eigen::Index learned_ = 0, followed_ = 0;  ///< Blocks learned from; and those whose rows are in fresh_.
+  Eigen::Index learned_ = 0, followed_ = 0;  ///< LaneBlocks learned from; and those whose rows are in fresh_.
   std::vector<Judged> judged_;
   std::optional<Vector3d> still_;  ///< What was learned from stood still: with this specific force.
   NoiseModel noise_, weighting_;

@@ -15,7 +15,7 @@ constexpr double kEdge = 0.1;         // [s] at a stretch's ends that is not use
 constexpr double kNewestDelay = 0.1;  // [s]
 }  // namespace
 
-WrenchRows Blocks::rows(Eigen::Index from, Eigen::Index to) const {
+WrenchRows LaneBlocks::rows(Eigen::Index from, Eigen::Index to) const {
   WrenchRows out;
   out.rateHz = rateHz;
   out.startTime = from < size() ? time[static_cast<std::size_t>(from)] : 0.0;
@@ -25,7 +25,7 @@ WrenchRows Blocks::rows(Eigen::Index from, Eigen::Index to) const {
   return out;
 }
 
-void Blocks::append(const Blocks& other, Eigen::Index from, Eigen::Index to) {
+void LaneBlocks::append(const LaneBlocks& other, Eigen::Index from, Eigen::Index to) {
   rateHz = other.rateHz;
   time.insert(time.end(), other.time.begin() + from, other.time.begin() + to);
   Y.insert(Y.end(), other.Y.begin() + from, other.Y.begin() + to);
@@ -33,7 +33,7 @@ void Blocks::append(const Blocks& other, Eigen::Index from, Eigen::Index to) {
   usable.insert(usable.end(), other.usable.begin() + from, other.usable.begin() + to);
 }
 
-void Blocks::append(const WrenchRows& other, Eigen::Index from, Eigen::Index to, bool use) {
+void LaneBlocks::append(const WrenchRows& other, Eigen::Index from, Eigen::Index to, bool use) {
   rateHz = other.rateHz;
   for (Eigen::Index k = from; k < to; ++k) {
     time.push_back(other.time(k));
@@ -43,8 +43,8 @@ void Blocks::append(const WrenchRows& other, Eigen::Index from, Eigen::Index to,
   }
 }
 
-void Blocks::keep(Eigen::Index from, Eigen::Index to) {
-  Blocks kept;
+void LaneBlocks::keep(Eigen::Index from, Eigen::Index to) {
+  LaneBlocks kept;
   kept.append(*this, from, to);
   *this = std::move(kept);
 }
@@ -81,7 +81,7 @@ bool Lane::advance(const SampleStream& stream, const RobotModel* robot, bool eag
   for (Eigen::Index k = next_ - firstBlock; k < end; ++k)
     blocks.append(rows, k, k + 1, rows.time(k) >= from && rows.time(k) < to);
   blocks.rateHz = blockRate;
-  newest = Blocks();
+  newest = LaneBlocks();
   const auto fresh = static_cast<Eigen::Index>(kNewestDelay * blockRate);
   const Eigen::Index seen = rows.size() - fresh;
   if (!last && seen > end) newest.append(rows, std::max(end, seen - 3), seen, true);

@@ -5,8 +5,8 @@
 
 namespace heft {
 
-/// Blocks in time order; stretches follow one another.
-struct Blocks {
+/// LaneBlocks in time order; stretches follow one another.
+struct LaneBlocks {
   double rateHz = 0.0;
   std::vector<double> time;  ///< Of each block's centre [s]
   std::vector<Regressor> Y;
@@ -16,7 +16,7 @@ struct Blocks {
   Eigen::Index size() const { return static_cast<Eigen::Index>(time.size()); }
   WrenchRows rows(Eigen::Index from, Eigen::Index to) const;
   /// Takes over [from, to) of `other`.
-  void append(const Blocks& other, Eigen::Index from, Eigen::Index to);
+  void append(const LaneBlocks& other, Eigen::Index from, Eigen::Index to);
   void append(const WrenchRows& other, Eigen::Index from, Eigen::Index to, bool use);
   void keep(Eigen::Index from, Eigen::Index to);
 };
@@ -39,8 +39,8 @@ class Lane {
   /// The first grid instant that is still needed.
   Eigen::Index needed() const { return needed_; }
 
-  Blocks blocks;
-  Blocks newest;  ///< Beyond `blocks`, up to 0.1 s before the newest sample: good enough to notice a contact.
+  LaneBlocks blocks;
+  LaneBlocks newest;  ///< Beyond `blocks`, up to 0.1 s before the newest sample: good enough to notice a contact.
   Findings findings;
 
  private:

@@ -36,7 +36,7 @@ constexpr Eigen::Index kSuspicious = 50;    // blocks of contact after which not
 struct OnlineEstimator::Impl {
   struct Tool {
     BlockLearner learner;
-    std::vector<Blocks> blocks;  ///< One a lane, while this tool is not the present one.
+    std::vector<LaneBlocks> blocks;  ///< One a lane, while this tool is not the present one.
   };
 
   RecordingMeta meta;
@@ -102,7 +102,7 @@ struct OnlineEstimator::Impl {
     stale = true;
   }
 
-  Blocks& blocks() { return lanes[chosen].blocks; }
+  LaneBlocks& blocks() { return lanes[chosen].blocks; }
 
   bool advance(bool last) {
     sinceStep = 0;
@@ -137,15 +137,15 @@ struct OnlineEstimator::Impl {
   }
 
   /// The blocks of all lanes that `count` labels are for, as far as a lane has them.
-  std::vector<Blocks> blocksOfLanes(std::size_t count) const {
-    std::vector<Blocks> out(lanes.size());
+  std::vector<LaneBlocks> blocksOfLanes(std::size_t count) const {
+    std::vector<LaneBlocks> out(lanes.size());
     for (std::size_t i = 0; i < lanes.size(); ++i)
       out[i].append(lanes[i].blocks, 0, std::min(lanes[i].blocks.size(), static_cast<Eigen::Index>(count)));
     return out;
   }
 
   /// Which lane's blocks are predicted best; the labels are those of the lane chosen so far.
-  static std::size_t bestLane(const std::vector<Blocks>& blocks, const std::vector<MarkLabel>& labels) {
+  static std::size_t bestLane(const std::vector<LaneBlocks>& blocks, const std::vector<MarkLabel>& labels) {
     std::vector<Prepared> prepared;
     for (const auto& lane : blocks)
       prepared.push_back(learnedWith(lane, {labels.begin(), labels.begin() + lane.size()}));
@@ -157,7 +157,7 @@ struct OnlineEstimator::Impl {
     return best;
   }
 
-  static Learned learned(BlockLearner learner, const Blocks& blocks) {
+  static Learned learned(BlockLearner learner, const LaneBlocks& blocks) {
     Prepared prepared = learnedFrom(blocks);
     Learned out{std::move(learner), {}, blocks.size() > kMost};
     if (!prepared.runs.empty()) out.labels = prepared.labels;
@@ -273,11 +273,11 @@ struct OnlineEstimator::Impl {
                       {}});
     Tool now{learner, {}};
     for (std::size_t i = 0; i < lanes.size(); ++i) {
-      Blocks& all = lanes[i].blocks;
+      LaneBlocks& all = lanes[i].blocks;
       const Eigen::Index at = indexAt(all, time);
       now.blocks.emplace_back();
       now.blocks.back().append(all, 0, at);
-      Blocks joined = std::move(other->blocks[i]);
+      LaneBlocks joined = std::move(other->blocks[i]);
       // The seam is no neighbourhood in time.
       if (joined.size() > 0) joined.usable.back() = 0;
       joined.append(all, at, all.size());
@@ -297,7 +297,7 @@ struct OnlineEstimator::Impl {
     if (blocks().size() >= kFirst) learner.learn(learnedFrom(blocks()));
   }
 
-  static Eigen::Index indexAt(const Blocks& blocks, double time) {
+  static Eigen::Index indexAt(const LaneBlocks& blocks, double time) {
     return std::lower_bound(blocks.time.begin(), blocks.time.end(), time - 1e-9) - blocks.time.begin();
   }
 
@@ -322,7 +322,7 @@ void OnlineEstimator::Impl::fillState() const {
   state.toolChanged = toolChanged;
   state.cutoffHz = lanes[chosen].cutoffHz();
   state.findings = events;
-  const Blocks& all = lanes[chosen].blocks;
+  const LaneBlocks& all = lanes[chosen].blocks;
   if (gaps > 0) state.findings.push_back({Severity::info, "gaps", heft::say("The data had {} gaps.", gaps), {}, {}});
   if (dropped > 0)
     state.findings.push_back(
@@ -355,7 +355,7 @@ void OnlineEstimator::Impl::fillState() const {
                                           state.contactDuration, state.usedDuration),
                                 heft::say("Move the tool without touching anything."),
                                 {}});
-    const Blocks& newest = lanes[chosen].newest;
+    const LaneBlocks& newest = lanes[chosen].newest;
     if (newest.size() > 0) {
       double least = INFINITY;
       for (std::size_t k = 0; k < newest.time.size(); ++k)
@@ -432,7 +432,7 @@ std::optional<OnlineInformation> OnlineEstimator::information() const {
 }
 
 Triangle OnlineEstimator::rows() const {
-  const Blocks& blocks = impl_->blocks();
+  const LaneBlocks& blocks = impl_->blocks();
   const auto& judged = impl_->learner.judged();
   const WrenchRows rows = blocks.rows(0, static_cast<Eigen::Index>(judged.size()));
   TriangleBuilder builder;

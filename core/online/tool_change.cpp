@@ -24,7 +24,7 @@ constexpr Look kLooks[] = {{2.0, 8.0, false}, {4.0, 20.0, true}};
 using Vector16d = Eigen::Matrix<double, kColumns, 1>;
 
 /// Angle whose cosine is the length of the mean direction of the specific force.
-double tiltSpread(const Blocks& blocks, Eigen::Index from) {
+double tiltSpread(const LaneBlocks& blocks, Eigen::Index from) {
   Vector3d mean = Vector3d::Zero();
   for (Eigen::Index k = from; k < blocks.size(); ++k)
     mean += blocks.Y[static_cast<std::size_t>(k)].block<3, 1>(0, 0).normalized();
@@ -33,7 +33,7 @@ double tiltSpread(const Blocks& blocks, Eigen::Index from) {
 }
 
 /// Earliest block from which on all but short holes satisfy `fits`.
-Eigen::Index backTo(const Blocks& blocks, Eigen::Index from, const std::function<bool(Eigen::Index)>& fits) {
+Eigen::Index backTo(const LaneBlocks& blocks, Eigen::Index from, const std::function<bool(Eigen::Index)>& fits) {
   Eigen::Index start = from, hole = 0;
   for (Eigen::Index k = from - 1; k >= 0 && hole < kHole; --k) {
     if (fits(k)) {
@@ -48,7 +48,7 @@ Eigen::Index backTo(const Blocks& blocks, Eigen::Index from, const std::function
 
 }  // namespace
 
-std::optional<ToolChange> findToolChange(const Blocks& blocks, const BlockLearner& present) {
+std::optional<ToolChange> findToolChange(const LaneBlocks& blocks, const BlockLearner& present) {
   const auto& judged = present.judged();
   const Eigen::Index n = blocks.size();
   const Vector6d allowed =
@@ -104,7 +104,7 @@ std::optional<ToolChange> findToolChange(const Blocks& blocks, const BlockLearne
   return std::nullopt;
 }
 
-std::optional<Eigen::Index> explainedSince(const Blocks& blocks, const BlockLearner& present,
+std::optional<Eigen::Index> explainedSince(const LaneBlocks& blocks, const BlockLearner& present,
                                            const BlockLearner& other) {
   const auto& judged = present.judged();
   const Eigen::Index n = blocks.size();
