@@ -273,7 +273,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   fillSeries(prepared, solution.phi, solution.bias, report.series);
   judgeFit(prepared, heldout, report);
   addFindings(report);
-  judgeTrust(prepared, unseen, report);
+  judgeTrust(unseen, report);
   progress(1.0, "Done");
   report.timing.total = prepareSeconds + secondsSince(begin);
   return report;

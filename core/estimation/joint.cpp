@@ -9,6 +9,7 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/estimation/estimate_prepared.h"
+#include "core/estimation/judgement.h"
 #include "core/estimation/prior.h"
 #include "core/math/linear_algebra.h"
 
@@ -225,6 +226,23 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
   if (!proposal) return proposal.error();
   out.proposal = std::move(*proposal);
   out.proposalText = proposalWords(out.pieces, out.proposal);
+  // The numbers rest on all that are used, and so does the trust in them.
+  EstimateReport& result = out.pieces[out.first].report;
+  for (std::size_t i = 0; i < out.pieces.size(); ++i) {
+    const EstimateReport& own = out.pieces[i].report;
+    if (i == out.first || !out.pieces[i].used || own.trust <= result.trust) continue;
+    if (own.trust == Trust::none) {
+      loseTrust(result, {heft::say("Recording {}:", i + 1) + " " + own.whyNoTrust, own.whatToDo});
+    } else {
+      result.trust = own.trust;
+      result.findings.push_back(
+          {Severity::warning,
+           "low_trust_of_one",
+           heft::say("Recording {} deserves little trust, and with it the numbers from all of them.", i + 1),
+           heft::say("Look at its findings, or leave it out."),
+           {}});
+    }
+  }
   for (std::size_t i = 0; i < out.pieces.size(); ++i)
     if (!out.pieces[i].used)
       out.pieces[out.first].report.findings.push_back(

@@ -34,8 +34,14 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
 /// What is not known, not physical or not usable.
 void addFindings(EstimateReport& report);
 
+/// What takes all trust from the numbers, and the next step.
+struct NoTrust {
+  std::string what, next;
+};
+void loseTrust(EstimateReport& report, const NoTrust& why);
+
 /// Sets `trust` and what follows from it; comes last. Without trust no label is "data", and what the findings say about
 /// numbers or about how to move is withheld: it would lead away from what is wrong.
-void judgeTrust(const Prepared& prepared, const Unseen& unseen, EstimateReport& report);
+void judgeTrust(const Unseen& unseen, EstimateReport& report);
 
 }  // namespace heft

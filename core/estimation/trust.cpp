@@ -75,11 +75,8 @@ std::string tiesOf(const EstimateReport& report) {
   return out;
 }
 
-/// What takes all trust from the numbers; empty if nothing does.
-struct Why {
-  std::string what, next;
-};
-Why whyNone(const EstimateReport& report, const Unseen& unseen) {
+/// Empty if nothing takes all trust from the numbers.
+NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
   const conventions::Report& said = report.conventions;
   if (!report.readAsSuggested && said.verdict != Verdict::asStated) {
     if (said.verdict == Verdict::none) return {said.sentence, said.check};
@@ -186,7 +183,15 @@ Unseen unseenOver(const Prepared& prepared,
   return out;
 }
 
-void judgeTrust(const Prepared& prepared, const Unseen& unseen, EstimateReport& report) {
+void loseTrust(EstimateReport& report, const NoTrust& why) {
+  report.trust = Trust::none;
+  report.whyNoTrust = why.what;
+  report.whatToDo = why.next;
+  withhold(report);
+  report.findings.push_back({Severity::warning, "no_trust", why.what, why.next, {}});
+}
+
+void judgeTrust(const Unseen& unseen, EstimateReport& report) {
   const conventions::Report& said = report.conventions;
   report.unseenForceShare = unseen.force;
   report.unseenTorqueShare = unseen.torque;
@@ -197,13 +202,8 @@ void judgeTrust(const Prepared& prepared, const Unseen& unseen, EstimateReport& 
                                           said.sentence, evidenceOf(said)}),
                                inOneLine({remedy(Remedy::keepReading, patchOf(report, *said.suggested)), said.check}),
                                {}});
-  const Why why = prepared.usedBlocks > 0 ? whyNone(report, unseen) : Why{};
-  if (!why.what.empty()) {
-    report.trust = Trust::none;
-    report.whyNoTrust = why.what;
-    report.whatToDo = why.next;
-    withhold(report);
-    report.findings.push_back({Severity::warning, "no_trust", why.what, why.next, {}});
+  if (const NoTrust why = whyNone(report, unseen); !why.what.empty()) {
+    loseTrust(report, why);
     return;
   }
   if (!said.ties.empty())

@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string>> kGroups{
     {"saturation", "quantisation", "spikes"},
 };
 
-bool contains(const std::vector<std::string>& list, const std::string& id) {
+bool isListed(const std::vector<std::string>& list, const std::string& id) {
   return std::find(list.begin(), list.end(), id) != list.end();
 }
 
@@ -157,7 +157,7 @@ std::optional<EffectRequest> drawRequest(const EffectKind& kind, const std::stri
                                          const Payload& payload, const SimulateOptions& options, RandomStream& random) {
   EffectRequest request{kind.id, form, kind.typical};
   if (kind.id == "frame_error") return request;  // There is no half mistake.
-  if (!contains(kSeenDirectly, kind.id) || form == "recorded") {
+  if (!isListed(kSeenDirectly, kind.id) || form == "recorded") {
     const auto size = visibleSize(kind.typical, kind.largest, [&](double s) {
       return misfit(payload, options, {kind.id, form, s});
     });
