@@ -36,7 +36,7 @@ bool isListed(const std::vector<std::string>& list, const std::string& id) {
 
 std::size_t groupOf(const std::string& id) {
   for (std::size_t i = 0; i < kGroups.size(); ++i)
-    if (contains(kGroups[i], id)) return i;
+    if (isListed(kGroups[i], id)) return i;
   return kGroups.size();
 }
 
