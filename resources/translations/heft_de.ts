@@ -1451,6 +1451,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>If so, say it under Tools, “Robot and sensor”, “Conventions of the numbers”.</source>
         <translation>Wenn ja, sagen Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“.</translation>
     </message>
+    <message>
+        <source>Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
+        <translation>Geben Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“ an: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ResultText</name>
@@ -7089,6 +7093,262 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>must be {}, not {}.</source>
         <translation>muss {} sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>Estimate with --conventions suggested, or write {} into the meta file.</source>
+        <translation>Schätzen Sie mit --conventions suggested, oder schreiben Sie {} in die Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>To keep that, write {} into the meta file.</source>
+        <translation>Um dabei zu bleiben, schreiben Sie {} in die Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>The centre of mass would be {:.2f} m from the sensor. If the tool is not that long, force and torque are in other units than the setup file says.</source>
+        <translation>Der Schwerpunkt läge {:.2f} m vom Sensor entfernt. Ist das Werkzeug nicht so lang, haben Kraft und Moment andere Einheiten als in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>Check force_unit and torque_unit in the setup file.</source>
+        <translation>Prüfen Sie force_unit und torque_unit in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>A load of {:.0f} kg is more than this arm carries: the force&apos;s unit is probably not what the setup file says.</source>
+        <translation>Eine Last von {:.0f} kg ist mehr, als dieser Arm trägt: Die Einheit der Kraft ist wahrscheinlich nicht die der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>State force_unit in the setup file.</source>
+        <translation>Geben Sie force_unit in der Meta-Datei an.</translation>
+    </message>
+    <message>
+        <source>The centre of mass lies {:.0f} mm behind the sensor, in the arm. Standing poses cannot distinguish that from a torque with the opposite sign, or one taken about another point.</source>
+        <translation>Der Schwerpunkt liegt {:.0f} mm hinter dem Sensor, im Arm. Ruhende Posen können das nicht von einem Moment mit anderem Vorzeichen oder um einen anderen Punkt unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Check the torque&apos;s sign and reference point, or record a motion with brisk turns.</source>
+        <translation>Prüfen Sie Vorzeichen und Bezugspunkt des Moments, oder nehmen Sie eine Bewegung mit zügigen Drehungen auf.</translation>
+    </message>
+    <message>
+        <source>The readings follow the stated conventions.</source>
+        <translation>Die Messwerte folgen den angegebenen Konventionen.</translation>
+    </message>
+    <message>
+        <source>The readings fit the stated conventions, and others as well.</source>
+        <translation>Die Messwerte passen zu den angegebenen Konventionen, aber auch zu anderen.</translation>
+    </message>
+    <message>
+        <source>The stated conventions do not fit, and this recording cannot show which ones do. Likeliest: {}</source>
+        <translation>Die angegebenen Konventionen passen nicht, und diese Aufnahme kann nicht zeigen, welche passen. Am wahrscheinlichsten: {}</translation>
+    </message>
+    <message>
+        <source>No rigid payload explains the readings, under the stated conventions or any other usual ones.</source>
+        <translation>Keine starre Last erklärt die Messwerte, weder mit den angegebenen noch mit anderen üblichen Konventionen.</translation>
+    </message>
+    <message>
+        <source>Look for contact, a cable, or a sensor that was zeroed during the recording.</source>
+        <translation>Suchen Sie nach Berührung, einem Kabel oder einem Sensor, der während der Aufnahme genullt wurde.</translation>
+    </message>
+    <message>
+        <source>A motion with brisk turns in all directions would decide.</source>
+        <translation>Eine Bewegung mit zügigen Drehungen in alle Richtungen würde es entscheiden.</translation>
+    </message>
+    <message>
+        <source>A longer motion that tilts and turns the tool in all directions would decide.</source>
+        <translation>Eine längere Bewegung, die das Werkzeug in alle Richtungen neigt und dreht, würde es entscheiden.</translation>
+    </message>
+    <message>
+        <source>Forces are in {}, torques in {}.</source>
+        <translation>Kräfte stehen in {}, Momente in {}.</translation>
+    </message>
+    <message>
+        <source>The signs are those of the load on the sensor, not of the sensor on the load.</source>
+        <translation>Die Vorzeichen sind die der Last auf den Sensor, nicht die des Sensors auf die Last.</translation>
+    </message>
+    <message>
+        <source>The signs are those of the sensor on the load, not of the load on the sensor.</source>
+        <translation>Die Vorzeichen sind die des Sensors auf die Last, nicht die der Last auf den Sensor.</translation>
+    </message>
+    <message>
+        <source>The torque has the opposite sign to the force.</source>
+        <translation>Das Moment hat das umgekehrte Vorzeichen der Kraft.</translation>
+    </message>
+    <message>
+        <source>The torque has the same sign as the force.</source>
+        <translation>Das Moment hat dasselbe Vorzeichen wie die Kraft.</translation>
+    </message>
+    <message>
+        <source>The torque comes first, then the force.</source>
+        <translation>Erst kommt das Moment, dann die Kraft.</translation>
+    </message>
+    <message>
+        <source>The force comes first, then the torque.</source>
+        <translation>Erst kommt die Kraft, dann das Moment.</translation>
+    </message>
+    <message>
+        <source>The force is given in the robot&apos;s base axes, not the sensor&apos;s.</source>
+        <translation>Die Kraft ist in den Achsen des Robotersockels angegeben, nicht in denen des Sensors.</translation>
+    </message>
+    <message>
+        <source>The force is given in the sensor&apos;s axes, not the robot&apos;s base axes.</source>
+        <translation>Die Kraft ist in den Achsen des Sensors angegeben, nicht in denen des Robotersockels.</translation>
+    </message>
+    <message>
+        <source>The torque is taken about the origin of the robot&apos;s base.</source>
+        <translation>Das Moment gilt um den Ursprung des Robotersockels.</translation>
+    </message>
+    <message>
+        <source>The torque is taken about the sensor&apos;s origin.</source>
+        <translation>Das Moment gilt um den Ursprung des Sensors.</translation>
+    </message>
+    <message>
+        <source>The torque is taken about a point {:.0f} mm from the sensor&apos;s origin.</source>
+        <translation>Das Moment gilt um einen Punkt {:.0f} mm vom Ursprung des Sensors.</translation>
+    </message>
+    <message>
+        <source>No axis has the wrong sign.</source>
+        <translation>Keine Achse hat das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Force and torque along {} have the wrong sign.</source>
+        <translation>Kraft und Moment längs {} haben das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The sensor is mounted {:.0f} degrees away from where the setup file has it.</source>
+        <translation>Der Sensor ist um {:.0f} Grad anders montiert als in der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>Gravity points the other way in the robot&apos;s base: it hangs from the ceiling, or stands upright.</source>
+        <translation>Die Schwerkraft zeigt im Robotersockel in die andere Richtung: Er hängt an der Decke, oder er steht aufrecht.</translation>
+    </message>
+    <message>
+        <source>Gravity points {:.0f} degrees away from what the setup file says: the base is mounted differently.</source>
+        <translation>Die Schwerkraft weicht um {:.0f} Grad von der Meta-Datei ab: Der Sockel ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>The poses are those of the base in the sensor&apos;s frame.</source>
+        <translation>Die Posen sind die des Sockels im System des Sensors.</translation>
+    </message>
+    <message>
+        <source>The poses are those of the sensor in the base frame.</source>
+        <translation>Die Posen sind die des Sensors im System des Sockels.</translation>
+    </message>
+    <message>
+        <source>The quaternions have w first.</source>
+        <translation>In den Quaternionen steht w vorn.</translation>
+    </message>
+    <message>
+        <source>The quaternions have w last.</source>
+        <translation>In den Quaternionen steht w hinten.</translation>
+    </message>
+    <message>
+        <source>Check which sign the driver reports at rest: the weight of the load, or the force that carries it.</source>
+        <translation>Prüfen Sie, welches Vorzeichen der Treiber in Ruhe meldet: das Gewicht der Last oder die Kraft, die sie trägt.</translation>
+    </message>
+    <message>
+        <source>Check whether the driver or your own code turns the sign of forces or torques alone.</source>
+        <translation>Prüfen Sie, ob der Treiber oder Ihr eigener Code nur das Vorzeichen der Kräfte oder nur das der Momente umkehrt.</translation>
+    </message>
+    <message>
+        <source>Check the order of the columns: spatial vectors often have the torque first.</source>
+        <translation>Prüfen Sie die Reihenfolge der Spalten: In räumlichen Vektoren steht oft das Moment vorn.</translation>
+    </message>
+    <message>
+        <source>Check in which frame the controller reports the wrench (UR: actual_TCP_force is in base axes).</source>
+        <translation>Prüfen Sie, in welchem System die Steuerung Kraft und Moment meldet (UR: actual_TCP_force steht in Achsen des Sockels).</translation>
+    </message>
+    <message>
+        <source>Check which point the controller takes torques about (sensor, TCP, flange or base).</source>
+        <translation>Prüfen Sie, um welchen Punkt die Steuerung Momente angibt (Sensor, TCP, Flansch oder Sockel).</translation>
+    </message>
+    <message>
+        <source>Check whether the driver uses a left-handed frame or changes the sign of one axis.</source>
+        <translation>Prüfen Sie, ob der Treiber ein linkshändiges System verwendet oder das Vorzeichen einer Achse ändert.</translation>
+    </message>
+    <message>
+        <source>Check the mounting angle of the sensor, and the frame that its driver reports in.</source>
+        <translation>Prüfen Sie den Montagewinkel des Sensors und das System, in dem sein Treiber meldet.</translation>
+    </message>
+    <message>
+        <source>Check the units on the sensor&apos;s configuration page or in its calibration file.</source>
+        <translation>Prüfen Sie die Einheiten auf der Einstellungsseite des Sensors oder in seiner Kalibrierdatei.</translation>
+    </message>
+    <message>
+        <source>Check how the base is mounted (floor, wall, ceiling) and the direction of gravity.</source>
+        <translation>Prüfen Sie, wie der Sockel montiert ist (Boden, Wand, Decke), und die Richtung der Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>Check whether the logged transform is sensor to base or base to sensor.</source>
+        <translation>Prüfen Sie, ob die aufgezeichnete Transformation vom Sensor zum Sockel oder vom Sockel zum Sensor führt.</translation>
+    </message>
+    <message>
+        <source>Check the order of the quaternion&apos;s components (Eigen&apos;s constructor and MuJoCo: w first; ROS: w last).</source>
+        <translation>Prüfen Sie die Reihenfolge im Quaternion (Konstruktor von Eigen und MuJoCo: w vorn; ROS: w hinten).</translation>
+    </message>
+    <message>
+        <source>Recording {}:</source>
+        <translation>Aufnahme {}:</translation>
+    </message>
+    <message>
+        <source>Recording {} deserves little trust, and with it the numbers from all of them.</source>
+        <translation>Aufnahme {} verdient wenig Vertrauen, und mit ihr die Zahlen aus allen.</translation>
+    </message>
+    <message>
+        <source>Look at its findings, or leave it out.</source>
+        <translation>Sehen Sie sich ihre Befunde an, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>Give its shape, or record a motion that turns the tool faster.</source>
+        <translation>Geben Sie seine Form an, oder nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht.</translation>
+    </message>
+    <message>
+        <source>No weight can be told from these readings as they are understood. {}</source>
+        <translation>Aus diesen Messwerten lässt sich, so wie sie verstanden werden, kein Gewicht angeben. {}</translation>
+    </message>
+    <message>
+        <source>Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated it misses {:.0f} % and {:.0f} %.</source>
+        <translation>So gelesen verfehlt das Modell {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment; wie angegeben verfehlt es {:.0f} % und {:.0f} %.</translation>
+    </message>
+    <message>
+        <source>As well fits: {}</source>
+        <translation>Ebenso gut passt: {}</translation>
+    </message>
+    <message>
+        <source>The fit gives a negative mass.</source>
+        <translation>Die Anpassung ergibt eine negative Masse.</translation>
+    </message>
+    <message>
+        <source>Check the sign of the wrench and which column is which.</source>
+        <translation>Prüfen Sie das Vorzeichen von Kraft und Moment und die Zuordnung der Spalten.</translation>
+    </message>
+    <message>
+        <source>The solver did not reach a solution: {}</source>
+        <translation>Der Löser hat keine Lösung erreicht: {}</translation>
+    </message>
+    <message>
+        <source>Record a longer motion that tilts and turns the tool.</source>
+        <translation>Nehmen Sie eine längere Bewegung auf, die das Werkzeug neigt und dreht.</translation>
+    </message>
+    <message>
+        <source>The value of the mass lies outside its own interval.</source>
+        <translation>Der Wert der Masse liegt außerhalb seines eigenen Bereichs.</translation>
+    </message>
+    <message>
+        <source>On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque.</source>
+        <translation>Auf Teilen, an die nicht angepasst wurde, verfehlt ein starres Werkzeug {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment.</translation>
+    </message>
+    <message>
+        <source>Look for contact, a cable, or a sensor that was zeroed during the recording; &apos;heft diagnose&apos; names the cause.</source>
+        <translation>Suchen Sie nach Berührung, einem Kabel oder einem Sensor, der während der Aufnahme genullt wurde; „heft diagnose“ nennt die Ursache.</translation>
+    </message>
+    <message>
+        <source>The readings were understood otherwise than stated.</source>
+        <translation>Die Messwerte wurden anders verstanden als angegeben.</translation>
+    </message>
+    <message>
+        <source>This recording cannot tell the stated conventions from others.</source>
+        <translation>Diese Aufnahme kann die angegebenen Konventionen nicht von anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>{} says that its numbers cannot be trusted, so no payload is written from it: see its findings first.</source>
+        <translation>{} sagt, dass seinen Zahlen nicht zu trauen ist; deshalb wird daraus keine Last geschrieben: Sehen Sie sich zuerst die Befunde an.</translation>
     </message>
 </context>
 <context>

@@ -49,8 +49,9 @@ void expectRefused(const EstimateReport& report, const std::string& name) {
   FlangeOptions force;
   force.force = true;
   // A payload that cannot exist stays refused; what matters here is the reason.
-  if (const auto forced = toFlange(json, "result.json", force); !forced)
-    EXPECT_EQ(forced.error().message.find("cannot be trusted"), std::string::npos);
+  const auto forced = toFlange(json, "result.json", force);
+  const std::string reason = forced ? std::string() : forced.error().message;
+  EXPECT_EQ(reason.find("cannot be trusted"), std::string::npos) << reason;
 }
 
 TEST(Trust, PlainRecordingsAreTrusted) {
