@@ -322,6 +322,17 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     if (!motion) return motion.error();
     first = std::move(*motion);
     report = checkConventionsOf(recording, *first, options.conventions, as);
+    // A swing that nobody recorded looks like anything, and so may be what is wrong.
+    if (!first->originAccelerationKnown && report->verdict != conventions::Verdict::asStated) {
+      Understanding swung = asStated(recording);
+      if (const auto swinging = prepareMotion(cleaned, robot, trial, swung, *first)) {
+        const auto other = checkConventionsOf(recording, swinging->motion, options.conventions, swung);
+        if (other.verdict == conventions::Verdict::asStated) {
+          report = other;
+          as = swung;
+        }
+      }
+    }
     if (progress.cancelled()) return Error{"Stopped.", true};
     // Which channels say nothing was told of the numbers as stated.
     if (as.reading) trial.silent = options.silent;
