@@ -194,6 +194,11 @@ void loseTrust(EstimateReport& report, const NoTrust& why) {
   report.findings.push_back({Severity::warning, "no_trust", why.what, why.next, {}});
 }
 
+void addReadingFindings(const Findings& read, EstimateReport& report) {
+  report.findings.insert(report.findings.begin(), read.begin(), read.end());
+  if (report.trust == Trust::good && warned(read, {"robot_assumed"})) report.trust = Trust::low;
+}
+
 void judgeTrust(const Unseen& unseen, EstimateReport& report) {
   const conventions::Report& said = report.conventions;
   report.unseenForceShare = unseen.force;

@@ -101,6 +101,32 @@ TEST(Trust, PosesInOtherConventionsAreRefusedAndReadRightly) {
   }
 }
 
+TEST(Trust, NoDriverMakesItConfidentlyWrong) {
+  const auto wrong = [](const EstimateReport& report, const Payload& truth) {
+    return report.trust == Trust::good && (std::abs(report.payload.mass - truth.mass) > 0.02 * truth.mass ||
+                                           (report.payload.com - truth.com).norm() > 0.003);
+  };
+  for (const std::uint64_t seed : {27, 28}) {
+    const Payload payload = someTool(seed);
+    const Recording plain = guidedFor12s(payload, seed);
+    for (const std::string& name : driverNames()) {
+      for (const int count : {0, 24, 100}) {
+        Recording recording =
+            count == 0 ? plain : standingRecording(payload, count, {0.0, 0.0, -9.81}, 1.0, seed);
+        rewriteAs(name, RobotModel::panda(), seed, recording);
+        for (const ConventionChoice choice : {ConventionChoice::asStated, ConventionChoice::suggested}) {
+          EstimateOptions options;
+          options.conventions = choice;
+          const EstimateReport report = reportOf(recording, options);
+          EXPECT_FALSE(wrong(report, payload))
+              << name << " " << count << " poses, " << toString(choice) << ": " << report.payload.mass << " kg for "
+              << payload.mass << ", centre " << report.payload.com.transpose() << " for " << payload.com.transpose();
+        }
+      }
+    }
+  }
+}
+
 TEST(Trust, NumbersThatNoConventionExplainsAreRefused) {
   Recording recording = guidedFor12s(someTool(24), 24);
   const MatrixXd wrench = recording.wrench;
