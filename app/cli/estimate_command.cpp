@@ -16,6 +16,7 @@
 #include "core/base/json_file.h"
 #include "core/estimation/comparison.h"
 #include "core/estimation/joint.h"
+#include "core/estimation/judgement.h"
 #include "core/exporters/flange.h"
 
 namespace heft::cli {
@@ -125,7 +126,7 @@ Estimated estimateFiles(const EstimateArguments& options, const EstimateOptions&
     read.clear();
     for (const Input& input : inputs) read.insert(read.end(), input.findings.begin(), input.findings.end());
     EstimateReport& report = out.joint->pieces[out.joint->first].report;
-    report.findings.insert(report.findings.begin(), read.begin(), read.end());
+    addReadingFindings(read, report);
     report.timing.read = readSeconds;
     report.timing.total = secondsSince(start);
     out.report = report;
@@ -141,7 +142,7 @@ Estimated estimateFiles(const EstimateArguments& options, const EstimateOptions&
     out.report = orFail(estimate(first.recording, first.model(), settings, progress));
     out.report.timing.total = secondsSince(start);
   }
-  out.report.findings.insert(out.report.findings.begin(), read.begin(), read.end());
+  addReadingFindings(read, out.report);
   out.report.timing.read = readSeconds;
   return out;
 }

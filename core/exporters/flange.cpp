@@ -198,7 +198,14 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
 
   out.input.payload = transformed(*payload, out.X_FS);
   for (const Payload& other : options.add) out.input.payload = composed(out.input.payload, other);
-  if (const json* identifiability = member(result, "identifiability")) reportSources(*identifiability, out.findings);
+  if (const json* trust = member(result, "trust"); trust && *trust == "none")
+    out.findings.push_back({Severity::warning,
+                            "not_trusted",
+                            heft::say("The estimate itself says that its numbers cannot be trusted."),
+                            heft::say("See its findings before the robot relies on them."),
+                            {}});
+  else if (const json* identifiability = member(result, "identifiability"))
+    reportSources(*identifiability, out.findings);
   if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
     out.findings.push_back({Severity::warning,
                             "not_consistent",

@@ -7350,6 +7350,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} says that its numbers cannot be trusted, so no payload is written from it: see its findings first.</source>
         <translation>{} sagt, dass seinen Zahlen nicht zu trauen ist; deshalb wird daraus keine Last geschrieben: Sehen Sie sich zuerst die Befunde an.</translation>
     </message>
+    <message>
+        <source>Recording {} was left out:</source>
+        <translation>Aufnahme {} wurde weggelassen:</translation>
+    </message>
+    <message>
+        <source>The estimate itself says that its numbers cannot be trusted.</source>
+        <translation>Die Schätzung selbst sagt, dass ihren Zahlen nicht zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>See its findings before the robot relies on them.</source>
+        <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

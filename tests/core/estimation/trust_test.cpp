@@ -134,17 +134,26 @@ TEST(Trust, NumbersThatNoConventionExplainsAreRefused) {
   expectRefused(reportOf(recording), "reversed");
 }
 
-TEST(Trust, OneUntrustedRecordingTakesItFromAllThatAreJoined) {
+TEST(Trust, ARecordingThatIsNotUnderstoodIsLeftOutOfAJointEstimate) {
   const Payload payload = someTool(25);
   const Recording right = guidedFor12s(payload, 25);
   Recording wrong = guidedFor12s(payload, 26);
   rewriteAs("torque_sign", RobotModel::panda(), 26, wrong);
   const RobotModel& robot = RobotModel::panda();
-  const std::vector<JointInput> inputs{{&right, &robot}, {&wrong, &robot}};
-  const auto joint = estimateJointly(inputs, {});
+  for (const bool wrongFirst : {false, true}) {
+    std::vector<JointInput> inputs{{&right, &robot}, {&wrong, &robot}};
+    if (wrongFirst) std::swap(inputs[0], inputs[1]);
+    const auto joint = estimateJointly(inputs, {});
+    ASSERT_TRUE(joint.ok());
+    EXPECT_EQ(joint->first, wrongFirst ? 1U : 0U);
+    EXPECT_EQ(joint->report().trust, Trust::good);
+    EXPECT_TRUE(has(joint->report(), "recording_not_understood"));
+    EXPECT_NEAR(joint->report().payload.mass, payload.mass, 0.02 * payload.mass);
+  }
+  const std::vector<JointInput> both{{&wrong, &robot}, {&wrong, &robot}};
+  const auto joint = estimateJointly(both, {});
   ASSERT_TRUE(joint.ok());
-  EXPECT_TRUE(joint->report().trust == Trust::none || !joint->pieces[1].used);
-  EXPECT_NE(joint->pieces[1].report.trust, Trust::good);
+  expectRefused(joint->report(), "both");
 }
 
 }  // namespace
