@@ -16,6 +16,7 @@
 #include "core/base/json_file.h"
 #include "core/estimation/comparison.h"
 #include "core/estimation/joint.h"
+#include "core/estimation/judgement.h"
 #include "core/exporters/flange.h"
 
 namespace heft::cli {
@@ -26,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 struct EstimateArguments {
   std::vector<std::string> recordings;
   std::string robot, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
-  std::string method, parameters, segments, smoothing;
+  std::string method, parameters, segments, smoothing, conventions = "as-stated";
   bool noBias = false, force = false, compare = false;
   ImportOptions import;
   EstimateOptions estimate;
@@ -52,6 +53,8 @@ EstimateOptions estimateOptions(const EstimateArguments& options) {
     constexpr std::array kEstimateModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
     out.segments = kEstimateModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
   }
+  constexpr std::array kChoices{ConventionChoice::asStated, ConventionChoice::suggested};
+  out.conventions = kChoices[chooseWord("--conventions", options.conventions, words(kChoices))];
   const std::size_t smoothing = chooseWord("--smoothing", options.smoothing, {"low-pass", "savitzky-golay"});
   out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
   out.bias = !options.noBias;
@@ -123,7 +126,7 @@ Estimated estimateFiles(const EstimateArguments& options, const EstimateOptions&
     read.clear();
     for (const Input& input : inputs) read.insert(read.end(), input.findings.begin(), input.findings.end());
     EstimateReport& report = out.joint->pieces[out.joint->first].report;
-    report.findings.insert(report.findings.begin(), read.begin(), read.end());
+    addReadingFindings(read, report);
     report.timing.read = readSeconds;
     report.timing.total = secondsSince(start);
     out.report = report;
@@ -139,7 +142,7 @@ Estimated estimateFiles(const EstimateArguments& options, const EstimateOptions&
     out.report = orFail(estimate(first.recording, first.model(), settings, progress));
     out.report.timing.total = secondsSince(start);
   }
-  out.report.findings.insert(out.report.findings.begin(), read.begin(), read.end());
+  addReadingFindings(read, out.report);
   out.report.timing.read = readSeconds;
   return out;
 }
@@ -173,6 +176,7 @@ void run(const EstimateArguments& options) {
   if (format) {
     FlangeOptions flange;
     flange.program = programVersion();
+    flange.force = options.force;
     FlangePayload payload = orFail(toFlange(result, report.file, flange));
     const std::string text = orFail(exportPayload(*format, payload.input, payload.findings));
     writeOutput(options.output, text, {options.force, {}});
@@ -205,8 +209,14 @@ Command makeEstimateCommand(CLI::App& root) {
   app->add_option("-f,--format", options->format, "Its format, see 'heft export --help'")
       ->type_name("NAME")
       ->capture_default_str();
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Replace files that exist, and write a payload that is not trusted");
   addRecordingOptions(*app, options->import);
+  app->add_option("--conventions", options->conventions,
+                  "as-stated: the numbers mean what the meta file says; suggested: what physics says\n"
+                  "they mean, where that is plain")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group("Reading the recording");
   const char* const kMethodGroup = "Method";
   app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kAllMethods), ", ")))
       ->type_name("NAME")

@@ -44,6 +44,7 @@ void run(ExportArguments options) {
     options.flange.addNames.push_back(displayName(std::filesystem::path(file).filename()));
   }
   options.flange.program = programVersion();
+  options.flange.force = options.force;
   FlangePayload payload = orFail(toFlange(orFail(readJsonFile(options.result)), options.result, options.flange));
   const std::string text = orFail(exportPayload(format, payload.input, payload.findings));
   writeOutput(toStdout ? "-" : options.output, text, {options.force, {}});
@@ -91,7 +92,7 @@ Command makeExportCommand(CLI::App& root) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app->add_option("--json", options->json, "Also write payload and findings as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace files that exist");
+  app->add_flag("--force", options->force, "Replace files that exist, and write even what 'heft estimate' does not trust");
   app->footer("Formats:\n" + formatList() +
               "\nExamples:\n"
               "  heft export result.json --format franka-desk -o tool.json\n"

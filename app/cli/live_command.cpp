@@ -16,6 +16,7 @@
 #include "app/cli/running_estimate.h"
 #include "core/base/text.h"
 #include "core/estimation/estimate.h"
+#include "core/estimation/judgement.h"
 #include "core/import/import.h"
 #include "core/live/session.h"
 #include "core/motion/motion.h"
@@ -252,8 +253,8 @@ class LiveRun {
     if (!status_.wrapped.empty())
       findings_.push_back({Severity::info, "angles_unwrapped", unwrapped(status_.wrapped), {}, {}});
     auto report = orFail(estimate(checked.recording, robot ? &*robot : nullptr, settings_));
-    report.findings.insert(report.findings.begin(), checked.findings.begin(), checked.findings.end());
-    report.findings.insert(report.findings.begin(), findings_.begin(), findings_.end());
+    addReadingFindings(checked.findings, report);
+    addReadingFindings(findings_, report);
     return report;
   }
 

@@ -46,6 +46,10 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
       return heft::say("Give --trim to keep them out.");
     case Remedy::giveCentre:
       return heft::say("Give it with --known to hold it fixed.");
+    case Remedy::readSo:
+      return heft::say("Estimate with --conventions suggested, or write {} into the meta file.", subject);
+    case Remedy::keepReading:
+      return subject.empty() ? std::string() : heft::say("To keep that, write {} into the meta file.", subject);
     case Remedy::giveInertia:
       return heft::say("Give it with --known, or a shape with --shape.");
   }

@@ -22,6 +22,8 @@ enum class Remedy {
   sayStandingPoses,  ///< The rows are standing poses, not a motion.
   keepEndsOut,       ///< The ends of the recording are not to be used.
   giveCentre,        ///< Tell the centre of mass.
+  readSo,            ///< The numbers mean something else than stated; subject: the meta keys as JSON.
+  keepReading,       ///< They were understood so now; state it for good; subject: the meta keys as JSON.
   giveInertia,       ///< Tell the inertia, or a shape.
 };
 

@@ -17,6 +17,11 @@ std::string verdict(const EstimateReport& report) {
   return report.physicallyConsistent ? "yes" : "no: no real body has these numbers";
 }
 
+/// The numbers mean nothing, whatever the method.
+bool saysConventions(const EstimateReport& report) {
+  return !report.readAsSuggested && report.conventions.verdict != conventions::Verdict::asStated;
+}
+
 std::string percent(bool known, double error) { return known ? fmt::format("{:.3g}", 100.0 * error) : "-"; }
 
 }  // namespace
@@ -65,6 +70,10 @@ std::string toText(const std::vector<ComparedMethod>& methods) {
       continue;
     }
     const EstimateReport& r = *row.report;
+    if (saysConventions(r)) {
+      text += fmt::format("{:<12}no weight: {}\n", toString(row.method), r.whyNoTrust);
+      continue;
+    }
     const Payload& p = r.payload;
     text +=
         fmt::format("{:<12}{:>9.4f} {:>9.2g}{:>8.2f}{:>8.2f}{:>8.2f}{:>9.2f}{:>10.4f}{:>10.5f}", toString(row.method),
@@ -90,7 +99,7 @@ json toJson(const std::vector<ComparedMethod>& methods) {
     json item = {{"schema", "heft.estimate/1"}, {"method", toString(row.method)}};
     if (row.report) {
       const json full = toJson(*row.report);
-      for (const char* key : {"parameters", "payload", "std", "interval95", "bias", "physically_consistent", "residual",
+      for (const char* key : {"parameters", "trust", "payload", "std", "interval95", "bias", "physically_consistent", "residual",
                               "timing_s", "termination", "relative_error"})
         if (full.contains(key)) item[key] = full[key];
     } else {

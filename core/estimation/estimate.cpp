@@ -78,7 +78,7 @@ Result<Prepared> prepareFor(const Recording& recording, const RobotModel* robot,
   const bool paperMethod = options.method != Method::map;
   if (paperMethod && recording.meta.kind != RecordingKind::poses)
     options.motion.outputRateHz = 0.0;  // they see every sample
-  return prepare(recording, robot, options, progress);
+  return prepare(recording, robot, options, progress, true);
 }
 
 Result<EstimateReport> estimate(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
@@ -106,6 +106,9 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   report.usedDuration = prepared.usedDuration;
   report.segments = prepared.segments;
+  if (prepared.conventions) report.conventions = *prepared.conventions;
+  report.readAsSuggested = prepared.readAsSuggested;
+  report.motionFromJoints = recording.hasJoints();
   report.findings = prepared.findings;
   report.findings.insert(report.findings.end(), prepared.motion.findings.begin(), prepared.motion.findings.end());
   const auto withOthers = [&](std::vector<Triangle> own) {
@@ -242,6 +245,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   // Held out: every fifth of the used time predicted by a fit to the other four.
   Residuals heldout = inSample;
+  Unseen unseen = unseenOver(prepared, [&](Eigen::Index) -> const SolverSolution& { return solution; });
   if (!folds.empty()) {
     std::vector<SolverSolution> heldoutSolutions;
     for (std::size_t fold = 0; fold < folds.size(); ++fold) {
@@ -256,9 +260,11 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
         heldoutSolutions.push_back(solveWithKnown(options.method, &rest, nullptr, options, fixed, noise));
       }
     }
-    heldout = residualsOver(prepared, [&](Eigen::Index block) -> const SolverSolution& {
+    const auto solutionOf = [&](Eigen::Index block) -> const SolverSolution& {
       return heldoutSolutions[static_cast<std::size_t>(prepared.foldOf(block))];
-    });
+    };
+    heldout = residualsOver(prepared, solutionOf);
+    unseen = unseenOver(prepared, solutionOf);
   }
   report.heldoutForceRms = heldout.force;
   report.heldoutTorqueRms = heldout.torque;
@@ -267,6 +273,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   fillSeries(prepared, solution.phi, solution.bias, report.series);
   judgeFit(prepared, heldout, report);
   addFindings(report);
+  judgeTrust(unseen, report);
   progress(1.0, "Done");
   report.timing.total = prepareSeconds + secondsSince(begin);
   return report;

@@ -7,6 +7,7 @@
 #include "core/base/findings.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/conventions/check.h"
 #include "core/estimation/evidence.h"
 #include "core/estimation/identifiability.h"
 #include "core/estimation/options.h"
@@ -29,6 +30,14 @@ struct WrenchSeries {
   Eigen::Matrix<double, Eigen::Dynamic, 6> simulated;  ///< Payload's wrench plus bias
 };
 
+/// Whether the numbers may be relied on.
+enum class Trust {
+  good,
+  low,   ///< They may be off by more than their intervals say; a finding says why.
+  none,  ///< The model does not describe the readings: the numbers mean nothing, and no label is "data".
+};
+std::string_view toString(Trust trust);  ///< "good", "low", "none"
+
 struct EstimateReport {
   Method method = Method::map;
   ParameterSet parameters = ParameterSet::full;
@@ -36,6 +45,11 @@ struct EstimateReport {
   SensorMount mount;  ///< S in the robot's link, for writing the payload in the flange's frame.
   Eigen::Index samples = 0;
   double rateHz = 0, duration = 0, usedDuration = 0;
+  Trust trust = Trust::good;
+  std::string whyNoTrust, whatToDo;    ///< With Trust::none: what is wrong, and the next step. A sentence or two each.
+  conventions::Report conventions;     ///< What physics says the numbers mean.
+  bool readAsSuggested = false;        ///< The numbers were understood as it suggests.
+  bool motionFromJoints = true;        ///< Else from poses.
   Payload payload;
   Payload std;  ///< Standard deviations in the same places.
   PayloadInterval interval95;
@@ -44,6 +58,7 @@ struct EstimateReport {
   Identifiability identifiability;
   Evidence evidence;
   double forceRms = 0, torqueRms = 0, heldoutForceRms = 0, heldoutTorqueRms = 0;  ///< [N], [N m], over the used parts
+  double unseenForceShare = 0, unseenTorqueShare = 0;  ///< Held-out error beyond noise over what the motion made
   Vector6d noiseStd = Vector6d::Zero();  ///< Residual standard deviation per channel, for the plots' noise band
   std::vector<Segment> segments;
   struct Timing {

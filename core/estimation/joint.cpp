@@ -9,6 +9,7 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/estimation/estimate_prepared.h"
+#include "core/estimation/judgement.h"
 #include "core/estimation/prior.h"
 #include "core/math/linear_algebra.h"
 
@@ -68,13 +69,24 @@ bool contradict(const Told& a, const Told& b) {
   return d.dot(solveSymmetric(S, d)) > kContradiction;
 }
 
-/// The largest set of recordings that agree with one of them; of equal ones the first.
-std::vector<std::size_t> agreeing(const std::vector<Told>& alone) {
+/// Its numbers mean what is taken for them.
+bool isUnderstood(const Prepared& prepared) {
+  return prepared.readAsSuggested || !prepared.conventions ||
+         prepared.conventions->verdict == conventions::Verdict::asStated;
+}
+
+/// The largest set of recordings that agree with one of them; of equal ones the first. What is not understood agrees with
+/// nothing, unless nothing is.
+std::vector<std::size_t> agreeing(const std::vector<Told>& alone, const std::vector<Prepared>& prepared) {
+  const bool any = std::any_of(prepared.begin(), prepared.end(), isUnderstood);
   std::vector<std::size_t> best;
   for (std::size_t i = 0; i < alone.size(); ++i) {
+    if (any && !isUnderstood(prepared[i])) continue;
     std::vector<std::size_t> set;
     for (std::size_t j = 0; j < alone.size(); ++j)
-      if (i == j || !contradict(alone[i], alone[j])) set.push_back(j);
+      if (any && !isUnderstood(prepared[j]))
+        continue;
+      else if (i == j || !contradict(alone[i], alone[j])) set.push_back(j);
     if (set.size() > best.size()) best = set;
   }
   return best;
@@ -135,17 +147,19 @@ std::string listed(const std::vector<std::size_t>& indices) {
 }
 
 std::string proposalWords(const std::vector<JointPiece>& pieces, const std::vector<std::size_t>& proposal) {
-  std::vector<std::size_t> idle, foreign;
+  std::vector<std::size_t> idle, foreign, strange;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!pieces[i].used)
-      foreign.push_back(i);
+      (pieces[i].report.trust == Trust::none ? strange : foreign).push_back(i);
     else if (std::find(proposal.begin(), proposal.end(), i) == proposal.end())
       idle.push_back(i);
   }
-  std::string text = idle.empty() && foreign.empty() ? "Use all of them" : "Use " + listed(proposal);
+  std::string text = idle.empty() && foreign.empty() && strange.empty() ? "Use all of them" : "Use " + listed(proposal);
   if (!idle.empty()) text += fmt::format("; {} add{} nothing", listed(idle), idle.size() == 1 ? "s" : "");
   if (!foreign.empty())
     text += fmt::format("; {} {} of another tool", listed(foreign), foreign.size() == 1 ? "is" : "are");
+  if (!strange.empty())
+    text += fmt::format("; {} {} not understood", listed(strange), strange.size() == 1 ? "is" : "are");
   return text + ".";
 }
 
@@ -185,7 +199,7 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
     if (!told) return told.error();
     alone.push_back(*told);
   }
-  const std::vector<std::size_t> used = agreeing(alone);
+  const std::vector<std::size_t> used = agreeing(alone, prepared);
   const auto all = joiner.told(used);
   if (!all) return all.error();
 
@@ -208,7 +222,9 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
     auto report = estimatePrepared(*inputs[i].recording, prepared[i], options, others, prepareSeconds, progress);
     if (!report) return report.error();
     piece.report = std::move(*report);
-    if (!piece.used) {
+    if (!piece.used && !isUnderstood(prepared[i])) {
+      piece.words = piece.report.whyNoTrust;
+    } else if (!piece.used) {
       piece.words = fmt::format("Of another tool: by itself it gives {:.3f} kg, the others give {:.3f} kg.",
                                 piece.alone.mass, all->components(0));
     } else if (rest.empty()) {
@@ -225,8 +241,32 @@ Result<JointReport> estimateJointly(std::span<const JointInput> inputs, const Es
   if (!proposal) return proposal.error();
   out.proposal = std::move(*proposal);
   out.proposalText = proposalWords(out.pieces, out.proposal);
+  // The numbers rest on all that are used, and so does the trust in them.
+  EstimateReport& result = out.pieces[out.first].report;
+  for (std::size_t i = 0; i < out.pieces.size(); ++i) {
+    const EstimateReport& own = out.pieces[i].report;
+    if (i == out.first || !out.pieces[i].used || own.trust <= result.trust) continue;
+    if (own.trust == Trust::none) {
+      loseTrust(result, {heft::say("Recording {}:", i + 1) + " " + own.whyNoTrust, own.whatToDo});
+    } else {
+      result.trust = own.trust;
+      result.findings.push_back(
+          {Severity::warning,
+           "low_trust_of_one",
+           heft::say("Recording {} deserves little trust, and with it the numbers from all of them.", i + 1),
+           heft::say("Look at its findings, or leave it out."),
+           {}});
+    }
+  }
   for (std::size_t i = 0; i < out.pieces.size(); ++i)
-    if (!out.pieces[i].used)
+    if (!out.pieces[i].used && !isUnderstood(prepared[i]))
+      out.pieces[out.first].report.findings.push_back(
+          {Severity::warning,
+           "recording_not_understood",
+           heft::say("Recording {} was left out:", i + 1) + " " + out.pieces[i].report.whyNoTrust,
+           out.pieces[i].report.whatToDo,
+           {}});
+    else if (!out.pieces[i].used)
       out.pieces[out.first].report.findings.push_back(
           {Severity::warning,
            "different_tool",

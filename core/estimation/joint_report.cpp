@@ -21,7 +21,7 @@ nlohmann::json toJson(const JointReport& joint) {
                      {"inertia", piece.adds.inertia},
                      {"com_each", {c(1), c(2), c(3)}},
                      {"inertia_each", {{c(4), c(5), c(6)}, {c(5), c(7), c(8)}, {c(6), c(8), c(9)}}}};
-    for (const char* key : {"bias", "residual", "segments", "findings"}) entry[key] = own[key];
+    for (const char* key : {"trust", "conventions", "bias", "residual", "segments", "findings"}) entry[key] = own[key];
     recordings.push_back(std::move(entry));
   }
   out["recordings"] = std::move(recordings);
@@ -33,9 +33,15 @@ nlohmann::json toJson(const JointReport& joint) {
 
 std::string toText(const JointReport& joint) {
   std::string text = toText(joint.report());
-  text += fmt::format("\n  {} recordings. {}\n", joint.pieces.size(), joint.proposalText);
+  text += fmt::format("\n  {} recordings. {}\n", joint.pieces.size(),
+                      joint.report().trust == Trust::none ? std::string() : joint.proposalText);
   for (std::size_t i = 0; i < joint.pieces.size(); ++i) {
     const auto& piece = joint.pieces[i];
+    if (joint.report().trust == Trust::none || piece.report.trust == Trust::none) {
+      text += fmt::format("  {:3}  {}  {}\n", i + 1, piece.report.file,
+                          piece.report.trust == Trust::none ? piece.report.whyNoTrust : std::string());
+      continue;
+    }
     text += fmt::format("  {:3}  {}  {:.1f} s used, by itself {:.3f} +- {:.2g} kg. {}\n", i + 1, piece.report.file,
                         piece.used ? piece.report.usedDuration : 0.0, piece.alone.mass, 1.96 * piece.aloneStd.mass,
                         piece.words);

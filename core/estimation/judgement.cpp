@@ -183,7 +183,9 @@ void addFindings(EstimateReport& report) {
     report.findings.push_back({Severity::warning,
                                "not_physical",
                                heft::say("No real body has these numbers: {}", checkPhysical(report.payload).reason),
-                               heft::say("Use the method map, which always gives a possible payload."),
+                               report.method == Method::map
+                                   ? heft::say("Give its shape, or record a motion that turns the tool faster.")
+                                   : heft::say("Use the method map, which always gives a possible payload."),
                                {}});
   if (!report.termination.usable)
     report.findings.push_back({Severity::warning,

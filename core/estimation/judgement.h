@@ -1,5 +1,6 @@
 #pragma once
 // What a solution is judged by, and what the user should know about it.
+#include <algorithm>
 #include <functional>
 
 #include "core/estimation/estimate.h"
@@ -18,10 +19,33 @@ struct Residuals {
 Residuals residualsOver(const Prepared& prepared,
                         const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
 
+/// How far an estimate stays from readings that it has not seen, beside what the motion made of the payload.
+struct Unseen {
+  Vector6d left = Vector6d::Zero();  ///< Beyond noise, root mean square [N], [N m]
+  Vector6d load = Vector6d::Zero();  ///< Standard deviation of the predicted wrench [N], [N m]
+  double force = 0.0, torque = 0.0;  ///< The worst channel's `left` over the load of a channel of its kind
+  double worst() const { return std::max(force, torque); }
+};
+Unseen unseenOver(const Prepared& prepared, const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
+
 /// Says where a rigid tool does not explain the data, in numbers that need no statistics.
 void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report);
 
 /// What is not known, not physical or not usable.
 void addFindings(EstimateReport& report);
+
+/// What takes all trust from the numbers, and the next step.
+struct NoTrust {
+  std::string what, next;
+};
+void loseTrust(EstimateReport& report, const NoTrust& why);
+
+/// Puts what was said when the file was read before the other findings: numbers that rest on a guess of the robot deserve
+/// little trust.
+void addReadingFindings(const Findings& read, EstimateReport& report);
+
+/// Sets `trust` and what follows from it; comes last. Without trust no label is "data", and what the findings say about
+/// numbers or about how to move is withheld: it would lead away from what is wrong.
+void judgeTrust(const Unseen& unseen, EstimateReport& report);
 
 }  // namespace heft

@@ -37,4 +37,8 @@ std::optional<Method> methodFromString(std::string_view text) { return valueIn<M
 std::string_view toString(ParameterSet set) { return nameIn(kSets, set); }
 std::optional<ParameterSet> parameterSetFromString(std::string_view text) { return valueIn<ParameterSet>(kSets, text); }
 
+std::string_view toString(ConventionChoice choice) {
+  return choice == ConventionChoice::suggested ? "suggested" : "as-stated";
+}
+
 }  // namespace heft

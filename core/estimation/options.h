@@ -15,15 +15,19 @@ namespace heft {
 
 enum class Method { map, ls, wls, tls, tlsFast, tlsExact, ceres, eigenLm, bruteForce };
 enum class ParameterSet { mass, massCom, full };
+/// What the recording's numbers are taken to mean: what its meta file says, or what physics says where that is plain.
+enum class ConventionChoice { asStated, suggested };
 
 std::string_view toString(Method method);  ///< "tls-fast"
 std::optional<Method> methodFromString(std::string_view text);
 std::string_view toString(ParameterSet set);  ///< "mass-com"
 std::optional<ParameterSet> parameterSetFromString(std::string_view text);
+std::string_view toString(ConventionChoice choice);  ///< "as-stated", "suggested"
 
 struct EstimateOptions {
   Method method = Method::map;
   ParameterSet parameters = ParameterSet::full;
+  ConventionChoice conventions = ConventionChoice::asStated;
   bool bias = true;                           ///< Six constant sensor biases are estimated too.
   double trim = 0.10;                         ///< Fraction of the duration dropped at each end.
   bool keepTrim = false;                      ///< Even where contact leaves little else.

@@ -127,11 +127,51 @@ void saySilent(const std::array<bool, 6>& silent, Findings& findings) {
        {}});
 }
 
-Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options) {
-  auto motion = motionOf(recording, robot, options.motion);
+/// What the file's numbers mean as stated, and how they are to be understood instead.
+struct Understanding {
+  conventions::Reading stated;
+  std::optional<conventions::Reading> reading;
+  bool posesInFile = false;
+  bool doubtful = false;  ///< The stated conventions are out, and nothing is read instead.
+};
+
+Understanding asStated(const Recording& recording) {
+  Understanding out;
+  out.stated.conventions = recording.meta.conventions;
+  out.stated.sign = recording.meta.wrenchSign;
+  out.stated.gravity = recording.meta.gravity;
+  out.posesInFile = !recording.hasJoints();
+  return out;
+}
+
+/// Asks physics what the numbers mean; `as` obeys from now on if the options say so.
+conventions::Report checkConventionsOf(const Recording& recording, const Motion& motion, ConventionChoice choice,
+                                       Understanding& as) {
+  conventions::Question question;
+  question.motion = &motion;
+  question.kind = recording.meta.kind;
+  question.stated = as.stated;
+  question.posesInFile = as.posesInFile;
+  question.mount = recording.meta.mount;
+  conventions::Report report = conventions::check(question);
+  const bool told = report.verdict == conventions::Verdict::suggested;
+  if (told && choice == ConventionChoice::suggested) as.reading = report.suggested;
+  as.doubtful = report.verdict != conventions::Verdict::asStated && !as.reading;
+  return report;
+}
+
+Motion understood(Motion motion, const Understanding& as) {
+  return as.reading ? conventions::readSo(std::move(motion), as.stated, *as.reading, as.posesInFile)
+                    : std::move(motion);
+}
+
+/// `ready`: the motion as stated, if it is known already.
+Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                               const Understanding& as, std::optional<Motion> ready = std::nullopt) {
+  auto motion = ready ? Result<Motion>(std::move(*ready)) : motionOf(recording, robot, options.motion);
   if (!motion) return motion.error();
   Prepared out;
-  out.motion = std::move(*motion);
+  out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
   out.blocks = rowsOf(out.motion, kBlockRate);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
@@ -182,6 +222,12 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                               {}});
   }
   out.usedDuration = static_cast<double>(out.usedBlocks) / out.blocks.rateHz;
+  // Under conventions that are out every motion looks touched: what is free cannot be told, so all is looked at.
+  if (6 * out.usedBlocks < 4 * kColumns && as.doubtful && mode != SegmentMode::all) {
+    EstimateOptions all = options;
+    all.segments = SegmentMode::all;
+    return prepareMotion(recording, robot, all, as);
+  }
   if (6 * out.usedBlocks < 4 * kColumns)
     return Error{
         heft::say("No free motion is left to estimate from: of {:.1f} s only {:.1f} s touch nothing inside the "
@@ -202,11 +248,15 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   return out;
 }
 
-Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robot) {
+Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robot, ConventionChoice choice,
+                              bool checkConventions) {
   auto motion = standingPoses(recording, robot);
   if (!motion) return motion.error();
   Prepared out;
-  out.motion = std::move(*motion);
+  Understanding as = asStated(recording);
+  if (checkConventions) out.conventions = checkConventionsOf(recording, *motion, choice, as);
+  out.readAsSuggested = as.reading.has_value();
+  out.motion = understood(std::move(*motion), as);
   out.blocks = rowsOf(out.motion, 0.0);
   out.labels = segmentRows(recording, out.blocks, SegmentMode::all).labels;
   // Poses are independent measurements: each is a run of its own.
@@ -238,7 +288,7 @@ int Prepared::foldOf(Eigen::Index block) const {
 }
 
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
-                         const Progress& progress) {
+                         const Progress& progress, bool checkConventions) {
   progress(0.1, heft::say("Working out how the tool moved"));
   const auto finish = [&](Prepared prepared) {
     progress(0.6, heft::say("Learning the sensor's noise"));
@@ -248,7 +298,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     return prepared;
   };
   if (recording.meta.kind == RecordingKind::poses) {
-    auto poses = preparePoses(recording, robot);
+    auto poses = preparePoses(recording, robot, options.conventions, checkConventions);
     if (!poses) return poses.error();
     return finish(std::move(*poses));
   }
@@ -264,16 +314,39 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
+  Understanding as = asStated(recording);
+  std::optional<conventions::Report> report;
+  std::optional<Motion> first;
+  if (checkConventions) {
+    auto motion = motionOf(cleaned, robot, trial.motion);
+    if (!motion) return motion.error();
+    first = std::move(*motion);
+    report = checkConventionsOf(recording, *first, options.conventions, as);
+    // A swing that nobody recorded looks like anything, and so may be what is wrong.
+    if (!first->originAccelerationKnown && report->verdict != conventions::Verdict::asStated) {
+      Understanding swung = asStated(recording);
+      if (const auto swinging = prepareMotion(cleaned, robot, trial, swung, *first)) {
+        const auto other = checkConventionsOf(recording, swinging->motion, options.conventions, swung);
+        if (other.verdict == conventions::Verdict::asStated) {
+          report = other;
+          as = swung;
+        }
+      }
+    }
+    if (progress.cancelled()) return Error{"Stopped.", true};
+    // Which channels say nothing was told of the numbers as stated.
+    if (as.reading) trial.silent = options.silent;
+  }
   const auto prepareAt = [&](double cutoff) {
     EstimateOptions at = trial;
     at.motion.cutoffHz = cutoff;
-    return prepareMotion(cleaned, robot, at);
+    return prepareMotion(cleaned, robot, at, as);
   };
   // The cutoffs know nothing of each other until they are compared.
   std::vector<std::future<Result<Prepared>>> others;
   if (choose)
     for (const double cutoff : {12.0, 6.0, 3.0}) others.push_back(std::async(std::launch::async, prepareAt, cutoff));
-  auto best = prepareAt(trial.motion.cutoffHz);
+  auto best = prepareMotion(cleaned, robot, trial, as, std::move(first));
   if (!best) return best.error();
   if (choose) {
     for (auto& other : others) {
@@ -289,6 +362,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     }
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
+  best->conventions = std::move(report);
+  best->readAsSuggested = as.reading.has_value();
   if (spikes > 0)
     best->findings.push_back(
         {Severity::info,

@@ -1,6 +1,7 @@
 #pragma once
 // Everything that comes before solving: motion, blocks, labels, runs, spikes, noise.
 #include "core/base/progress.h"
+#include "core/conventions/check.h"
 #include "core/estimation/noise_model.h"
 #include "core/estimation/options.h"
 #include "core/recording/recording.h"
@@ -29,6 +30,8 @@ struct Prepared {
   std::optional<Vector3d> still;                        ///< Specific force, if nothing moves in the runs
   double cutoffHz = 0.0;                                ///< That the motion was smoothed with; 0 for other smoothing
   Eigen::Matrix<double, 6, Eigen::Dynamic> unwhitened;  ///< Innovations of all blocks, used or not, in N and N m
+  std::optional<conventions::Report> conventions;       ///< What physics says of them, if that was asked
+  bool readAsSuggested = false;                         ///< The motion is understood as it suggests.
   Findings findings;
 
   bool used(Eigen::Index block) const;
@@ -38,8 +41,9 @@ struct Prepared {
 /// Without a cutoff in the options the motion is smoothed with 25, 12, 6 or 3 Hz, whichever predicts the unsmoothed
 /// wrench best: accelerations from coarse or late positions are noise above some frequency, and noise in the regressor
 /// pulls every estimate towards zero. Fails with one sentence if nothing is left to estimate from.
+/// `checkConventions`: physics is asked what the numbers mean, and obeyed if the options say so.
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
-                         const Progress& progress);
+                         const Progress& progress, bool checkConventions = false);
 
 /// Contiguous blocks of [from, to) that are labelled free, at least `shortest` long.
 std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,

@@ -132,6 +132,8 @@ std::string bestText(const EstimateReport& report) {
 /// One answer in plain words, before any number.
 std::string headline(const EstimateReport& report) {
   const auto& id = report.identifiability;
+  if (report.trust == Trust::none)
+    return heft::say("No weight can be told from these readings as they are understood. {}", report.whyNoTrust);
   if (id.mass == Source::none) return "This motion cannot tell what your tool weighs.";
   std::string line = id.mass == Source::prior && report.evidence.hasPrior && !std::isfinite(report.evidence.data(0))
                          ? fmt::format("This motion cannot tell what your tool weighs; {:.2f} kg is what you gave.",
@@ -175,13 +177,16 @@ json toJson(const EstimateReport& report) {
       {"interval95", jsonOf(report.interval95)},
       {"bias", {{"force_n", jsonOf(report.forceBias)}, {"torque_nm", jsonOf(report.torqueBias)}}},
       {"physically_consistent", report.physicallyConsistent},
+      {"trust", toString(report.trust)},
+      {"conventions", conventions::toJson(report.conventions, report.mount, report.motionFromJoints)},
       {"identifiability", jsonOf(report.identifiability)},
       {"evidence", jsonOf(report.evidence)},
       {"residual",
        {{"force_rms_n", report.forceRms},
         {"torque_rms_nm", report.torqueRms},
         {"heldout_force_rms_n", report.heldoutForceRms},
-        {"heldout_torque_rms_nm", report.heldoutTorqueRms}}},
+        {"heldout_torque_rms_nm", report.heldoutTorqueRms},
+        {"heldout_share", {{"force", report.unseenForceShare}, {"torque", report.unseenTorqueShare}}}}},
       {"segments", toJson(report.segments)},
       {"timing_s",
        {{"read", report.timing.read},
@@ -193,6 +198,7 @@ json toJson(const EstimateReport& report) {
         {"why", report.termination.why},
         {"iterations", report.termination.iterations}}},
       {"findings", findings}};
+  out["conventions"]["used"] = report.readAsSuggested ? "suggested" : "as-stated";
   out["identifiability"]["best_std"] = jsonOf(report.evidence.best);
   if (report.relativeError) {
     const auto& e = *report.relativeError;
@@ -211,12 +217,14 @@ json toJson(const EstimateReport& report) {
 
 std::string toText(const EstimateReport& report) {
   const Payload& p = report.payload;
-  static constexpr std::string_view kDoubts[] = {"misfit",      "known_disagrees",        "prior_contradicts_data",
-                                                 "wrench_sign", "shape_contradicts_data", "held_inside_shape"};
-  const bool doubtful = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-    return finding.severity == Severity::warning &&
-           std::find(std::begin(kDoubts), std::end(kDoubts), finding.code) != std::end(kDoubts);
-  });
+  if (report.trust == Trust::none) {
+    std::string text = headline(report) + "\n\n";
+    if (!report.whatToDo.empty()) text += "  " + report.whatToDo + "\n";
+    for (const auto& finding : report.findings)
+      if (finding.code != "no_trust") text += "  " + toLine(finding) + "\n";
+    return text;
+  }
+  const bool doubtful = report.trust == Trust::low;
   const auto& i95 = report.interval95;
   const auto half = [](const Interval& i) { return 0.5 * (i.upper - i.lower); };
   std::string text =

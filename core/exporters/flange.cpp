@@ -164,6 +164,10 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
         heft::say("{} is a {} file, from which no payload is taken; give the --json file of 'heft estimate' or the "
                   "--result file of 'heft diagnose'.",
                   where, printable(schema->get<std::string>()))};
+  if (const json* trust = member(result, "trust"); trust && *trust == "none" && !options.force)
+    return Error{heft::say("{} says that its numbers cannot be trusted, so no payload is written from it: see its "
+                           "findings first.",
+                           where)};
   FlangePayload out;
   const auto payload = payloadFromJson(result, where);
   if (!payload) return payload.error();
@@ -194,7 +198,14 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
 
   out.input.payload = transformed(*payload, out.X_FS);
   for (const Payload& other : options.add) out.input.payload = composed(out.input.payload, other);
-  if (const json* identifiability = member(result, "identifiability")) reportSources(*identifiability, out.findings);
+  if (const json* trust = member(result, "trust"); trust && *trust == "none")
+    out.findings.push_back({Severity::warning,
+                            "not_trusted",
+                            heft::say("The estimate itself says that its numbers cannot be trusted."),
+                            heft::say("See its findings before the robot relies on them."),
+                            {}});
+  else if (const json* identifiability = member(result, "identifiability"))
+    reportSources(*identifiability, out.findings);
   if (const json* consistent = member(result, "physically_consistent"); consistent && *consistent == false)
     out.findings.push_back({Severity::warning,
                             "not_consistent",

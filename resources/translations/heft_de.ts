@@ -1451,6 +1451,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>If so, say it under Tools, “Robot and sensor”, “Conventions of the numbers”.</source>
         <translation>Wenn ja, sagen Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“.</translation>
     </message>
+    <message>
+        <source>Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
+        <translation>Geben Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“ an: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ResultText</name>
@@ -7281,6 +7285,138 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Take the pull away and record the poses again.</source>
         <translation>Beseitigen Sie den Zug und nehmen Sie die Posen noch einmal auf.</translation>
+    </message>
+    <message>
+        <source>Standing poses show too little to look for causes; record a motion.</source>
+        <translation>Stehende Posen zeigen zu wenig, um nach Ursachen zu suchen; nehmen Sie eine Bewegung auf.</translation>
+    </message>
+    <message>
+        <source>Forces have the opposite sign: the file holds what the tool does to the sensor.</source>
+        <translation>Die Kräfte haben das umgekehrte Vorzeichen: Die Datei enthält, was das Werkzeug auf den Sensor ausübt.</translation>
+    </message>
+    <message>
+        <source>Gravity points up in the meta file; it should point down.</source>
+        <translation>Die Schwerkraft zeigt in der Meta-Datei nach oben; sie sollte nach unten zeigen.</translation>
+    </message>
+    <message>
+        <source>The sensor is mounted turned by {} degrees against the meta file.</source>
+        <translation>Der Sensor ist gegenüber der Meta-Datei um {} Grad verdreht montiert.</translation>
+    </message>
+    <message>
+        <source>The force&apos;s axes are mirrored: two are swapped, or one has the wrong sign.</source>
+        <translation>Die Achsen der Kraft sind gespiegelt: Zwei sind vertauscht, oder eine hat das falsche Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Invert the quaternions (qx, qy, qz with the opposite sign).</source>
+        <translation>Kehren Sie die Quaternionen um (qx, qy, qz mit anderem Vorzeichen).</translation>
+    </message>
+    <message>
+        <source>Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor&apos;s manual.</source>
+        <translation>Vergleichen Sie Reihenfolge und Vorzeichen von fx, fy, fz und tx, ty, tz mit dem Handbuch des Sensors.</translation>
+    </message>
+    <message>
+        <source>Quaternions are stored with w first: the columns qx, qy, qz, qw hold w, x, y, z.</source>
+        <translation>Quaternionen stehen mit w zuerst in der Datei: Die Spalten qx, qy, qz, qw enthalten w, x, y, z.</translation>
+    </message>
+    <message>
+        <source>Rename the columns qx, qy, qz, qw to qw, qx, qy, qz.</source>
+        <translation>Benenne die Spalten qx, qy, qz, qw in qw, qx, qy, qz um.</translation>
+    </message>
+    <message>
+        <source>Gravity points {} degrees away from where the meta file says: does the robot hang on a wall?</source>
+        <translation>Die Schwerkraft zeigt {} Grad neben die Richtung in der Meta-Datei: Hängt der Roboter an einer Wand?</translation>
+    </message>
+    <message>
+        <source>Write in gravity_m_s2 where down is, along the axes of the robot&apos;s base.</source>
+        <translation>In gravity_m_s2 angeben, wo unten ist, entlang der Achsen des Robotersockels.</translation>
+    </message>
+    <message>
+        <source>Estimate with --conventions suggested, or write {} into the meta file.</source>
+        <translation>Schätzen Sie mit --conventions suggested, oder schreiben Sie {} in die Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>To keep that, write {} into the meta file.</source>
+        <translation>Um dabei zu bleiben, schreiben Sie {} in die Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>Recording {}:</source>
+        <translation>Aufnahme {}:</translation>
+    </message>
+    <message>
+        <source>Recording {} deserves little trust, and with it the numbers from all of them.</source>
+        <translation>Aufnahme {} verdient wenig Vertrauen, und mit ihr die Zahlen aus allen.</translation>
+    </message>
+    <message>
+        <source>Look at its findings, or leave it out.</source>
+        <translation>Sehen Sie sich ihre Befunde an, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>Give its shape, or record a motion that turns the tool faster.</source>
+        <translation>Geben Sie seine Form an, oder nehmen Sie eine Bewegung auf, die das Werkzeug schneller dreht.</translation>
+    </message>
+    <message>
+        <source>No weight can be told from these readings as they are understood. {}</source>
+        <translation>Aus diesen Messwerten lässt sich, so wie sie verstanden werden, kein Gewicht angeben. {}</translation>
+    </message>
+    <message>
+        <source>Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated it misses {:.0f} % and {:.0f} %.</source>
+        <translation>So gelesen verfehlt das Modell {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment; wie angegeben verfehlt es {:.0f} % und {:.0f} %.</translation>
+    </message>
+    <message>
+        <source>As well fits: {}</source>
+        <translation>Ebenso gut passt: {}</translation>
+    </message>
+    <message>
+        <source>The fit gives a negative mass.</source>
+        <translation>Die Anpassung ergibt eine negative Masse.</translation>
+    </message>
+    <message>
+        <source>Check the sign of the wrench and which column is which.</source>
+        <translation>Prüfen Sie das Vorzeichen von Kraft und Moment und die Zuordnung der Spalten.</translation>
+    </message>
+    <message>
+        <source>The solver did not reach a solution: {}</source>
+        <translation>Der Löser hat keine Lösung erreicht: {}</translation>
+    </message>
+    <message>
+        <source>Record a longer motion that tilts and turns the tool.</source>
+        <translation>Nehmen Sie eine längere Bewegung auf, die das Werkzeug neigt und dreht.</translation>
+    </message>
+    <message>
+        <source>The value of the mass lies outside its own interval.</source>
+        <translation>Der Wert der Masse liegt außerhalb seines eigenen Bereichs.</translation>
+    </message>
+    <message>
+        <source>On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque.</source>
+        <translation>Auf Teilen, an die nicht angepasst wurde, verfehlt ein starres Werkzeug {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment.</translation>
+    </message>
+    <message>
+        <source>Look for contact, a cable, or a sensor that was zeroed during the recording; &apos;heft diagnose&apos; names the cause.</source>
+        <translation>Suchen Sie nach Berührung, einem Kabel oder einem Sensor, der während der Aufnahme genullt wurde; „heft diagnose“ nennt die Ursache.</translation>
+    </message>
+    <message>
+        <source>The readings were understood otherwise than stated.</source>
+        <translation>Die Messwerte wurden anders verstanden als angegeben.</translation>
+    </message>
+    <message>
+        <source>This recording cannot tell the stated conventions from others.</source>
+        <translation>Diese Aufnahme kann die angegebenen Konventionen nicht von anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>{} says that its numbers cannot be trusted, so no payload is written from it: see its findings first.</source>
+        <translation>{} sagt, dass seinen Zahlen nicht zu trauen ist; deshalb wird daraus keine Last geschrieben: Sehen Sie sich zuerst die Befunde an.</translation>
+    </message>
+    <message>
+        <source>Recording {} was left out:</source>
+        <translation>Aufnahme {} wurde weggelassen:</translation>
+    </message>
+    <message>
+        <source>The estimate itself says that its numbers cannot be trusted.</source>
+        <translation>Die Schätzung selbst sagt, dass ihren Zahlen nicht zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>See its findings before the robot relies on them.</source>
+        <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
     </message>
 </context>
 <context>

@@ -118,5 +118,27 @@ TEST_F(ConventionsTest, WhatCannotBeIsRefusedWithOneSentence) {
       failedWithOneSentence(heft({"estimate", "odd.csv"}), "sensor.wrench_axes: must be \"sensor\" or \"base\""));
 }
 
+TEST_F(ConventionsTest, WhatIsNotStatedIsSaidAndCanBeObeyed) {
+  make("odd", kBaseAxes, MotionForm::joints);
+  // As if nobody had said anything: the same numbers with the plain meta file, but for the unit of the angles.
+  json meta = readJson("plain.meta.json");
+  meta["angle_unit"] = "deg";
+  write("odd.meta.json", meta.dump());
+  const json stated = resultOf({"estimate", "odd.csv"});
+  EXPECT_EQ(stated["trust"], "none");
+  EXPECT_EQ(stated["identifiability"]["mass"], "none");
+  EXPECT_TRUE(stated["conventions"]["suggested"].is_object()) << stated["conventions"].dump();
+  const Outcome text = heft({"estimate", "odd.csv"});
+  EXPECT_THAT(text.out, HasSubstr("--conventions suggested"));
+  EXPECT_THAT(text.out, testing::Not(HasSubstr("Your tool weighs")));
+  write("odd.json", stated.dump());
+  EXPECT_TRUE(failedWithOneSentence(heft({"export", "odd.json", "--format", "ur"}), "cannot be trusted"));
+  const json suggested = resultOf({"estimate", "odd.csv", "--conventions", "suggested"});
+  const json plain = resultOf({"estimate", "plain.csv"});
+  const double mass = plain["payload"]["mass_kg"];
+  EXPECT_NE(suggested["trust"], "none");
+  EXPECT_NEAR(suggested["payload"]["mass_kg"].get<double>(), mass, 0.02 * mass);
+}
+
 }  // namespace
 }  // namespace heft::test

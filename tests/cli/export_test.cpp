@@ -225,5 +225,22 @@ TEST_F(ExportTest, BrokenResultsAreOneSentence) {
       failedWithOneSentence(heft({"export", "result.json", "--format", "json", "-o", "no/such/tool.json"}), "no/such"));
 }
 
+TEST_F(ExportTest, RefusesWhatIsNotTrusted) {
+  json content = result();
+  content["trust"] = "none";
+  writeResult(content);
+  const std::vector<std::string> plain{"export", "result.json", "--format", "json", "-o", "tool.json"};
+  EXPECT_TRUE(failedWithOneSentence(heft(plain), "cannot be trusted"));
+  EXPECT_FALSE(exists("tool.json"));
+  auto forced = plain;
+  forced.push_back("--force");
+  EXPECT_EQ(heft(forced).exitCode, 0);
+  for (const char* trust : {"good", "low"}) {
+    content["trust"] = trust;
+    writeResult(content);
+    EXPECT_NO_FATAL_FAILURE(exported());
+  }
+}
+
 }  // namespace
 }  // namespace heft::test

@@ -44,6 +44,9 @@ QString words(Remedy way, const QString& subject) {
       return Words::tr("To keep them out, paint them as ignored in Mark.");
     case Remedy::giveCentre:
       return Words::tr("Say in Shape what the tool looks like.");
+    case Remedy::readSo:
+    case Remedy::keepReading:
+      return Words::tr("Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.").arg(subject);
     case Remedy::giveInertia:
       return Words::tr("Say in Shape what the tool looks like.");
   }

@@ -1,0 +1,241 @@
+// Whether an estimate may be relied on.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/remedy.h"
+#include "core/base/say.h"
+#include "core/estimation/judgement.h"
+#include "core/math/statistics.h"
+
+namespace heft {
+
+using conventions::Verdict;
+
+namespace {
+
+/// Blocks of a fiftieth of a second in one average: 80 ms pass what hands do and drop most of sensor noise and vibration.
+constexpr Eigen::Index kAveraged = 4;
+/// A model that leaves more than half the power of what the motion made of the payload, in any channel, does not describe
+/// it: a constant in its place would hardly do worse. Causes that people live with (drift, a cable, poor calibration) stay
+/// below: 0.45 in the worst recording at hand.
+constexpr double kDescribes = 0.7;
+/// Beyond this share the numbers stay, with a sentence: core/conventions calls less a fit, and clean recordings leave a
+/// quarter of it.
+constexpr double kDoubtful = 0.08;
+/// A load's torque is compared at least with what its weight makes at this distance [m].
+constexpr double kLeastLever = 0.01;
+constexpr double kNormal = 1.4826;  // Standard deviation over median size
+
+double typicalSize(std::vector<double> values) {
+  for (double& value : values) value = std::abs(value);
+  return kNormal * median(std::move(values));
+}
+
+bool isOf(const std::string& code, std::initializer_list<const char*> codes) {
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+bool warned(const Findings& findings, std::initializer_list<const char*> codes) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
+    return finding.severity == Severity::warning && isOf(finding.code, codes);
+  });
+}
+
+std::string inOneLine(std::initializer_list<std::string> sentences) {
+  std::string out;
+  for (const auto& sentence : sentences)
+    if (!sentence.empty()) out += (out.empty() ? "" : " ") + sentence;
+  return out;
+}
+
+std::string patchOf(const EstimateReport& report, const conventions::Reading& reading) {
+  const auto patch =
+      conventions::metaPatch(report.conventions.stated, reading, report.mount, report.motionFromJoints);
+  return patch.is_null() ? std::string() : patch.dump();
+}
+
+/// "Read so, 2 % of what the motion makes of the force stay unexplained ..."
+std::string evidenceOf(const conventions::Report& said) {
+  return heft::say(
+      "Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated it "
+      "misses {:.0f} % and {:.0f} %.",
+      100.0 * said.misfit.force, 100.0 * said.misfit.torque, 100.0 * said.statedMisfit.force,
+      100.0 * said.statedMisfit.torque);
+}
+
+/// The way to read the file as physics suggests.
+std::string howToReadSo(const EstimateReport& report, const conventions::Reading& reading) {
+  const std::string patch = patchOf(report, reading);
+  return patch.empty() ? std::string() : remedy(Remedy::readSo, patch);
+}
+
+std::string tiesOf(const EstimateReport& report) {
+  std::string out;
+  for (const auto& tie : report.conventions.ties)
+    out += (out.empty() ? "" : " ") + heft::say("As well fits: {}", tie.sentence);
+  return out;
+}
+
+/// Empty if nothing takes all trust from the numbers.
+NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
+  const conventions::Report& said = report.conventions;
+  if (!report.readAsSuggested && said.verdict != Verdict::asStated) {
+    if (said.verdict == Verdict::none) return {said.sentence, said.check};
+    const bool plain = said.verdict == Verdict::suggested;
+    return {inOneLine({said.sentence, plain ? evidenceOf(said) : tiesOf(report)}),
+            inOneLine({plain ? howToReadSo(report, *said.suggested) : said.decides, said.check})};
+  }
+  for (const Finding& finding : report.findings)
+    if (finding.code == "wrench_sign") return {finding.text, finding.remedy};
+  if (report.payload.mass < 0.0)
+    return {heft::say("The fit gives a negative mass."),
+            heft::say("Check the sign of the wrench and which column is which.")};
+  if (!report.termination.usable)
+    return {heft::say("The solver did not reach a solution: {}", report.termination.why),
+            report.method == Method::map ? heft::say("Record a longer motion that tilts and turns the tool.")
+                                         : heft::say("Use the method map.")};
+  const Interval& mass = report.interval95.mass;
+  const double width = mass.upper - mass.lower;
+  if (report.identifiability.mass == Source::data &&
+      (report.payload.mass > mass.upper + width || report.payload.mass < mass.lower - width))
+    return {heft::say("The value of the mass lies outside its own interval."),
+            heft::say("Record a longer motion that tilts and turns the tool.")};
+  if (unseen.worst() > kDescribes)
+    return {heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
+                      "the force and {:.0f} % of the torque.",
+                      100.0 * unseen.force, 100.0 * unseen.torque),
+            heft::say("Look for contact, a cable, or a sensor that was zeroed during the recording; 'heft diagnose' "
+                      "names the cause.")};
+  return {};
+}
+
+void withhold(EstimateReport& report) {
+  Identifiability& id = report.identifiability;
+  const auto lower = [](Source& source) {
+    if (source == Source::data) source = Source::none;
+  };
+  lower(id.mass);
+  for (Source& source : id.com) lower(source);
+  for (auto& row : id.inertia)
+    for (Source& source : row) lower(source);
+  id.weakDirections.clear();
+  std::erase_if(report.findings, [](const Finding& finding) {
+    return isOf(finding.code,
+                {"stood_still", "swing_assumed", "contact_left_out", "trim_lifted", "misfit", "wrench_sign",
+                 "prior_contradicts_data", "known_disagrees", "shape_contradicts_data", "held_inside_shape",
+                 "mass_not_known", "com_not_known", "inertia_not_known", "from_what_you_gave", "not_physical",
+                 "solver_not_usable", "weak_direction"});
+  });
+}
+
+}  // namespace
+
+std::string_view toString(Trust trust) {
+  constexpr std::string_view kNames[] = {"good", "low", "none"};
+  return kNames[static_cast<std::size_t>(trust)];
+}
+
+Unseen unseenOver(const Prepared& prepared,
+                  const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf) {
+  const WrenchRows& blocks = prepared.blocks;
+  const bool standing = blocks.rateHz <= 0.0;
+  const Eigen::Index n = standing ? 1 : kAveraged;
+  std::array<std::vector<double>, 6> left, change, load;
+  for (const Run& run : prepared.runs) {
+    Vector6d before = Vector6d::Zero(), beforeThat = Vector6d::Zero();
+    Eigen::Index inRun = 0;
+    for (Eigen::Index from = run.from; from + n <= run.to; from += n, ++inRun) {
+      Vector6d missed = Vector6d::Zero(), made = Vector6d::Zero();
+      for (Eigen::Index k = from; k < from + n; ++k) {
+        const SolverSolution& solution = solutionOf(k);
+        const Vector6d predicted = blocks.Y[static_cast<std::size_t>(k)] * solution.phi;
+        made += predicted;
+        missed += blocks.wrench.col(k) - predicted - solution.bias;
+      }
+      missed /= static_cast<double>(n);
+      made /= static_cast<double>(n);
+      for (int c = 0; c < 6; ++c) {
+        const auto i = static_cast<std::size_t>(c);
+        left[i].push_back(missed(c));
+        load[i].push_back(made(c));
+        if (!standing && inRun > 1) change[i].push_back(beforeThat(c) - 2.0 * before(c) + missed(c));
+      }
+      beforeThat = before;
+      before = missed;
+    }
+  }
+  Unseen out;
+  double loadF = 0.0, loadT = 0.0, noiseF = 0.0;
+  for (int c = 0; c < 6; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    if (left[i].empty() || prepared.silent[i]) continue;
+    const double size = typicalSize(left[i]);
+    const double noise = change[i].empty() ? 0.0 : typicalSize(change[i]) / std::sqrt(6.0);
+    // What is less than the noise does not show beside it.
+    const double beyond = size * size - noise * noise;
+    out.left(c) = beyond > noise * noise ? std::sqrt(beyond) : 0.0;
+    const Eigen::Map<const VectorXd> made(load[i].data(), static_cast<Eigen::Index>(load[i].size()));
+    out.load(c) = std::sqrt((made.array() - made.mean()).square().mean());
+    (c < 3 ? loadF : loadT) += out.load(c) * out.load(c) / 3.0;
+    if (c < 3) noiseF += noise * noise / 3.0;
+  }
+  loadF = std::max(loadF, 9.0 * noiseF);  // Less does not show
+  loadT = std::max(loadT, kLeastLever * kLeastLever * loadF);
+  out.force = out.left.head<3>().maxCoeff() / std::sqrt(std::max(1e-18, loadF));
+  out.torque = out.left.tail<3>().maxCoeff() / std::sqrt(std::max(1e-18, loadT));
+  return out;
+}
+
+void loseTrust(EstimateReport& report, const NoTrust& why) {
+  report.trust = Trust::none;
+  report.whyNoTrust = why.what;
+  report.whatToDo = why.next;
+  withhold(report);
+  report.findings.push_back({Severity::warning, "no_trust", why.what, why.next, {}});
+}
+
+void addReadingFindings(const Findings& read, EstimateReport& report) {
+  report.findings.insert(report.findings.begin(), read.begin(), read.end());
+  if (report.trust == Trust::good && warned(read, {"robot_assumed"})) report.trust = Trust::low;
+}
+
+void judgeTrust(const Unseen& unseen, EstimateReport& report) {
+  const conventions::Report& said = report.conventions;
+  report.unseenForceShare = unseen.force;
+  report.unseenTorqueShare = unseen.torque;
+  if (report.readAsSuggested)
+    report.findings.push_back({Severity::warning,
+                               "read_as_suggested",
+                               inOneLine({heft::say("The readings were understood otherwise than stated."),
+                                          said.sentence, evidenceOf(said)}),
+                               inOneLine({remedy(Remedy::keepReading, patchOf(report, *said.suggested)), said.check}),
+                               {}});
+  if (const NoTrust why = whyNone(report, unseen); !why.what.empty()) {
+    loseTrust(report, why);
+    return;
+  }
+  if (!said.ties.empty())
+    report.findings.push_back({Severity::warning,
+                               "conventions_tie",
+                               inOneLine({heft::say("This recording cannot tell the stated conventions from others."),
+                                          tiesOf(report)}),
+                               said.decides,
+                               {}});
+  report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
+  if (unseen.worst() > kDoubtful && !warned(report.findings, {"misfit"}))
+    report.findings.push_back(
+        {Severity::warning,
+         "misfit",
+         heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
+                   "the force and {:.0f} % of the torque.",
+                   100.0 * unseen.force, 100.0 * unseen.torque),
+         heft::say("Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
+         {}});
+  if (warned(report.findings,
+             {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data", "held_inside_shape",
+              "contact_left_out", "not_physical", "payload_change", "conventions_tie", "centre_behind_sensor", "centre_far",
+              "weight_large"}))
+    report.trust = Trust::low;
+}
+
+}  // namespace heft
