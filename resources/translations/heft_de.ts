@@ -7287,50 +7287,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Beseitigen Sie den Zug und nehmen Sie die Posen noch einmal auf.</translation>
     </message>
     <message>
-        <source>Standing poses show too little to look for causes; record a motion.</source>
-        <translation>Stehende Posen zeigen zu wenig, um nach Ursachen zu suchen; nehmen Sie eine Bewegung auf.</translation>
-    </message>
-    <message>
-        <source>Forces have the opposite sign: the file holds what the tool does to the sensor.</source>
-        <translation>Die Kräfte haben das umgekehrte Vorzeichen: Die Datei enthält, was das Werkzeug auf den Sensor ausübt.</translation>
-    </message>
-    <message>
-        <source>Gravity points up in the meta file; it should point down.</source>
-        <translation>Die Schwerkraft zeigt in der Meta-Datei nach oben; sie sollte nach unten zeigen.</translation>
-    </message>
-    <message>
-        <source>The sensor is mounted turned by {} degrees against the meta file.</source>
-        <translation>Der Sensor ist gegenüber der Meta-Datei um {} Grad verdreht montiert.</translation>
-    </message>
-    <message>
-        <source>The force&apos;s axes are mirrored: two are swapped, or one has the wrong sign.</source>
-        <translation>Die Achsen der Kraft sind gespiegelt: Zwei sind vertauscht, oder eine hat das falsche Vorzeichen.</translation>
-    </message>
-    <message>
-        <source>Invert the quaternions (qx, qy, qz with the opposite sign).</source>
-        <translation>Kehren Sie die Quaternionen um (qx, qy, qz mit anderem Vorzeichen).</translation>
-    </message>
-    <message>
-        <source>Check the order and signs of fx, fy, fz and tx, ty, tz against the sensor&apos;s manual.</source>
-        <translation>Vergleichen Sie Reihenfolge und Vorzeichen von fx, fy, fz und tx, ty, tz mit dem Handbuch des Sensors.</translation>
-    </message>
-    <message>
-        <source>Quaternions are stored with w first: the columns qx, qy, qz, qw hold w, x, y, z.</source>
-        <translation>Quaternionen stehen mit w zuerst in der Datei: Die Spalten qx, qy, qz, qw enthalten w, x, y, z.</translation>
-    </message>
-    <message>
-        <source>Rename the columns qx, qy, qz, qw to qw, qx, qy, qz.</source>
-        <translation>Benenne die Spalten qx, qy, qz, qw in qw, qx, qy, qz um.</translation>
-    </message>
-    <message>
-        <source>Gravity points {} degrees away from where the meta file says: does the robot hang on a wall?</source>
-        <translation>Die Schwerkraft zeigt {} Grad neben die Richtung in der Meta-Datei: Hängt der Roboter an einer Wand?</translation>
-    </message>
-    <message>
-        <source>Write in gravity_m_s2 where down is, along the axes of the robot&apos;s base.</source>
-        <translation>In gravity_m_s2 angeben, wo unten ist, entlang der Achsen des Robotersockels.</translation>
-    </message>
-    <message>
         <source>Estimate with --conventions suggested, or write {} into the meta file.</source>
         <translation>Schätzen Sie mit --conventions suggested, oder schreiben Sie {} in die Meta-Datei.</translation>
     </message>
