@@ -92,7 +92,8 @@ Command makeExportCommand(CLI::App& root) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app->add_option("--json", options->json, "Also write payload and findings as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace files that exist, and write even what 'heft estimate' does not trust");
+  app->add_flag("--force", options->force,
+                "Replace files that exist, and write even what 'heft estimate' does not trust");
   app->footer("Formats:\n" + formatList() +
               "\nExamples:\n"
               "  heft export result.json --format franka-desk -o tool.json\n"

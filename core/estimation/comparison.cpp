@@ -99,8 +99,8 @@ json toJson(const std::vector<ComparedMethod>& methods) {
     json item = {{"schema", "heft.estimate/1"}, {"method", toString(row.method)}};
     if (row.report) {
       const json full = toJson(*row.report);
-      for (const char* key : {"parameters", "trust", "payload", "std", "interval95", "bias", "physically_consistent", "residual",
-                              "timing_s", "termination", "relative_error"})
+      for (const char* key : {"parameters", "trust", "payload", "std", "interval95", "bias", "physically_consistent",
+                              "residual", "timing_s", "termination", "relative_error"})
         if (full.contains(key)) item[key] = full[key];
     } else {
       item["termination"] = {{"usable", false}, {"why", row.failure}, {"iterations", 0}};

@@ -46,10 +46,10 @@ struct EstimateReport {
   Eigen::Index samples = 0;
   double rateHz = 0, duration = 0, usedDuration = 0;
   Trust trust = Trust::good;
-  std::string whyNoTrust, whatToDo;    ///< With Trust::none: what is wrong, and the next step. A sentence or two each.
-  conventions::Report conventions;     ///< What physics says the numbers mean.
-  bool readAsSuggested = false;        ///< The numbers were understood as it suggests.
-  bool motionFromJoints = true;        ///< Else from poses.
+  std::string whyNoTrust, whatToDo;  ///< With Trust::none: what is wrong, and the next step. A sentence or two each.
+  conventions::Report conventions;   ///< What physics says the numbers mean.
+  bool readAsSuggested = false;      ///< The numbers were understood as it suggests.
+  bool motionFromJoints = true;      ///< Else from poses.
   Payload payload;
   Payload std;  ///< Standard deviations in the same places.
   PayloadInterval interval95;

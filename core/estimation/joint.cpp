@@ -75,8 +75,8 @@ bool isUnderstood(const Prepared& prepared) {
          prepared.conventions->verdict == conventions::Verdict::asStated;
 }
 
-/// The largest set of recordings that agree with one of them; of equal ones the first. What is not understood agrees with
-/// nothing, unless nothing is.
+/// The largest set of recordings that agree with one of them; of equal ones the first. What is not understood agrees
+/// with nothing, unless nothing is.
 std::vector<std::size_t> agreeing(const std::vector<Told>& alone, const std::vector<Prepared>& prepared) {
   const bool any = std::any_of(prepared.begin(), prepared.end(), isUnderstood);
   std::vector<std::size_t> best;
@@ -86,7 +86,8 @@ std::vector<std::size_t> agreeing(const std::vector<Told>& alone, const std::vec
     for (std::size_t j = 0; j < alone.size(); ++j)
       if (any && !isUnderstood(prepared[j]))
         continue;
-      else if (i == j || !contradict(alone[i], alone[j])) set.push_back(j);
+      else if (i == j || !contradict(alone[i], alone[j]))
+        set.push_back(j);
     if (set.size() > best.size()) best = set;
   }
   return best;

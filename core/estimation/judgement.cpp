@@ -87,8 +87,7 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
     const MatrixXd A = prepared.whitened.leftCols<kColumns>();
     const VectorXd x = leastSquares(A, prepared.whitened.col(kColumns)).x;
     const double mass = x(kBiasColumns);
-    const double sd =
-        std::sqrt(std::max(0.0, pseudoInverse(transposedProduct(A, A))(kBiasColumns, kBiasColumns)));
+    const double sd = std::sqrt(std::max(0.0, pseudoInverse(transposedProduct(A, A))(kBiasColumns, kBiasColumns)));
     if (mass < -6.0 * sd && mass < -0.02)
       report.findings.push_back(
           {Severity::warning,

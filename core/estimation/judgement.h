@@ -40,8 +40,8 @@ struct NoTrust {
 };
 void loseTrust(EstimateReport& report, const NoTrust& why);
 
-/// Puts what was said when the file was read before the other findings: numbers that rest on a guess of the robot deserve
-/// little trust.
+/// Puts what was said when the file was read before the other findings: numbers that rest on a guess of the robot
+/// deserve little trust.
 void addReadingFindings(const Findings& read, EstimateReport& report);
 
 /// Sets `trust` and what follows from it; comes last. Without trust no label is "data", and what the findings say about

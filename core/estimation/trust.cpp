@@ -13,11 +13,12 @@ using conventions::Verdict;
 
 namespace {
 
-/// Blocks of a fiftieth of a second in one average: 80 ms pass what hands do and drop most of sensor noise and vibration.
+/// Blocks of a fiftieth of a second in one average: 80 ms pass what hands do and drop most of sensor noise and
+/// vibration.
 constexpr Eigen::Index kAveraged = 4;
-/// A model that leaves more than half the power of what the motion made of the payload, in any channel, does not describe
-/// it: a constant in its place would hardly do worse. Causes that people live with (drift, a cable, poor calibration) stay
-/// below: 0.45 in the worst recording at hand.
+/// A model that leaves more than half the power of what the motion made of the payload, in any channel, does not
+/// describe it: a constant in its place would hardly do worse. Causes that people live with (drift, a cable, poor
+/// calibration) stay below: 0.45 in the worst recording at hand.
 constexpr double kDescribes = 0.7;
 /// Beyond this share the numbers stay, with a sentence: core/conventions calls less a fit, and clean recordings leave a
 /// quarter of it.
@@ -49,15 +50,15 @@ std::string inOneLine(std::initializer_list<std::string> sentences) {
 }
 
 std::string patchOf(const EstimateReport& report, const conventions::Reading& reading) {
-  const auto patch =
-      conventions::metaPatch(report.conventions.stated, reading, report.mount, report.motionFromJoints);
+  const auto patch = conventions::metaPatch(report.conventions.stated, reading, report.mount, report.motionFromJoints);
   return patch.is_null() ? std::string() : patch.dump();
 }
 
 /// "Read so, 2 % of what the motion makes of the force stay unexplained ..."
 std::string evidenceOf(const conventions::Report& said) {
   return heft::say(
-      "Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated it "
+      "Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated "
+      "it "
       "misses {:.0f} % and {:.0f} %.",
       100.0 * said.misfit.force, 100.0 * said.misfit.torque, 100.0 * said.statedMisfit.force,
       100.0 * said.statedMisfit.torque);
@@ -101,11 +102,12 @@ NoTrust whyNone(const EstimateReport& report, const Unseen& unseen) {
     return {heft::say("The value of the mass lies outside its own interval."),
             heft::say("Record a longer motion that tilts and turns the tool.")};
   if (unseen.worst() > kDescribes)
-    return {heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
-                      "the force and {:.0f} % of the torque.",
-                      100.0 * unseen.force, 100.0 * unseen.torque),
-            heft::say("Look for contact, a cable, or a sensor that was zeroed during the recording; 'heft diagnose' "
-                      "names the cause.")};
+    return {
+        heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
+                  "the force and {:.0f} % of the torque.",
+                  100.0 * unseen.force, 100.0 * unseen.torque),
+        heft::say("Look for contact, a cable, or a sensor that was zeroed during the recording; 'heft diagnose' "
+                  "names the cause.")};
   return {};
 }
 
@@ -120,11 +122,10 @@ void withhold(EstimateReport& report) {
     for (Source& source : row) lower(source);
   id.weakDirections.clear();
   std::erase_if(report.findings, [](const Finding& finding) {
-    return isOf(finding.code,
-                {"stood_still", "swing_assumed", "contact_left_out", "trim_lifted", "misfit", "wrench_sign",
-                 "prior_contradicts_data", "known_disagrees", "shape_contradicts_data", "held_inside_shape",
-                 "mass_not_known", "com_not_known", "inertia_not_known", "from_what_you_gave", "not_physical",
-                 "solver_not_usable", "weak_direction"});
+    return isOf(finding.code, {"stood_still", "swing_assumed", "contact_left_out", "trim_lifted", "misfit",
+                               "wrench_sign", "prior_contradicts_data", "known_disagrees", "shape_contradicts_data",
+                               "held_inside_shape", "mass_not_known", "com_not_known", "inertia_not_known",
+                               "from_what_you_gave", "not_physical", "solver_not_usable", "weak_direction"});
   });
 }
 
@@ -204,23 +205,23 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
   report.unseenForceShare = unseen.force;
   report.unseenTorqueShare = unseen.torque;
   if (report.readAsSuggested)
-    report.findings.push_back({Severity::warning,
-                               "read_as_suggested",
-                               inOneLine({heft::say("The readings were understood otherwise than stated."),
-                                          said.sentence, evidenceOf(said)}),
-                               inOneLine({remedy(Remedy::keepReading, patchOf(report, *said.suggested)), said.check}),
-                               {}});
+    report.findings.push_back(
+        {Severity::warning,
+         "read_as_suggested",
+         inOneLine({heft::say("The readings were understood otherwise than stated."), said.sentence, evidenceOf(said)}),
+         inOneLine({remedy(Remedy::keepReading, patchOf(report, *said.suggested)), said.check}),
+         {}});
   if (const NoTrust why = whyNone(report, unseen); !why.what.empty()) {
     loseTrust(report, why);
     return;
   }
   if (!said.ties.empty())
-    report.findings.push_back({Severity::warning,
-                               "conventions_tie",
-                               inOneLine({heft::say("This recording cannot tell the stated conventions from others."),
-                                          tiesOf(report)}),
-                               said.decides,
-                               {}});
+    report.findings.push_back(
+        {Severity::warning,
+         "conventions_tie",
+         inOneLine({heft::say("This recording cannot tell the stated conventions from others."), tiesOf(report)}),
+         said.decides,
+         {}});
   report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
   if (unseen.worst() > kDoubtful && !warned(report.findings, {"misfit"}))
     report.findings.push_back(
@@ -229,12 +230,12 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          heft::say("On parts that were not used for fitting, a rigid tool misses {:.0f} % of what the motion makes of "
                    "the force and {:.0f} % of the torque.",
                    100.0 * unseen.force, 100.0 * unseen.torque),
-         heft::say("Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
+         heft::say(
+             "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
          {}});
-  if (warned(report.findings,
-             {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data", "held_inside_shape",
-              "contact_left_out", "not_physical", "payload_change", "conventions_tie", "centre_behind_sensor", "centre_far",
-              "weight_large"}))
+  if (warned(report.findings, {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data",
+                               "held_inside_shape", "contact_left_out", "not_physical", "payload_change",
+                               "conventions_tie", "centre_behind_sensor", "centre_far", "weight_large"}))
     report.trust = Trust::low;
 }
 

@@ -165,9 +165,10 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
                   "--result file of 'heft diagnose'.",
                   where, printable(schema->get<std::string>()))};
   if (const json* trust = member(result, "trust"); trust && *trust == "none" && !options.force)
-    return Error{heft::say("{} says that its numbers cannot be trusted, so no payload is written from it: see its "
-                           "findings first.",
-                           where)};
+    return Error{
+        heft::say("{} says that its numbers cannot be trusted, so no payload is written from it: see its "
+                  "findings first.",
+                  where)};
   FlangePayload out;
   const auto payload = payloadFromJson(result, where);
   if (!payload) return payload.error();

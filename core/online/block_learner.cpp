@@ -5,8 +5,8 @@
 
 #include "core/estimation/prior.h"
 #include "core/estimation/standstill.h"
-#include "core/segmentation/segmentation.h"
 #include "core/math/linear_algebra.h"
+#include "core/segmentation/segmentation.h"
 
 namespace heft {
 

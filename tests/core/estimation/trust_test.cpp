@@ -111,8 +111,7 @@ TEST(Trust, NoDriverMakesItConfidentlyWrong) {
     const Recording plain = guidedFor12s(payload, seed);
     for (const std::string& name : driverNames()) {
       for (const int count : {0, 24, 100}) {
-        Recording recording =
-            count == 0 ? plain : standingRecording(payload, count, {0.0, 0.0, -9.81}, 1.0, seed);
+        Recording recording = count == 0 ? plain : standingRecording(payload, count, {0.0, 0.0, -9.81}, 1.0, seed);
         rewriteAs(name, RobotModel::panda(), seed, recording);
         for (const ConventionChoice choice : {ConventionChoice::asStated, ConventionChoice::suggested}) {
           EstimateOptions options;
