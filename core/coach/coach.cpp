@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/base/say.h"
-#include "core/simulation/trajectory.h"
 #include "core/math/linear_algebra.h"
+#include "core/simulation/trajectory.h"
 
 namespace heft {
 

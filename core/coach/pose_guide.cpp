@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/linear_algebra.h"
 #include "core/motion/motion.h"
 #include "core/simulation/trajectory.h"
-#include "core/math/linear_algebra.h"
 
 namespace heft {
 

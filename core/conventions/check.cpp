@@ -7,6 +7,7 @@
 
 #include "core/base/say.h"
 #include "core/conventions/fit.h"
+#include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"
 #include "core/payload/inertial_parameters.h"
 
@@ -157,10 +158,9 @@ double outOfReach(const Vector10d& phi, const Covariance16& covariance, double h
 /// 2 ln L against moments of inertia that are grossly negative: small ones may come out so where the motion is noisy.
 double negativeMoments(const Vector10d& phi, const Covariance16& covariance, double rows) {
   const Payload payload = fromParameters(phi);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(payload.inertiaCom);
-  const Vector3d moments = eigen.eigenvalues();
+  const auto [moments, axes] = symmetricEigen(payload.inertiaCom);
   if (!(moments(0) < -0.5 * std::abs(moments(2)))) return 0.0;
-  const Vector3d v = eigen.eigenvectors().col(0);
+  const Vector3d v = axes.col(0);
   Vector6d g;
   g << v.x() * v.x(), 2 * v.x() * v.y(), 2 * v.x() * v.z(), v.y() * v.y(), 2 * v.y() * v.z(), v.z() * v.z();
   return against(-moments(0), std::sqrt(std::max(0.0, g.dot(covariance.block<6, 6>(4, 4) * g))), rows);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/linear_algebra.h"
+
 namespace heft::conventions {
 
 namespace {
@@ -74,16 +76,16 @@ Scan::Scan(const Blocks& blocks, const VectorXd& weights) {
   torqueGram_.setZero();
   for (std::size_t c = 0; c < 3; ++c) {
     const MatrixXd f = centred(blocks.force[c]), t = centred(blocks.torque[c]);
-    forceGram_.noalias() += f.transpose() * f;
-    torqueGram_.noalias() += t.transpose() * t;
-    cross_[c].topRows<4>().noalias() = f.transpose() * seen;
-    cross_[c].bottomRows<9>().noalias() = t.transpose() * seen;
+    forceGram_ += transposedProduct(f, f);
+    torqueGram_ += transposedProduct(t, t);
+    cross_[c].topRows<4>() = transposedProduct(f, seen);
+    cross_[c].bottomRows<9>() = transposedProduct(t, seen);
   }
-  seen_.noalias() = seen.transpose() * seen;
+  seen_ = transposedProduct(seen, seen);
   // To begin with force and torque are fitted by themselves.
   const Sixteen precision = payloadAndBiasPrecision();
-  forceInverse_ = (forceGram_ + Eigen::Matrix4d((1e-6 * precision.head<4>()).asDiagonal())).inverse();
-  torqueInverse_ = (torqueGram_ + Eigen::Matrix<double, 9, 9>((1e-6 * precision.segment<9>(1)).asDiagonal())).inverse();
+  forceInverse_ = inverse(forceGram_ + Eigen::Matrix4d((1e-6 * precision.head<4>()).asDiagonal()));
+  torqueInverse_ = inverse(torqueGram_ + Eigen::Matrix<double, 9, 9>((1e-6 * precision.segment<9>(1)).asDiagonal()));
 }
 
 namespace {
@@ -108,7 +110,7 @@ ScaledFit scaledFit(const Eigen::Matrix4d& Af, const Eigen::Matrix<double, 9, 9>
     Vector10d b = Vector10d::Zero();
     b.head<4>() += wf * bf;
     b.tail<9>() += wt * bt;
-    out.phi = A.ldlt().solve(b);
+    out.phi = solveSymmetric(A, b);
     const Eigen::Vector4d pf = out.phi.head<4>();
     const Eigen::Matrix<double, 9, 1> pt = out.phi.tail<9>();
     const double rf = ff - 2.0 * pf.dot(bf) + pf.dot(Af * pf), rt = tt - 2.0 * pt.dot(bt) + pt.dot(At * pt);
@@ -361,7 +363,7 @@ Fit robustFit(const Blocks& blocks, const Way& way, Free free, const Place& star
           A(toT[i], toT[j]) += wt * GT(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
         b(toT[i]) += wt * GT(static_cast<Eigen::Index>(i), nt - 1);
       }
-      x = A.ldlt().solve(b);
+      x = solveSymmetric(A, b);
       VectorXd xf(nf - 1), xt(nt - 1);
       for (std::size_t i = 0; i < toF.size(); ++i) xf(static_cast<Eigen::Index>(i)) = x(toF[i]);
       for (std::size_t i = 0; i < toT.size(); ++i) xt(static_cast<Eigen::Index>(i)) = x(toT[i]);
@@ -390,7 +392,7 @@ Fit robustFit(const Blocks& blocks, const Way& way, Free free, const Place& star
     if (free == Free::point) out.place.point = x.tail<3>();
   }
   out.x = x.head<16>();
-  out.covariance = A.inverse().topLeftCorner<16, 16>();
+  out.covariance = inverse(A).topLeftCorner<16, 16>();
   double sum = 0.0;
   for (Eigen::Index k = 0; k < K; ++k) sum += std::log1p(distance(k) / kTailFreedom);
   out.evidence = -2.0 * count * (std::log(out.force / way.forceSi) + std::log(out.torque / way.torqueSi)) -

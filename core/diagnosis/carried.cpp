@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/diagnosis/work.h"
-#include "core/wrench/regressor.h"
 #include "core/math/linear_algebra.h"
+#include "core/wrench/regressor.h"
 
 namespace heft::diagnosis {
 

@@ -8,8 +8,8 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kWindow = 0.02;  ///< [s]
-constexpr double kMostClipped = 0.5;     ///< Share of readings that may be cut off
+constexpr double kWindow = 0.02;      ///< [s]
+constexpr double kMostClipped = 0.5;  ///< Share of readings that may be cut off
 
 /// How much the mean drops when the share `cut` of a normal distribution is cut off, for one by which it then lies
 /// below the level.

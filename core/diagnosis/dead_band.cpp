@@ -9,7 +9,8 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr std::ptrdiff_t kFewestReadings = 10;  ///< Equal readings; readings just beyond the band; different ones among these
+constexpr std::ptrdiff_t kFewestReadings =
+    10;  ///< Equal readings; readings just beyond the band; different ones among these
 
 /// The value that comes most often, of readings in order.
 double commonest(const std::vector<double>& ordered) {

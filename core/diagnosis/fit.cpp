@@ -58,8 +58,7 @@ double priceOfWaves(const MatrixXd& information, const VectorXd& scale, const st
   const VectorXd spread = sd(own), prior = spread.cwiseQuotient(scale(own));
   MatrixXd M = prior.asDiagonal() * informationBeside(information, own, others) * prior.asDiagonal();
   M.diagonal().array() += 1.0;
-  double out =
-      2.0 * choleskyFactor(M).diagonal().array().log().sum() + term.v.cwiseQuotient(spread).squaredNorm();
+  double out = 2.0 * choleskyFactor(M).diagonal().array().log().sum() + term.v.cwiseQuotient(spread).squaredNorm();
   for (const int c : {0, 3}) {
     const double least = kLeastWalk * term.form->parameters[static_cast<std::size_t>(c)].size;
     if (term.walk(c) > 2.0 * least * least) out += kWidth;

@@ -107,7 +107,8 @@ std::string wordsOf(std::string_view name) {
   if (name.size() == 2 && name[0] == 'd' && isAxis(name.substr(1)))
     return heft::say("Shifted along {}", name.substr(1));
   if (name.starts_with("gain_"))
-    if (const auto channel = channelNamed(name.substr(5))) return heft::say("Gain of {} off by", channelWords(*channel));
+    if (const auto channel = channelNamed(name.substr(5)))
+      return heft::say("Gain of {} off by", channelWords(*channel));
   if (name.starts_with("growth_"))
     if (const auto channel = channelNamed(name.substr(7)))
       return heft::say("Gain of {} changes by", channelWords(*channel));

@@ -15,6 +15,7 @@
 #include "core/diagnosis/search.h"
 #include "core/diagnosis/verdict.h"
 #include "core/diagnosis/words.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
@@ -160,10 +161,7 @@ VectorXd scalesOf(const PoseFit& fit) {
 /// Solves by least squares; what the poses do not tell stays where it is.
 VectorXd solved(const MatrixXd& J, const VectorXd& r) {
   const VectorXd norms = J.colwise().norm().transpose().cwiseMax(1e-12);
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> qr;
-  qr.setThreshold(1e-7);
-  qr.compute(J * norms.cwiseInverse().asDiagonal());
-  return norms.cwiseInverse().cwiseProduct(qr.solve(r));
+  return norms.cwiseInverse().cwiseProduct(shortestLeastSquares(J * norms.cwiseInverse().asDiagonal(), r, 1e-7));
 }
 
 /// The maximum likelihood from `state` on. `used`: a weight of 1 or 0 a pose for plain least squares; empty: robust.
@@ -211,12 +209,10 @@ PoseFit fitted(const PosesSeen& poses, PoseState state, const VectorXd& used = {
   // A pull straight up is a smaller mass, exactly: of such pairs neither is told, and as little is made of it as can
   // be.
   constexpr double kTold = 1e-9;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(N);
-  const VectorXd values = eigen.eigenvalues();
+  const auto [values, V] = symmetricEigen(N);
   const auto isTold = values.array() > kTold * values(values.size() - 1);
   const VectorXd inverse = isTold.select(values.cwiseMax(1e-300).cwiseInverse(), 0.0),
                  untold = isTold.select(VectorXd::Zero(values.size()), 1.0);
-  const MatrixXd& V = eigen.eigenvectors();
   fit.covariance =
       norms.cwiseInverse().asDiagonal() * V * inverse.asDiagonal() * V.transpose() * norms.cwiseInverse().asDiagonal();
   fit.untold = V.cwiseAbs2() * untold;
@@ -271,8 +267,7 @@ std::vector<PoseTrial> trialsBeside(const PosesSeen& poses, const PoseFit& base,
                                     const std::vector<Suspect>& candidates) {
   constexpr std::size_t kTried = 14, kOfOne = 3;
   const VectorXd scale = scalesOf(base), r = scale.cwiseProduct(flat(base.residual));
-  const Eigen::HouseholderQR<MatrixXd> qr(base.jacobian);
-  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(base.jacobian.rows(), base.jacobian.cols());
+  const MatrixXd Q = orthonormal(base.jacobian);
   const double n = static_cast<double>(r.size()), all = r.squaredNorm();
   std::vector<PoseTrial> out;
   for (const Suspect& candidate : candidates) {
@@ -618,8 +613,7 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
     PoseState with = fit.state;
     with.add(candidate);
     const MatrixXd C = scalesOf(fit).asDiagonal() * jacobianOf(poses, with).rightCols(candidate.size());
-    const Eigen::HouseholderQR<MatrixXd> qr(fit.jacobian);
-    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(fit.jacobian.rows(), fit.jacobian.cols());
+    const MatrixXd Q = orthonormal(fit.jacobian);
     const double seen = (C.col(0) - Q * (Q.transpose() * C.col(0))).norm();
     const Parameter& parameter = candidate.form->parameters.front();
     const double needed = kNeeded + candidate.price + static_cast<double>(candidate.size()) * std::log(judged);

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/diagnosis/work.h"
-#include "core/math/statistics.h"
 #include "core/math/linear_algebra.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
@@ -155,7 +155,8 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
         out.frequencyHz = frequency;
         out.damping = damping;
       }
-  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kShortestRinging || out.damping >= kLongestRinging)
+  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kShortestRinging ||
+      out.damping >= kLongestRinging)
     return std::nullopt;
 
   struct Rings {

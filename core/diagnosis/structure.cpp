@@ -210,7 +210,8 @@ MatrixXd cosinesOver(Eigen::Index count) {
 /// The judged blocks of a residual as slow and fast waves.
 class ShuffledWaves {
  public:
-  ShuffledWaves(const Wrenches& residual, const std::vector<Stretch>& stretches) : residual_(residual), stretches_(stretches) {
+  ShuffledWaves(const Wrenches& residual, const std::vector<Stretch>& stretches)
+      : residual_(residual), stretches_(stretches) {
     Eigen::Index count = 0, at = 0;
     for (const auto& s : stretches) count += s.to - s.from;
     MatrixXd judged(count, 6);

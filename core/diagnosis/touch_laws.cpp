@@ -8,9 +8,9 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/carried.h"
+#include "core/math/linear_algebra.h"
 #include "core/math/rigid.h"
 #include "core/math/statistics.h"
-#include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 

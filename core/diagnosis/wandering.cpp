@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/diagnosis/two_threads.h"
-#include "core/math/statistics.h"
 #include "core/math/linear_algebra.h"
+#include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 

@@ -76,8 +76,7 @@ std::vector<Identifiability::Direction> directionsOf(const MapPrior& prior, cons
   std::vector<Identifiability::Direction> directions;
   for (int i = 9; i >= 0; --i) {
     const double lambda = std::max(0.0, values(i));
-    directions.push_back(
-        {lambda / (1.0 + lambda), aboutWhat(componentsByV * vectors.col(i), payload, axes)});
+    directions.push_back({lambda / (1.0 + lambda), aboutWhat(componentsByV * vectors.col(i), payload, axes)});
   }
   return directions;
 }

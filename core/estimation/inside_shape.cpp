@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/nnls.h"
 #include "core/math/linear_algebra.h"
+#include "core/math/nnls.h"
 
 namespace heft {
 

@@ -84,8 +84,8 @@ SolverSolution solveScaledTls(const SolverProblem& problem, const Eigen::Matrix<
         heft::say("Total least squares has no solution here: the smallest singular value belongs to the regressor."));
   VectorXd z(d);
   z.tail(noisy) = (-v.head(noisy) / v(noisy) * scale(noisy)).cwiseQuotient(scale.head(noisy));
-  z.head(exact) = solveUpper(R.topLeftCorner(exact, exact),
-                             R.col(d).head(exact) - R.block(0, exact, exact, noisy) * z.tail(noisy));
+  z.head(exact) =
+      solveUpper(R.topLeftCorner(exact, exact), R.col(d).head(exact) - R.block(0, exact, exact, noisy) * z.tail(noisy));
   return fromFull(offset + map * z, 1, true, heft::say("Singular value decomposition done."));
 }
 

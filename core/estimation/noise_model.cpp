@@ -200,9 +200,8 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
   const MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
   const auto [values, vectors] = symmetricEigen(scaled);
   // Directions without any motion have neither score nor variance.
-  const VectorXd inverseRoot = values.unaryExpr([top = values.maxCoeff()](double value) {
-    return value > 1e-11 * top ? 1.0 / std::sqrt(value) : 0.0;
-  });
+  const VectorXd inverseRoot = values.unaryExpr(
+      [top = values.maxCoeff()](double value) { return value > 1e-11 * top ? 1.0 / std::sqrt(value) : 0.0; });
   const MatrixXd left = inverseRoot.asDiagonal() * vectors.transpose() * scale.asDiagonal();
   TriangleBuilder builder;
   const MatrixXd system = product(left, transposedProduct(A, plain.topRows<kColumns>()));

@@ -17,7 +17,13 @@ constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
 constexpr std::uint64_t kLargestRecord = 1u << 30;
 constexpr std::size_t kLargestMcapChunk = 1u << 30;
 
-enum McapOp : unsigned char { kMcapSchema = 0x03, kMcapChannel = 0x04, kMcapMessage = 0x05, kMcapChunk = 0x06, kMcapDataEnd = 0x0F };
+enum McapOp : unsigned char {
+  kMcapSchema = 0x03,
+  kMcapChannel = 0x04,
+  kMcapMessage = 0x05,
+  kMcapChunk = 0x06,
+  kMcapDataEnd = 0x0F
+};
 
 struct Schema {
   std::string name, encoding, definition;
@@ -99,7 +105,8 @@ class McapScan {
     if (compression.empty()) {
       complete = records(packed) && complete;
     } else if (compression == "zstd" || compression == "lz4") {
-      const auto unpacked = unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4, kLargestMcapChunk);
+      const auto unpacked =
+          unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4, kLargestMcapChunk);
       complete = records(unpacked.bytes) && unpacked.complete && complete;
     } else {
       unknownCompression_ = printable(compression);

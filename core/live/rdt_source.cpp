@@ -16,7 +16,7 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kRecordBytes = 36;
-constexpr double kAskAgain = 1.0;             ///< [s] after which the stream is asked for again
+constexpr double kAskAgain = 1.0;            ///< [s] after which the stream is asked for again
 constexpr std::uint32_t kRemembered = 1000;  ///< Missing numbers that may still come late
 enum Command : unsigned char { kStop = 0, kRealTime = 2 };
 

@@ -13,8 +13,10 @@ LeastSquares leastSquares(const MatrixArgument& A, const VectorArgument& y) {
   return {qr.solve(y), qr.rank() == A.cols()};
 }
 
-VectorXd shortestLeastSquares(const MatrixArgument& A, const VectorArgument& y) {
-  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(A).solve(y);
+VectorXd shortestLeastSquares(const MatrixArgument& A, const VectorArgument& y, double threshold) {
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(A.rows(), A.cols());
+  if (threshold > 0.0) decomposition.setThreshold(threshold);
+  return decomposition.compute(A).solve(y);
 }
 
 MatrixXd pseudoInverse(const MatrixArgument& A) {

@@ -1,6 +1,7 @@
 #pragma once
-// Products and decompositions of matrices whose size is known at run time, compiled once: each of Eigen's decompositions
-// takes a second and more in every unit that instantiates it. Matrices of fixed size bind without a copy.
+// Products and decompositions of matrices whose size is known at run time, compiled once: each of Eigen's
+// decompositions takes a second and more in every unit that instantiates it. Matrices of fixed size bind without a
+// copy.
 #include "core/math/rigid.h"
 
 namespace heft {
@@ -21,8 +22,9 @@ struct LeastSquares {
   bool fullRank = false;
 };
 LeastSquares leastSquares(const MatrixArgument& A, const VectorArgument& y);
-/// The shortest of all least-squares solutions, by a complete orthogonal decomposition.
-VectorXd shortestLeastSquares(const MatrixArgument& A, const VectorArgument& y);
+/// The shortest of all least-squares solutions, by a complete orthogonal decomposition. Pivots below `threshold` times
+/// the largest count as zero; 0: those that are rounding.
+VectorXd shortestLeastSquares(const MatrixArgument& A, const VectorArgument& y, double threshold = 0.0);
 MatrixXd pseudoInverse(const MatrixArgument& A);
 /// The triangle R of A = Q R: as many rows as A has columns.
 MatrixXd upperTriangle(const MatrixArgument& A);
@@ -71,7 +73,8 @@ ThinSvd thinSvd(const MatrixArgument& A);
 /// Falling.
 VectorXd singularValues(const MatrixArgument& A);
 enum class SvdKind { divideAndConquer, jacobi };
-/// Right singular vectors as columns, that of the largest singular value first. A needs at least as many rows as columns.
+/// Right singular vectors as columns, that of the largest singular value first. A needs at least as many rows as
+/// columns.
 MatrixXd rightSingularVectors(const MatrixArgument& A, SvdKind kind = SvdKind::jacobi);
 
 }  // namespace heft

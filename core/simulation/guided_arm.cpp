@@ -7,16 +7,16 @@ namespace heft {
 
 namespace {
 
-constexpr double kPull = 4.0;                  ///< [1/s] Speed for each metre or radian that the hand is ahead
-constexpr double kYield = 10.0;                ///< [1/s] How fast the arm takes a speed up
-constexpr double kSoft = 50.0;                 ///< [1/s] How fast it takes an acceleration up
-constexpr double kJointShare = 0.7;            ///< Of a joint's speed
-constexpr double kBraking = 0.25;              ///< Of a joint's acceleration, for stopping before its end
-constexpr double kLength = 0.3;                ///< [m] that counts like a radian
-constexpr double kDamping = 0.06;              ///< Of the inverse at a singularity
-constexpr double kSingular = 0.02;             ///< Manipulability below which it is damped
-constexpr double kHomewards = 0.4;             ///< [1/s] Where the elbow is free it goes towards the home posture
-constexpr double kJointSpeed = 0.6;            ///< [rad/s] On the way to a path's beginning
+constexpr double kPull = 4.0;                      ///< [1/s] Speed for each metre or radian that the hand is ahead
+constexpr double kYield = 10.0;                    ///< [1/s] How fast the arm takes a speed up
+constexpr double kSoft = 50.0;                     ///< [1/s] How fast it takes an acceleration up
+constexpr double kJointShare = 0.7;                ///< Of a joint's speed
+constexpr double kBraking = 0.25;                  ///< Of a joint's acceleration, for stopping before its end
+constexpr double kLength = 0.3;                    ///< [m] that counts like a radian
+constexpr double kDamping = 0.06;                  ///< Of the inverse at a singularity
+constexpr double kSingular = 0.02;                 ///< Manipulability below which it is damped
+constexpr double kHomewards = 0.4;                 ///< [1/s] Where the elbow is free it goes towards the home posture
+constexpr double kJointSpeed = 0.6;                ///< [rad/s] On the way to a path's beginning
 constexpr double kHandLinearAcceleration = 10.0;   ///< [m/s2] Below what cartesianLoad allows
 constexpr double kHandAngularAcceleration = 20.0;  ///< [rad/s2]
 

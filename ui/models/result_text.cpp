@@ -67,7 +67,8 @@ QString answerText(Source mass, Source com, Source inertia) {
   const struct {
     QString name;
     Source source;
-  } parts[] = {{ResultWords::tr("mass"), mass}, {ResultWords::tr("centre"), com}, {ResultWords::tr("inertia"), inertia}};
+  } parts[] = {
+      {ResultWords::tr("mass"), mass}, {ResultWords::tr("centre"), com}, {ResultWords::tr("inertia"), inertia}};
   QStringList clauses;
   for (const Source source : {Source::data, Source::prior, Source::none}) {
     QStringList names;
@@ -79,7 +80,8 @@ QString answerText(Source mass, Source com, Source inertia) {
     const QString who = names.size() == 3 ? ResultWords::tr("%1, %2 and %3").arg(names[0], names[1], names[2])
                         : several         ? ResultWords::tr("%1 and %2").arg(names[0], names[1])
                                           : names[0];
-    clauses << (source == Source::data ? (several ? ResultWords::tr("%1 are measured") : ResultWords::tr("%1 is measured"))
+    clauses << (source == Source::data
+                    ? (several ? ResultWords::tr("%1 are measured") : ResultWords::tr("%1 is measured"))
                 : source == Source::prior
                     ? (several ? ResultWords::tr("%1 lean on your shape") : ResultWords::tr("%1 leans on your shape"))
                     : (several ? ResultWords::tr("%1 are not fully known from this motion")
@@ -105,11 +107,11 @@ std::vector<NumberText> inertiaNumbers(const EstimateReport& report, double scal
   const bool productsUnknown = id[0][1] == Source::none && id[0][2] == Source::none && id[1][2] == Source::none;
   for (int k = 0; k < (productsUnknown ? 3 : 6); ++k) {
     const auto [i, j] = std::pair(kIndex[k][0], kIndex[k][1]);
-    rows.push_back(
-        number(QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j), report.interval95.inertiaCom[i][j],
-               scale, 3, unit, id[i][j],
-               i == j ? ResultWords::tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
-                      : ResultWords::tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
+    rows.push_back(number(
+        QString::fromLatin1(kNames[k]), report.payload.inertiaCom(i, j), report.interval95.inertiaCom[i][j], scale, 3,
+        unit, id[i][j],
+        i == j ? ResultWords::tr("How hard the tool is to turn about its own axis %1").arg(QChar("xyz"[i]))
+               : ResultWords::tr("How turning about %1 pushes about %2").arg(QChar("xyz"[i])).arg(QChar("xyz"[j]))));
     hideHopeless(rows.back(), report.interval95.inertiaCom[i][j], largest);
   }
   if (productsUnknown) {
@@ -144,8 +146,10 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
     return QStringLiteral("%1  %2  %3")
         .arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
   };
-  add(ResultWords::tr("Method"), QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
-      r.termination.why.empty() ? ResultWords::tr("How the numbers were found") : QString::fromStdString(r.termination.why));
+  add(ResultWords::tr("Method"),
+      QString::fromUtf8(toString(r.method).data(), static_cast<int>(toString(r.method).size())),
+      r.termination.why.empty() ? ResultWords::tr("How the numbers were found")
+                                : QString::fromStdString(r.termination.why));
   add(ResultWords::tr("Used"),
       ResultWords::tr("%1 of %2 s, %3 Hz")
           .arg(numberText(r.usedDuration, 1), numberText(r.duration, 1), numberText(r.rateHz, 0)),
@@ -169,15 +173,18 @@ std::vector<DetailText> detailTexts(const EstimateReport& r) {
   }
   if (r.relativeError) {
     QStringList errors;
-    if (r.relativeError->hasMass) errors << ResultWords::tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
-    if (r.relativeError->hasCom) errors << ResultWords::tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
+    if (r.relativeError->hasMass)
+      errors << ResultWords::tr("mass %1 %").arg(numberText(100 * r.relativeError->mass, 2));
+    if (r.relativeError->hasCom)
+      errors << ResultWords::tr("centre %1 %").arg(numberText(100 * r.relativeError->com, 2));
     if (r.relativeError->hasInertia)
       errors << ResultWords::tr("inertia %1 %").arg(numberText(100 * r.relativeError->inertiaCom, 1));
     if (!errors.isEmpty())
       add(ResultWords::tr("Off what you stated"), errors.join(", "),
           ResultWords::tr("Relative error |estimate − stated| / |stated|"));
   }
-  add(ResultWords::tr("A real body could be so"), r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
+  add(ResultWords::tr("A real body could be so"),
+      r.physicallyConsistent ? ResultWords::tr("yes") : ResultWords::tr("no"),
       ResultWords::tr("Positive mass and an inertia that some distribution of mass can have"));
   add(ResultWords::tr("Time to compute"), ResultWords::tr("%1 s").arg(numberText(r.timing.prepare + r.timing.solve, 2)),
       ResultWords::tr("Preparing and solving"));
@@ -200,9 +207,10 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
                    .arg(numberText(data, 3), numberText(told, 3), unit);
       if (std::isfinite(shift)) lines << ResultWords::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
     }
-    rows.push_back({name, share,
-                    mostlyData ? ResultWords::tr("%1 % data").arg(percent) : ResultWords::tr("%1 % your shape").arg(percent),
-                    lines.join('\n')});
+    rows.push_back(
+        {name, share,
+         mostlyData ? ResultWords::tr("%1 % data").arg(percent) : ResultWords::tr("%1 % your shape").arg(percent),
+         lines.join('\n')});
   };
   add(ResultWords::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, ResultWords::tr("kg"));
   add(ResultWords::tr("Centre"), report.identifiability.comShare, 1, 3, 1e3, ResultWords::tr("mm"));
@@ -223,8 +231,8 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
     const double away = (report.payload.com - *known.com).norm();
     QString value = ResultWords::tr("%1 mm away").arg(numberText(1e3 * away, 1));
     if (known.com->norm() > 0) value += ResultWords::tr(" (%1 %)").arg(numberText(100 * away / known.com->norm(), 1));
-    rows.push_back(
-        {ResultWords::tr("Centre of mass"), value, ResultWords::tr("|estimate − known|, and by the length of the known")});
+    rows.push_back({ResultWords::tr("Centre of mass"), value,
+                    ResultWords::tr("|estimate − known|, and by the length of the known")});
   }
   if (report.relativeError && report.relativeError->hasInertia) {
     rows.push_back(
@@ -233,7 +241,7 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
              .arg(numberText(100 * report.relativeError->inertiaCom, 1),
                   numberText(100 * report.relativeError->inertiaOrigin, 1)),
          ResultWords::tr("‖estimate − known‖ / ‖known‖, Frobenius, about the centre of mass and about the sensor’s "
-                   "origin")});
+                         "origin")});
   }
   return rows;
 }
@@ -275,9 +283,9 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
   double comAway = -1.0;
   if (stated.com) comAway = 1e3 * (report.payload.com - *stated.com).norm();
   for (int i = 0; i < 3; ++i) {
-    out.com.push_back(
-        number(QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, ResultWords::tr("mm"), id.com[i],
-               ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
+    out.com.push_back(number(
+        QString(QChar("xyz"[i])), report.payload.com(i), interval.com[i], 1e3, 1, ResultWords::tr("mm"), id.com[i],
+        ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
     out.com.back().plusMinus += ResultWords::tr(" mm");
   }
   if (comAway >= 0) out.comNote = ResultWords::tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
@@ -316,7 +324,8 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
     out.question = ResultWords::tr("Your tool seems to weigh %1 kg.")
                        .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))))
                        .replace(QStringLiteral(" kg"), QStringLiteral("\u00a0kg"));  // Not alone on the next line.
-  if (out.doubtful) out.answer = ResultWords::tr("Check the warnings first: these numbers may be off by more than they say.");
+  if (out.doubtful)
+    out.answer = ResultWords::tr("Check the warnings first: these numbers may be off by more than they say.");
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });

@@ -83,14 +83,15 @@ void addFeedback(QVBoxLayout* column, QWidget* parent, const std::string& truth,
   card.frame->setProperty("role", "feedback");
   card.layout->addWidget(makeVerdictTag(right ? PracticeWords::tr("Right") : PracticeWords::tr("Not this one"),
                                         right ? Light::measured : Light::look, false, card.frame));
-  card.layout->addWidget(wrappedLabel(PracticeWords::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
+  card.layout->addWidget(
+      wrappedLabel(PracticeWords::tr("Hidden was: %1.").arg(titleOf(truth)), "cardTitle", card.frame));
   card.layout->addWidget(wrappedLabel(looksOf(truth), "body", card.frame));
   if (!right) {
-    card.layout->addWidget(
-        wrappedLabel(PracticeWords::tr("Your guess, “%1”, would look like this: %2").arg(titleOf(guess), looksOf(guess)),
-                     "caption", card.frame));
-    card.layout->addWidget(
-        wrappedLabel(PracticeWords::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)), "caption", card.frame));
+    card.layout->addWidget(wrappedLabel(
+        PracticeWords::tr("Your guess, “%1”, would look like this: %2").arg(titleOf(guess), looksOf(guess)), "caption",
+        card.frame));
+    card.layout->addWidget(wrappedLabel(PracticeWords::tr("To tell them apart on a real rig: %1").arg(decidesOf(truth)),
+                                        "caption", card.frame));
   }
   auto* next = new QPushButton(PracticeWords::tr("Another one"), card.frame);
   next->setObjectName("anotherRiddle");

@@ -89,7 +89,8 @@ void turnToAxes(OrbitCamera& camera, const Matrix3d& axes) {
       const Vector3d sight = (tried.target - tried.position()).normalized();
       double least = kEnough;
       for (int i = 0; i < 3; ++i) least = std::min(least, sight.cross(axes.col(i)).norm());
-      const double score = 4 * least - 0.12 * std::abs(a * std::numbers::pi / 18) - 0.3 * std::abs(elevation - before.elevation);
+      const double score =
+          4 * least - 0.12 * std::abs(a * std::numbers::pi / 18) - 0.3 * std::abs(elevation - before.elevation);
       if (score <= most) continue;
       most = score;
       camera = tried;

@@ -7,7 +7,6 @@
 namespace heft {
 namespace {
 
-
 std::vector<Vector3d> someOf(const std::vector<Eigen::Vector3f>& vertices, std::size_t count, const Isometry3d& X,
                              const Vector3d& scale) {
   std::vector<Vector3d> points;
@@ -33,7 +32,8 @@ std::vector<Vector3d> simpleSurface(const Visual& visual) {
       const double z = ball ? radius * share : 0.5 * visual.size.y() * share;
       const double r = ball ? radius * std::sqrt(1.0 - share * share) : radius;
       for (int k = 0; k < kAround; ++k)
-        points.emplace_back(r * std::cos(2 * std::numbers::pi * k / kAround), r * std::sin(2 * std::numbers::pi * k / kAround), z);
+        points.emplace_back(r * std::cos(2 * std::numbers::pi * k / kAround),
+                            r * std::sin(2 * std::numbers::pi * k / kAround), z);
     }
   }
   for (Vector3d& point : points) point = visual.X_LV * point;
@@ -131,8 +131,8 @@ std::vector<Vector3d> SceneState::surface() const {
   }
   if (sensorShown) {
     for (int i = 0; i < 24; ++i)
-      points.push_back(X_BS *
-                       Vector3d(kSensorRadius * std::cos(i * std::numbers::pi / 12), kSensorRadius * std::sin(i * std::numbers::pi / 12), -0.02));
+      points.push_back(X_BS * Vector3d(kSensorRadius * std::cos(i * std::numbers::pi / 12),
+                                       kSensorRadius * std::sin(i * std::numbers::pi / 12), -0.02));
   }
   addTool(points);
   return points;
@@ -144,7 +144,8 @@ std::vector<std::vector<Vector3d>> SceneState::namedPieces() const {
   std::vector<Vector3d> disc;
   for (int i = 0; i < 12; ++i)
     for (const double z : {0.0, -sensorLength})
-      disc.push_back(X_BS * Vector3d(kSensorRadius * std::cos(i * std::numbers::pi / 6), kSensorRadius * std::sin(i * std::numbers::pi / 6), z));
+      disc.push_back(X_BS * Vector3d(kSensorRadius * std::cos(i * std::numbers::pi / 6),
+                                     kSensorRadius * std::sin(i * std::numbers::pi / 6), z));
   pieces.push_back(std::move(disc));
   if (parts.tool)
     for (const ToolBody& body : tool_)

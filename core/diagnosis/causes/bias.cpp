@@ -154,8 +154,8 @@ class BiasDrift final : public Cause {
     for (Eigen::Index k = 0, at = 6; k < kCourseWaves; ++k)
       if (k != strongest) v(at++) = course(k) / course(strongest);
     const Eigen::RowVectorXd whole = courseOf(*form, v, signals);
-    v.head<6>() = usual.cwiseProduct(svd.U.col(0)) *
-                  (svd.values(0) * course(strongest) * (whole.maxCoeff() - whole.minCoeff()));
+    v.head<6>() =
+        usual.cwiseProduct(svd.U.col(0)) * (svd.values(0) * course(strongest) * (whole.maxCoeff() - whole.minCoeff()));
     return {{std::move(*form), std::move(v)}};
   }
 

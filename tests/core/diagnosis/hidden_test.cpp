@@ -501,8 +501,7 @@ TEST(Diagnose, OrientationsToldAnotherWayArePutRightFirst) {
     EXPECT_EQ(report.causes.front().id, "frame_error") << said(report);
     EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
     ASSERT_TRUE(report.mistake.has_value());
-    EXPECT_TRUE(report.mistake->only(wFirst ? conventions::Change::quaternionOrder
-                                            : conventions::Change::poseInverted))
+    EXPECT_TRUE(report.mistake->only(wFirst ? conventions::Change::quaternionOrder : conventions::Change::poseInverted))
         << report.mistake->sentence();
     EXPECT_NEAR(report.after.payload.mass, aTool().mass, 0.01);
   }

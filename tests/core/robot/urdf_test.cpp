@@ -202,7 +202,7 @@ TEST(Urdf, hugeAxisIsOnlyADirection) {
 TEST(Urdf, severalErrorsAreAllFound) {
   const Outcome outcome =
       readUrdf(samples::robot(link("b") + link("l") + link("l") +
-                          joint("j", "revolute", "b", "l", "<axis xyz=\"0 0 0\"/>" + std::string(kLimit))));
+                              joint("j", "revolute", "b", "l", "<axis xyz=\"0 0 0\"/>" + std::string(kLimit))));
   ASSERT_FALSE(outcome.model);
   EXPECT_TRUE(outcome.find("axis_zero"));
   EXPECT_TRUE(outcome.find("duplicate_name"));
@@ -242,8 +242,9 @@ TEST(Urdf, visualsCarryShapeColourAndPlace) {
       "<material name=\"teal\"/></visual>"
       "<visual><geometry><cylinder radius=\"0.1\" length=\"0.5\"/></geometry></visual>"
       "<visual><geometry><sphere radius=\"0.2\"/></geometry><material><color rgba=\"1 0 0 0.5\"/></material></visual>";
-  const Outcome outcome = readUrdf("<robot name=\"v\"><material name=\"teal\"><color rgba=\"0 0.5 0.5 1\"/></material>" +
-                               link("b", visuals) + chain("r") + "</robot>");
+  const Outcome outcome =
+      readUrdf("<robot name=\"v\"><material name=\"teal\"><color rgba=\"0 0.5 0.5 1\"/></material>" +
+               link("b", visuals) + chain("r") + "</robot>");
   ASSERT_TRUE(outcome.model) << outcome.model.error().message;
   for (const Finding& finding : outcome.findings) ADD_FAILURE() << toLine(finding);
   const std::vector<Visual>& found = outcome.model->links()[0].visuals;

@@ -2,16 +2,6 @@
 
 namespace heft {
 
-SymmetricEigen symmetricEigen(const MatrixArgument& M) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(M);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
-}
-
-SymmetricEigen generalizedEigen(const MatrixArgument& A, const MatrixArgument& B) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(A, B);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
-}
-
 ThinSvd thinSvd(const MatrixArgument& A) {
   const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
