@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
 #include "core/estimation/estimate.h"
 
 namespace heft {
