@@ -54,12 +54,14 @@ std::string patchOf(const EstimateReport& report, const conventions::Reading& re
   return patch.is_null() ? std::string() : patch.dump();
 }
 
-/// "Read so, 2 % of what the motion makes of the force stay unexplained ..."
+/// How much of the load the readings leave unexplained, read as suggested and as stated.
 std::string evidenceOf(const conventions::Report& said) {
+  // The sign alone changes nothing in how well a payload fits: it would have to be lighter than nothing.
+  if (said.statedPayload.mass < 0.0 && said.statedMisfit.worst() < kDoubtful)
+    return heft::say("As stated, the tool would weigh {:.2f} kg.", said.statedPayload.mass);
   return heft::say(
       "Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated "
-      "it "
-      "misses {:.0f} % and {:.0f} %.",
+      "it misses {:.0f} % and {:.0f} %.",
       100.0 * said.misfit.force, 100.0 * said.misfit.torque, 100.0 * said.statedMisfit.force,
       100.0 * said.statedMisfit.torque);
 }

@@ -7315,6 +7315,10 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Aus diesen Messwerten lässt sich, so wie sie verstanden werden, kein Gewicht angeben. {}</translation>
     </message>
     <message>
+        <source>As stated, the tool would weigh {:.2f} kg.</source>
+        <translation>Wie angegeben würde das Werkzeug {:.2f} kg wiegen.</translation>
+    </message>
+    <message>
         <source>Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated it misses {:.0f} % and {:.0f} %.</source>
         <translation>So gelesen verfehlt das Modell {:.0f} % dessen, was die Bewegung aus der Kraft macht, und {:.0f} % beim Moment; wie angegeben verfehlt es {:.0f} % und {:.0f} %.</translation>
     </message>

@@ -47,7 +47,7 @@ TEST(LinearAlgebra, ColumnsThatRepeatTakeRankAndLengthAway) {
   EXPECT_EQ(columnSpace(A).cols(), 3);
   EXPECT_EQ(orthonormal(A).cols(), 4);
   // Nearly the same column, up to a millionth: one below this threshold, two without.
-  A.col(3) += 1e-6 * scattered(12, 4).col(2);
+  A.col(3) += 1e-6 * scattered(12, 5).col(4);
   EXPECT_NEAR(shortestLeastSquares(A, y, 1e-4)(0), 0.5, 1e-4);
   EXPECT_NEAR(shortestLeastSquares(A, y)(0), 1.0, 1e-6);
 }
