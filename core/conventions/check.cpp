@@ -35,9 +35,6 @@ constexpr double kExplains = 0.3, kBetter = 0.85;
 constexpr double kShareOfCause = 0.9;
 /// A sensor is not farther from where the setup file has it [m]; the catalogue of causes looks no farther.
 constexpr double kFarthestOrigin = 0.5;
-/// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or
-/// a turn of 15 degrees leaves a quarter and more.
-constexpr double kFits = 0.08;
 /// Beyond this share of the load the model does not describe the readings.
 constexpr double kDescribes = 0.5;
 /// A smaller turn of mount or gravity is a cause with an interval, no convention [rad].

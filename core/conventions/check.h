@@ -69,6 +69,10 @@ struct Report {
   Findings cautions;     ///< "centre_behind_sensor", "centre_far", "weight_large"
 };
 
+/// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or
+/// a turn of 15 degrees leaves a quarter and more; clean recordings leave a quarter of it.
+constexpr double kFits = 0.08;
+
 Report check(const Question& question);
 
 /// {"verdict", "stated", "suggested", "evidence", "over_stated", "meta", "ties", "sentence", "misfit": {...}}: the

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/say.h"
+#include "core/math/degrees.h"
 
 namespace heft::conventions {
 
@@ -20,7 +21,6 @@ using Quaternion = Conventions::QuaternionOrder;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr const char* kAxisName[] = {"x", "y", "z"};
 
 double angleOf(const Matrix3d& R) { return vectorFromRotation(R).norm(); }
@@ -168,7 +168,7 @@ std::string changeSaid(Change change, const Reading& stated, const Reading& read
       return heft::say("Force and torque along {} have the wrong sign.", kAxisName[*c.mirroredAxis]);
     case Change::turned:
       return heft::say("The sensor is mounted {:.0f} degrees away from where the setup file has it.",
-                       angleOf(stated.turn.transpose() * reading.turn) / kDegree);
+                       angleOf(stated.turn.transpose() * reading.turn) / kRadPerDegree);
     case Change::unit:
       return unitsSaid(c);
     case Change::gravitySign:
@@ -177,7 +177,8 @@ std::string changeSaid(Change change, const Reading& stated, const Reading& read
     case Change::gravityTurned:
       return heft::say(
           "Gravity points {:.0f} degrees away from what the setup file says: the base is mounted differently.",
-          std::atan2(stated.gravity.cross(reading.gravity).norm(), stated.gravity.dot(reading.gravity)) / kDegree);
+          std::atan2(stated.gravity.cross(reading.gravity).norm(), stated.gravity.dot(reading.gravity)) /
+              kRadPerDegree);
     case Change::poseInverted:
       return c.pose == Pose::baseInSensor ? heft::say("The poses are those of the base in the sensor's frame.")
                                           : heft::say("The poses are those of the sensor in the base frame.");
@@ -254,6 +255,14 @@ json poseJson(Pose pose) { return pose == Pose::baseInSensor ? "base_in_sensor" 
 json quaternionJson(Quaternion order) { return order == Quaternion::wxyz ? "wxyz" : "xyzw"; }
 
 }  // namespace
+
+Reading statedIn(const RecordingMeta& meta) {
+  Reading out;
+  out.conventions = meta.conventions;
+  out.sign = meta.wrenchSign;
+  out.gravity = meta.gravity;
+  return out;
+}
 
 std::string sentence(const Reading& stated, const Reading& reading) {
   return inTurn(stated, reading, [&](Change change) { return changeSaid(change, stated, reading); });

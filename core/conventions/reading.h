@@ -20,6 +20,9 @@ struct Reading {
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
 };
 
+/// How a recording is to be understood as its meta file has it.
+Reading statedIn(const RecordingMeta& meta);
+
 /// What differs between two readings; the names are those of `frame_mistake.kind` in the contract.
 enum class Change {
   wrenchSign,

@@ -490,13 +490,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   out.series.after = work.signals.measured - fitted.last;
   out.series.judged = work.signals.usable;
   out.findings.insert(out.findings.begin(), readings->motion.findings.begin(), readings->motion.findings.end());
-  for (auto& cause : out.causes) {
-    cause.title = causeTitle(cause.id);
-    cause.sentence = causeSentence(cause, out.mistake);
-    cause.check = causeCheck(cause, out);
-    cause.tellApart = causeDecides(cause.id);
-  }
-  out.sentence = verdictSentence(out);
+  putIntoWords(out);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress(1.0, "Done");
   return out;

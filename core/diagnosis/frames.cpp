@@ -64,19 +64,11 @@ std::string FrameMistake::sentence() const {
 
 std::string FrameMistake::check() const { return conventions::whatToCheck(stated, reading); }
 
-conventions::Reading statedIn(const RecordingMeta& meta) {
-  conventions::Reading out;
-  out.conventions = meta.conventions;
-  out.sign = meta.wrenchSign;
-  out.gravity = meta.gravity;
-  return out;
-}
-
 conventions::Report conventionsOf(const Recording& recording, const Motion& motion) {
   conventions::Question question;
   question.motion = &motion;
   question.kind = recording.meta.kind;
-  question.stated = statedIn(recording.meta);
+  question.stated = conventions::statedIn(recording.meta);
   question.posesInFile = recording.hasOrientation();
   question.mount = recording.meta.mount;
   if (recording.meta.kind == RecordingKind::motion && !recording.meta.marks.empty())

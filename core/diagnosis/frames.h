@@ -28,9 +28,6 @@ struct FrameMistake {
   std::string check() const;
 };
 
-/// How a recording is to be understood as its meta file has it.
-conventions::Reading statedIn(const RecordingMeta& meta);
-
 /// What core/conventions says of it: of `motion` as stated, standing poses or not. Marked stretches are not used.
 conventions::Report conventionsOf(const Recording& recording, const Motion& motion);
 

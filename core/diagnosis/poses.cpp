@@ -633,13 +633,7 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
            "up or down, or the zero of the first joint."),
        heft::say("Record a motion with brisk turns for these."),
        {}});
-  for (auto& cause : out.causes) {
-    cause.title = causeTitle(cause.id);
-    cause.sentence = causeSentence(cause, out.mistake);
-    cause.check = causeCheck(cause, out);
-    cause.tellApart = causeDecides(cause.id);
-  }
-  out.sentence = verdictSentence(out);
+  putIntoWords(out);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress(1.0, "Done");
   return out;

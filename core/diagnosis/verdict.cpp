@@ -162,6 +162,8 @@ void giveVerdict(const Work& work, DiagnosisReport& out) {
   }
 }
 
+namespace {
+
 std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
@@ -185,6 +187,18 @@ std::string verdictSentence(const DiagnosisReport& report) {
   return report.causes.size() == 1
              ? "Cause found: " + report.causes.front().sentence
              : fmt::format("{} causes found; the strongest: {}", report.causes.size(), report.causes.front().sentence);
+}
+
+}  // namespace
+
+void putIntoWords(DiagnosisReport& report) {
+  for (auto& cause : report.causes) {
+    cause.title = causeTitle(cause.id);
+    cause.sentence = causeSentence(cause, report.mistake);
+    cause.check = causeCheck(cause, report);
+    cause.tellApart = causeDecides(cause.id);
+  }
+  report.sentence = verdictSentence(report);
 }
 
 }  // namespace heft::diagnosis

@@ -9,7 +9,7 @@ namespace heft::diagnosis {
 /// for something unknown, that is what remains.
 void giveVerdict(const Work& work, DiagnosisReport& report);
 
-/// The verdict in a sentence; the causes have theirs.
-std::string verdictSentence(const DiagnosisReport& report);
+/// The sentences of a report that is complete: the verdict's, and what a person reads about each cause.
+void putIntoWords(DiagnosisReport& report);
 
 }  // namespace heft::diagnosis

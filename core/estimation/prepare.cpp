@@ -137,9 +137,7 @@ struct Understanding {
 
 Understanding asStated(const Recording& recording) {
   Understanding out;
-  out.stated.conventions = recording.meta.conventions;
-  out.stated.sign = recording.meta.wrenchSign;
-  out.stated.gravity = recording.meta.gravity;
+  out.stated = conventions::statedIn(recording.meta);
   out.posesInFile = !recording.hasJoints();
   return out;
 }

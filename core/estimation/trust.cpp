@@ -20,9 +20,6 @@ constexpr Eigen::Index kAveraged = 4;
 /// describe it: a constant in its place would hardly do worse. Causes that people live with (drift, a cable, poor
 /// calibration) stay below: 0.45 in the worst recording at hand.
 constexpr double kDescribes = 0.7;
-/// Beyond this share the numbers stay, with a sentence: core/conventions calls less a fit, and clean recordings leave a
-/// quarter of it.
-constexpr double kDoubtful = 0.08;
 /// A load's torque is compared at least with what its weight makes at this distance [m].
 constexpr double kLeastLever = 0.01;
 constexpr double kNormal = 1.4826;  // Standard deviation over median size
@@ -57,7 +54,7 @@ std::string patchOf(const EstimateReport& report, const conventions::Reading& re
 /// How much of the load the readings leave unexplained, read as suggested and as stated.
 std::string evidenceOf(const conventions::Report& said) {
   // The sign alone changes nothing in how well a payload fits: it would have to be lighter than nothing.
-  if (said.statedPayload.mass < 0.0 && said.statedMisfit.worst() < kDoubtful)
+  if (said.statedPayload.mass < 0.0 && said.statedMisfit.worst() < conventions::kFits)
     return heft::say("As stated, the tool would weigh {:.2f} kg.", said.statedPayload.mass);
   return heft::say(
       "Read so, the model misses {:.0f} % of what the motion makes of the force and {:.0f} % of the torque; as stated "
@@ -225,7 +222,7 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          said.decides,
          {}});
   report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
-  if (unseen.worst() > kDoubtful && !warned(report.findings, {"misfit"}))
+  if (unseen.worst() > conventions::kFits && !warned(report.findings, {"misfit"}))
     report.findings.push_back(
         {Severity::warning,
          "misfit",

@@ -13,6 +13,7 @@
 #include "core/base/findings.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/math/degrees.h"
 
 namespace heft {
 
@@ -23,7 +24,6 @@ using ConventionPoint = Conventions::WrenchPoint;
 
 constexpr double kPound = 4.4482216152605;  ///< [N] exactly
 constexpr double kStandardGravity = 9.80665;
-constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr double kFarthestPoint = 5.0;  ///< [m]
 
 const std::array<Conventions::Unit, 5> kForceUnits = {

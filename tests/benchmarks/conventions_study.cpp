@@ -49,8 +49,7 @@ conventions::Report checked(const Recording& recording) {
   conventions::Question q;
   q.motion = &motion;
   q.kind = recording.meta.kind;
-  q.stated.gravity = recording.meta.gravity;
-  q.stated.sign = recording.meta.wrenchSign;
+  q.stated = conventions::statedIn(recording.meta);
   q.posesInFile = !recording.hasJoints();
   q.mount = recording.meta.mount;
   const auto start = std::chrono::steady_clock::now();

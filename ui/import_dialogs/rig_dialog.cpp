@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "core/math/degrees.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
 #include "ui/controller/robot_choice.h"
@@ -22,7 +23,6 @@
 namespace heft {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kEarth = 9.81;
 enum Stand { upright, hanging, otherwise };
 
@@ -94,7 +94,7 @@ RigDialog::RigDialog(const QString& recording, const RecordingMeta& meta,
         tr(" °"), 360, 2, this);
     gravity_[a] = makeNumber("rigGravity", tr("Gravity along the base's %1").arg(axes[a]), tr(" m/s²"), 20, 3, this);
     xyz_[a]->setValue(1e3 * meta.mount.xyz(a));
-    rpy_[a]->setValue(meta.mount.rpy(a) / kDegree);
+    rpy_[a]->setValue(meta.mount.rpy(a) / kRadPerDegree);
     gravity_[a]->setValue(meta.gravity(a));
   }
   form->addRow(tr("Origin x, y, z"), inOneRow(xyz_, this));
@@ -216,7 +216,7 @@ RecordingMeta RigDialog::meta() const {
   };
   for (int a = 0; a < 3; ++a) {
     take(out.mount.xyz(a), xyz_[a], 1e-3);
-    take(out.mount.rpy(a), rpy_[a], kDegree);
+    take(out.mount.rpy(a), rpy_[a], kRadPerDegree);
     take(out.gravity(a), gravity_[a], 1.0);
   }
   out.wrenchSign = sign_->currentIndex() == 1 ? WrenchSign::payloadOnSensor : WrenchSign::sensorOnPayload;

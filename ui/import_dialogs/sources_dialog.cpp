@@ -19,10 +19,11 @@
 #include "ui/import_dialogs/choice.h"
 #include "ui/widgets/basics.h"
 
+#include "core/math/degrees.h"
+
 namespace heft {
 namespace {
 
-constexpr double kRadPerDegree = 3.14159265358979323846 / 180.0;
 constexpr double kAsFound = 0.0;  ///< Of a unit: no factor is said.
 
 std::string partOf(const std::string& column) {

@@ -10,10 +10,10 @@
 #include "ui/widgets/basics.h"
 #include "ui/widgets/stepper.h"
 
+#include "core/math/degrees.h"
+
 namespace heft {
 namespace {
-
-constexpr double kFormDegree = 0.017453292519943295;
 
 QString capitalised(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -123,14 +123,14 @@ PlaceForm::PlaceForm(QWidget* parent) : QWidget(parent) {
     connect(shift, &Stepper::changed, this,
             [this] { emit moved(1e-3 * Vector3d(place_[0]->value(), place_[1]->value(), place_[2]->value())); });
     connect(turn, &Stepper::changed, this,
-            [this] { emit tilted(kFormDegree * Vector3d(tilt_[0]->value(), tilt_[1]->value(), tilt_[2]->value())); });
+            [this] { emit tilted(kRadPerDegree * Vector3d(tilt_[0]->value(), tilt_[1]->value(), tilt_[2]->value())); });
   }
 }
 
 void PlaceForm::showPlace(const Vector3d& nearEnd, const Vector3d& rpy) {
   for (int a = 0; a < 3; ++a) {
     place_[static_cast<std::size_t>(a)]->setValue(1e3 * nearEnd(a));
-    tilt_[static_cast<std::size_t>(a)]->setValue(rpy(a) / kFormDegree);
+    tilt_[static_cast<std::size_t>(a)]->setValue(rpy(a) / kRadPerDegree);
   }
 }
 

@@ -19,6 +19,8 @@
 #include "ui/widgets/basics.h"
 #include "ui/widgets/segments.h"
 
+#include "core/math/degrees.h"
+
 namespace heft {
 
 using Answer = ShapeChoice::Answer;
@@ -26,7 +28,6 @@ using Answer = ShapeChoice::Answer;
 namespace {
 
 constexpr double kUsualWall = 0.003;  ///< [m]
-constexpr double kDegree = 0.017453292519943295;
 
 }  // namespace
 
@@ -323,7 +324,7 @@ void ShapePanel::showValues() {
             ? tr("Where it sits: in the sensor’s middle, straight")
             : tr("Where it sits: %1, %2, %3 mm").arg(number(1e3 * at.x()), number(1e3 * at.y()), number(1e3 * at.z()));
     if (rpy.norm() >= 1e-3)
-      where += tr(", tilted by %1°").arg(number(vectorFromRotation(moved.X_SB.linear()).norm() / kDegree));
+      where += tr(", tilted by %1°").arg(number(vectorFromRotation(moved.X_SB.linear()).norm() / kRadPerDegree));
     placeButton_->setText((placeShown_ ? QString::fromUtf8("▾  ") : QString::fromUtf8("▸  ")) + where);
     placeButton_->setAccessibleName(where);
   }

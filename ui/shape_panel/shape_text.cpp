@@ -9,14 +9,14 @@
 
 #include "ui/models/numbers.h"
 
+#include "core/math/degrees.h"
+
 namespace heft {
 namespace {
 
 struct ShapeText {
   Q_DECLARE_TR_FUNCTIONS(ShapeText)
 };
-
-constexpr double kDegree = 0.017453292519943295;
 
 Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
@@ -293,7 +293,7 @@ Result<ShapeChoice> shapeFromWords(const QStringList& words, const ShapeChoice& 
         return wrong(ShapeText::tr("“at” expects x,y,z in mm, or with roll, pitch and yaw in degrees: at 0,0,60"));
       const Vector3d xyz = 1e-3 * Vector3d(pose[0], pose[1], pose[2]);
       const Vector3d rpy =
-          pose.size() == 6 ? Vector3d(kDegree * Vector3d(pose[3], pose[4], pose[5])) : Vector3d::Zero();
+          pose.size() == 6 ? Vector3d(kRadPerDegree * Vector3d(pose[3], pose[4], pose[5])) : Vector3d::Zero();
       const Isometry3d to = poseFromXyzRpy(xyz, rpy), from = next.shape.bodies.front().X_SB;
       // The first body stands there, the others as they do beside it.
       for (ShapeBody& body : next.shape.bodies) body.X_SB = to * from.inverse() * body.X_SB;

@@ -6,12 +6,13 @@
 #include "ui/models/numbers.h"
 #include "ui/shape_panel/shape_text.h"
 
+#include "core/math/degrees.h"
+
 namespace heft {
 namespace {
 
 /// Handle ids: 32 a body; below 8 sizes (index of the measure), then move x, y, z and freely, turn x, y, z, choose.
 constexpr int kIds = 32, kMove = 8, kFree = 11, kTurnIds = 12, kChoose = 16;
-constexpr double kHandleDegree = 0.017453292519943295;
 constexpr double kGap = 0.012;  ///< [m] of an arrow from the body it moves
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
@@ -192,7 +193,7 @@ Shape dragTool(const Shape& start, ToolPicture picture, int selected, const Hand
     return shifted(start, moved, to - from);
   }
   if (id < kChoose) {
-    const double angle = rounded(drag.angle, (drag.fine ? 0.1 : 1.0) * kHandleDegree);
+    const double angle = rounded(drag.angle, (drag.fine ? 0.1 : 1.0) * kRadPerDegree);
     return turned(start, moved, rotationFromVector(angle * drag.handle.axis));
   }
   return start;

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math/degrees.h"
 #include "core/simulation/effects/kinds.h"
 
 namespace heft {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// The sensor is bolted on with a turn: it reports the same load in its own axes.
 class SensorRotation final : public Effect {
@@ -16,9 +15,9 @@ class SensorRotation final : public Effect {
   explicit SensorRotation(const EffectSetup& setup) {
     Vector3d axis = drawDirection(setup.random);
     if (setup.form == "about-z") axis = Vector3d::UnitZ();
-    R_ = rotationFromVector(setup.size * kDegree * axis);
+    R_ = rotationFromVector(setup.size * kRadPerDegree * axis);
     note("axis_s", axis);
-    note("angle_rad", setup.size * kDegree);
+    note("angle_rad", setup.size * kRadPerDegree);
   }
   Vector6d gauge(const Vector6d& load) override {
     Vector6d turned;
@@ -53,9 +52,9 @@ class GravityTilt final : public Effect {
       axis -= axis.dot(up) * up;
     } while (axis.norm() < 0.1);
     axis.normalize();
-    R_ = rotationFromVector(setup.size * kDegree * axis);
+    R_ = rotationFromVector(setup.size * kRadPerDegree * axis);
     note("axis_b", axis);
-    note("angle_rad", setup.size * kDegree);
+    note("angle_rad", setup.size * kRadPerDegree);
   }
   void alterGeometry(Geometry& geometry) override { geometry.gravity = R_ * geometry.gravity; }
 
@@ -70,7 +69,7 @@ class JointOffset final : public Effect {
     const int dof = setup.scene.robot != nullptr ? setup.scene.robot->dof() : 0;
     offsets_ = VectorXd::Zero(dof);
     if (setup.form == "all") {
-      for (int j = 0; j < dof; ++j) offsets_(j) = setup.size * kDegree * setup.random.uniform(-1.0, 1.0);
+      for (int j = 0; j < dof; ++j) offsets_(j) = setup.size * kRadPerDegree * setup.random.uniform(-1.0, 1.0);
     } else if (dof > 0) {
       int joint = 0;
       if (setup.form == "one") {
@@ -79,7 +78,7 @@ class JointOffset final : public Effect {
         std::from_chars(setup.form.data(), setup.form.data() + setup.form.size(), joint);
         joint = std::min(joint, dof) - 1;
       }
-      offsets_(joint) = setup.size * kDegree;
+      offsets_(joint) = setup.size * kRadPerDegree;
     }
     note("offset_rad", offsets_);
   }

@@ -48,8 +48,7 @@ Question questionOf(const Recording& recording, const Motion& motion) {
   Question q;
   q.motion = &motion;
   q.kind = recording.meta.kind;
-  q.stated.gravity = recording.meta.gravity;
-  q.stated.sign = recording.meta.wrenchSign;
+  q.stated = statedIn(recording.meta);
   q.posesInFile = !recording.hasJoints();
   q.mount = recording.meta.mount;
   return q;

@@ -8,10 +8,10 @@
 
 #include "tests/core/simulation/effect_sample.h"
 
+#include "core/math/degrees.h"
+
 namespace heft {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 double largest(const SampledWrench& a) { return a.cwiseAbs().maxCoeff(); }
 
@@ -74,7 +74,7 @@ TEST(EffectSignal, FilterActsOnTheNoiseToo) {
 TEST(EffectSignal, RotatedMountIsARotatedFrame) {
   const Simulated turned = withEffect("sensor_rotation=3");
   const Matrix3d R = rotationFromVector(hidden(turned, "angle_rad")[0] * hiddenVector(turned, "axis_s"));
-  EXPECT_NEAR(vectorFromRotation(R).norm(), 3.0 * kDegree, 1e-12);
+  EXPECT_NEAR(vectorFromRotation(R).norm(), 3.0 * kRadPerDegree, 1e-12);
   // The same payload described in the turned axes, on a mount that says so.
   SimulateOptions options = quietOptions();
   options.mount.rpy = rpyFromRotation(rotationFromRpy(options.mount.rpy) * R);
@@ -97,7 +97,7 @@ TEST(EffectSignal, RotatedMountIsARotatedFrame) {
 TEST(EffectSignal, TiltAndLeverChangeTheWorldNotTheMeta) {
   const Simulated tilted = withEffect("gravity_tilt=5"), shifted = withEffect("lever_arm=30");
   SimulateOptions options = quietOptions();
-  options.gravity = rotationFromVector(5.0 * kDegree * hiddenVector(tilted, "axis_b")) * options.gravity;
+  options.gravity = rotationFromVector(5.0 * kRadPerDegree * hiddenVector(tilted, "axis_b")) * options.gravity;
   EXPECT_LT(std::abs(hiddenVector(tilted, "axis_b").z()), 1e-12);
   // The motion is planned without knowing of the tilt, so only compare at the same joints: the planned motion of
   // free guiding does not depend on gravity.
@@ -219,7 +219,7 @@ TEST(EffectSignal, JointsAndVelocitiesAreReportedWrongly) {
   const Simulated plain = simulatedOrDie(quietOptions());
   const Simulated offset = withEffect("joint_offset/4=2");
   VectorXd expected = VectorXd::Zero(7);
-  expected(3) = 2.0 * kDegree;
+  expected(3) = 2.0 * kRadPerDegree;
   EXPECT_LT((offset.recording.q - plain.recording.q).rowwise().sum().array().cwiseAbs().maxCoeff() - expected(3),
             1e-12);
   EXPECT_LT((offset.recording.q.row(7) - plain.recording.q.row(7) - expected.transpose()).norm(), 1e-12);
