@@ -18,10 +18,4 @@ VectorXd singularValues(const MatrixArgument& A) {
   return HouseholderSvd(A, Eigen::ComputeThinU | Eigen::ComputeThinV).singularValues();
 }
 
-MatrixXd rightSingularVectors(const MatrixArgument& A, SvdKind kind) {
-  constexpr unsigned kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
-  if (kind == SvdKind::divideAndConquer) return Eigen::BDCSVD<MatrixXd>(A, kThin).matrixV();
-  return HouseholderSvd(A, kThin).matrixV();
-}
-
 }  // namespace heft

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/math/linear_algebra.h"
 #include "core/payload/shape_prior.h"
 
 namespace heft {
@@ -112,30 +113,30 @@ Data simulate(const Motion& motion, double duration, const Vector10d& phi, doubl
   const auto velocity = [&](double t) {
     return Vector3d(vectorFromRotation(rotation(t - kStep).transpose() * rotation(t + kStep)) / (2 * kStep));
   };
-  Eigen::Matrix<double, 16, 16> H = Eigen::Matrix<double, 16, 16>::Zero();
-  Eigen::Matrix<double, 16, 1> g = Eigen::Matrix<double, 16, 1>::Zero();
+  MatrixXd H = MatrixXd::Zero(16, 16);
+  VectorXd g = VectorXd::Zero(16);
   Vector6d sd, bias;
   sd << Vector3d::Constant(forceNoise), Vector3d::Constant(torqueNoise);
   for (int k = 0; k < 6; ++k) bias(k) = (k < 3 ? 1.0 : 0.05) * normal(random);
   for (double t = 0.01; t < duration; t += 1 / kRate) {
     const Vector3d a = (motion(t + kStep).second - 2 * motion(t).second + motion(t - kStep).second) / (kStep * kStep);
     const Vector3d alpha = (velocity(t + kStep) - velocity(t - kStep)) / (2 * kStep);
-    Eigen::Matrix<double, 6, 16> rows;
+    MatrixXd rows(6, 16);
     rows << Matrix6d::Identity(),
         wrenchRows(velocity(t), alpha, rotation(t).transpose() * (a + Vector3d(0, 0, kGravity)));
-    Vector6d y = rows.rightCols<10>() * phi + bias;
+    VectorXd y = rows.rightCols(10) * phi + bias;
     for (int k = 0; k < 6; ++k) y(k) = (y(k) + sd(k) * normal(random)) / sd(k);
     rows = sd.cwiseInverse().asDiagonal() * rows;
-    H += rows.transpose() * rows;
+    H += transposedProduct(rows, rows);
     g += rows.transpose() * y;
   }
-  const Eigen::Matrix<double, 6, 10> gain = H.topLeftCorner<6, 6>().ldlt().solve(H.topRightCorner<6, 10>());
-  const Matrix10d information = H.bottomRightCorner<10, 10>() - H.bottomLeftCorner<10, 6>() * gain;
-  const Vector10d linear = g.tail<10>() - gain.transpose() * g.head<6>();
-  const Eigen::SelfAdjointEigenSolver<Matrix10d> eigen(information);  // a square root also where directions are blind
-  const VectorXd root = eigen.eigenvalues().cwiseMax(1e-12 * eigen.eigenvalues().maxCoeff()).cwiseSqrt();
-  return {root.asDiagonal() * eigen.eigenvectors().transpose(),
-          root.cwiseInverse().asDiagonal() * (eigen.eigenvectors().transpose() * linear)};
+  const MatrixXd gain = SymmetricSolver(H.topLeftCorner(6, 6)).solveAll(H.topRightCorner(6, 10));
+  const MatrixXd information = H.bottomRightCorner(10, 10) - product(H.bottomLeftCorner(10, 6), gain);
+  const VectorXd linear = g.tail(10) - gain.transpose() * g.head(6);
+  const SymmetricEigen eigen = symmetricEigen(information);  // a square root also where directions are blind
+  const VectorXd root = eigen.values.cwiseMax(1e-12 * eigen.values.maxCoeff()).cwiseSqrt();
+  return {root.asDiagonal() * eigen.vectors.transpose(),
+          root.cwiseInverse().asDiagonal() * (eigen.vectors.transpose() * linear)};
 }
 
 /// Rows that pin mass and first moments only, as rest in several orientations does.
@@ -208,13 +209,12 @@ TEST(ShapePrior, NormalFormStopsWhereTheFitStopsWithTheSameCovariance) {
       };
       G.col(k) = (at(1e-6) - at(-1e-6)) / 2e-6;
     }
-    const MatrixXd AG = data.A * G;
-    const Matrix10d H = AG.transpose() * AG + fit.information;
-    const Vector10d gradient = AG.transpose() * (data.A * fit.phi - data.y) - fit.information * fit.mean;
-    const Matrix10d inverse = H.inverse();
-    EXPECT_LT(std::sqrt(gradient.dot(inverse * gradient)), 1e-3) << "in standard deviations";
-    const Matrix10d covariance = G * inverse * G.transpose();
-    const Vector10d sd = fit.covariance.diagonal().cwiseSqrt();
+    const MatrixXd AG = product(data.A, G);
+    const MatrixXd covarianceOfV = inverse(transposedProduct(AG, AG) + fit.information);
+    const VectorXd gradient = AG.transpose() * (data.A * fit.phi - data.y) - fit.information * fit.mean;
+    EXPECT_LT(std::sqrt(gradient.dot(covarianceOfV * gradient)), 1e-3) << "in standard deviations";
+    const MatrixXd covariance = congruence(G, covarianceOfV);
+    const VectorXd sd = fit.covariance.diagonal().cwiseSqrt();
     EXPECT_LT((sd.cwiseInverse().asDiagonal() * (covariance - fit.covariance) * sd.cwiseInverse().asDiagonal()).norm(),
               1e-3)
         << covariance << "\n\n"
