@@ -1,5 +1,6 @@
 #include "core/mesh/mesh.h"
 
+#include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -7,13 +8,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <stdexcept>
 
+#include "core/base/library_on_demand.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 
@@ -30,6 +32,23 @@ namespace heft {
 namespace {
 
 namespace fs = std::filesystem;
+
+// assimp's functions, which hide the declarations of its headers.
+const LibraryOnDemand assimp{HEFT_ASSIMP_LIBRARY, HEFT_ASSIMP_PACKAGE};
+#define HEFT_OF_ASSIMP(name) \
+  const FunctionOnDemand<decltype(::name)> name { assimp, #name }
+HEFT_OF_ASSIMP(aiCreatePropertyStore);
+HEFT_OF_ASSIMP(aiGetErrorString);
+HEFT_OF_ASSIMP(aiGetMaterialColor);
+HEFT_OF_ASSIMP(aiGetMaterialFloatArray);
+HEFT_OF_ASSIMP(aiGetMaterialString);
+HEFT_OF_ASSIMP(aiImportFileExWithProperties);
+HEFT_OF_ASSIMP(aiIsExtensionSupported);
+HEFT_OF_ASSIMP(aiReleaseImport);
+HEFT_OF_ASSIMP(aiReleasePropertyStore);
+HEFT_OF_ASSIMP(aiSetImportPropertyFloat);
+HEFT_OF_ASSIMP(aiSetImportPropertyInteger);
+#undef HEFT_OF_ASSIMP
 
 constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
 constexpr unsigned kMaxNodeDepth = 200;
@@ -55,11 +74,11 @@ Eigen::Vector4f clamped(const aiColor4D& c) {
 
 Eigen::Vector4f colourOf(const aiMaterial& material, bool isGltf) {
   aiString name;
-  material.Get(AI_MATKEY_NAME, name);
+  aiGetMaterialString(&material, AI_MATKEY_NAME, &name);
   if (std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME) return MeshPart().rgba;
   aiColor4D diffuse;
-  if (material.Get(AI_MATKEY_BASE_COLOR, diffuse) != AI_SUCCESS &&
-      material.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) != AI_SUCCESS) {
+  if (aiGetMaterialColor(&material, AI_MATKEY_BASE_COLOR, &diffuse) != AI_SUCCESS &&
+      aiGetMaterialColor(&material, AI_MATKEY_COLOR_DIFFUSE, &diffuse) != AI_SUCCESS) {
     return MeshPart().rgba;
   }
   Eigen::Vector4f rgba = clamped(diffuse);
@@ -68,7 +87,8 @@ Eigen::Vector4f colourOf(const aiMaterial& material, bool isGltf) {
   }
   // COLLADA exporters write <transparency>0 for opaque bodies; nobody stores an invisible one.
   float opacity = 1.0f;
-  if (material.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0.0f && opacity < 1.0f) rgba[3] = opacity;
+  unsigned count = 1;
+  if (aiGetMaterialFloatArray(&material, AI_MATKEY_OPACITY, &opacity, &count) == AI_SUCCESS && opacity > 0.0f && opacity < 1.0f) rgba[3] = opacity;
   if (rgba[3] <= 0.0f) rgba[3] = 1.0f;
   return rgba;
 }
@@ -189,12 +209,16 @@ bool hasPlyHeader(const fs::path& file) {
          (head.find("\nend_header\n") != std::string::npos || head.find("\nend_header\r\n") != std::string::npos);
 }
 
-void configure(Assimp::Importer& importer) {
+using Properties = std::unique_ptr<aiPropertyStore, void (*)(aiPropertyStore*)>;
+
+Properties propertiesOfImport() {
+  Properties properties(aiCreatePropertyStore(), aiReleasePropertyStore);
   // URDF viewers take COLLADA coordinates as they stand; <up_axis> would turn the link on its side.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothingAngleDeg);
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS);
+  aiSetImportPropertyInteger(properties.get(), AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
+  aiSetImportPropertyInteger(properties.get(), AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  aiSetImportPropertyFloat(properties.get(), AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothingAngleDeg);
+  aiSetImportPropertyInteger(properties.get(), AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS);
+  return properties;
 }
 
 }  // namespace
@@ -217,9 +241,7 @@ Result<Mesh> loadMesh(const fs::path& file) {
   }
   const std::string extension = lowerExtension(file);
   try {
-    Assimp::Importer importer;
-    configure(importer);
-    if (!importer.IsExtensionSupported(extension)) {
+    if (!aiIsExtensionSupported(extension.c_str())) {
       return Error{
           heft::say("{}: Meshes of kind \"{}\" are not known. Use .stl, .obj, .ply, .dae or .glb.", name, extension)};
     }
@@ -230,9 +252,11 @@ Result<Mesh> loadMesh(const fs::path& file) {
                      aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals;
     // STL stores a normal a facet, often zero: they are made afresh, smooth where the surface is.
     if (extension == ".stl") steps |= aiProcess_RemoveComponent;
-    const aiScene* scene = importer.ReadFile(file.string(), steps);
+    const Properties properties = propertiesOfImport();
+    const std::unique_ptr<const aiScene, void (*)(const aiScene*)> scene(
+        aiImportFileExWithProperties(file.string().c_str(), steps, nullptr, properties.get()), aiReleaseImport);
     if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE)) {
-      const std::string reason = printable(importer.GetErrorString(), 200);
+      const std::string reason = printable(aiGetErrorString(), 200);
       return Error{
           heft::say("{}: The mesh cannot be read: {}", name, reason.empty() ? heft::say("it is incomplete.") : reason)};
     }
