@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cli.h"
+#include "app/cli/each_recording.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
@@ -28,7 +29,9 @@ struct EstimateArguments {
   std::vector<std::string> recordings;
   std::string robot, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing, conventions = "as-stated";
-  bool noBias = false, force = false, compare = false;
+  std::string jsonLines;
+  int jobs = 0;
+  bool noBias = false, force = false, compare = false, each = false;
   ImportOptions import;
   EstimateOptions estimate;
 };
@@ -147,9 +150,23 @@ Estimated estimateFiles(const EstimateArguments& options, const EstimateOptions&
   return out;
 }
 
+void runEach(const EstimateArguments& options, const EstimateOptions& settings) {
+  if (options.jsonLines.empty()) throw WrongUsage("--each writes one line a recording: give --json-lines FILE.");
+  if (options.compare || !options.json.empty() || !options.output.empty())
+    throw WrongUsage("--each goes with --json-lines, not with --json, -o or --compare.");
+  requireRange("--jobs", options.jobs, 0, 1024, "");
+  forEachRecording({options.recordings, options.jobs, options.jsonLines, options.force}, [&](const std::string& file) {
+    EstimateArguments one = options;
+    one.recordings = {file};
+    return toJson(estimateFiles(one, settings, {}, Clock::now()).report);
+  });
+}
+
 void run(const EstimateArguments& options) {
   const auto start = Clock::now();
   const EstimateOptions settings = estimateOptions(options);
+  if (options.each) return runEach(options, settings);
+  if (!options.jsonLines.empty() || options.jobs != 0) throw WrongUsage("--json-lines and --jobs go with --each.");
   if (options.recordings.size() > 1 && options.compare) throw WrongUsage("--compare shows one recording; give one.");
   if (options.recordings.size() > 1 && (!options.import.metaFile.empty() || !options.import.join.empty()))
     throw WrongUsage("--meta and --join go with one recording; several have their own .meta.json beside them.");
@@ -210,6 +227,17 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist, and write a payload that is not trusted");
+  const char* const kManyGroup = "Many recordings, each by itself";
+  app->add_flag("--each", options->each,
+                "Estimate each recording by itself; those that have a line already are passed over")
+      ->group(kManyGroup);
+  app->add_option("--json-lines", options->jsonLines,
+                  "One line of JSON a recording: its result, or \"file\" and \"error\"; - is stdout")
+      ->type_name("FILE")
+      ->group(kManyGroup);
+  app->add_option("--jobs", options->jobs, "How many at a time; one a core if absent")
+      ->type_name("N")
+      ->group(kManyGroup);
   addRecordingOptions(*app, options->import);
   app->add_option("--conventions", options->conventions,
                   "as-stated: the numbers mean what the meta file says; suggested: what physics says\n"
@@ -291,6 +319,7 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate rec.csv --parameters mass-com --known cad.json\n"
       "  heft estimate rec.csv --compare\n"
       "  heft estimate first.csv second.csv third.csv\n"
+      "  heft estimate --each *.bag --jobs 4 --json-lines results.jsonl\n"
       "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08 --mass 0.812\n\n"
       "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");
   return {app, [app, options] {

@@ -1,7 +1,8 @@
 #pragma once
-// Libraries for formats that most runs never meet are loaded when a function of theirs is first called: HDF5 alone brings
-// thirty others, and loading them took half of the time in which a program started. Programs do not link to them; a header
-// of the reader's names their functions as objects of the same name, which hide the library's own declarations:
+// Libraries for formats that most runs never meet are loaded when a function of theirs is first called: HDF5 alone
+// brings thirty others, and loading them took half of the time in which a program started. Programs do not link to
+// them; a header of the reader's names their functions as objects of the same name, which hide the library's own
+// declarations:
 //   inline const FunctionOnDemand<decltype(::H5Fopen)> H5Fopen{hdf5Library, "H5Fopen"};
 // A function that is called without such an object is an undefined symbol when a program is linked.
 #include <atomic>

@@ -88,7 +88,9 @@ Eigen::Vector4f colourOf(const aiMaterial& material, bool isGltf) {
   // COLLADA exporters write <transparency>0 for opaque bodies; nobody stores an invisible one.
   float opacity = 1.0f;
   unsigned count = 1;
-  if (aiGetMaterialFloatArray(&material, AI_MATKEY_OPACITY, &opacity, &count) == AI_SUCCESS && opacity > 0.0f && opacity < 1.0f) rgba[3] = opacity;
+  if (aiGetMaterialFloatArray(&material, AI_MATKEY_OPACITY, &opacity, &count) == AI_SUCCESS && opacity > 0.0f &&
+      opacity < 1.0f)
+    rgba[3] = opacity;
   if (rgba[3] <= 0.0f) rgba[3] = 1.0f;
   return rgba;
 }

@@ -29,12 +29,14 @@ TEST(LibraryOnDemand, ReadsItsVariables) {
 }
 
 TEST(LibraryOnDemand, SaysWhatToInstall) {
-  EXPECT_EQ(kNowhere.problem(), "The library libheft-has-no-such-library.so.1 is missing. Install it: apt-get install libnowhere1");
+  EXPECT_EQ(kNowhere.problem(),
+            "The library libheft-has-no-such-library.so.1 is missing. Install it: apt-get install libnowhere1");
   const FunctionOnDemand<int()> never{kNowhere, "never"};
   EXPECT_THAT([&] { never(); }, ::testing::ThrowsMessage<std::runtime_error>(kNowhere.problem()));
   const FunctionOnDemand<int()> noSuch{kMath, "heft_has_no_such_function"};
   EXPECT_THAT([&] { noSuch(); },
-              ::testing::ThrowsMessage<std::runtime_error>("The library libm.so.6 has no heft_has_no_such_function: it is of another version."));
+              ::testing::ThrowsMessage<std::runtime_error>(
+                  "The library libm.so.6 has no heft_has_no_such_function: it is of another version."));
 }
 
 TEST(LibraryOnDemand, ThreadsMayShareIt) {
