@@ -2,8 +2,9 @@
 //   diagnosis_study write FOLDER [CASES=20] [SEED=1]   recordings in FOLDER/recordings, truths in FOLDER/truths
 //   heft diagnose FOLDER/recordings/NAME.csv --json FOLDER/answers/NAME.json   for each
 //   diagnosis_study score FOLDER                       confusion, detection by size, false alarms, gain, errors
+//   diagnosis_study compare ANSWERS OTHERS             whether two builds answer bit for bit alike, times aside
 // CASES is the number of recordings of each case: clean, walking, single (1, 2 and 4 times and a third of the visible
-// size), variant, pair, unlisted.
+// size), variant, pair, unlisted, triple. diagnosis_answers.sh diagnoses them all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ void write(const fs::path& folder, std::uint64_t cases, std::uint64_t seed) {
   };
   const std::vector<Kind> kinds{{HiddenCase::clean, 0.0},   {HiddenCase::walking, 0.0},      {HiddenCase::single, 0.0},
                                 {HiddenCase::variant, 0.0}, {HiddenCase::single, 1.0 / 3.0}, {HiddenCase::pair, 2.0},
-                                {HiddenCase::unlisted, 0.0}};
+                                {HiddenCase::unlisted, 0.0}, {HiddenCase::triple, 2.0}};
   std::size_t number = 0;  // File names must not tell what is hidden.
   for (std::uint64_t i = 0; i < cases; ++i) {
     for (const Kind& kind : kinds) {
@@ -72,6 +73,27 @@ void score(const fs::path& folder) {
   if (missing > 0) fmt::print("\n{} recordings have no answer.\n", missing);
 }
 
+/// How many answers of one folder differ from those of the same name in another; says which and where.
+int compare(const fs::path& folder, const fs::path& others) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  if (files.empty()) throw std::runtime_error(folder.string() + " has no answers");
+  int differ = 0;
+  for (const fs::path& file : files) {
+    nlohmann::json one = orThrow(readJsonFile(file)), other = orThrow(readJsonFile(others / file.filename()));
+    one.erase("timing_s");
+    other.erase("timing_s");
+    const nlohmann::json changes = nlohmann::json::diff(one, other);
+    if (changes.empty()) continue;
+    ++differ;
+    fmt::print("{}: {}\n", file.stem().string(), changes.front().dump());
+  }
+  fmt::print("{} of {} answers differ.\n", differ, files.size());
+  return differ;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -81,8 +103,10 @@ int main(int argc, char** argv) {
       write(argv[2], argc > 3 ? std::stoull(argv[3]) : 20, argc > 4 ? std::stoull(argv[4]) : 1);
     } else if (what == "score") {
       score(argv[2]);
+    } else if (what == "compare" && argc > 3) {
+      return compare(argv[2], argv[3]) > 0 ? 1 : 0;
     } else {
-      fmt::print(stderr, "diagnosis_study write FOLDER [CASES] [SEED] | diagnosis_study score FOLDER\n");
+      fmt::print(stderr, "diagnosis_study write FOLDER [CASES] [SEED] | score FOLDER | compare ANSWERS OTHERS\n");
       return 2;
     }
   } catch (const std::exception& error) {
