@@ -10,7 +10,7 @@
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
 #include "core/compensation/compensation.h"
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/correction/corrected.h"
 
 namespace heft::cli {
 namespace {

@@ -8,8 +8,12 @@
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
-#include "core/diagnosis/html_report.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/report/html_report.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/wording/words.h"
 #include "core/recording/meta_file.h"
 
 namespace heft::cli {

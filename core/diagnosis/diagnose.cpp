@@ -6,28 +6,32 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/diagnosis/artefacts/made_by_motion.h"
+#include "core/diagnosis/artefacts/noisy_motion.h"
+#include "core/diagnosis/artefacts/own_errors.h"
+#include "core/diagnosis/artefacts/sharp_motion.h"
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/confirmed.h"
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/dead_band.h"
-#include "core/diagnosis/held_rows.h"
-#include "core/diagnosis/made_by_motion.h"
-#include "core/diagnosis/named.h"
-#include "core/diagnosis/noisy_motion.h"
-#include "core/diagnosis/own_errors.h"
-#include "core/diagnosis/payload_after.h"
+#include "core/diagnosis/change_detection/ringing.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/correction/re_estimate.h"
+#include "core/diagnosis/data_quality/dead_band.h"
+#include "core/diagnosis/data_quality/held_rows.h"
+#include "core/diagnosis/data_quality/reported_velocities.h"
+#include "core/diagnosis/data_quality/sample_tests.h"
+#include "core/diagnosis/data_quality/stuck_bit.h"
+#include "core/diagnosis/data_quality/time_stamps.h"
+#include "core/diagnosis/pipeline/set_aside.h"
 #include "core/diagnosis/poses.h"
-#include "core/diagnosis/ringing.h"
-#include "core/diagnosis/sharp_motion.h"
-#include "core/diagnosis/stuck_bit.h"
-#include "core/diagnosis/surrogates.h"
-#include "core/diagnosis/time_stamps.h"
-#include "core/diagnosis/two_threads.h"
-#include "core/diagnosis/unknown.h"
-#include "core/diagnosis/velocities.h"
-#include "core/diagnosis/verdict.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/search/evidence.h"
+#include "core/diagnosis/search/null_distribution.h"
+#include "core/diagnosis/verdict/confirmation.h"
+#include "core/diagnosis/verdict/description.h"
+#include "core/diagnosis/verdict/unknown.h"
+#include "core/diagnosis/verdict/verdict.h"
+#include "core/diagnosis/wording/words.h"
 
 namespace heft {
 
@@ -392,20 +396,6 @@ std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCau
 }
 
 }  // namespace
-
-std::string_view toString(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::clean:
-      return "clean";
-    case Verdict::explained:
-      return "explained";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unexplained:
-      return "unexplained";
-  }
-  return "";
-}
 
 Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
                                  const Progress& progress) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/segmentation/user_marks.h"
 
 namespace heft::diagnosis {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/conventions/check.h"
-#include "core/diagnosis/fit.h"
+#include "core/diagnosis/model/fit.h"
 
 namespace heft::diagnosis {
 

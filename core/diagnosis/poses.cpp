@@ -10,11 +10,12 @@
 #include <utility>
 
 #include "core/base/say.h"
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/named.h"
-#include "core/diagnosis/search.h"
-#include "core/diagnosis/verdict.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/search/search.h"
+#include "core/diagnosis/verdict/description.h"
+#include "core/diagnosis/verdict/verdict.h"
+#include "core/diagnosis/wording/words.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/diagnosis/report/report.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_words.h"

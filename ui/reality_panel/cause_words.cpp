@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/wording/words.h"
 #include "ui/models/numbers.h"
 
 namespace heft {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/diagnosis/correction/check_on_other.h"
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"

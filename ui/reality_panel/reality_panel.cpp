@@ -16,7 +16,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_file.h"
-#include "core/diagnosis/pull.h"
+#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/wording/cable_force.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/meta_file.h"
 #include "core/simulation/practice.h"

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/math/linear_algebra.h"

@@ -1,9 +1,6 @@
-// Every cause that is fitted to the residual. What a single sample shows is in sample_tests.h; strong contact in
-// events.h.
-#include <cmath>
+#include "core/diagnosis/causes/catalogue.h"
 
 #include "core/diagnosis/causes/causes.h"
-#include "core/diagnosis/causes/common.h"
 
 namespace heft::diagnosis {
 

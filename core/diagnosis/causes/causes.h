@@ -2,7 +2,7 @@
 // One factory a cause.
 #include <memory>
 
-#include "core/diagnosis/cause.h"
+#include "core/diagnosis/model/cause.h"
 
 namespace heft::diagnosis {
 

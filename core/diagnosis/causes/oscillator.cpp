@@ -3,10 +3,10 @@
 #include <array>
 #include <iterator>
 
+#include "core/base/parallel.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/hum.h"
-#include "core/diagnosis/two_threads.h"
+#include "core/diagnosis/model/hum.h"
 
 namespace heft::diagnosis {
 namespace {

@@ -1,7 +1,7 @@
 // From some moment on the tool is heavier or lighter.
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/model.h"
+#include "core/diagnosis/model/forward_model.h"
 
 namespace heft::diagnosis {
 namespace {

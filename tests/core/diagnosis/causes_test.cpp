@@ -3,10 +3,11 @@
 
 #include <set>
 
-#include "core/diagnosis/alternatives.h"
-#include "core/diagnosis/named.h"
-#include "core/diagnosis/scan.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/search/alternatives.h"
+#include "core/diagnosis/search/scan.h"
+#include "core/diagnosis/verdict/description.h"
+#include "core/diagnosis/wording/words.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {

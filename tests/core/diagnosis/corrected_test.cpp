@@ -1,5 +1,5 @@
 // Causes taken out one at a time, and the difference looked at from several sides.
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/correction/corrected.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/diagnosis/views.h"
+#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/correction/model_json.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/wording/views.h"
 #include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/model.h"
-#include "core/diagnosis/pull.h"
-#include "core/diagnosis/search.h"
-#include "core/diagnosis/trials.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/model/forward_model.h"
+#include "core/diagnosis/search/candidate_fits.h"
+#include "core/diagnosis/search/search.h"
+#include "core/diagnosis/wording/cable_force.h"
 #include "core/wrench/regressor.h"
 #include "tests/core/diagnosis/fixture.h"
 

@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/report/report.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 #include "tests/support/hidden_effects.h"

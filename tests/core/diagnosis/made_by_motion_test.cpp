@@ -1,10 +1,11 @@
 // Faint causes that are made of the motion's own noise, told by smoothing it more.
-#include "core/diagnosis/made_by_motion.h"
+#include "core/diagnosis/artefacts/made_by_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "core/diagnosis/causes/catalogue.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/diagnosis/joint_turns.h"
+#include "core/diagnosis/signals/joint_turns.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 

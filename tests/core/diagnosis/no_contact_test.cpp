@@ -8,8 +8,8 @@
 #include <random>
 #include <tuple>
 
-#include "core/diagnosis/knocks.h"
-#include "core/diagnosis/touch_laws.h"
+#include "core/diagnosis/change_detection/knocks.h"
+#include "core/diagnosis/change_detection/segment_correlates.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
 #include "core/wrench/regressor.h"

@@ -4,7 +4,10 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "core/diagnosis/html_report.h"
+#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/correction/model_json.h"
+#include "core/diagnosis/report/html_report.h"
+#include "core/diagnosis/report/report.h"
 #include "tests/core/diagnosis/fixture.h"
 
 namespace heft::test {

@@ -1,5 +1,5 @@
 // What single readings show.
-#include "core/diagnosis/sample_tests.h"
+#include "core/diagnosis/data_quality/sample_tests.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <numbers>
 #include <tuple>
 
-#include "core/diagnosis/clipping.h"
-#include "core/diagnosis/coarse_motion.h"
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/dead_band.h"
-#include "core/diagnosis/time_stamps.h"
-#include "core/diagnosis/velocities.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/data_quality/clipping.h"
+#include "core/diagnosis/data_quality/coarse_motion.h"
+#include "core/diagnosis/data_quality/dead_band.h"
+#include "core/diagnosis/data_quality/reported_velocities.h"
+#include "core/diagnosis/data_quality/time_stamps.h"
 #include "core/estimation/spikes.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"

@@ -1,5 +1,5 @@
 // Delays, filters and averages of signals against what they are defined as.
-#include "core/diagnosis/signals.h"
+#include "core/diagnosis/signals/signals.h"
 
 #include <gtest/gtest.h>
 

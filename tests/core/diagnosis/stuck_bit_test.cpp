@@ -1,4 +1,4 @@
-#include "core/diagnosis/stuck_bit.h"
+#include "core/diagnosis/data_quality/stuck_bit.h"
 
 #include <gtest/gtest.h>
 

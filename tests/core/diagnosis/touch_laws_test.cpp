@@ -1,5 +1,5 @@
 // What looks like touches, and keeps a law that none does.
-#include "core/diagnosis/touch_laws.h"
+#include "core/diagnosis/change_detection/segment_correlates.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,11 @@
 #include <numbers>
 #include <tuple>
 
-#include "core/diagnosis/carried.h"
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/work.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/change_detection/carried_load.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/pipeline/hypothesis.h"
+#include "core/diagnosis/pipeline/set_aside.h"
 #include "core/motion/motion.h"
 #include "core/robot/robot_model.h"
 #include "core/wrench/regressor.h"

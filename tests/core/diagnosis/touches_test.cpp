@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/events.h"
-#include "core/diagnosis/touches.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/change_detection/segments.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/pipeline/set_aside.h"
 #include "core/robot/robot_model.h"
 #include "tests/core/diagnosis/fixture.h"
 

@@ -1,8 +1,9 @@
 // What causes come to, taken together.
-#include "core/diagnosis/verdict.h"
+#include "core/diagnosis/verdict/verdict.h"
 
 #include <gtest/gtest.h>
 
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/robot/robot_model.h"
 #include "tests/core/diagnosis/fixture.h"
 

@@ -1,5 +1,5 @@
 // A zero that walks at random against one that swings, and one that drifts.
-#include "core/diagnosis/wandering.h"
+#include "core/diagnosis/search/random_walk.h"
 
 #include <gtest/gtest.h>
 
