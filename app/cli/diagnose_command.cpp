@@ -45,8 +45,10 @@ void run(const DiagnoseArguments& options) {
   settings.seed = options.seed;
   requireRange("--surrogates", options.surrogates, 0, 5000, "");
   for (const auto& id : options.hidden) {
-    std::vector<std::string> known{"saturation", "spikes", "dropouts", "jitter", "quantisation"};
-    for (const auto& cause : diagnosis::catalogue()) known.emplace_back(cause->id());
+    std::vector<std::string> known;
+    for (const auto* list : {&diagnosis::seenDirectly(), &diagnosis::catalogue()})
+      for (const auto& cause : *list)
+        if (cause->info().family != diagnosis::Family::convention) known.emplace_back(cause->id());
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }
   if (!options.segments.empty()) {

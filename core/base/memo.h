@@ -11,9 +11,9 @@ namespace heft {
 
 /// The latest few answers by what was asked. Safe to share between threads.
 template <class Question, class Answer>
-class Latest {
+class Memo {
  public:
-  explicit Latest(std::size_t kept) : kept_(kept) {}
+  explicit Memo(std::size_t kept) : kept_(kept) {}
 
   /// `make(question)`, unless it is known. Two threads that ask for the same at once may both make it.
   template <class Make>

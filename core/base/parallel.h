@@ -16,7 +16,7 @@ void onBoth(const std::function<void()>& some);
 
 /// Calls work(i) for each i in [0, count), the next one on whichever thread is free. Exceptions reach the caller.
 template <class Work>
-void onTwoThreads(std::size_t count, const Work& work) {
+void parallelFor(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
   const auto some = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/search/evidence.h"
 
 namespace heft {
@@ -27,13 +27,7 @@ std::string_view toString(Verdict verdict) {
 }
 
 bool mountIsWrong(const DiagnosedCause& cause) {
-  return cause.id == "sensor_rotation" || cause.id == "lever_arm" ||
-         (cause.id == "frame_error" && !cause.parameters.empty());
-}
-
-const CauseParameter* findParameter(const std::vector<CauseParameter>& parameters, std::string_view name) {
-  const auto at = std::ranges::find(parameters, name, &CauseParameter::name);
-  return at == parameters.end() ? nullptr : &*at;
+  return diagnosis::infoOf(cause.id).placesSensor || (cause.ofMistake && !cause.parameters.empty());
 }
 
 nlohmann::json DiagnosisReport::metaChanges() const {
@@ -51,7 +45,7 @@ nlohmann::json DiagnosisReport::metaChanges() const {
     };
     constexpr double kRad = 3.14159265358979323846 / 180.0;
     const Matrix3d R = rotationFromRpy(meta.mount.rpy);
-    if (cause.id == "lever_arm") {
+    if (cause.id == diagnosis::ids::leverArm) {
       const Vector3d xyz = meta.mount.xyz + R * vectorOf({"dx", "dy", "dz"}) * 1e-3;
       out["sensor"]["mount"]["xyz_m"] = {xyz.x(), xyz.y(), xyz.z()};
     } else {
@@ -60,7 +54,7 @@ nlohmann::json DiagnosisReport::metaChanges() const {
     }
   }
   for (const auto& term : model.terms) {
-    if (term.form->cause->id() != "gravity_tilt") continue;
+    if (term.form->cause->id() != diagnosis::ids::gravityTilt) continue;
     diagnosis::Signals one;
     one.gravity = mistake ? mistake->reading.gravity : meta.gravity;
     one.R_BS = {Matrix3d::Identity()};

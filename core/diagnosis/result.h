@@ -9,6 +9,7 @@
 
 #include "core/diagnosis/frames.h"
 #include "core/diagnosis/model/forward_model.h"
+#include "core/diagnosis/model/found_values.h"
 #include "core/diagnosis/residual_analysis/structure.h"
 #include "core/diagnosis/search/cross_validation.h"
 #include "core/estimation/estimate.h"
@@ -18,14 +19,6 @@ namespace heft {
 enum class Verdict { clean, explained, ambiguous, unexplained };
 std::string_view toString(Verdict verdict);
 
-struct CauseParameter {
-  std::string name, unit;
-  double value = 0.0, std = 0.0;  ///< In `unit`
-};
-
-/// The one of that name, or null.
-const CauseParameter* findParameter(const std::vector<CauseParameter>& parameters, std::string_view name);
-
 struct DiagnosedCause {
   std::string id;
   std::string title;     ///< "Force readings out of step"
@@ -34,6 +27,7 @@ struct DiagnosedCause {
   std::vector<CauseParameter> parameters;
   std::vector<std::pair<double, double>> when;  ///< [s]; empty: throughout
   bool direct = false;                          ///< Seen in the samples themselves; evidence and gain are then empty.
+  bool ofMistake = false;                       ///< Found as a mistake of frames or signs: the report's
   bool ofVelocities = false;                    ///< Seen directly in the reported ones: they are wrong and not used.
   double deltaBic = 0.0, pValue = 0.0;
   diagnosis::Gain gain;               ///< On blocks that were held out, the other causes in place

@@ -6523,8 +6523,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gelenk {} wird bis zu {} Grad falsch gelesen, einmal je Umdrehung hin und her.</translation>
     </message>
     <message>
-        <source>what the motor of joint {} does</source>
-        <translation>dem, was der Motor von Gelenk {} tut</translation>
+        <source>what the motor of joint {:.0f} does</source>
+        <translation>dem, was der Motor von Gelenk {:.0f} tut</translation>
     </message>
     <message>
         <source>how hard the joints speed up and slow down</source>

@@ -16,7 +16,7 @@ QString decidesOf(const std::string& id);
 QString looksOf(const std::string& id);
 /// The coach's motion that comes next to that which decides; empty where none does.
 std::string causeMotion(const std::string& id);
-QString goesWithText(const std::string& goesWith);
+QString goesWithText(const diagnosis::Correlate& goesWith);
 /// "2.60 ± 0.10 N/m", in the unit of the parameter.
 QString parameterTitle(const CauseParameter& parameter);
 QString parameterText(const CauseParameter& parameter);

@@ -10,14 +10,14 @@ namespace heft::diagnosis {
 
 namespace {
 
-WrenchRms leftOver(const Way& way) {
-  const auto stretches = stretchesOf(way.signals.usable);
-  return rmsOf(stretches, fitModel(way.signals, stretches, Model{}).residual);
+WrenchRms leftOver(const SmoothingCandidate& candidate) {
+  const auto stretches = stretchesOf(candidate.signals.usable);
+  return rmsOf(stretches, fitModel(candidate.signals, stretches, Model{}).residual);
 }
 
 /// Standard deviation of what changes within `apart` rows of the noisiest column and is no motion: third differences.
-template <class Columns>
-double noiseWithin(Eigen::Index apart, const Columns& columns) {
+template <class CachedJacobian>
+double noiseWithin(Eigen::Index apart, const CachedJacobian& columns) {
   constexpr double kThird = 4.472135955;  // Root of 1 + 9 + 9 + 1
   double out = 0.0;
   const Eigen::Index n = columns.rows() - 3 * apart;
@@ -42,8 +42,8 @@ double noiseOfMotion(const Recording& recording) {
 
 }  // namespace
 
-std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed,
-                                       double evidence) {
+std::optional<NoisyMotion> noisyMotion(const Recording& recording, const SmoothingCandidate& usual,
+                                       const SmoothingCandidate& smoothed, double evidence) {
   // Of 260 recordings, whatever was wrong with them, noise became 2.4 times smaller at most, and 1.75 times where a
   // robot reports its angles late and unevenly; noisy angles began at 2.7. So did, now and then, motion with the noise
   // that a robot's has, 1e-4 at most and up to 1.5e-4 where poses were worked out from it, under a quiet sensor; where

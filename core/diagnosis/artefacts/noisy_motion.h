@@ -15,7 +15,7 @@ struct NoisyMotion {
 };
 
 /// None where more smoothing hardly helps. `evidence`: of `smoothed` over `usual`, by bias and payload alone.
-std::optional<NoisyMotion> noisyMotion(const Recording& recording, const Way& usual, const Way& smoothed,
-                                       double evidence);
+std::optional<NoisyMotion> noisyMotion(const Recording& recording, const SmoothingCandidate& usual,
+                                       const SmoothingCandidate& smoothed, double evidence);
 
 }  // namespace heft::diagnosis

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/say.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/evidence.h"
 #include "core/diagnosis/wording/words.h"
 
@@ -14,19 +15,19 @@ constexpr double kMuch = 300.0;  ///< Evidence from which on what is not named i
 
 }  // namespace
 
-bool ownErrors(const Work& work, const Found& found) {
+bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
   constexpr double kPlain = 3.0 * kFaint;  // Evidence that speaks much for a cause
   constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
   const std::string_view cause = found.cause;
-  if (std::ranges::find(work.madeByMotion, found.cause) != work.madeByMotion.end()) return true;
-  if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(work.signals)) return true;
+  if (std::ranges::find(hypothesis.motionArtefacts, found.cause) != hypothesis.motionArtefacts.end()) return true;
+  if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(hypothesis.signals)) return true;
   double over = 0.0, enough = found.gain > kPlain ? 0.0 : 1.0;
   bool swings = false;
-  for (const Term& term : work.search.final.model.terms) {
+  for (const Term& term : hypothesis.search.final.model.terms) {
     const Cause& other = *term.form->cause;
-    swings = swings || other.id() == "flexible_mount";
+    swings = swings || other.id() == ids::flexibleMount;
     if (other.id() != cause) continue;
-    over += other.overOwnErrors(*term.form, term.v, work.signals);
+    over += other.overOwnErrors(*term.form, term.v, hypothesis.signals);
     enough = std::max(enough, other.enoughIfPlain(*term.form));
   }
   return over < enough * (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);

@@ -7,7 +7,7 @@ namespace heft::diagnosis {
 
 /// Whether they leave all that the final model has of `found`. A mount that swings enlarges what the smoothing took;
 /// where little speaks for it, corners of the motion may be all that does.
-bool ownErrors(const Work& work, const Found& found);
+bool ownErrors(const Hypothesis& hypothesis, const Found& found);
 
 /// Says what much speaks for and is not named: `own` are those of ownErrors() that are part of the final model.
 void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out);

@@ -48,12 +48,12 @@ Wrenches standingOut(const Wrenches& of) {
 
 }  // namespace
 
-void weighSharpMotion(std::vector<Way>& ways, const Way& sharper, bool held) {
+void weighSharpMotion(std::vector<SmoothingCandidate>& candidates, const SmoothingCandidate& sharper, bool held) {
   // Squared deviations of the noise: a motion that reaches it nowhere is smooth enough
   constexpr double kNoticed = 1.0;
   constexpr Eigen::Index kReach = 2;  // Blocks: a filter rings
-  const Signals& least = ways[kUsualWay].signals;
-  const auto stretches = untouched(least, ways[kUsualWay]);
+  const Signals& least = candidates[kUsualSmoothing].signals;
+  const auto stretches = untouched(least, candidates[kUsualSmoothing]);
   if (stretches.empty()) return;
   Fit fit = fitModel(least, stretches, Model{});
   if (!held) {
@@ -63,28 +63,29 @@ void weighSharpMotion(std::vector<Way>& ways, const Way& sharper, bool held) {
   const Vector10d payload = fit.model.x.tail<10>();
   Vector6d noise;
   for (Eigen::Index c = 0; c < 6; ++c) noise(c) = fit.noise.channels[static_cast<std::size_t>(c)].sigma;
-  const auto madeOf = [&](const Way& way) {
-    const Signals& signals = way.signals;
+  const auto madeOf = [&](const SmoothingCandidate& candidate) {
+    const Signals& signals = candidate.signals;
     return averaged(signals, payloadWrench(signals.kinematics, payload));
   };
   const Wrenches sharpest = madeOf(sharper);
   std::vector<Wrenches> made;
-  for (const Way& way : ways) {
-    made.push_back(madeOf(way));
+  for (const SmoothingCandidate& candidate : candidates) {
+    made.push_back(madeOf(candidate));
     if (made.back().cols() != sharpest.cols()) return;
   }
-  for (std::size_t i = 0; i < ways.size(); ++i) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     std::vector<Wrenches> lost, lostFast{sharpest - made[i]};
     for (std::size_t less = 0; less < i; ++less)
-      (less < kUsualWay ? lostFast : lost).emplace_back(made[less] - made[i]);
-    ways[i].signals.lost = std::make_shared<const std::vector<Wrenches>>(std::move(lost));
-    ways[i].signals.lostFast = std::make_shared<const std::vector<Wrenches>>(std::move(lostFast));
+      (less < kUsualSmoothing ? lostFast : lost).emplace_back(made[less] - made[i]);
+    candidates[i].signals.lost = std::make_shared<const std::vector<Wrenches>>(std::move(lost));
+    candidates[i].signals.lostFast = std::make_shared<const std::vector<Wrenches>>(std::move(lostFast));
     // What was denoised may be smoother at a stop than one with a low corner.
     std::size_t next = i + 1;
-    while (next < ways.size() && ways[next].signals.denoised) ++next;
-    if (next >= ways.size()) continue;
-    Wrenches louder = blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kReach);
-    if (louder.maxCoeff() > kNoticed) ways[i].signals.louder = std::make_shared<const Loudness>(std::move(louder));
+    while (next < candidates.size() && candidates[next].signals.denoised) ++next;
+    if (next >= candidates.size()) continue;
+    Wrenches noiseScale = blurred((noise.cwiseInverse().asDiagonal() * (made[i] - made[next])).cwiseAbs2(), kReach);
+    if (noiseScale.maxCoeff() > kNoticed)
+      candidates[i].signals.noiseScale = std::make_shared<const NoiseScale>(std::move(noiseScale));
   }
 }
 

@@ -5,11 +5,11 @@
 
 namespace heft::diagnosis {
 
-/// Sets Signals::lost and Signals::lostFast of each way, and Signals::louder, the least smoothed first: by how much the
-/// wrench that the payload makes of the motion differs from that of the next smoother one, over the noise. Contact on
-/// the usual way must have been looked for. `sharper`: smoothed less than all of them, for what even the first has
+/// Sets Signals::lost and Signals::lostFast of each way, and Signals::noiseScale, the least smoothed first: by how much
+/// the wrench that the payload makes of the motion differs from that of the next smoother one, over the noise. Contact
+/// on the usual way must have been looked for. `sharper`: smoothed less than all of them, for what even the first has
 /// lost. `held`: readings of the motion stood still and caught up, which looks sharp and says nothing of the payload.
-void weighSharpMotion(std::vector<Way>& ways, const Way& sharper, bool held);
+void weighSharpMotion(std::vector<SmoothingCandidate>& candidates, const SmoothingCandidate& sharper, bool held);
 
 /// Evidence that `fit` would gain if the payload moved as motion smoothed less tells, where that stands out from its
 /// noise: nothing is fitted for it. 0 where weighSharpMotion() was not asked.

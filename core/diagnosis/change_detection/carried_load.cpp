@@ -137,14 +137,14 @@ bool isWeightElsewhere(const Signals& signals, const Fit& fit, const std::vector
          std::abs(load.mass) < std::max(2.0 * load.massStd, kLittle * fit.model.x(6));
 }
 
-std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
   // eight that were touched as long, the most like a load left 0.16 and seven times.
   constexpr double kLeft = 0.05, kOfHolding = 0.5;
   if (areTooShort(contacts)) return std::nullopt;
   const LoadIn load(signals, fit, contacts);
   if (load.share > kLeft || load.shareOfHolding > kOfHolding || load.mass < 3.0 * load.massStd) return std::nullopt;
-  Carried out;
+  CarriedLoad out;
   out.mass = load.mass;
   out.massStd = load.massStd;
   for (const Contact& contact : contacts) {

@@ -9,7 +9,7 @@
 
 namespace heft::diagnosis {
 
-struct Carried {
+struct CarriedLoad {
   double mass = 0.0, massStd = 0.0;             ///< [kg]
   double evidence = 0.0;                        ///< Of the contacts that it takes the place of
   std::vector<std::pair<double, double>> when;  ///< [s]
@@ -17,7 +17,7 @@ struct Carried {
 
 /// The load, at one place of the tool, whose weight and inertial forces account for next to all that the fit leaves in
 /// all of `contacts`, and clearly more than somebody does who holds on to the tool; nothing where it is another thing.
-std::optional<Carried> carriedIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
+std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
 
 /// Whether in all of `contacts` the tool weighs what it weighs elsewhere, but its weight sits at another place, the
 /// same each time, as where it has play in its holder: that leaves next to nothing there, and clearly less than

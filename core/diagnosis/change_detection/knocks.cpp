@@ -26,7 +26,7 @@ Vector6d mediansIn(const Wrenches& values, const std::vector<Stretch>& stretches
 /// The usual power as far as it is known to be more in block `n`: where the motion turns sharply, it makes knocks of
 /// its own.
 Vector6d knownAt(const Signals& signals, Vector6d usual, Eigen::Index n) {
-  if (signals.louder) usual.array() *= 1.0 + signals.louder->times().col(n).array();
+  if (signals.noiseScale) usual.array() *= 1.0 + signals.noiseScale->times().col(n).array();
   return usual;
 }
 
@@ -93,7 +93,9 @@ std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>&
     for (std::size_t c = 0; c < 6; ++c) {
       const auto row = static_cast<Eigen::Index>(c);
       const double known =
-          signals.louder ? 1.0 + signals.louder->times().row(row).segment(parts.from[i], parts.length).maxCoeff() : 1.0;
+          signals.noiseScale
+              ? 1.0 + signals.noiseScale->times().row(row).segment(parts.from[i], parts.length).maxCoeff()
+              : 1.0;
       loudest = std::max(loudest, parts.power[c][i] / (known * usual[c]));
     }
     if (loudest > kLoud) out.push_back(signals.blockTime(parts.from[i]));

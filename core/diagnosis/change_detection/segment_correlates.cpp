@@ -45,7 +45,7 @@ double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const
 /// The one place where all that is left in the contacts acts, if it is where nobody touches again and again: at the
 /// payload's centre of mass, as where the robot's base moves unrecorded, or inside the sensor, as where its readings of
 /// force alone are wrong. Not translated; empty where it is neither.
-std::string actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   constexpr double kNear = 4e-3, kKnown = 8e-3;  // [m] To be there; largest deviation of where it acts
   // One or two may be there by chance, unless it is known exactly: of 24 touches none acted within 25 mm.
   constexpr std::size_t kFew = 3;
@@ -229,13 +229,13 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
 /// straight up under a tool that hangs still, takes from all of them alike. Of two touches that did it had 0.963 and
 /// 0.994 of its power along one, where two supplies dipped 0.69 and 0.99.
 bool keepsOneDirection(const Wrenches& load, const std::vector<Contact>& contacts) {
-  constexpr double kMost = 0.95;
+  constexpr double kAlongOne = 0.95;
   Matrix6d power = Matrix6d::Zero();
   for (const Stretch& s : blocksOf(contacts)) {
     const auto part = load.middleCols(s.from, s.to - s.from);
     power += part * part.transpose();
   }
-  return shareAlongOneDirection(power) > kMost;
+  return shareAlongOneDirection(power) > kAlongOne;
 }
 
 /// Whether all channels, the zero with them, read too little or too much by one factor at a time, as where the
@@ -275,8 +275,8 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
 bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
                      const Beyond& beyond) {
   constexpr double kLeft = 0.15, kOfSteady = 0.4;
-  constexpr double kMost = 0.1;      // Of the largest power in a contact: to be asked
-  constexpr double kOutside = 0.98;  // Of the blocks elsewhere have less load than half of those in contact
+  constexpr double kShareOfPower = 0.1;  // Of the largest power in a contact: to be asked
+  constexpr double kOutside = 0.98;      // Of the blocks elsewhere have less load than half of those in contact
   constexpr int kLimits = 12;
   const Wrenches scaled = beyond.scaled(fit.residual);
   const VectorXd power = scaled.colwise().squaredNorm();
@@ -284,7 +284,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
   double all = 1e-300, steady = 0.0;
   for (const Contact& contact : contacts) {
     const auto [from, to] = contact.blocks;
-    const double least = kMost * power.segment(from, to - from).maxCoeff();
+    const double least = kShareOfPower * power.segment(from, to - from).maxCoeff();
     Vector6d sum = Vector6d::Zero();
     double count = 0.0, squares = 0.0;
     for (Eigen::Index n = from; n < to; ++n) {
@@ -359,7 +359,7 @@ bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Cont
 
 /// A way in which something that is no touch may go with the motion.
 struct Law {
-  std::string name;
+  Correlate name;
   MatrixXd motion;  ///< F x N
   double follows;   ///< Share of what is left in the contacts that it must tell where it holds at all times
   /// The same of one that may act in a zone only; of pushes 0.2 at most went with either
@@ -379,14 +379,15 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
       motor(0, n) = signals.dq.row(j).segment(n * m, m).cwiseAbs().mean() > still ? 1.0 : 0.0;
       motor(1, n) = signals.ddq.row(j).segment(n * m, m).cwiseAbs().mean() / most;
     }
-    out.push_back({fmt::format("what the motor of joint {} does", j + 1), std::move(motor), kTold});
+    out.push_back({Correlate(heft::toSay("what the motor of joint {:.0f} does"), static_cast<double>(j + 1)),
+                   std::move(motor), kTold});
   }
   return out;
 }
 
 }  // namespace
 
-std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
+Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   if (contacts.empty()) return {};
   const Beyond beyond(signals, fit, contacts);
   if (comesLate(signals, fit, contacts, beyond)) return heft::toSay("what the channels read before");
@@ -397,7 +398,7 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   if (isWeightElsewhere(signals, fit, contacts)) return heft::toSay("where in the tool its weight sits");
   if (areClockwork(signals, fit, contacts)) return heft::toSay("time alone, as regular as a clock");
   if (areTorquesAlone(fit, contacts, beyond)) return heft::toSay("torques without a force");
-  if (std::string place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;
+  if (Correlate place = actsWhereNobodyTouches(signals, fit, contacts); !place.empty()) return place;
   if (contacts.size() < 2) return {};
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   Wrenches motion = Wrenches::Zero(6, blocks);  // Velocity and turning, S axes
@@ -424,7 +425,7 @@ std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Cont
   };
   laws.push_back({heft::toSay("how fast the tool moves"), squareOf(motion.topRows<3>()), kFollowsSquare});
   laws.push_back({heft::toSay("how fast the tool turns"), squareOf(motion.bottomRows<3>()), kFollowsSquare});
-  std::string best;
+  Correlate best;
   double most = 0.0;
   const auto ask = [&](const Law& law, const std::vector<bool>& known, double follows) {
     const double share = toldFromElsewhere(law.motion, fit.residual, contacts, known);

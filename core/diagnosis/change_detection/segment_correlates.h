@@ -8,7 +8,7 @@
 namespace heft::diagnosis {
 
 /// What the fit leaves in the contacts goes with, where each can be told from the others, as no push can; empty
-/// otherwise. Not translated.
-std::string lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
+/// otherwise.
+Correlate lawOf(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts);
 
 }  // namespace heft::diagnosis

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/say.h"
+#include "core/diagnosis/model/correlate.h"
 #include "core/diagnosis/search/search.h"
 
 namespace heft::diagnosis {
@@ -15,7 +16,7 @@ struct Contact {
   double from = 0, to = 0;  ///< [s]
   double evidence = 0;      ///< Gained by leaving the stretch out
   Stretch blocks;           ///< The same in blocks
-  std::string instead;      ///< What is there that no push makes; empty: nothing. Not translated
+  Correlate instead;        ///< What is there that no push makes; empty: nothing
   bool smoothed = false;    ///< Left by the smoothing of the motion where a motor's force jumps
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/search/random_walk.h"
 #include "core/diagnosis/search/search.h"
@@ -35,10 +36,10 @@ std::vector<bool> untouchedIn(const Recording& recording, const Motion& motion, 
   return out;
 }
 
-bool isOfOneMoment(const Term& term) { return term.form->local || isWayOfTheZero(causeOf(term)); }
+bool isOfOneMoment(const Term& term) { return term.form->local || isCourseOfTheZero(causeOf(term)); }
 
 void addOnce(std::vector<std::string>& ids, std::string_view id) {
-  if (id != kWandering && std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
+  if (id != kRandomWalk && std::ranges::find(ids, id) == ids.end()) ids.emplace_back(id);
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
   signals.usable = untouched;
   const Fit before = fitModel(signals, stretches, Model{});
   if (report.mistake) {
-    addOnce(out.checked, "frame_error");
+    addOnce(out.checked, ids::frameError);
     const auto righted = undone(other, robot, *report.mistake);
     if (!righted) return righted.error();
     const auto moved = usualMotion(*righted, robot);

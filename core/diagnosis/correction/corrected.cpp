@@ -10,6 +10,7 @@
 
 #include "core/base/say.h"
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/correction/model_json.h"
 #include "core/diagnosis/data_quality/between_rows.h"
 #include "core/diagnosis/data_quality/reported_velocities.h"
@@ -194,10 +195,10 @@ bool canApply(const DiagnosisReport& report, const DiagnosedCause& cause) {
   if (!cause.direct)
     return std::any_of(report.model.terms.begin(), report.model.terms.end(),
                        [&](const Term& term) { return term.form->cause->id() == cause.id; });
-  if (cause.id == "frame_error" || cause.id == "sensor_rotation") return report.mistake.has_value();
-  if (cause.id == "contact" || cause.id == "payload_change") return !cause.when.empty();
+  if (cause.id == ids::frameError || cause.id == ids::sensorRotation) return report.mistake.has_value();
+  if (cause.id == ids::contact || cause.id == ids::payloadChange) return !cause.when.empty();
   // Noisy or coarse angles are smoothed more, which every estimate does by itself.
-  return cause.id == "jitter" || cause.ofVelocities;
+  return cause.id == ids::jitter || cause.ofVelocities;
 }
 
 Result<Recording> corrected(const Recording& recording, const RobotModel* robot, const json& found,
@@ -212,28 +213,28 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
     if (!cause) return other;
     if (!cause->direct) {
       fitted.push_back(id);
-    } else if (id == "frame_error" || id == "sensor_rotation") {
+    } else if (id == ids::frameError || id == ids::sensorRotation) {
       const auto mistake = mistakeFromJson(memberOf(found, "frame_mistake"));
       if (!mistake) return other;
       auto right = undone(std::move(out), robot, *mistake);
       if (!right) return right.error();
       out = std::move(*right);
-    } else if (id == "contact" || id == "payload_change") {
-      const MarkLabel label = id == "contact" ? MarkLabel::contact : MarkLabel::ignore;
+    } else if (id == ids::contact || id == ids::payloadChange) {
+      const MarkLabel label = id == ids::contact ? MarkLabel::contact : MarkLabel::ignore;
       for (const auto& [from, to] : cause->when) out.meta.marks.push_back({from, to, label});
-    } else if (id == "jitter") {
+    } else if (id == ids::jitter) {
       if (auto stamps = unevenStamps(out)) out.time = std::move(stamps->even);
-    } else if (id == "motion_lag" || id == "derivative_noise") {
+    } else if (id == ids::motionLag || id == ids::derivativeNoise) {
       dropReportedVelocities(out);
     }
   }
   if (fitted.empty()) return out;
   // The zero's wandering was fitted along with them and is allowed for together with any of them.
-  fitted.emplace_back(kWandering);
+  fitted.emplace_back(kRandomWalk);
   // The model was fitted to a recording without the mistake, whoever applies that one, too.
   Recording stated = out;
   std::optional<FrameMistake> left;
-  if (!has(causes, "frame_error") && !has(causes, "sensor_rotation"))
+  if (!has(causes, ids::frameError) && !has(causes, ids::sensorRotation))
     left = mistakeFromJson(memberOf(found, "frame_mistake"));
   if (left) {
     auto right = undone(std::move(stated), robot, *left);
@@ -244,7 +245,7 @@ Result<Recording> corrected(const Recording& recording, const RobotModel* robot,
   auto model = modelFromJson(memberOf(found, "model"), stated, robot, unknown == nullptr ? nullptr : &strange);
   if (!model) return model.error();
   for (const std::string& id : strange)
-    if (has(fitted, id) && id != kWandering && !has(*unknown, id)) unknown->push_back(id);
+    if (has(fitted, id) && id != kRandomWalk && !has(*unknown, id)) unknown->push_back(id);
   auto effect = effectOf(*model, stated, robot, fitted);
   if (!effect) return effect.error();
   if (!left) {
@@ -271,11 +272,11 @@ Result<Recording> correctedByAll(const Recording& recording, const RobotModel* r
     const json& id = memberOf(cause, "cause");
     if (!id.is_string()) continue;
     const json& when = memberOf(cause, "when");
-    const bool ofOneMoment = (when.is_array() && !when.empty()) || isWayOfTheZero(id.get<std::string>());
+    const bool ofOneMoment = (when.is_array() && !when.empty()) || isCourseOfTheZero(id.get<std::string>());
     (another && ofOneMoment ? left : causes).push_back(id.get<std::string>());
   }
   if (!another) return corrected(recording, robot, found, causes);
-  left.emplace_back(kWandering);
+  left.emplace_back(kRandomWalk);
   json lasting = found, terms = json::array();
   for (const json& term : memberOf(found["model"], "terms"))
     if (const json& id = memberOf(term, "cause"); !id.is_string() || !has(left, id.get<std::string>()))

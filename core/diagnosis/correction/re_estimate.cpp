@@ -42,10 +42,10 @@ Doubt ofFit(const Fit& fit) {
 }
 
 /// What lies between the payloads of causes that tie.
-Doubt ofTies(const DiagnosisReport& report, const Work& work) {
+Doubt ofTies(const DiagnosisReport& report, const Hypothesis& hypothesis) {
   Doubt out;
-  const Vector10d payload = work.search.final.model.x.tail<10>();
-  for (const Found& found : work.search.found) {
+  const Vector10d payload = hypothesis.search.final.model.x.tail<10>();
+  for (const Found& found : hypothesis.search.found) {
     const bool named = std::ranges::any_of(report.causes, [&](const DiagnosedCause& c) { return c.id == found.cause; });
     if (!named) continue;
     Doubt most;
@@ -62,9 +62,9 @@ Doubt ofTies(const DiagnosisReport& report, const Work& work) {
 }
 
 /// What something unknown does to the payload of `fit`: a jackknife over ten parts of the recording.
-Doubt ofUnknown(const Work& work, const Fit& fit) {
+Doubt ofUnknown(const Hypothesis& hypothesis, const Fit& fit) {
   Doubt out;
-  const auto all = payloadsWithoutParts(work.signals, work.stretches, fit);
+  const auto all = payloadsWithoutParts(hypothesis.signals, hypothesis.stretches, fit);
   const double n = static_cast<double>(all.cols());
   for (Eigen::Index i = 0; i < all.cols(); ++i) out.add(all.col(i), all.rowwise().mean(), (n - 1.0) / n);
   return out;
@@ -91,10 +91,10 @@ bool predictsBetter(const EstimateReport& is, const EstimateReport& was) {
 }
 
 /// The recording as the sensor and the robot would have told it without the causes.
-Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Work& work) {
+Result<Recording> freed(const Recording& cleaned, const RobotModel* robot, const Hypothesis& hypothesis) {
   Recording out = cleaned;
-  if (!work.search.final.model.terms.empty()) {
-    auto effect = effectOf(work.search.final.model, out, robot);
+  if (!hypothesis.search.final.model.terms.empty()) {
+    auto effect = effectOf(hypothesis.search.final.model, out, robot);
     if (!effect) return effect.error();
     out.wrench -= *effect;
   }
@@ -111,24 +111,25 @@ bool movesFar(const EstimateReport& is, const EstimateReport& was) {
   return std::abs(is.payload.mass - was.payload.mass) > kFar * std::abs(was.payload.mass);
 }
 
-void leaveAsItWas(DiagnosisReport& report, const Work& work, const char* code, std::string text, std::string remedy) {
+void leaveAsItWas(DiagnosisReport& report, const Hypothesis& hypothesis, const char* code, std::string text,
+                  std::string remedy) {
   report.after = report.before;
-  widen(report.after, {}, ofUnknown(work, work.search.null));
+  widen(report.after, {}, ofUnknown(hypothesis, hypothesis.search.null));
   report.findings.push_back({Severity::warning, code, std::move(text), std::move(remedy), {}});
 }
 
 }  // namespace
 
 std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
-                                   const RobotModel* robot, const Work& work, const EstimateOptions& options,
-                                   const Progress& progress) {
+                                   const RobotModel* robot, const Hypothesis& hypothesis,
+                                   const EstimateOptions& options, const Progress& progress) {
   std::optional<Result<EstimateReport>> was, is;
   std::optional<Error> notFreed;
-  onTwoThreads(2, [&](std::size_t i) {
+  parallelFor(2, [&](std::size_t i) {
     if (i == 0) {
       was = estimate(recording, robot, options, progress);
     } else if (!report.causes.empty()) {
-      const auto clean = freed(cleaned, robot, work);
+      const auto clean = freed(cleaned, robot, hypothesis);
       EstimateOptions same = options;
       same.silent = silentChannels(recording.wrench);
       if (clean)
@@ -143,27 +144,27 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
   report.after = report.before;
   const bool unknown = report.verdict == Verdict::unexplained;
   if (report.causes.empty()) {
-    if (unknown) widen(report.after, {}, ofUnknown(work, work.search.null));
+    if (unknown) widen(report.after, {}, ofUnknown(hypothesis, hypothesis.search.null));
     return std::nullopt;
   }
   if (!*is) return std::nullopt;
   report.after = std::move(**is);
-  widen(report.after, ofFit(work.search.final), ofTies(report, work));
-  if (unknown) widen(report.after, {}, ofUnknown(work, work.search.final));
+  widen(report.after, ofFit(hypothesis.search.final), ofTies(report, hypothesis));
+  if (unknown) widen(report.after, {}, ofUnknown(hypothesis, hypothesis.search.final));
   if (possible(report.before) && !possible(report.after)) {
     // Causes that leave an impossible payload explain nothing: they are shown, the payload stays as it was.
     report.verdict = Verdict::unexplained;
-    leaveAsItWas(report, work, "causes_not_believable",
+    leaveAsItWas(report, hypothesis, "causes_not_believable",
                  heft::say("With these causes taken out the payload would be impossible, so it is left as it was."),
                  heft::say("Repeat the recording without touching anything."));
   } else if (unknown && !predictsBetter(report.after, report.before)) {
     leaveAsItWas(
-        report, work, "payload_left_as_it_was",
+        report, hypothesis, "payload_left_as_it_was",
         heft::say(
             "Taking these causes out does not help to predict unseen stretches, so the payload is left as it was."),
         heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (unknown && !report.mistake && movesFar(report.after, report.before)) {
-    leaveAsItWas(report, work, "payload_left_as_it_was",
+    leaveAsItWas(report, hypothesis, "payload_left_as_it_was",
                  heft::say("With these causes taken out the payload would be a quarter lighter or heavier, while "
                            "something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));

@@ -11,7 +11,7 @@ namespace heft::diagnosis {
 /// impossible the verdict becomes "unexplained". `cleaned`: the recording without what the tests of single readings
 /// removed. An error as of estimate().
 std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& recording, const Recording& cleaned,
-                                   const RobotModel* robot, const Work& work, const EstimateOptions& options,
-                                   const Progress& progress);
+                                   const RobotModel* robot, const Hypothesis& hypothesis,
+                                   const EstimateOptions& options, const Progress& progress);
 
 }  // namespace heft::diagnosis

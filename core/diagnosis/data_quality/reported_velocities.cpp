@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/between_rows.h"
 #include "core/diagnosis/signals/signals.h"
 
@@ -185,7 +186,7 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
                                                       mean.left < kByChance * std::min(plain.left, late.left) &&
                                                       comparison.lacks(mean.lag) > kLacks) {
     Direct found;
-    found.cause = "derivative_noise";
+    found.cause = ids::derivativeNoise;
     found.ofVelocities = true;
     found.parameters = {{"window", "ms", 2e3 * mean.lag, 2e3 * comparison.deviation(meanAround, mean)}};
     out.push_back(std::move(found));
@@ -194,7 +195,7 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
   const bool lags = late.lag > kLagNamed && late.left < kByChance * plain.left;
   if (lags) {
     Direct found;
-    found.cause = "motion_lag";
+    found.cause = ids::motionLag;
     found.ofVelocities = true;
     // A robot smooths its joints' velocities; what that makes of the tool's depends on how the arm stands.
     constexpr double kOfJoints = 0.06;
@@ -205,14 +206,14 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
   const double scale = lags ? late.scale : plain.scale;
   if (std::abs(scale - 1.0) > kLossNamed) {
     Direct found;
-    found.cause = "derivative_noise";
+    found.cause = ids::derivativeNoise;
     found.ofVelocities = true;
     found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
     out.push_back(std::move(found));
   } else if (const double noise = comparison.leftOver(lags ? late : plain);
              !lags && noise > std::max(kNoiseMatters, kNoiseNamed * comparison.speed())) {
     Direct found;
-    found.cause = "derivative_noise";
+    found.cause = ids::derivativeNoise;
     found.ofVelocities = true;
     found.parameters = {{"noise", "%", 100.0 * noise / std::max(1e-9, comparison.speed()), 0.5}};
     out.push_back(std::move(found));

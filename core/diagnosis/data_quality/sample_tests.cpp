@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/clipping.h"
 #include "core/diagnosis/data_quality/coarse_motion.h"
 #include "core/diagnosis/data_quality/reported_velocities.h"
@@ -24,7 +25,7 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
                                  const std::vector<bool>& lost) {
   if (tops.empty()) return std::nullopt;
   Direct out;
-  out.cause = "saturation";
+  out.cause = ids::saturation;
   std::vector<bool> clipped(lost.size(), false);
   for (const FlatTop& flat : tops) {
     out.parameters.push_back(
@@ -71,7 +72,7 @@ std::optional<Direct> spikes(const RowFacts& facts, Eigen::Index rows) {
   const double share = 100.0 * static_cast<double>(facts.spikes) / static_cast<double>(rows);
   if (facts.spikes < 3 || (share < kFew && facts.loneSpikes == 0)) return std::nullopt;
   Direct out;
-  out.cause = "spikes";
+  out.cause = ids::spikes;
   out.parameters = {{"count", "", static_cast<double>(facts.spikes), 0.0}, {"share", "%", share, 0.0}};
   return out;
 }
@@ -83,7 +84,7 @@ std::optional<Direct> quantisation(const Vector6d& steps) {
   if (force > 0.0) out.parameters.push_back({"step_force", "N", force, 0.0});
   if (torque > 0.0) out.parameters.push_back({"step_torque", "N m", torque, 0.0});
   if (out.parameters.empty()) return std::nullopt;
-  out.cause = "quantisation";
+  out.cause = ids::quantisation;
   return out;
 }
 
@@ -93,7 +94,7 @@ std::optional<Direct> coarse(const Recording& recording) {
   const auto motion = coarseMotion(recording);
   if (!motion) return std::nullopt;
   Direct out;
-  out.cause = "derivative_noise";
+  out.cause = ids::derivativeNoise;
   if (motion->every > 0.0) out.parameters.push_back({"line", "ms", 1e3 * motion->every, 0.0});
   if (motion->stepAngle > 0.0) out.parameters.push_back({"step_angle", "deg", kDegrees * motion->stepAngle, 0.0});
   if (motion->stepPlace > 0.0) out.parameters.push_back({"step_place", "mm", 1e3 * motion->stepPlace, 0.0});
@@ -102,7 +103,7 @@ std::optional<Direct> coarse(const Recording& recording) {
 
 Direct jitter(const UnevenStamps& stamps) {
   Direct out;
-  out.cause = "jitter";
+  out.cause = ids::jitter;
   out.parameters = {{"spread", "ms", 1e3 * stamps.spread, 0.0}};
   return out;
 }
@@ -128,7 +129,7 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   if (lost < 0.002 && blank < 0.0005 && facts.replayed.empty() && facts.motionHeld.size() < kStalls)
     return std::nullopt;
   Direct out;
-  out.cause = "dropouts";
+  out.cause = ids::dropouts;
   out.parameters = {{"repeated", "%", 100.0 * static_cast<double>(held) / total, 0.0},
                     {"zero", "%", 100.0 * blank, 0.0},
                     {"missing", "%", 100.0 * static_cast<double>(missing) / total, 0.0}};

@@ -34,8 +34,9 @@ std::vector<Gap> gapsIn(const std::vector<double>& ordered) {
 }  // namespace
 
 std::vector<StuckBit> stuckBits(const Recording& recording) {
-  constexpr std::size_t kFewest = 4;         // Gaps
-  constexpr double kOff = 0.2, kMost = 0.8;  // How far a gap may be off in width and place, and how many must not be
+  constexpr std::size_t kFewest = 4;  // Gaps
+  constexpr double kOff = 0.2,
+                   kShareOfRightGaps = 0.8;  // How far a gap may be off in width and place, and how many must not be
   /// Of all the gaps that there would be: where a tool seldom was, readings a few steps apart leave some by chance
   constexpr double kThroughout = 0.5;
   std::vector<StuckBit> out;
@@ -53,7 +54,7 @@ std::vector<StuckBit> stuckBits(const Recording& recording) {
       const double apart = (gaps[i].from - gaps[i - 1].from) / worth;
       fits += std::abs(gaps[i].width / worth - 1.0) < kOff && std::abs(apart - 2.0) < kOff ? 1 : 0;
     }
-    if (static_cast<double>(fits) > kMost * static_cast<double>(gaps.size() - 1)) out.push_back({c, worth});
+    if (static_cast<double>(fits) > kShareOfRightGaps * static_cast<double>(gaps.size() - 1)) out.push_back({c, worth});
   }
   return out;
 }

@@ -1,8 +1,8 @@
 #pragma once
-// A cause of misfit: its model, parameters with units and bounds. What a person reads about it is in words.cpp.
+// A cause of misfit: its model, parameters with units and bounds, and what a person reads about it.
 //
-// Adding a cause is adding one file under causes/ with a class and a factory, and naming the factory in catalogue.cpp,
-// and saying it in words.cpp.
+// Adding a cause is adding one file under causes/ with a class and a factory, and naming the factory in catalogue.cpp:
+// causes/README.md.
 //
 // The measured wrench is modelled in its physical order (domain: what happens to the signal on its way):
 //   motion -> geometry() -> rigid payload + force() -> sensor() -> readings() + bias.
@@ -13,22 +13,24 @@
 #include <string_view>
 #include <vector>
 
+#include "core/diagnosis/model/cause_info.h"
 #include "core/diagnosis/signals/signals.h"
 
 namespace heft::diagnosis {
 
 struct Parameter {
-  std::string name;                  ///< As reported, for instance "delay"
-  std::string unit;                  ///< As reported, for instance "ms"; empty for pure numbers
-  double scale = 1.0;                ///< Reported value = scale * internal SI value
-  double size = 1.0;                 ///< A realistic size (SI): sets steps of differentiation and of the search
-  double lower = 0.0, upper = 0.0;   ///< What is physically believable (SI); at a bound the cause is not accepted.
-  bool lowerIsFine = false;          ///< Unless it may well lie at its lower bound, such as how long a step takes.
-  bool saysHowMuch = true;           ///< Of the cause there is
-  double (*told)(double) = nullptr;  ///< What is reported instead of scale * value, where that is no multiple of it
+  std::string name;                      ///< As reported, for instance "delay"
+  std::string unit;                      ///< As reported, for instance "ms"; empty for pure numbers
+  double scale = 1.0;                    ///< Reported value = scale * internal SI value
+  double size = 1.0;                     ///< A realistic size (SI): sets steps of differentiation and of the search
+  double lower = 0.0, upper = 0.0;       ///< What is physically believable (SI); at a bound the cause is not accepted.
+  bool lowerIsFine = false;              ///< Unless it may well lie at its lower bound, such as how long a step takes.
+  bool saysHowMuch = true;               ///< Of the cause there is
+  double (*reported)(double) = nullptr;  ///< What is reported instead of scale * value, where that is no multiple of it
 };
 
 class Cause;
+struct FoundValues;
 
 /// One parametrisation of a cause: which parameters are free, where the search starts.
 struct Form {
@@ -53,11 +55,17 @@ struct Form {
 class Cause {
  public:
   virtual ~Cause() = default;
-  virtual std::string_view id() const = 0;
+  virtual const CauseInfo& info() const = 0;
+  std::string_view id() const { return info().id; }
+  /// The finding in one sentence, said now: one occurrence of it. Empty where the parameters do not tell.
+  virtual std::string sentence(const FoundValues&) const { return {}; }
+  /// What to look at on the rig, said now. `gravity`: g_B.
+  virtual std::string check(const FoundValues&, const Vector3d& gravity) const;
   /// IDs of causes that leave much the same behind.
-  virtual std::vector<std::string> lookAlikes() const = 0;
-  /// Every form worth looking at with these signals; none if the recording cannot show the cause.
-  virtual std::vector<Form> forms(const Signals& signals) const = 0;
+  virtual std::vector<std::string> lookAlikes() const { return {}; }
+  /// Every form worth looking at with these signals; none if the recording cannot show the cause, or where it is only
+  /// ever seen directly, in single samples.
+  virtual std::vector<Form> forms(const Signals&) const { return {}; }
 
   /// Forms, also of other causes, that begin where the fit of one ended, with their first guess: such as lie too far
   /// from any of forms() to be found.

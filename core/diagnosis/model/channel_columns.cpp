@@ -13,7 +13,7 @@ ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, cons
   }
   // Which are of a channel is not known before they are looked at: first all side by side.
   std::vector<std::array<bool, 6>> any(static_cast<std::size_t>(columns_));
-  onTwoThreads(any.size(), [&](std::size_t at) {
+  parallelFor(any.size(), [&](std::size_t at) {
     const auto i = static_cast<Eigen::Index>(at);
     ByChannel x(blocks_, 6);
     evenByChannel(columns.col(i), noise, first, x);
@@ -36,7 +36,7 @@ ChannelColumns::ChannelColumns(const MatrixXd& columns, const Noise& noise, cons
 
 MatrixXd ChannelColumns::gram() const {
   std::array<MatrixXd, 6> parts;
-  onTwoThreads(6, [&](std::size_t c) {
+  parallelFor(6, [&](std::size_t c) {
     parts[c] = MatrixXd::Zero(parts_[c].cols(), parts_[c].cols());
     parts[c].selfadjointView<Eigen::Lower>().rankUpdate(parts_[c].transpose());
   });

@@ -107,7 +107,7 @@ void startWalk(Model& model) {
 
 struct Price {
   int dimensions = 0;
-  double price = 0.0;
+  double complexity = 0.0;
 };
 
 /// Directions of the causes' parameters that the motion tells apart from bias and payload, and what they cost.
@@ -122,7 +122,7 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, const Vector
   const VectorXd values = symmetricEigen(informationBeside(unit, causes, linear)).values;
   out.dimensions = static_cast<int>((values.array() > 1e-6).count());
   double all = 0.0, waves = 0.0;
-  for (const auto& [placedTerm, at] : placed(model)) {
+  for (const auto& [placedTerm, at] : indexedTerms(model)) {
     const Term& term = *placedTerm;
     // How far the term stands out: its amplitudes over what bias, payload and the other terms leave known of them.
     std::vector<Eigen::Index> own, others(linear);
@@ -142,21 +142,21 @@ Price priceOfTerms(const MatrixXd& information, const Model& model, const Vector
       size(static_cast<Eigen::Index>(i)) = (term.v(own[i] - at) - term.form->start(own[i] - at)) / scale(own[i]);
     // A form that leaves out what does not pay has had its choice of parameters: each costs in full.
     const double gain = term.form->subset ? 1e300 : size.dot(informationBeside(unit, own, others) * size);
-    out.price += priceOf(gain, count, lnN);
+    out.complexity += complexityPenalty(gain, count, lnN);
   }
-  if (all > 0.0) out.price *= out.dimensions / all;
-  out.price += waves;
+  if (all > 0.0) out.complexity *= out.dimensions / all;
+  out.complexity += waves;
   return out;
 }
 
 }  // namespace
 
-double priceOf(double gain, double count, double lnN) {
+double complexityPenalty(double gain, double count, double lnN) {
   if (count <= 0.0) return 0.0;
   return std::min(count * lnN, kWidth + count * (1.0 + std::log(std::max(1.0, gain / count))));
 }
 
-double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest) {
+double complexityOfRandomWalk(const VectorXd& amplitudes, const VectorXd& variances, double longest) {
   double out = kWidth / 3.0;
   for (Eigen::Index i = 0; i < amplitudes.size(); ++i) {
     const double prior = longest / std::pow(static_cast<double>(i + 1), 2);
@@ -165,7 +165,7 @@ double priceOfWalk(const VectorXd& amplitudes, const VectorXd& variances, double
   return out;
 }
 
-bool walks(const Model& model) {
+bool hasRandomWalk(const Model& model) {
   return std::any_of(model.terms.begin(), model.terms.end(), [](const Term& t) { return t.form->walk; });
 }
 
@@ -181,7 +181,7 @@ MatrixXd Normal::inverse() const {
   return scale_.asDiagonal() * unit_.solveAll(MatrixXd::Identity(n, n)) * scale_.asDiagonal();
 }
 
-VectorXd whisper(const Model& model) {
+VectorXd weakPrior(const Model& model) {
   VectorXd sd(model.size());
   sd.head(6).setConstant(1e4);
   sd(6) = 30.0;
@@ -216,24 +216,24 @@ VectorXd heldWhere(const Model& model, VectorXd sd, const Holds& holds) {
 bool isOfShape(const Term& term, Eigen::Index p, Eigen::Index) { return !isAmplitude(*term.form, p); }
 
 Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights,
-           const Columns* known) {
+           const CachedJacobian* known) {
   Fit fit;
   fit.model = std::move(start);
   startWalk(fit.model);
-  const bool learnsWalk = walks(fit.model);
-  VectorXd sd = whisper(fit.model);
-  Columns columns = known != nullptr ? Columns(*known, fit.model) : Columns(signals, fit.model);
+  const bool learnsWalk = hasRandomWalk(fit.model);
+  VectorXd sd = weakPrior(fit.model);
+  CachedJacobian columns = known != nullptr ? CachedJacobian(*known, fit.model) : CachedJacobian(signals, fit.model);
   Wrenches reading = valueOf(signals, fit.model);
   fit.residual = signals.measured - reading;
-  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.louder)
-                                           : white(fit.residual, stretches, signals.louder);
+  fit.noise = weights == Weights::coloured ? fitNoise(fit.residual, stretches, signals.noiseScale)
+                                           : white(fit.residual, stretches, signals.noiseScale);
   // What whitens best is not what the noise is learned as: evidence may fall again, and then what was best counts.
   constexpr int kMostFalls = 2;
   struct State {
     Model model;
     Noise noise;
     Wrenches residual;
-    std::optional<Columns> columns;
+    std::optional<CachedJacobian> columns;
   };
   State best;
   double most = weights == Weights::coloured ? fit.noise.evidence : -1e300;
@@ -274,9 +274,9 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     }
     if (learnsWalk) learnWalk(next, normal.inverse());
     State was{std::exchange(fit.model, std::move(next)), std::move(fit.noise), std::move(fit.residual), {}};
-    sd = whisper(fit.model);
+    sd = weakPrior(fit.model);
     fit.residual = signals.measured - value;
-    fit.noise = fitNoise(fit.residual, stretches, signals.louder);
+    fit.noise = fitNoise(fit.residual, stretches, signals.noiseScale);
     const bool rests = std::abs(fit.noise.evidence - was.noise.evidence) < 0.05;
     if (fit.noise.evidence >= most) {
       most = fit.noise.evidence;
@@ -294,7 +294,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     fit.noise = std::move(best.noise);
     fit.residual = std::move(best.residual);
     columns = *std::move(best.columns);
-    sd = whisper(fit.model);
+    sd = weakPrior(fit.model);
   }
   columns.refresh(fit.model);
   const Normal normal(ChannelColumns(columns.jacobian(), fit.noise, stretches), sd);
@@ -302,8 +302,8 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
   fit.covariance = normal.inverse();
   const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
   fit.dimensions = price.dimensions;
-  fit.price = price.price;
-  fit.evidence = fit.noise.evidence - fit.price;
+  fit.complexity = price.complexity;
+  fit.evidence = fit.noise.evidence - fit.complexity;
   for (const auto& term : fit.model.terms)
     for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
       const Parameter& parameter = term.form->parameters[p];
@@ -319,21 +319,21 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
 }  // namespace
 
 Fit fitModel(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds,
-             const Columns* known) {
+             const CachedJacobian* known) {
   return fitted(signals, stretches, std::move(start), rounds, Weights::coloured, known);
 }
 
-Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const Columns* known) {
+Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit fit, const CachedJacobian* known) {
   Fit other = fitted(signals, stretches, fit.model, 8, Weights::whiteFirst, known);
   return other.evidence > fit.evidence ? other : fit;
 }
 
-Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, Columns columns) {
+Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, CachedJacobian columns) {
   // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say;
   // what has no order, such as when something happened, stays where it was.
   constexpr double kOrder = 3.0, kLittle = 0.1;
-  VectorXd sd = whisper(fit.model), thought = VectorXd::Zero(fit.model.size());
-  for (const auto& [term, at] : placed(fit.model)) {
+  VectorXd sd = weakPrior(fit.model), thought = VectorXd::Zero(fit.model.size());
+  for (const auto& [term, at] : indexedTerms(fit.model)) {
     for (const int p : term->form->scan)
       if (term->form->start(p) == 0.0)
         sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term->v(p)) +

@@ -84,8 +84,8 @@ void Model::unpack(const VectorXd& all) {
   }
 }
 
-std::vector<Placed> placed(const Model& model) {
-  std::vector<Placed> out;
+std::vector<IndexedTerm> indexedTerms(const Model& model) {
+  std::vector<IndexedTerm> out;
   Eigen::Index at = model.x.size();
   for (const Term& term : model.terms) {
     out.push_back({&term, at});
@@ -221,7 +221,7 @@ class Moving {
     if (cause.bendsGeometry()) {
       const auto place = static_cast<std::size_t>(at - terms_.begin());
       out.resize(values.size());
-      onTwoThreads(values.size(), [&](std::size_t i) {
+      parallelFor(values.size(), [&](std::size_t i) {
         Term other = moved;
         other.v = values[i];
         Order terms = terms_;
@@ -291,9 +291,9 @@ bool beginsWith(const Model& model, const Model& beginning) {
 
 }  // namespace
 
-Columns::Columns(const Signals& signals, const Model& model) : signals_(&signals) { fill(model); }
+CachedJacobian::CachedJacobian(const Signals& signals, const Model& model) : signals_(&signals) { fill(model); }
 
-Columns::Columns(const Columns& known, const Model& model) : signals_(known.signals_) {
+CachedJacobian::CachedJacobian(const CachedJacobian& known, const Model& model) : signals_(known.signals_) {
   if (!beginsWith(model, known.own_)) {
     fill(model);
     return;
@@ -309,7 +309,7 @@ Columns::Columns(const Columns& known, const Model& model) : signals_(known.sign
   follow(model);
 }
 
-void Columns::fill(const Model& model) {
+void CachedJacobian::fill(const Model& model) {
   jacobian_ = MatrixXd::Zero(6 * signals_->blocks(), model.size());
   for (Eigen::Index n = 0; n < signals_->blocks(); ++n) jacobian_.block<6, 6>(6 * n, 0).setIdentity();
   Moving moving(*signals_, model);
@@ -322,16 +322,16 @@ void Columns::fill(const Model& model) {
   whole_ = own_ = model;
 }
 
-void Columns::follow(const Model& model) {
+void CachedJacobian::follow(const Model& model) {
   constexpr double kFar = 0.3;  // What is off by less takes a fit another step at most
   update(model, kFar);
 }
 
-void Columns::refresh(const Model& model) { update(model, kStep); }
+void CachedJacobian::refresh(const Model& model) { update(model, kStep); }
 
 /// `far`: sizes by which an amplitude may have moved; of a shape, differences say nothing of what moves by less than
 /// their step.
-void Columns::update(const Model& model, double far) {
+void CachedJacobian::update(const Model& model, double far) {
   const bool bends = std::ranges::any_of(model.terms, bendsOrChanges),
              linear = std::ranges::all_of(model.terms, [](const Term&t) { return t.form->cause->linear(*t.form); });
   constexpr double kOfLoad = 0.3;  ///< As a load weighs on all columns of what bends
@@ -372,7 +372,7 @@ void Columns::update(const Model& model, double far) {
   }
 }
 
-Surroundings::Surroundings(const Signals& signals, const Model& model)
+LinearisationPoint::LinearisationPoint(const Signals& signals, const Model& model)
     : signals_(signals),
       model_(model),
       terms_(inOrder(model.terms)),
@@ -380,7 +380,7 @@ Surroundings::Surroundings(const Signals& signals, const Model& model)
       load_(loads(signals, model, terms_, kinematics_)),
       sensed_(sensed(signals, terms_, load_)) {}
 
-MatrixXd Surroundings::signatures(const Form& form) const {
+MatrixXd LinearisationPoint::signatures(const Form& form) const {
   const std::size_t count = form.scan.size();
   std::vector<VectorXd> moved(count, form.start);
   std::vector<double> steps(count);
@@ -419,7 +419,7 @@ MatrixXd Surroundings::signatures(const Form& form) const {
   return out;
 }
 
-Matrix6d Surroundings::sensorMatrix() const {
+Matrix6d LinearisationPoint::sensorMatrix() const {
   Wrenches units = Matrix6d::Identity();
   throughSensor(signals_, terms_, units, true);
   return units;

@@ -31,13 +31,13 @@ struct Model {
 };
 
 /// A term and where its parameters begin in Model::packed().
-struct Placed {
+struct IndexedTerm {
   const Term* term;
   Eigen::Index at;
 };
 
 /// All terms of the model, which must outlive the answer.
-std::vector<Placed> placed(const Model& model);
+std::vector<IndexedTerm> indexedTerms(const Model& model);
 
 /// Wrench of the ten parameters under `kinematics`, 6 x K.
 Wrenches payloadWrench(const Kinematics& kinematics, const Vector10d& phi);
@@ -64,11 +64,11 @@ bool changesSums(const Term& term);
 
 /// How valueOf() changes with each parameter: 6N x size(), row 6 n + channel. They follow the model from step to step
 /// of a fit: columns that do not depend on what moved, or hardly, are kept. The signals must outlive them.
-class Columns {
+class CachedJacobian {
  public:
-  Columns(const Signals& signals, const Model& model);
+  CachedJacobian(const Signals& signals, const Model& model);
   /// Of a model that may begin with the terms of the one that others are known for.
-  Columns(const Columns& known, const Model& model);
+  CachedJacobian(const CachedJacobian& known, const Model& model);
 
   /// Good for the next step from `model`, which has the same terms.
   void follow(const Model& model);
@@ -87,9 +87,9 @@ class Columns {
 };
 
 /// A model that a form may be added to; neither it nor the signals may go before this.
-class Surroundings {
+class LinearisationPoint {
  public:
-  Surroundings(const Signals& signals, const Model& model);
+  LinearisationPoint(const Signals& signals, const Model& model);
   /// How the reading changes with each parameter in form.scan at form.start: 6N x scan.size().
   MatrixXd signatures(const Form& form) const;
   /// Whether a term has S stand otherwise than recorded.

@@ -50,7 +50,7 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
   const auto windows = windowsOf(recording, signals, length);
   if (windows.size() < kFewestSeconds) return std::nullopt;
   std::vector<MatrixXd> powers(windows.size());
-  onTwoThreads(windows.size(), [&](std::size_t i) {
+  parallelFor(windows.size(), [&](std::size_t i) {
     powers[i] = taperedPower(recording.wrench.middleRows(windows[i], length).transpose(), last);
   });
   // The median over the windows: a knock is no line.

@@ -48,8 +48,8 @@ Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches
 }
 
 /// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
-double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
-                      const Loudness::Level& level) {
+double gainOfNoiseScale(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
+                        const NoiseScale::Level& level) {
   Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was,
                              logs = Eigen::Array<double, 6, 1>::Zero();
   double count = 0.0;
@@ -65,16 +65,16 @@ double gainOfLoudness(const Eigen::Map<const Wrenches>& e, const std::vector<Str
 }
 
 Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder,
-             const std::shared_ptr<const Loudness>& louder) {
+             const std::shared_ptr<const NoiseScale>& noiseScale) {
   Noise out = fittedEven(residual, stretches, maxOrder);
-  if (!louder) return out;
+  if (!noiseScale) return out;
   const VectorXd innovations = whitened(flat(residual), out, stretches);
-  out.louder = louder;
+  out.noiseScale = noiseScale;
   const double price = std::log(std::max(2.0, out.samples));
   double most = price;
-  const Loudness::Level* level = nullptr;
-  for (const Loudness::Level& one : louder->levels()) {
-    const double gain = gainOfLoudness({innovations.data(), 6, residual.cols()}, stretches, one);
+  const NoiseScale::Level* level = nullptr;
+  for (const NoiseScale::Level& one : noiseScale->levels()) {
+    const double gain = gainOfNoiseScale({innovations.data(), 6, residual.cols()}, stretches, one);
     if (gain <= most) continue;
     most = gain;
     level = &one;
@@ -84,7 +84,7 @@ Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, in
   for (const auto& s : stretches) loud.evidence -= level->logs.middleCols(s.from, s.to - s.from).sum();
   loud.evidence -= price;
   if (loud.evidence <= out.evidence) return out;
-  loud.louder = louder;
+  loud.noiseScale = noiseScale;
   loud.level = level;
   return loud;
 }
@@ -118,13 +118,13 @@ WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual)
 }
 
 Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
-               const std::shared_ptr<const Loudness>& louder) {
-  return fitted(residual, stretches, kMaxOrder, louder);
+               const std::shared_ptr<const NoiseScale>& noiseScale) {
+  return fitted(residual, stretches, kMaxOrder, noiseScale);
 }
 
 Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
-            const std::shared_ptr<const Loudness>& louder) {
-  return fitted(residual, stretches, 0, louder);
+            const std::shared_ptr<const NoiseScale>& noiseScale) {
+  return fitted(residual, stretches, 0, noiseScale);
 }
 
 Wrenches evenWrench(const Wrenches& wrench, const Noise& noise) {

@@ -25,21 +25,21 @@ struct WrenchRms {
 WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 struct Noise {
-  std::array<ArModel, 6> channels;         ///< Of what is left once all blocks are made equally loud
-  std::shared_ptr<const Loudness> louder;  ///< As Signals::louder
-  const Loudness::Level* level = nullptr;  ///< Of it that the residual shows; null: none
+  std::array<ArModel, 6> channels;               ///< Of what is left once all blocks are made equally loud
+  std::shared_ptr<const NoiseScale> noiseScale;  ///< As Signals::noiseScale
+  const NoiseScale::Level* level = nullptr;      ///< Of it that the residual shows; null: none
   /// Twice the log-likelihood of the residual it was fitted to, minus ln n for each coefficient of the noise.
   double evidence = 0.0;
   double samples = 0.0;  ///< n: numbers judged, all channels together
 };
 
-/// `louder`: as Signals::louder; how much of it there is, is learned, too.
+/// `noiseScale`: as Signals::noiseScale; how much of it there is, is learned, too.
 Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
-               const std::shared_ptr<const Loudness>& louder);
+               const std::shared_ptr<const NoiseScale>& noiseScale);
 
 /// The same sizes without memory.
 Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
-            const std::shared_ptr<const Loudness>& louder);
+            const std::shared_ptr<const NoiseScale>& noiseScale);
 
 /// Columns of 6N rows with all blocks made equally loud: what `noise.channels` are about.
 MatrixXd even(const MatrixXd& columns, const Noise& noise);

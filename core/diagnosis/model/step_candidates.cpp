@@ -7,8 +7,8 @@
 
 namespace heft::diagnosis {
 
-std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual,
-                          double over) {
+std::vector<StepCandidate> stepCandidatesIn(const Signals& signals, const std::vector<Stretch>& stretches,
+                                            const Wrenches& residual, double over) {
   constexpr double kLeap = 30.0;  // Squared deviations in six channels
   const auto length = std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(over * signals.blockRate())));
   const auto stepOf = [&](const Wrenches& course, Eigen::Index n) -> Vector6d {
@@ -49,7 +49,7 @@ std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& st
              return (step - share * taken).squaredNorm() < kLeft * size[i] || taken.squaredNorm() > kMuchMore * size[i];
            });
   });
-  std::vector<Leap> out;
+  std::vector<StepCandidate> out;
   for (const std::size_t i : peaks) out.push_back({signals.blockTime(at[i]) - 0.5 / signals.blockRate(), size[i]});
   return out;
 }

@@ -5,13 +5,13 @@
 namespace heft::diagnosis {
 
 /// A moment at which the residual leaps further than it does elsewhere.
-struct Leap {
+struct StepCandidate {
   double time = 0.0;  ///< [s]
   double size = 0.0;  ///< Squared deviations of what it does elsewhere, all six channels
 };
 
 /// In the order of time. `over`: [s] before and after a moment, of which the means are compared.
-std::vector<Leap> leapsIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual,
-                          double over = 0.2);
+std::vector<StepCandidate> stepCandidatesIn(const Signals& signals, const std::vector<Stretch>& stretches,
+                                            const Wrenches& residual, double over = 0.2);
 
 }  // namespace heft::diagnosis

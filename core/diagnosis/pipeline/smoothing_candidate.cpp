@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/change_detection/segments.h"
 #include "core/diagnosis/model/fit.h"
 #include "core/estimation/prepare.h"
@@ -37,11 +38,12 @@ std::vector<Stretch> contactCandidates(const Recording& recording, const Motion&
 
 }  // namespace
 
-Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const RobotModel* robot,
-                  const MotionOptions& smoothing, const DiagnoseOptions& options, const std::vector<bool>& badRows) {
+Result<SmoothingCandidate> smoothingCandidateOf(const Recording& recording, const Recording& cleaned,
+                                                const RobotModel* robot, const MotionOptions& smoothing,
+                                                const DiagnoseOptions& options, const std::vector<bool>& badRows) {
   auto motion = motionOf(cleaned, robot, smoothing);
   if (!motion) return motion.error();
-  Way out{std::move(*motion), {}, smoothing.cutoffHz, {}, {}};
+  SmoothingCandidate out{std::move(*motion), {}, smoothing.cutoffHz, {}, {}};
   out.signals = signalsOf(cleaned, out.motion, robot);
   Signals& signals = out.signals;
   if (smoothing.denoise)
@@ -77,39 +79,40 @@ Result<Way> wayOf(const Recording& recording, const Recording& cleaned, const Ro
   return out;
 }
 
-void lookForContact(Way& way, const Recording& cleaned, const DiagnoseOptions& options) {
-  if (way.holes) return;
+void lookForContact(SmoothingCandidate& candidate, const Recording& cleaned, const DiagnoseOptions& options) {
+  if (candidate.holes) return;
   const bool mayTouch = options.segments.value_or(defaultSegmentMode(cleaned)) == SegmentMode::automatic &&
-                        std::find(options.hidden.begin(), options.hidden.end(), "contact") == options.hidden.end();
+                        std::find(options.hidden.begin(), options.hidden.end(), ids::contact) == options.hidden.end();
   if (!mayTouch)
-    way.holes.emplace();
+    candidate.holes.emplace();
   else
-    way.holes = contactCandidates(cleaned, way.motion, way.signals);
+    candidate.holes = contactCandidates(cleaned, candidate.motion, candidate.signals);
 }
 
-std::vector<Stretch> holesOf(const Way& way) {
-  constexpr double kMost = 0.7;  ///< Share of the time
-  const std::vector<Stretch>& holes = way.holes.value();
-  return blocksIn(holes) > kMost * blocksIn(stretchesOf(way.signals.usable)) ? std::vector<Stretch>{} : holes;
+std::vector<Stretch> holesOf(const SmoothingCandidate& candidate) {
+  constexpr double kMostOfTheTime = 0.7;  ///< Share of the time
+  const std::vector<Stretch>& holes = candidate.holes.value();
+  return blocksIn(holes) > kMostOfTheTime * blocksIn(stretchesOf(candidate.signals.usable)) ? std::vector<Stretch>{}
+                                                                                            : holes;
 }
 
-std::vector<Stretch> untouched(Signals judged, const Way& way) {
+std::vector<Stretch> untouched(Signals judged, const SmoothingCandidate& candidate) {
   auto everything = stretchesOf(judged.usable);
-  leaveOut(judged, holesOf(way));
+  leaveOut(judged, holesOf(candidate));
   auto out = stretchesOf(judged.usable);
   return out.empty() ? everything : out;
 }
 
-std::vector<double> nullEvidence(const std::vector<Way>& ways) {
-  Signals common = ways[kUsualWay].signals;
-  for (const auto& way : ways)
+std::vector<double> nullEvidence(const std::vector<SmoothingCandidate>& candidates) {
+  Signals common = candidates[kUsualSmoothing].signals;
+  for (const auto& candidate : candidates)
     for (std::size_t n = 0; n < common.usable.size(); ++n)
-      common.usable[n] = common.usable[n] && n < way.signals.usable.size() && way.signals.usable[n];
-  const auto stretches = untouched(common, ways[kUsualWay]);
-  std::vector<double> out(ways.size(), -1e300);
+      common.usable[n] = common.usable[n] && n < candidate.signals.usable.size() && candidate.signals.usable[n];
+  const auto stretches = untouched(common, candidates[kUsualSmoothing]);
+  std::vector<double> out(candidates.size(), -1e300);
   if (stretches.empty()) return out;
-  onTwoThreads(ways.size(), [&](std::size_t i) {
-    const Signals& signals = ways[i].signals;
+  parallelFor(candidates.size(), [&](std::size_t i) {
+    const Signals& signals = candidates[i].signals;
     if (signals.blocks() == common.blocks()) out[i] = fitModel(signals, stretches, Model{}).evidence;
   });
   return out;

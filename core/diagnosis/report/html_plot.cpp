@@ -139,9 +139,9 @@ std::string plot(const Axis& y, const Axis& x, const VectorXd& at, const std::ve
 }
 
 std::string scatter(const Axis& y, const Axis& x, const VectorXd& at, const std::vector<Series>& clouds) {
-  constexpr Eigen::Index kMost = 500;
+  constexpr Eigen::Index kMostPoints = 500;
   Frame frame(y, x, at, clouds, 0.02);
-  const Eigen::Index stride = std::max<Eigen::Index>(1, at.size() / kMost);
+  const Eigen::Index stride = std::max<Eigen::Index>(1, at.size() / kMostPoints);
   for (const auto& cloud : clouds) {
     frame.svg += fmt::format("<g fill=\"{}\" fill-opacity=\"0.6\">", cloud.colour);
     for (Eigen::Index i = 0; i < at.size(); i += stride)

@@ -89,7 +89,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
                 {"noise_torque_rms_nm", report.noise.torque}}},
               {"causes", causes},
               {"remaining",
-               {{"goes_with", report.remaining.goesWith},
+               {{"goes_with", report.remaining.goesWith.english()},
                 {"delta_bic", number(report.remaining.gain)},
                 {"share", report.remaining.share}}},
               {"threshold", report.threshold},
@@ -130,7 +130,7 @@ std::string unknownText(const DiagnosisReport& report) {
                      report.remaining.share > 0.0
                          ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share)
                          : "something",
-                     report.remaining.goesWith);
+                     report.remaining.goesWith.english());
 }
 
 std::string toText(const DiagnosisReport& report) {

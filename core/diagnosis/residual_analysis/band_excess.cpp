@@ -54,7 +54,7 @@ BandPower<Bands> powerIn(const std::array<Band, Bands>& bands, const Signals& si
 
 }  // namespace
 
-Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+BandExcess slowExcess(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
   // Coloured noise and a walking zero stay well below these; below 0.6 Hz a walk may be as high as it likes. The
   // slowest band of a noise with a long memory is high over the fast noise, too, but falls no faster than 1/f^2 to the
   // next one: 7 times.
@@ -62,7 +62,7 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   constexpr std::array<Band, 3> kBands{{{0.6, 2.0}, {2.0, 4.0}, {8.0, 20.0}}};
   constexpr std::array<double, 2> kLimits{60.0, 40.0};
   const auto power = powerIn(kBands, signals, stretches, residual);
-  Swell out;
+  BandExcess out;
   if (power.lines[2] < 1.0) return out;
   const Vector6d floor = power.density(2).cwiseMax(1e-300);
   for (std::size_t b = 0; b < kLimits.size(); ++b) {
@@ -78,7 +78,7 @@ Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const
   return out;
 }
 
-Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
+BandExcess shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual) {
   constexpr double kLimit = 8.0;  // Of 134 recordings without any, the highest was 2.5
   constexpr Eigen::Index kBins = 24, kSlowest = 5, kFastest = 22, kBeside = 2;  // A hertz each, the first about 1 Hz
   if (signals.blockRate() < 2.0 * (kBins + 0.5)) return {};
@@ -127,7 +127,7 @@ Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, c
       passed.col(b) = taken.middleCols(kTakenFrom, kTakenTo - kTakenFrom).rowwise().mean() *
                       std::pow(2.0 * static_cast<double>(b + 1) / static_cast<double>(kTakenFrom + kTakenTo + 1), 4);
   }
-  Swell out;
+  BandExcess out;
   for (Eigen::Index c = 0; c < 6; ++c)
     for (Eigen::Index b = kSlowest - 1; b < kFastest; ++b) {
       const double floor =

@@ -4,7 +4,7 @@
 
 namespace heft::diagnosis {
 
-struct Swell {
+struct BandExcess {
   double excess = 0.0;  ///< Over the limit that no noise of a sensor reaches
   double share = 0.0;   ///< Of the residual's power below 20 Hz
   double lowHz = 0.0, highHz = 0.0;
@@ -12,11 +12,11 @@ struct Swell {
 
 /// The slow band, below 4 Hz, whose power density stands highest above that of the residual's own fast noise, 8 to 20
 /// Hz.
-Swell swell(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
+BandExcess slowExcess(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 /// The band between 5 and 22 Hz that stands highest above what is both slower and faster: what shakes the tool from
 /// outside, such as a conveyor that changes its speed.
-Swell shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
+BandExcess shakingIn(const Signals& signals, const std::vector<Stretch>& stretches, const Wrenches& residual);
 
 /// Whether what is slow is on some channels only: many times further above the fast noise on one than on another that
 /// measures the same (force or torque); or on torques and hardly any force, as where a payload's mass moves. A zero

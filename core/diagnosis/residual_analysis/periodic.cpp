@@ -63,12 +63,12 @@ class Courses {
 /// Waves on single channels, whitened one at a time, and what is left on these.
 class OnChannels {
  public:
-  explicit OnChannels(const Ground& ground)
+  explicit OnChannels(const WhitenedResidual& ground)
       : ground_(ground), r_(Eigen::Map<const Wrenches>(ground.r.data(), 6, ground.r.size() / 6).transpose()) {}
 
   /// Innovations of sine and cosine, N x 2, on a channel.
   const Eigen::MatrixX2d& whitened(const Eigen::MatrixX2d& course, std::size_t channel) {
-    const Loudness::Level* level = ground_.noise.level;
+    const NoiseScale::Level* level = ground_.noise.level;
     innovations_.resize(course.rows(), 2);
     for (Eigen::Index part = 0; part < 2; ++part) {
       if (level == nullptr) {
@@ -85,7 +85,7 @@ class OnChannels {
   auto left(std::size_t channel) const { return r_.col(static_cast<Eigen::Index>(channel)); }
 
  private:
-  const Ground& ground_;
+  const WhitenedResidual& ground_;
   ByChannel r_;
   Eigen::MatrixX2d innovations_;
   VectorXd even_;
@@ -93,7 +93,7 @@ class OnChannels {
 
 /// What sine and cosine of each candidate explain of the whitened residual in all channels, each for itself.
 std::vector<double> powersOnChannels(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
-                                     const Ground& ground) {
+                                     const WhitenedResidual& ground) {
   std::vector<double> out(candidates.size());
   Courses courses(angles);
   OnChannels on(ground);
@@ -119,7 +119,8 @@ std::vector<Matrix3d> orientations(const Signals& signals) {
 /// The same of forces and torques along the axes of B, of waves in time. The tool turns slowly against the waves, so
 /// that whitening only makes them larger and shifts them, as the noise's spectrum says.
 std::vector<double> powersInTheWorld(const std::vector<Matrix3d>& R_BS, const std::vector<VectorXd>& time,
-                                     const std::vector<Wave>& candidates, const Ground& ground, double blockRate) {
+                                     const std::vector<Wave>& candidates, const WhitenedResidual& ground,
+                                     double blockRate) {
   const Eigen::Index blocks = time.front().size();
   const Eigen::Map<const Wrenches> r(ground.r.data(), 6, blocks);
   MatrixXd turned = MatrixXd::Zero(blocks, 18);  // Row c of the channel times axis i of B: column 3 c + i
@@ -183,7 +184,7 @@ MatrixXd onOwnChannels(const MatrixXd& courses, const std::vector<Wave>& waves) 
 
 /// What each candidate explains of the channel whose reading it is over.
 std::vector<double> powersOnOwn(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates,
-                                const Ground& ground) {
+                                const WhitenedResidual& ground) {
   std::vector<double> out(candidates.size());
   Courses courses(angles);
   OnChannels on(ground);
@@ -202,7 +203,7 @@ using OfCourses = std::function<MatrixXd(const MatrixXd& courses, const std::vec
 /// The best of `candidates`, waves of `angles` (each N), with all its `columns`, and others beside it while they pay.
 /// `power`: what each explains by a first look; there is at least one.
 Judged judgeWaves(const std::vector<VectorXd>& angles, const std::vector<Wave>& candidates, std::vector<double> power,
-                  const OfCourses& columns, const Ground& ground, double lnN, Wave& first) {
+                  const OfCourses& columns, const WhitenedResidual& ground, double lnN, Wave& first) {
   Judged out;
   out.gain = -1e300;
   const double tries = static_cast<double>(candidates.size());
@@ -235,25 +236,26 @@ std::vector<Wave> rhythms(const Signals& signals, double highest) {
 
 /// Waves in the joints' angles, of which the motion shows at least one and that are not too fast for the blocks.
 std::vector<Wave> ripples(const Signals& signals, const std::vector<VectorXd>& angles) {
-  constexpr double kFewest = 3.0, kMost = 40.0;
+  constexpr double kFewestPerTurn = 3.0, kMostPerTurn = 40.0;
   std::vector<Wave> out;
   for (std::size_t j = 0; j < angles.size(); ++j) {
     const double range = angles[j].maxCoeff() - angles[j].minCoeff();
     const double fastest = signals.dq.row(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
-    const double least = std::max(kFewest, 2.0 * std::numbers::pi / std::max(1e-3, range));
-    const double most = std::min(kMost, 2.0 * std::numbers::pi * 0.4 * signals.blockRate() / std::max(1e-3, fastest));
+    const double least = std::max(kFewestPerTurn, 2.0 * std::numbers::pi / std::max(1e-3, range));
+    const double most =
+        std::min(kMostPerTurn, 2.0 * std::numbers::pi * 0.4 * signals.blockRate() / std::max(1e-3, fastest));
     // Steps fine enough that a wave between two of them is seen.
     for (double m = least; m < most; m += std::max(0.25, 1.5 / std::max(1e-3, range))) out.push_back({j, m});
   }
   return out;
 }
 
-/// Waves in what the channels read, up to kMost over the range of each.
+/// Waves in what the channels read, up to kMostOverRange over the range of each.
 std::vector<Wave> wavesOverRanges() {
-  constexpr double kFewest = 1.0, kMost = 20.0, kStep = 0.5;
+  constexpr double kFewestOverRange = 1.0, kMostOverRange = 20.0, kStepOverRange = 0.5;
   std::vector<Wave> out;
   for (std::size_t c = 0; c < 6; ++c)
-    for (double m = kFewest; m <= kMost; m += kStep) out.push_back({c, m});
+    for (double m = kFewestOverRange; m <= kMostOverRange; m += kStepOverRange) out.push_back({c, m});
   return out;
 }
 
@@ -286,7 +288,7 @@ std::vector<VectorXd> blockAngles(const Signals& signals) {
 
 }  // namespace
 
-BestWave bestWave(const Signals& signals, WaveKind kind, const Ground& ground, double lnN, double highestHz) {
+BestWave bestWave(const Signals& signals, WaveKind kind, const WhitenedResidual& ground, double lnN, double highestHz) {
   const bool inTime = kind == WaveKind::onChannels || kind == WaveKind::inTheWorld;
   std::vector<VectorXd> angles;
   std::vector<Wave> candidates;

@@ -20,7 +20,7 @@ namespace heft::diagnosis {
 namespace {
 
 struct Group {
-  std::string goesWith;
+  Correlate goesWith;
   MatrixXd features;      ///< F x K
   MatrixXd columns = {};  ///< 6N x F: what they are on the channels, where that is known; otherwise anything on each
   double doubt = 0.0;     ///< Gain that it needs beyond what others do
@@ -252,7 +252,7 @@ class ShuffledWaves {
 /// Noise of the residual's colour that goes with nothing, and what columns gain in it.
 class Chance {
  public:
-  Chance(const Ground& ground, double lnN)
+  Chance(const WhitenedResidual& ground, double lnN)
       : ground_(ground),
         lnN_(lnN),
         residual_(evenWrench(ground.fit.residual, ground.noise)),
@@ -265,8 +265,8 @@ class Chance {
   /// a dozen groups are asked.
   double gainOf(const Dictionary& columns) const {
     std::array<double, kDraws> gains{};
-    onTwoThreads(kDraws, [&](std::size_t i) {
-      gains[i] = judge(columns, Ground(ground_, waves_.reshuffled(signs_[i])), lnN_).gain;
+    parallelFor(kDraws, [&](std::size_t i) {
+      gains[i] = judge(columns, WhitenedResidual(ground_, waves_.reshuffled(signs_[i])), lnN_).gain;
     });
     const Eigen::Map<const VectorXd> all(gains.data(), kDraws);
     const double mean = all.mean(), deviation = std::sqrt((all.array() - mean).square().mean());
@@ -275,7 +275,7 @@ class Chance {
 
  private:
   static constexpr std::size_t kDraws = 20;
-  const Ground& ground_;
+  const WhitenedResidual& ground_;
   double lnN_;
   Wrenches residual_;
   ShuffledWaves waves_;
@@ -289,10 +289,10 @@ namespace {
 /// Twice the log-likelihood that the waves of a walk gain, as everything else is.
 double gainOfWalk(const Fit& fit, const MatrixXd& jacobian, const std::vector<Stretch>& stretches) {
   Wrenches without = fit.residual;
-  for (const auto& [term, at] : placed(fit.model))
+  for (const auto& [term, at] : indexedTerms(fit.model))
     if (term->form->walk)
       Eigen::Map<VectorXd>(without.data(), without.size()) += jacobian.middleCols(at, term->v.size()) * term->v;
-  return fit.noise.evidence - fitNoise(without, stretches, fit.noise.louder).evidence;
+  return fit.noise.evidence - fitNoise(without, stretches, fit.noise.noiseScale).evidence;
 }
 
 }  // namespace
@@ -302,16 +302,16 @@ namespace {
 Structure strongest(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, double least,
                     const std::vector<Group>& all) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd jacobian = Columns(signals, fit.model).jacobian();
-  const bool wanders = walks(fit.model);
+  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
+  const bool wanders = hasRandomWalk(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
   const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, jacobian, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
-  const std::array<Ground, 2> grounds{
-      Ground(stretches, fit, jacobian, fit.noise, false),
-      Ground(stretches, fit, jacobian, white(fit.residual, stretches, fit.noise.louder), true)};
+  const std::array<WhitenedResidual, 2> grounds{
+      WhitenedResidual(stretches, fit, jacobian, fit.noise, false),
+      WhitenedResidual(stretches, fit, jacobian, white(fit.residual, stretches, fit.noise.noiseScale), true)};
   std::vector<std::array<Judged, 2>> judged(all.size());
-  onTwoThreads(all.size(), [&](std::size_t i) {
+  parallelFor(all.size(), [&](std::size_t i) {
     const MatrixXd columns = columnsOf(all[i], signals);
     for (std::size_t g = 0; g < 2; ++g) {
       judged[i][g] = judge(Dictionary(grounds[g], columns), grounds[g], lnN);
@@ -349,28 +349,28 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   constexpr std::array<WaveKind, 4> kKinds{WaveKind::onChannels, WaveKind::inTheWorld, WaveKind::overJoints,
                                            WaveKind::overReadings};
   std::array<BestWave, 2 * kKinds.size()> waves;
-  onTwoThreads(waves.size(),
-               [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
+  parallelFor(waves.size(),
+              [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
   const double colour = (wanders ? kMoreBesideWalk : 1.0) * kBesideColour;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const auto& [wave, frequency] = waves[i];
     if (wave.gain - colour <= best.gain) continue;
-    best = {frequency > 0.0                           ? fmt::format("a rhythm of {:.2g} Hz", frequency)
-            : kKinds[i / 2] == WaveKind::overReadings ? heft::toSay("what a channel itself reads, in waves")
-                                                      : heft::toSay("the joint angles, several times a turn"),
+    best = {frequency > 0.0 ? Correlate::rhythm(frequency)
+            : kKinds[i / 2] == WaveKind::overReadings
+                ? Correlate(heft::toSay("what a channel itself reads, in waves"))
+                : Correlate(heft::toSay("the joint angles, several times a turn")),
             wave.gain - colour, wave.explained, frequency, frequency};
   }
   best.gain -= ofWalk;
-  const auto unlessPlain = [&](const Swell& found, fmt::format_string<const double&, const double&> words) {
+  const auto unlessPlain = [&](const BandExcess& found, const char* words) {
     if (found.excess > 1.0 && best.gain < kPlain)
-      best = {fmt::format(words, found.lowHz, found.highHz), kPlain * found.excess, found.share, found.lowHz,
-              found.highHz};
+      best = {{words, found.lowHz, found.highHz}, kPlain * found.excess, found.share, found.lowHz, found.highHz};
   };
   // What shakes most below the corner is noise of the motion, if that is noisy.
   if (signals.noisyMotion) return best;
   const Wrenches evened = evenWrench(fit.residual, fit.noise);
-  unlessPlain(shakingIn(signals, stretches, evened), "a shaking of {:.0f} to {:.0f} Hz");
-  unlessPlain(swell(signals, stretches, evened), "slow swings, {:.1f} to {:.0f} times a second");
+  unlessPlain(shakingIn(signals, stretches, evened), heft::toSay("a shaking of {:.0f} to {:.0f} Hz"));
+  unlessPlain(slowExcess(signals, stretches, evened), heft::toSay("slow swings, {:.1f} to {:.0f} times a second"));
   return best;
 }
 

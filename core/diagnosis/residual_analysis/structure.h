@@ -1,13 +1,12 @@
 #pragma once
 // Is there anything left that goes with the motion, whatever its form? Flexible models that name nothing.
-#include <string>
-
+#include "core/diagnosis/model/correlate.h"
 #include "core/diagnosis/model/fit.h"
 
 namespace heft::diagnosis {
 
 struct Structure {
-  std::string goesWith;              ///< "where the tool is", "a rhythm of 1.3 Hz", ...
+  Correlate goesWith;
   double gain = 0.0;                 ///< Evidence of the best flexible model
   double share = 0.0;                ///< Of the residual's energy, in units of its noise
   double lowHz = 0.0, highHz = 0.0;  ///< Band in which most of it lies

@@ -12,24 +12,26 @@ constexpr Eigen::Index kFew = 72;  ///< Columns that may be taken all at once
 
 }  // namespace
 
-Ground::Ground(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian, const Noise& with,
-               bool refits)
+WhitenedResidual::WhitenedResidual(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian,
+                                   const Noise& with, bool refits)
     : stretches(where), fit(what), noise(with), learnsAgain(refits) {
   basis = explainedSpace(jacobian, noise, stretches);
   take(even(flat(fit.residual), noise));
 }
 
-Ground::Ground(const Ground& other, const Wrenches& residual) : Ground(other) { take(flat(residual)); }
+WhitenedResidual::WhitenedResidual(const WhitenedResidual& other, const Wrenches& residual) : WhitenedResidual(other) {
+  take(flat(residual));
+}
 
-double Ground::evidence(const VectorXd& left) const {
+double WhitenedResidual::evidence(const VectorXd& left) const {
   Wrenches residual = Eigen::Map<const Wrenches>(left.data(), 6, left.size() / 6);
   for (Eigen::Index c = 0; c < 6; ++c) residual.row(c) *= noise.channels[static_cast<std::size_t>(c)].sigma;
   return fitNoise(residual, stretches, nullptr).evidence - before;
 }
 
-void Ground::take(const VectorXd& residual) {
+void WhitenedResidual::take(const VectorXd& residual) {
   Noise same = noise;
-  same.louder = nullptr;
+  same.noiseScale = nullptr;
   same.level = nullptr;
   before = fitNoise(Eigen::Map<const Wrenches>(residual.data(), 6, residual.size() / 6), stretches, nullptr).evidence;
   r = whitened(residual, same, stretches);
@@ -37,7 +39,7 @@ void Ground::take(const VectorXd& residual) {
   r -= basis * (basis.transpose() * r);
 }
 
-Dictionary::Dictionary(const Ground& ground, const MatrixXd& columns)
+Dictionary::Dictionary(const WhitenedResidual& ground, const MatrixXd& columns)
     : ground_(ground), C_(columns, ground.noise, ground.stretches) {
   constexpr double kLeft = 1e-9;  ///< Share of a column's squares that is left of it by rounding alone
   explained_ = C_.transposeTimes(ground.basis);
@@ -56,11 +58,11 @@ VectorXd Dictionary::likeness(const VectorXd& r) const {
   return scale_.asDiagonal() * together_.solve(scale_.asDiagonal() * productsWith(r));
 }
 
-Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries) {
+Judged judgeAll(const Dictionary& of, const WhitenedResidual& ground, double lnN, double tries) {
   const VectorXd left = ground.r - of.sum(of.likeness(ground.r));
   const double explained = ground.r.squaredNorm() - left.squaredNorm();
   const double gain = ground.learnsAgain ? ground.evidence(left) : explained;
-  const double price = priceOf(gain, static_cast<double>((of.squares.array() > 1e-12).count()), lnN);
+  const double price = complexityPenalty(gain, static_cast<double>((of.squares.array() > 1e-12).count()), lnN);
   return {gain - price - 2.0 * std::log(2.0 * tries), explained / ground.energy};
 }
 
@@ -68,7 +70,7 @@ namespace {
 
 /// Forward selection: the column that explains most, as long as it pays for itself and for the choice. What is chosen
 /// is made orthogonal to what was chosen before (Chen, Billings and Luo 1989), by products alone.
-Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
+Judged judgeBest(const Dictionary& of, const WhitenedResidual& ground, double lnN) {
   constexpr double kLeast = 1e-12;  // Squared length below which a column says nothing new
   Judged out;
   VectorXd g = of.productsWith(ground.r), squares = of.squares, left = ground.r;
@@ -115,7 +117,7 @@ Judged judgeBest(const Dictionary& of, const Ground& ground, double lnN) {
 
 }  // namespace
 
-Judged judge(const Dictionary& of, const Ground& ground, double lnN) {
+Judged judge(const Dictionary& of, const WhitenedResidual& ground, double lnN) {
   Judged out = judgeBest(of, ground, lnN);
   if (!of.few()) return out;
   const Judged all = judgeAll(of, ground, lnN, 1.0);

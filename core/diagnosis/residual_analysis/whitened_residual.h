@@ -10,7 +10,7 @@ struct Judged {
 };
 
 /// The residual under one noise, and what the fit could do about it.
-struct Ground {
+struct WhitenedResidual {
   const std::vector<Stretch>& stretches;
   const Fit& fit;
   Noise noise;
@@ -22,9 +22,10 @@ struct Ground {
   double before = 0.0;  ///< Evidence of the residual as it is, all blocks made equally loud
 
   /// `jacobian`: of the fit's model.
-  Ground(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian, const Noise& with, bool refits);
+  WhitenedResidual(const std::vector<Stretch>& where, const Fit& what, const MatrixXd& jacobian, const Noise& with,
+                   bool refits);
   /// The same with another residual in its place, of the same noise with all blocks made equally loud.
-  Ground(const Ground& other, const Wrenches& residual);
+  WhitenedResidual(const WhitenedResidual& other, const Wrenches& residual);
 
   /// Evidence of `left` (whitened) with the noise learned from it, over what it was.
   double evidence(const VectorXd& left) const;
@@ -38,7 +39,7 @@ struct Ground {
 class Dictionary {
  public:
   /// `columns` 6N x F; the ground must outlive this.
-  Dictionary(const Ground& ground, const MatrixXd& columns);
+  Dictionary(const WhitenedResidual& ground, const MatrixXd& columns);
 
   /// Products of the columns with `r`, which is free of what the fit can do.
   VectorXd productsWith(const VectorXd& r) const { return C_.transposeTimes(r); }
@@ -54,7 +55,7 @@ class Dictionary {
   VectorXd squares;  ///< Their diagonal; 0 for columns that the fit can do
 
  private:
-  const Ground& ground_;
+  const WhitenedResidual& ground_;
   ChannelColumns C_;
   MatrixXd explained_;  ///< Products with the ground's basis, a row a column
   VectorXd scale_;
@@ -63,10 +64,10 @@ class Dictionary {
 
 /// All columns at once, which must be few: a little of everything is cheaper so than piece by piece. `tries`: of how
 /// many such sets this is the best.
-Judged judgeAll(const Dictionary& of, const Ground& ground, double lnN, double tries);
+Judged judgeAll(const Dictionary& of, const WhitenedResidual& ground, double lnN, double tries);
 
 /// As many of the columns as pay for themselves, or all at once.
-Judged judge(const Dictionary& of, const Ground& ground, double lnN);
+Judged judge(const Dictionary& of, const WhitenedResidual& ground, double lnN);
 
 /// The rows of `b` below those of `a`, which may have none.
 MatrixXd stacked(const MatrixXd& a, const MatrixXd& b);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
 
 namespace heft::diagnosis {
 
@@ -50,7 +51,7 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, dou
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
   constexpr double kAlong = 0.08, kNear = 0.015, kNearer = 0.008;  // Share of the force; [m], [m]
   constexpr double kAside = 0.03;                                  // Of the force, where it is not known as closely
-  const auto near = pullAtCentre(fit, "constant_pull", kNear), nearer = pullAtCentre(fit, "constant_pull", kNearer);
+  const auto near = pullAtCentre(fit, ids::constantPull, kNear), nearer = pullAtCentre(fit, ids::constantPull, kNearer);
   return (near && near->cross(gravity).norm() < kAside * near->norm() * gravity.norm()) ||
          (nearer && std::abs(nearer->dot(gravity)) > kAlong * nearer->norm() * gravity.norm());
 }
@@ -63,7 +64,7 @@ bool pullsAsTiltDoes(const Fit& fit, std::string_view cause, const Vector3d& gra
   if (!force) return false;
   const double size = force->norm() * gravity.norm();
   return std::abs(force->dot(gravity)) < kAlong * size ||
-         (cause == "constant_pull" && force->cross(gravity).norm() > kAside * size);
+         (cause == ids::constantPull && force->cross(gravity).norm() > kAside * size);
 }
 
 /// What the scanned parameters of each term of `cause`, whose first one is a time, come to over what is realistic, in
@@ -104,9 +105,9 @@ bool comesBack(const std::vector<VectorXd>& events) {
 /// Whether the load only ever moves on the tool, and back: nothing was picked up or put down.
 bool slidesBack(const Fit& fit) {
   constexpr double kReach = 0.1, kWeighs = 0.2;  // [m]; of what it moves by, as a mass so far away
-  auto events = eventsOf(fit, "payload_change");
+  auto events = eventsOf(fit, ids::payloadChange);
   const bool moves = std::ranges::all_of(fit.model.terms, [&](const Term& term) {
-    return causeOf(term) != "payload_change" || std::abs(term.v(1)) * kReach < kWeighs * term.v.segment<3>(2).norm();
+    return causeOf(term) != ids::payloadChange || std::abs(term.v(1)) * kReach < kWeighs * term.v.segment<3>(2).norm();
   });
   for (VectorXd& event : events) event(0) = 0.0;  // Its mass: noise beside how far it moves
   return moves && comesBack(events);
@@ -117,25 +118,25 @@ bool slidesBack(const Fit& fit) {
 std::vector<std::string> alternativesOf(const Found& found, const Fit& fit, bool held, const Vector3d& gravity) {
   std::vector<std::string> out;
   const auto has = [&](std::string_view id) { return std::ranges::find(out, id) != out.end(); };
-  const auto add = [&](const std::string& id) {
-    if (id != found.cause && !has(id)) out.push_back(id);
+  const auto add = [&](std::string_view id) {
+    if (id != found.cause && !has(id)) out.emplace_back(id);
   };
   // To whoever mends the rig a wandering zero is one that drifts.
-  for (const auto& rival : found.rivals) add(rival.cause == kWandering ? "bias_drift" : rival.cause);
+  for (const auto& rival : found.rivals) add(rival.cause == kRandomWalk ? ids::biasDrift : rival.cause);
   // A jump is a drift that took no time.
-  if (found.cause == "sensor_bias" || has("sensor_bias")) add("bias_drift");
-  if (found.cause == "sensor_bias" && comesBack(eventsOf(fit, found.cause))) add("contact");
-  if (found.cause == "payload_change" && slidesBack(fit)) add("loose_mass");
+  if (found.cause == ids::sensorBias || has(ids::sensorBias)) add(ids::biasDrift);
+  if (found.cause == ids::sensorBias && comesBack(eventsOf(fit, found.cause))) add(ids::contact);
+  if (found.cause == ids::payloadChange && slidesBack(fit)) add(ids::looseMass);
   // No reading comes before what it is about: then the motion is late.
-  if (found.cause == "time_offset" && firstOf(fit, found.cause) < 0.0) add("motion_lag");
+  if (found.cause == ids::timeOffset && firstOf(fit, found.cause) < 0.0) add(ids::motionLag);
   // What weighs as much as the tool is the tool on its mount.
-  if (found.cause == "loose_mass" && swingingShare(fit, found) > kWholeTool) add("flexible_mount");
-  if (found.cause == "constant_pull" && pullsAsWeightDoes(fit, gravity)) add("derivative_noise");
-  if ((found.cause == "constant_pull" || found.cause == "cable_pull") && pullsAsTiltDoes(fit, found.cause, gravity))
-    add("gravity_tilt");
+  if (found.cause == ids::looseMass && swingingShare(fit, found) > kWholeTool) add(ids::flexibleMount);
+  if (found.cause == ids::constantPull && pullsAsWeightDoes(fit, gravity)) add(ids::derivativeNoise);
+  if ((found.cause == ids::constantPull || found.cause == ids::cablePull) && pullsAsTiltDoes(fit, found.cause, gravity))
+    add(ids::gravityTilt);
   // What is held until the next reading comes late and cut down at once.
-  if (held && found.cause == "time_offset") add("low_pass_lag");
-  if (held && found.cause == "low_pass_lag") add("time_offset");
+  if (held && found.cause == ids::timeOffset) add(ids::lowPassLag);
+  if (held && found.cause == ids::lowPassLag) add(ids::timeOffset);
   return out;
 }
 

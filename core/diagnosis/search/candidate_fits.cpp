@@ -10,6 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/model/step_candidates.h"
 #include "core/diagnosis/search/evidence.h"
 #include "core/diagnosis/search/random_walk.h"
@@ -39,13 +40,13 @@ double awayFromEdges(const Signals& signals, const std::vector<Stretch>& stretch
 }
 
 /// `columns`: of `base`. `placing`: around it; null where the candidate wants no place.
-Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Columns& columns,
-            const Placing* placing, const Candidate& candidate) {
-  Trial out;
+CandidateFit tried(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                   const CachedJacobian& columns, const OnsetRefinement* placing, const Candidate& candidate) {
+  CandidateFit out;
   out.cause = candidate.form.cause->id();
   Candidate placed = candidate;
   if (wantsPlace(candidate)) {
-    placed = placing->placed(candidate);
+    placed = placing->refined(candidate);
     placed.v(0) = std::clamp(awayFromEdges(signals, stretches, placed.v(0)), placed.form.parameters[0].lower,
                              placed.form.parameters[0].upper);
   }
@@ -56,7 +57,7 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
   out.fit = fitModel(signals, stretches, std::move(model), 3, &columns);
   // A walk makes steps of its own, too: where the zero is known to walk, a jump of it or of the load is more.
   const bool maybeWalk =
-      (out.cause == "sensor_bias" || out.cause == "payload_change") && contains(base.model, kWandering);
+      (out.cause == ids::sensorBias || out.cause == ids::payloadChange) && contains(base.model, kRandomWalk);
   if (maybeWalk && !jumpStandsOut(signals, stretches, base, out.fit)) return out;
   weigh(out, base, signals);
   return out;
@@ -65,7 +66,7 @@ Trial tried(const Signals& signals, const std::vector<Stretch>& stretches, const
 /// Whether another term of the form can add to the model: one with a place of its own may come again, any other that is
 /// already in can not. Beside a drift a walk is none: what a straight line leaves has richer forms of drift.
 bool mayAdd(const Form& form, const Model& model) {
-  if (form.walk && contains(model, "bias_drift")) return false;
+  if (form.walk && contains(model, ids::biasDrift)) return false;
   return form.local || std::none_of(model.terms.begin(), model.terms.end(), [&](const Term& t) {
            return t.form->cause == form.cause && (t.form->name == form.name || t.form->alone || form.alone);
          });
@@ -80,15 +81,15 @@ double standsOut(const Fit& fit, std::size_t at) {
 
 /// Adds to `all` what guides grow into, which are no trials themselves, and what the channels of a zero that walks do
 /// together, where nothing else is named: beside other causes any course would be a crutch for what these leave.
-void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Columns& columns,
-                std::vector<Trial>& all) {
+void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                const CachedJacobian& columns, std::vector<CandidateFit>& all) {
   struct Start {
     std::pair<Form, VectorXd> at;
-    const Trial* guide;
+    const CandidateFit* guide;
     double choice;
   };
   std::vector<Start> starts;
-  for (const Trial& trial : all) {
+  for (const CandidateFit& trial : all) {
     const Term& term = trial.fit.model.terms.back();
     if (!term.form->guide && (!term.form->walk || !base.model.terms.empty())) continue;
     auto grown = term.form->cause->grown(*term.form, term.v, signals);
@@ -96,18 +97,18 @@ void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, c
         trial.choicePenalty + 2.0 * std::log(static_cast<double>(std::max<std::size_t>(1, grown.size())));
     for (auto& at : grown) starts.push_back({std::move(at), &trial, choice});
   }
-  std::vector<Trial> more(starts.size());
-  onTwoThreads(starts.size(), [&](std::size_t i) {
+  std::vector<CandidateFit> more(starts.size());
+  parallelFor(starts.size(), [&](std::size_t i) {
     Model model = base.model;
     model.terms.push_back({std::make_shared<const Form>(std::move(starts[i].at.first)), starts[i].at.second, {}});
-    Trial& trial = more[i];
+    CandidateFit& trial = more[i];
     trial.cause = causeOf(model.terms.back());
     trial.choicePenalty = starts[i].choice;
     trial.promised = starts[i].guide->promised;
     trial.fit = fitModel(signals, stretches, std::move(model), 3, &columns);
     weigh(trial, base, signals);
   });
-  std::erase_if(all, [](const Trial& trial) { return trial.fit.model.terms.back().form->guide; });
+  std::erase_if(all, [](const CandidateFit& trial) { return trial.fit.model.terms.back().form->guide; });
   std::ranges::move(more, std::back_inserter(all));
 }
 
@@ -115,9 +116,9 @@ void growGuides(const Signals& signals, const std::vector<Stretch>& stretches, c
 /// that is a little off explains next to nothing.
 void addAtLeaps(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                 std::vector<Signature>& signatures) {
-  constexpr std::size_t kMost = 8;  // More are no events of the rig but what it does all the time
-  const auto leaps = leapsIn(signals, stretches, base.residual);
-  if (leaps.size() < 2 || leaps.size() > kMost) return;
+  constexpr std::size_t kMostEvents = 8;  // More are no events of the rig but what it does all the time
+  const auto leaps = stepCandidatesIn(signals, stretches, base.residual);
+  if (leaps.size() < 2 || leaps.size() > kMostEvents) return;
   std::vector<const Form*> kinds;
   for (const Signature& signature : signatures)
     if (signature.form.atOnce && std::ranges::none_of(kinds, [&](const Form* kind) {
@@ -125,8 +126,8 @@ void addAtLeaps(const Signals& signals, const std::vector<Stretch>& stretches, c
         }))
       kinds.push_back(&signature.form);
   std::vector<Signature> more(kinds.size() * leaps.size());
-  const Surroundings surroundings(signals, base.model);
-  onTwoThreads(more.size(), [&](std::size_t i) {
+  const LinearisationPoint surroundings(signals, base.model);
+  parallelFor(more.size(), [&](std::size_t i) {
     more[i] = signatureAt(leaps[i % leaps.size()].time, *kinds[i / leaps.size()], surroundings);
   });
   std::ranges::move(more, std::back_inserter(signatures));
@@ -141,15 +142,15 @@ struct Replaced {
 
 /// Fits of them to the end, as far as these can be believed. Added to `all`, best first.
 void addReplaced(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                 std::vector<Replaced> models, std::vector<Trial>& all) {
-  std::vector<Trial> more(models.size());
-  onTwoThreads(models.size(), [&](std::size_t i) {
+                 std::vector<Replaced> models, std::vector<CandidateFit>& all) {
+  std::vector<CandidateFit> more(models.size());
+  parallelFor(models.size(), [&](std::size_t i) {
     more[i].cause = models[i].cause;
     more[i].penalty = models[i].penalty;
     more[i].fit = fitModel(signals, stretches, std::move(models[i].model));
     more[i].gain = more[i].fit.evidence - base.evidence - more[i].penalty;
   });
-  std::erase_if(more, [](const Trial& trial) { return !believable(trial.fit); });
+  std::erase_if(more, [](const CandidateFit& trial) { return !believable(trial.fit); });
   std::ranges::move(more, std::back_inserter(all));
   sortByGain(all);
 }
@@ -168,7 +169,7 @@ std::ptrdiff_t causesIn(const Model& model) {
 }
 
 std::ptrdiff_t massesIn(const Model& model) {
-  return std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "loose_mass"; });
+  return std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == ids::looseMass; });
 }
 
 double Amplitudes::squaredDeviations() const {
@@ -178,7 +179,7 @@ double Amplitudes::squaredDeviations() const {
 Amplitudes amplitudesOf(const Fit& fit, const std::function<bool(const Term&)>& which) {
   std::vector<Eigen::Index> own;
   std::vector<double> sizes;
-  for (const auto& [term, at] : placed(fit.model)) {
+  for (const auto& [term, at] : indexedTerms(fit.model)) {
     if (!which(*term)) continue;
     for (const int p : term->form->scan) {
       if (!term->moves(p)) continue;
@@ -189,22 +190,23 @@ Amplitudes amplitudesOf(const Fit& fit, const std::function<bool(const Term&)>& 
   return {Eigen::Map<const VectorXd>(sizes.data(), std::ssize(sizes)), fit.covariance(own, own)};
 }
 
-void weigh(Trial& trial, const Fit& base, const Signals& signals) {
+void weigh(CandidateFit& trial, const Fit& base, const Signals& signals) {
   const Term& term = trial.fit.model.terms.back();
   trial.penalty = trial.choicePenalty + term.form->cause->doubt(*term.form, term.v, signals);
   trial.gain = believable(trial.fit) ? trial.fit.evidence - base.evidence - trial.penalty : -1e300;
 }
 
 void settleAll(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-               std::span<Trial* const> which) {
-  onTwoThreads(which.size(), [&](std::size_t i) {
+               std::span<CandidateFit* const> which) {
+  parallelFor(which.size(), [&](std::size_t i) {
     which[i]->fit = settled(signals, stretches, std::move(which[i]->fit));
     weigh(*which[i], base, signals);
   });
 }
 
-void sortByGain(std::vector<Trial>& all) {
-  std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) { return a.gain > b.gain; });
+void sortByGain(std::vector<CandidateFit>& all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const CandidateFit& a, const CandidateFit& b) { return a.gain > b.gain; });
 }
 
 std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std::size_t causes, double toBeat) {
@@ -244,30 +246,30 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
   return chosen;
 }
 
-std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                            const std::vector<const Candidate*>& chosen) {
-  std::vector<Trial> all(chosen.size());
+std::vector<CandidateFit> fitsOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                                 const std::vector<const Candidate*>& chosen) {
+  std::vector<CandidateFit> all(chosen.size());
   if (chosen.empty()) return all;
-  const Columns columns(signals, base.model);
-  std::unique_ptr<const Placing> placing;
+  const CachedJacobian columns(signals, base.model);
+  std::unique_ptr<const OnsetRefinement> placing;
   if (std::ranges::any_of(chosen, [](const Candidate* c) { return wantsPlace(*c); }))
-    placing = std::make_unique<const Placing>(signals, stretches, base, columns);
-  onTwoThreads(chosen.size(),
-               [&](std::size_t i) { all[i] = tried(signals, stretches, base, columns, placing.get(), *chosen[i]); });
+    placing = std::make_unique<const OnsetRefinement>(signals, stretches, base, columns);
+  parallelFor(chosen.size(),
+              [&](std::size_t i) { all[i] = tried(signals, stretches, base, columns, placing.get(), *chosen[i]); });
   growGuides(signals, stretches, base, columns, all);
   sortByGain(all);
   // The best are fitted to the end: a few steps rank them, but what is compared must have come to rest. So are those
   // that promised to be the best and are not there yet: a large misfit takes more steps, since the noise is learned
   // alongside. Of 609 that promised and gained less than half the threshold so far, 8 came near it.
   constexpr double kLeast = 0.5 * kThreshold;
-  std::vector<Trial*> resting;
+  std::vector<CandidateFit*> resting;
   for (std::size_t i = 0; i < all.size() && resting.size() < 2 * kFinished; ++i) {
     const bool hopeful = all[i].promised > std::max(all[i].gain, all.front().gain - 2.0 * kTie) + kTie,
                mayCount = all[i].gain > -1e299 && std::max(all[i].promised, all[i].gain) > kLeast;
     if (mayCount && (i < kFinished || hopeful)) resting.push_back(&all[i]);
   }
-  onTwoThreads(resting.size(), [&](std::size_t i) {
-    Trial& trial = *resting[i];
+  parallelFor(resting.size(), [&](std::size_t i) {
+    CandidateFit& trial = *resting[i];
     trial.fit = fitModel(signals, stretches, trial.fit.model, 8, &columns);
     weigh(trial, base, signals);
     if (trial.gain > trial.promised - kTie) return;
@@ -278,25 +280,25 @@ std::vector<Trial> trialsOf(const Signals& signals, const std::vector<Stretch>& 
   return all;
 }
 
-std::vector<Trial> trials(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                          const std::vector<Candidate>& ranked) {
+std::vector<CandidateFit> candidateFits(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                                        const std::vector<Candidate>& ranked) {
   // What waves promise says nothing of what a cause must.
   const auto first = std::ranges::find_if(ranked, [](const Candidate& c) { return !c.form.walk; });
   const double promised = first == ranked.end() ? 0.0 : first->score;
   const std::size_t tries = base.model.terms.size() < 2 ? kTried : kTriedLater;
   auto chosen = chosenOf(ranked, tries, promised);
-  auto all = trialsOf(signals, stretches, base, chosen);
+  auto all = fitsOf(signals, stretches, base, chosen);
   if (!all.empty() && all.front().gain >= kHopeful * promised) return all;
   auto others = chosenOf(ranked, tries, 0.0);
   std::erase_if(others, [&](const Candidate* c) { return std::find(chosen.begin(), chosen.end(), c) != chosen.end(); });
-  auto more = trialsOf(signals, stretches, base, others);
+  auto more = fitsOf(signals, stretches, base, others);
   std::move(more.begin(), more.end(), std::back_inserter(all));
   sortByGain(all);
   return all;
 }
 
 void addCompletions(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                    std::vector<Trial>& all) {
+                    std::vector<CandidateFit>& all) {
   std::vector<Replaced> wholes;
   for (std::size_t i = 0; i < base.model.terms.size(); ++i) {
     const Term& term = base.model.terms[i];
@@ -314,15 +316,15 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
   addReplaced(signals, stretches, base, std::move(wholes), all);
 }
 
-std::vector<Sibling> siblingsOf(const Trial& accepted, const std::vector<Trial>& all) {
+std::vector<Sibling> siblingsOf(const CandidateFit& accepted, const std::vector<CandidateFit>& all) {
   constexpr double kShare = 0.05;  ///< Of what the accepted one gained
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMostSiblings = 3;
   const Form& form = *accepted.fit.model.terms.back().form;
   const double least = accepted.gain - std::max(2.0 * kTie, kShare * accepted.gain);
   std::vector<Sibling> out;
-  for (const Trial& trial : all) {
+  for (const CandidateFit& trial : all) {
     const Term& term = trial.fit.model.terms.back();
-    if (trial.cause != accepted.cause || trial.gain < least || out.size() == kMost || term.form->atOnce ||
+    if (trial.cause != accepted.cause || trial.gain < least || out.size() == kMostSiblings || term.form->atOnce ||
         term.form->name == form.name || trial.fit.model.terms.size() != accepted.fit.model.terms.size() ||
         std::ranges::any_of(out, [&](const Sibling& s) { return s.term.form->name == term.form->name; }))
       continue;
@@ -332,7 +334,7 @@ std::vector<Sibling> siblingsOf(const Trial& accepted, const std::vector<Trial>&
 }
 
 void addSiblings(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                 const std::vector<Sibling>& siblings, std::vector<Trial>& all) {
+                 const std::vector<Sibling>& siblings, std::vector<CandidateFit>& all) {
   std::vector<Replaced> fitting;
   for (const Sibling& sibling : siblings) {
     const auto own = [&](const Term& t) { return t.form->cause == sibling.term.form->cause; };
@@ -349,7 +351,7 @@ void addSiblings(const Signals& signals, const std::vector<Stretch>& stretches, 
 }
 
 void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
-                     const std::vector<Candidate>& ranked, std::vector<Trial>& all) {
+                     const std::vector<Candidate>& ranked, std::vector<CandidateFit>& all) {
   if (all.empty() || !all.front().fit.model.terms.back().form->atOnce) return;
   const double moment = awayFromEdges(signals, stretches, all.front().fit.model.terms.back().v(0));
   const auto off = [&](const Candidate& c) { return std::abs(c.v(0) - moment); };
@@ -369,7 +371,7 @@ void addAtThatMoment(const Signals& signals, const std::vector<Stretch>& stretch
   }
   std::vector<const Candidate*> chosen;
   for (const Candidate& candidate : there) chosen.push_back(&candidate);
-  auto more = trialsOf(signals, stretches, base, chosen);
+  auto more = fitsOf(signals, stretches, base, chosen);
   std::move(more.begin(), more.end(), std::back_inserter(all));
   sortByGain(all);
 }
@@ -396,7 +398,7 @@ Fit prunedOf(const Signals& signals, const std::vector<Stretch>& stretches, Fit 
     // Two at a time: the first one that is needless goes.
     for (std::size_t at = 0; at < doubtful.size() && !changed; at += 2) {
       std::vector<Fit> less(std::min<std::size_t>(2, doubtful.size() - at));
-      onTwoThreads(less.size(), [&](std::size_t i) {
+      parallelFor(less.size(), [&](std::size_t i) {
         Model model = fit.model;
         model.terms.erase(model.terms.begin() + static_cast<std::ptrdiff_t>(doubtful[at + i]));
         less[i] = fitModel(signals, stretches, std::move(model));
@@ -423,10 +425,10 @@ bool believable(const Fit& fit) {
         return false;
   // What swings is a part of the payload, or all of it.
   const VectorXd std = fit.std();
-  for (const auto& [term, at] : placed(fit.model)) {
+  for (const auto& [term, at] : indexedTerms(fit.model)) {
     if (!term->form->cause->possible(*term->form, term->v, std.segment(at, term->v.size()))) return false;
-    const bool mount = causeOf(*term) == "flexible_mount" && term->v.size() > 2,
-               swings = mount || causeOf(*term) == "loose_mass";
+    const bool mount = causeOf(*term) == ids::flexibleMount && term->v.size() > 2,
+               swings = mount || causeOf(*term) == ids::looseMass;
     if (mount && term->v(0) < kLeastOnMount * mass) return false;
     if (swings && term->v(0) > 1.1 * mass + 3.0 * (sd + std(at))) return false;
   }

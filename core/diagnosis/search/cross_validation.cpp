@@ -54,9 +54,9 @@ std::vector<Stretch> outside(const std::vector<Stretch>& stretches, const std::v
 
 Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
   Wrenches out = fit.residual;
-  const Columns columns(signals, fit.model);
+  const CachedJacobian columns(signals, fit.model);
   const auto all = parts(stretches);
-  onTwoThreads(all.size(), [&](std::size_t i) {
+  parallelFor(all.size(), [&](std::size_t i) {
     const auto training = outside(stretches, all[i], kGap);
     if (training.empty()) return;
     const Model model = refitted(signals, training, fit, columns);
@@ -68,10 +68,10 @@ Wrenches heldOutResidual(const Signals& signals, const std::vector<Stretch>& str
 
 Eigen::Matrix<double, 10, Eigen::Dynamic> payloadsWithoutParts(const Signals& signals,
                                                                const std::vector<Stretch>& stretches, const Fit& fit) {
-  const Columns columns(signals, fit.model);
+  const CachedJacobian columns(signals, fit.model);
   const auto all = parts(stretches);
   Eigen::Matrix<double, 10, Eigen::Dynamic> out(10, std::ssize(all));
-  onTwoThreads(all.size(), [&](std::size_t i) {
+  parallelFor(all.size(), [&](std::size_t i) {
     const auto training = outside(stretches, all[i], 0);
     out.col(static_cast<Eigen::Index>(i)) =
         (training.empty() ? fit.model : refitted(signals, training, fit, columns)).x.tail<10>();

@@ -1,21 +1,20 @@
 #include "core/diagnosis/search/evidence.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/diagnosis/causes/catalogue.h"
 
 namespace heft::diagnosis {
 
-bool lags(std::string_view id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; }
+bool lags(std::string_view id) { return infoOf(id).family == Family::timing; }
 
-bool enlarges(std::string_view id) { return id == "flexible_mount" || id == "loose_mass" || id == "derivative_noise"; }
+bool enlarges(std::string_view id) { return infoOf(id).family == Family::dynamicGain; }
 
 bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
-  constexpr double kMost = 0.75;
-  constexpr std::array<std::string_view, 5> kLikeAWalk{"bias_drift", "sensor_bias", "payload_change", "contact",
-                                                       kWandering};
-  return std::ranges::find(kLikeAWalk, cause) == kLikeAWalk.end() && gain > std::max(kFaint, kMost * walk);
+  constexpr double kShareOfWalk = 0.75;
+  const Family family = infoOf(cause).family;
+  const bool likeAWalk = family == Family::sensorZero || family == Family::load || family == Family::contact;
+  return !likeAWalk && gain > std::max(kFaint, kShareOfWalk * walk);
 }
 
 }  // namespace heft::diagnosis

@@ -23,12 +23,12 @@ constexpr double kTie = 10.0;
 constexpr double kFaint = 50.0;
 
 /// Causes that make a patchwork: of 640 recordings five had so many, and what was wrong with these was unknown.
-constexpr std::ptrdiff_t kCrutches = 4;
+constexpr std::ptrdiff_t kOverfitted = 4;
 
 /// Masses that swing in one model at most; more are a patchwork, too.
 constexpr std::ptrdiff_t kMasses = 2;
 
-constexpr double kBesideWandering =
+constexpr double kBesideRandomWalk =
     30.0;  ///< More evidence: what a few slow waves leave of a wandering zero is no cause
 /// By how much a jump must be more than a walk of the zero: one that walks makes steps, too. Of 60 zeros that walked,
 /// a jump was 21 less in the nearest; of 21 plain jumps it was 8 more in the nearest, of three faint ones 8 to 16 less.

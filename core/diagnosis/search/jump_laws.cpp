@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/search.h"
 
 namespace heft::diagnosis {
@@ -15,7 +16,8 @@ namespace {
 std::vector<std::pair<double, double>> jumpsOf(const Model& model, Eigen::Index channel) {
   std::vector<std::pair<double, double>> out;
   for (const Term& term : model.terms)
-    if (causeOf(term) == "sensor_bias" && term.v(1 + channel) != 0.0) out.emplace_back(term.v(0), term.v(1 + channel));
+    if (causeOf(term) == ids::sensorBias && term.v(1 + channel) != 0.0)
+      out.emplace_back(term.v(0), term.v(1 + channel));
   return out;
 }
 
@@ -24,8 +26,8 @@ std::vector<std::pair<double, double>> jumpsOf(const Model& model, Eigen::Index 
 bool jumpWithTheirReading(const Signals& signals, const Model& model) {
   constexpr double kNear = 0.05;    // Of what the channel reads, from the least to the most
   constexpr double kAround = 0.06;  // [s]
-  if (std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == "sensor_bias"; }) < 2) return false;
-  const Wrenches reads = valueOf(signals, without(model, "sensor_bias"));
+  if (std::ranges::count_if(model.terms, [](const Term& t) { return causeOf(t) == ids::sensorBias; }) < 2) return false;
+  const Wrenches reads = valueOf(signals, without(model, ids::sensorBias));
   const Eigen::Index blocks = signals.blocks(),
                      around = std::max<Eigen::Index>(1, std::lround(kAround * signals.blockRate()));
   for (Eigen::Index c = 0; c < 6; ++c) {

@@ -32,10 +32,10 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
   std::map<const Cause*, int> forms;
   for (const auto& signature : bank) ++forms[signature.form.cause];
-  const MatrixXd basis = explainedSpace(Columns(signals, fit.model).jacobian(), fit.noise, stretches);
+  const MatrixXd basis = explainedSpace(CachedJacobian(signals, fit.model).jacobian(), fit.noise, stretches);
   const Eigen::Index rows = basis.rows();
   std::vector<Direction> directions(bank.size());
-  onTwoThreads(bank.size(), [&](std::size_t i) {
+  parallelFor(bank.size(), [&](std::size_t i) {
     MatrixXd C = MatrixXd::Zero(rows, bank[i].columns->cols());
     C.middleRows(6 * bank[i].reach.from, bank[i].columns->rows()) =
         whitened(*bank[i].columns, fit.noise, stretches, bank[i].reach.from);
@@ -77,7 +77,7 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
           noise(i + 1, j) = r * std::sin(2.0 * 3.14159265358979323846 * v);
         }
     MatrixXd gains = MatrixXd::Constant(batch, static_cast<Eigen::Index>(directions.size()), -1e300);
-    onTwoThreads(directions.size(), [&](std::size_t i) {
+    parallelFor(directions.size(), [&](std::size_t i) {
       const Direction& direction = directions[i];
       if (direction.Q.cols() == 0) return;
       const MatrixXd z = direction.Q.transpose() * noise;
@@ -87,7 +87,7 @@ Surrogates surrogates(const Signals& signals, const std::vector<Stretch>& stretc
           for (Eigen::Index k = 0; k < z.rows(); ++k) gain += std::max(0.0, z(k, j) * z(k, j) - lnN);
         } else {
           const double explained = z.col(j).squaredNorm();
-          gain += explained - priceOf(explained, static_cast<double>(z.rows()), lnN);
+          gain += explained - complexityPenalty(explained, static_cast<double>(z.rows()), lnN);
         }
         if (direction.subset && gain == -direction.penalty) continue;
         gains(j, static_cast<Eigen::Index>(i)) = gain;

@@ -115,7 +115,7 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
   std::vector<double> frequencies;
   for (double f = 1.0 / signals.duration(); f < std::min(kBelow, 0.25 / part); f += step) frequencies.push_back(f);
   std::vector<double> gains(frequencies.size(), 0.0);
-  onTwoThreads(frequencies.size(), [&](std::size_t i) {
+  parallelFor(frequencies.size(), [&](std::size_t i) {
     const Eigen::ArrayXd phase = 2.0 * std::numbers::pi * frequencies[i] * at.time.array();
     MatrixXd wave(at.time.size(), 2);
     wave << phase.cos().matrix(), phase.sin().matrix();
@@ -137,6 +137,6 @@ bool isOneCourse(const Model& model) {
   return shareAlongOneDirection(waves * waves.transpose()) > kShare;
 }
 
-bool isWayOfTheZero(std::string_view cause) { return cause == kWandering || cause == "bias_drift"; }
+bool isCourseOfTheZero(std::string_view cause) { return infoOf(cause).zeroMoves; }
 
 }  // namespace heft::diagnosis

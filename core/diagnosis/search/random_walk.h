@@ -20,6 +20,6 @@ double slowWave(const Signals& signals, const std::vector<Stretch>& stretches, c
 bool isOneCourse(const Model& model);
 
 /// Whether a cause is a way that the zero took: each recording has another one.
-bool isWayOfTheZero(std::string_view cause);
+bool isCourseOfTheZero(std::string_view cause);
 
 }  // namespace heft::diagnosis

@@ -6,7 +6,7 @@ namespace heft::diagnosis {
 
 /// Fills `search.found`; where something else is better, it takes a cause's place in `search.final`. Whether anything
 /// did.
-bool lookBack(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
-              const SearchOptions& options, Search& search, const Progress& progress);
+bool compareRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                   const SearchOptions& options, Search& search, const Progress& progress);
 
 }  // namespace heft::diagnosis

@@ -40,7 +40,7 @@ double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
       waves(k) *= prior / (prior + spread(k));
       amplitudes(6 * k + c) = waves(k);
     }
-    if (longest > 0.0) price += priceOfWalk(waves, spread, longest);
+    if (longest > 0.0) price += complexityOfRandomWalk(waves, spread, longest);
   }
   return price;
 }
@@ -56,7 +56,7 @@ class Weighting {
         jacobian_(jacobian, Noise{}, {{0, jacobian.rows() / 6}}),
         J_(jacobian, noise, stretches) {
     r_ = whitened(flat(fit.residual), noise, stretches);
-    inverse_ = Normal(J_, whisper(fit.model)).inverse();
+    inverse_ = Normal(J_, weakPrior(fit.model)).inverse();
     Jr_ = J_.transposeTimes(r_);
   }
 
@@ -148,7 +148,7 @@ class Weighting {
     Eigen::Map<VectorXd> left(residual.data(), residual.size());
     left -= jacobian_.times(answer.others);
     left.segment(6 * signature.reach.from, signature.columns->rows()) -= *signature.columns * answer.gamma;
-    score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.louder).evidence - fit_.noise.evidence,
+    score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.noiseScale).evidence - fit_.noise.evidence,
           lnN);
   }
 
@@ -162,7 +162,9 @@ class Weighting {
   static void score(Answer& answer, const Form& form, double gain, double lnN) {
     const auto count = static_cast<double>(std::count(answer.kept.begin(), answer.kept.end(), true));
     answer.gain = gain;
-    answer.score = gain - (form.walk ? answer.walkPrice : form.subset ? count * lnN : priceOf(gain, count, lnN));
+    answer.score = gain - (form.walk     ? answer.walkPrice
+                           : form.subset ? count * lnN
+                                         : complexityPenalty(gain, count, lnN));
   }
 
   const Noise& noise_;
@@ -174,7 +176,7 @@ class Weighting {
   VectorXd r_, Jr_;
 };
 
-Signature signatureOf(Form form, const Surroundings& surroundings) {
+Signature signatureOf(Form form, const LinearisationPoint& surroundings) {
   Signature out{std::move(form), {}, {}};
   out.fill(surroundings.signatures(out.form));
   return out;
@@ -191,7 +193,7 @@ void Signature::fill(const MatrixXd& all) {
   columns = std::make_shared<const MatrixXd>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
 }
 
-Signature signatureAt(double time, Form form, const Surroundings& surroundings) {
+Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings) {
   form.start(0) = std::clamp(time, form.parameters[0].lower, form.parameters[0].upper);
   return signatureOf(std::move(form), surroundings);
 }
@@ -246,10 +248,10 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
     if (!wanted || wanted(plain_[i].form)) which.push_back(i);
   std::vector<Signature> out(which.size());
   const Model nothing;
-  const Surroundings surroundings(signals, model), bare(signals, nothing);
+  const LinearisationPoint surroundings(signals, model), bare(signals, nothing);
   const Matrix6d map = matrixOnly ? surroundings.sensorMatrix() : Matrix6d::Identity();
   Changed* changed = bent || !matrixOnly ? &changedBy(model) : nullptr;
-  onTwoThreads(out.size(), [&](std::size_t i) {
+  parallelFor(out.size(), [&](std::size_t i) {
     Signature& known = plain_[which[i]];
     const Cause& cause = *known.form.cause;
     if (cause.bendsGeometry() || cause.changesSensor(known.form)) {
@@ -279,11 +281,10 @@ std::vector<Signature> SignatureBank::around(const Signals& signals, const Model
 std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
                                    const std::vector<Signature>& bank, double threshold) {
   const double lnN = std::log(std::max(2.0, fit.noise.samples));
-  const MatrixXd jacobian = Columns(signals, fit.model).jacobian();
+  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
   const Weighting weighting(fit.noise, stretches, fit, jacobian);
   std::vector<VectorXd> out(bank.size());
-  onTwoThreads(bank.size(),
-               [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i]); });
+  parallelFor(bank.size(), [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i]); });
   return out;
 }
 
@@ -314,14 +315,14 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
   // doubts of their own.
   std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
   for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
-  const Noise flatNoise = white(fit.residual, stretches, fit.noise.louder);
-  const MatrixXd jacobian = Columns(signals, fit.model).jacobian();
+  const Noise flatNoise = white(fit.residual, stretches, fit.noise.noiseScale);
+  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
   const Weighting coloured(fit.noise, stretches, fit, jacobian), plain(flatNoise, stretches, fit, jacobian);
   // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does
   // so the less, the fewer there are.
   constexpr double kFew = 0.1, kHardlyAny = 4.0;
   std::vector<std::array<Weighting::Answer, 2>> answers(bank.size());
-  onTwoThreads(bank.size(), [&](std::size_t i) {
+  parallelFor(bank.size(), [&](std::size_t i) {
     answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)};
   });
   std::array<double, 2> many{kHardlyAny, kHardlyAny};
@@ -329,7 +330,7 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
     for (std::size_t k = 0; k < 2; ++k)
       if (!bank[i].form.walk) many[k] = std::max(many[k], kFew * answers[i][k].squares);
   std::vector<Candidate> out(bank.size());
-  onTwoThreads(bank.size(), [&](std::size_t i) {
+  parallelFor(bank.size(), [&](std::size_t i) {
     auto& [best, other] = answers[i];
     if (bank[i].form.walk || best.squares > many[0] || other.squares > many[1]) {
       coloured.learnNoise(best, bank[i], lnN);
@@ -355,10 +356,10 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
   return out;
 }
 
-struct Placing::Around {
-  Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Columns& columns)
+struct OnsetRefinement::Around {
+  Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const CachedJacobian& columns)
       : lnN(std::log(std::max(2.0, fit.noise.samples))),
-        flat(white(fit.residual, stretches, fit.noise.louder)),
+        flat(white(fit.residual, stretches, fit.noise.noiseScale)),
         coloured(fit.noise, stretches, fit, columns.jacobian()),
         plain(flat, stretches, fit, columns.jacobian()),
         surroundings(signals, fit.model) {}
@@ -366,14 +367,15 @@ struct Placing::Around {
   double lnN;
   Noise flat;
   Weighting coloured, plain;
-  Surroundings surroundings;
+  LinearisationPoint surroundings;
 };
 
-Placing::Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Columns& columns)
+OnsetRefinement::OnsetRefinement(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                                 const CachedJacobian& columns)
     : block_(1.0 / signals.blockRate()), around_(std::make_unique<const Around>(signals, stretches, fit, columns)) {}
-Placing::~Placing() = default;
+OnsetRefinement::~OnsetRefinement() = default;
 
-Candidate Placing::placed(const Candidate& candidate) const {
+Candidate OnsetRefinement::refined(const Candidate& candidate) const {
   constexpr double kNear = 0.3, kStep = 0.1;  // [s]
   const auto at = [&](double time) { return signatureAt(time, candidate.form, around_->surroundings); };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.

@@ -27,7 +27,7 @@ struct Signature {
 };
 
 /// The form's signature with its place in time at `time` [s], or as near as it may lie.
-Signature signatureAt(double time, Form form, const Surroundings& surroundings);
+Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings);
 
 /// The signatures of one recording, of every form of every cause but those hidden. What a cause adds is the same around
 /// every payload and is kept, also around terms that bend the motion or change the sensor as long as these hardly move;
@@ -67,15 +67,16 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
 /// Puts candidates with a place in time where they gain most around a fit: what changes at once is seen for what it is
 /// only where it is put within a block or so, closer than the first look goes. Safe to share between threads; signals,
 /// stretches, fit and its columns must outlive it.
-class Placing {
+class OnsetRefinement {
  public:
   /// `columns`: of the fit's model.
-  Placing(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const Columns& columns);
-  ~Placing();
-  Placing(const Placing&) = delete;
-  Placing& operator=(const Placing&) = delete;
+  OnsetRefinement(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                  const CachedJacobian& columns);
+  ~OnsetRefinement();
+  OnsetRefinement(const OnsetRefinement&) = delete;
+  OnsetRefinement& operator=(const OnsetRefinement&) = delete;
 
-  Candidate placed(const Candidate& candidate) const;
+  Candidate refined(const Candidate& candidate) const;
 
  private:
   struct Around;

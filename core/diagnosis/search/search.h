@@ -14,12 +14,12 @@
 namespace heft::diagnosis {
 
 /// How far a search has come when it is asked whether it ends there.
-enum class SoFar { firstCause, anotherCause, allCauses };
+enum class SearchStage { firstCause, anotherCause, allCauses };
 
 /// And what it has found.
-struct Standing {
+struct SearchStatus {
   const Fit& fit;
-  SoFar soFar;
+  SearchStage soFar;
   std::string_view last;   ///< Cause that was accepted last
   double gain = 0.0;       ///< Evidence of that
   double explained = 0.0;  ///< Evidence of everything that was accepted
@@ -31,7 +31,7 @@ struct SearchOptions {
   Model start;  ///< Terms to begin with, as a search on nearly the same blocks found them
   /// Asked with each cause accepted, and once more with all of them if these are several: whether the search is given
   /// up there. Empty: never.
-  std::function<bool(const Standing& standing)> givesUp;
+  std::function<bool(const SearchStatus& standing)> stopsEarly;
 };
 
 /// A cause that explains a step (almost) as well.
@@ -60,8 +60,8 @@ struct Search {
   Fit null;                        ///< Bias and payload alone
   Fit final;                       ///< With everything accepted
   std::vector<std::string> order;  ///< Causes in `final`, in the order of acceptance
-  Tried accepted;                  ///< The trials that the last of them was chosen from
-  std::vector<Found> found;        ///< By cause, in that order, once lookBack() has compared them
+  CandidateFits accepted;          ///< The trials that the last of them was chosen from
+  std::vector<Found> found;        ///< By cause, in that order, once compareRivals() has compared them
   bool givenUp = false;            ///< `final` is as far as it came, and nothing was compared
 };
 

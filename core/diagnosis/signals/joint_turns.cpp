@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/diagnosis/signals/signals.h"
-
 namespace heft::diagnosis {
 
 /// J: the link that the joint turns, its origin on the joint's axis. A column an instant, J axes.

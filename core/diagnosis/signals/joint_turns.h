@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "core/base/memo.h"
+#include "core/diagnosis/signals/kinematics.h"
 #include "core/math/rigid.h"
 #include "core/robot/robot_model.h"
 
 namespace heft::diagnosis {
-
-struct Kinematics;
 
 /// By how much a joint's angle q is another than recorded: constant + sine sin q + cosine cos q [rad].
 struct JointTurn {
@@ -56,7 +55,7 @@ class JointTurns {
   mutable std::mutex mutex_;
   mutable std::vector<FrameMotion> sensor_;  ///< Of S in B, for all cuts; like them made when first asked for
   mutable std::vector<std::unique_ptr<Cut>> cuts_;
-  mutable Latest<Asked, Kinematics> answers_{40};  ///< More than a first look at all joints asks for
+  mutable Memo<Asked, Kinematics> answers_{40};  ///< More than a first look at all joints asks for
 };
 
 }  // namespace heft::diagnosis

@@ -8,12 +8,12 @@ namespace heft::diagnosis {
 
 /// Noise whose power is 1 + share times(c, n) of the usual in channel c and block n; of the share only so much is
 /// known: it is one of a few.
-class Loudness {
+class NoiseScale {
  public:
   using Blocks = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
   /// `times`: 6 x N, zero where noise is as usual.
-  explicit Loudness(Blocks times);
+  explicit NoiseScale(Blocks times);
 
   struct Level {
     double share = 0.0;

@@ -10,8 +10,8 @@
 namespace heft::diagnosis {
 
 double leftByNoise(const Signals& signals) {
-  constexpr double kShare = 0.08, kMost = 300.0;
-  return std::min(kMost, kShare * signals.smoothedAway);
+  constexpr double kShare = 0.08, kMostEvidence = 300.0;
+  return std::min(kMostEvidence, kShare * signals.smoothedAway);
 }
 
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
@@ -32,7 +32,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
       out.q = motion.q;
       out.dq = motion.dq;
       out.ddq = motion.ddq;
-      out.sharpened = std::make_shared<Latest<Sharpening, Kinematics>>(8);
+      out.sharpened = std::make_shared<Memo<Sharpening, Kinematics>>(8);
       out.joints = std::make_shared<const JointTurns>(*robot, out.link, out.X_LS, out.q, out.dq, out.ddq);
     }
   }
@@ -97,8 +97,8 @@ template <int Rows>
 using MappedColumn = Eigen::Matrix<double, Rows, 1>;
 
 /// work(ConstMappedColumns<Rows>, MappedColumns<Rows>) with `value` and what is returned.
-template <class Work>
-Eigen::MatrixXd columnwise(const Eigen::Ref<const Eigen::MatrixXd>& value, Work work) {
+template <class Hypothesis>
+Eigen::MatrixXd columnwise(const Eigen::Ref<const Eigen::MatrixXd>& value, Hypothesis work) {
   Eigen::MatrixXd out(value.rows(), value.cols());
   const auto run = [&]<int Rows>(std::integral_constant<int, Rows>) {
     work(ConstMappedColumns<Rows>(value.data(), value.rows(), value.cols(), Eigen::OuterStride<>(value.outerStride())),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/signals/joint_turns.h"
+#include "core/diagnosis/signals/kinematics.h"
 #include "core/diagnosis/signals/noise_scale.h"
 #include "core/motion/motion.h"
 #include "core/recording/recording.h"
@@ -15,14 +16,6 @@ using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< A column an ins
 
 /// All of it one instant after the other.
 inline Eigen::Map<const VectorXd> flat(const Wrenches& w) { return {w.data(), w.size()}; }
-
-/// Motion that the payload feels, S axes; a cause may bend it. K columns.
-struct Kinematics {
-  Eigen::Matrix3Xd specificForce;                       ///< s = R_BS^T (a - g) [m/s2]
-  Eigen::Matrix3Xd omega;                               ///< [rad/s]
-  Eigen::Matrix3Xd alpha;                               ///< [rad/s2]
-  std::shared_ptr<const std::vector<Matrix3d>> turned;  ///< R_BS where a cause turns S; null: as recorded
-};
 
 /// How much less smooth than recorded the joints' motion is: kind and size as derivative_noise has them.
 struct Sharpening {
@@ -60,13 +53,13 @@ struct Signals {
   Isometry3d X_LS = Isometry3d::Identity();
   MatrixXd q, dq, ddq;  ///< dof x K
   std::shared_ptr<const JointTurns> joints;
-  std::shared_ptr<Latest<Sharpening, Kinematics>> sharpened;
+  std::shared_ptr<Memo<Sharpening, Kinematics>> sharpened;
 
   int samplesPerBlock = 4;
   Wrenches readings;  ///< 6 x K
   Wrenches measured;  ///< 6 x N: their averages
   /// Of noise where the motion is less well known; null: nowhere.
-  std::shared_ptr<const Loudness> louder;
+  std::shared_ptr<const NoiseScale> noiseScale;
   /// What the payload makes of motion smoothed less, each way, over what it makes of this one, as far as bias and
   /// payload alone know it; null: not asked for.
   std::shared_ptr<const std::vector<Wrenches>> lost;

@@ -7,6 +7,7 @@
 #include "core/diagnosis/artefacts/own_errors.h"
 #include "core/diagnosis/artefacts/sharp_motion.h"
 #include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/alternatives.h"
 #include "core/diagnosis/search/cross_validation.h"
 #include "core/diagnosis/search/evidence.h"
@@ -19,19 +20,21 @@ namespace {
 
 /// Where our own smoothing leaves a faint cause that does what another one does nearly alone, the other is judged
 /// without it: beside it, either would be needless. The two are then rivals.
-void keepOneOfTwo(Work& work) {
+void keepOneOfTwo(Hypothesis& hypothesis) {
   constexpr double kTimes = 4.0;  ///< By how much more the other explains without it
-  Search& search = work.search;
+  Search& search = hypothesis.search;
   const auto changesFast = [](const Found& f) { return lags(f.cause) || enlarges(f.cause); };
   for (std::size_t own = 0; own < search.found.size(); ++own) {
-    if (!changesFast(search.found[own]) || search.found[own].gain > 2.0 * kFaint || !ownErrors(work, search.found[own]))
+    if (!changesFast(search.found[own]) || search.found[own].gain > 2.0 * kFaint ||
+        !ownErrors(hypothesis, search.found[own]))
       continue;
-    const Fit alone = fitModel(work.signals, work.stretches, without(search.final.model, search.found[own].cause));
+    const Fit alone =
+        fitModel(hypothesis.signals, hypothesis.stretches, without(search.final.model, search.found[own].cause));
     if (!believable(alone)) continue;
     for (Found& other : search.found) {
       if (&other == &search.found[own] || !changesFast(other)) continue;
-      const Fit neither = fitModel(work.signals, work.stretches, without(alone.model, other.cause)),
-                instead = fitModel(work.signals, work.stretches, without(search.final.model, other.cause));
+      const Fit neither = fitModel(hypothesis.signals, hypothesis.stretches, without(alone.model, other.cause)),
+                instead = fitModel(hypothesis.signals, hypothesis.stretches, without(search.final.model, other.cause));
       const double gain = alone.evidence - neither.evidence;
       if (gain < kTimes * other.gain) continue;
       other.gain = gain;
@@ -56,8 +59,8 @@ bool standsOut(const Fit& fit, std::string_view cause) {
 
 /// Whether a cause of one number is nothing, as far as that is known.
 bool isNothing(const Fit& fit, const Found& found) {
-  std::vector<Placed> own = placed(fit.model);
-  std::erase_if(own, [&](const Placed& p) { return causeOf(*p.term) != found.cause; });
+  std::vector<IndexedTerm> own = indexedTerms(fit.model);
+  std::erase_if(own, [&](const IndexedTerm& p) { return causeOf(*p.term) != found.cause; });
   if (own.size() != 1 || own[0].term->v.size() != 1) return false;
   const auto [only, at] = own[0];
   double variance = fit.covariance(at, at);
@@ -81,7 +84,7 @@ struct Needed {
 };
 
 /// Whether a cause holds that gains `gain` on unseen stretches. `strongest`: evidence of the strongest one.
-bool holds(const Found& found, const Gain& gain, const Work& work, double strongest, const Needed& needed) {
+bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, double strongest, const Needed& needed) {
   constexpr double kOfLeftover = 0.03;  ///< Share for one that is faint beside a strong one
   /// The share of that one's evidence. Of second causes in 544 recordings of two simulators, right ones had a ninth or
   /// more (but for one of two that either would do for); nine wrong ones had less and explained less than 0.03.
@@ -89,14 +92,14 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   constexpr double kOfFaint = 0.012;  ///< Share for one that little speaks for
   constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
   constexpr double kBrief = 3.0;      ///< [s] What has its place in time and lasts no longer is hardly seen elsewhere
-  const Fit& final = work.search.final;
+  const Fit& final = hypothesis.search.final;
   const auto anyTerm = [&](const auto& is) {
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
   };
   if (isNothing(final, found)) return false;
-  if (found.gain < (found.cause == "bias_drift" && takesAnyCourse(final.model) ? kAnyCourse
-                    : needed.moreOfFaint                                       ? kNamed
-                                                                               : 0.0))
+  if (found.gain < (found.cause == ids::biasDrift && takesAnyCourse(final.model) ? kAnyCourse
+                    : needed.moreOfFaint                                         ? kNamed
+                                                                                 : 0.0))
     return false;
   // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be.
   if ((needed.always > 0.0 || anyTerm([](const Term& t) { return t.form->local; })) && !standsOut(final, found.cause))
@@ -109,7 +112,8 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
   if (gain.explainedFraction < -kHarm) return false;
   // What has its place in time can hardly be seen elsewhere. What begins and stays is seen on all later blocks.
   const bool helps = !faint && gain.explainedFraction > 0.0;
-  if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, work.signals) < kBrief); })) return true;
+  if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, hypothesis.signals) < kBrief); }))
+    return true;
   const double least = leftover                    ? kOfLeftover
                        : found.gain < 2.0 * kFaint ? std::max(needed.always, kOfFaint)
                                                    : needed.always;
@@ -122,19 +126,19 @@ bool holds(const Found& found, const Gain& gain, const Work& work, double strong
 /// Whether little speaks for a cause, and more for knocks at the arm that the smoothing of the motion took. Of 137
 /// recordings in which little spoke for something, right causes of less than 150 had a fifth of that there at most, but
 /// for one that was a smoothing of the motion itself.
-bool mayBeSharpMotion(const Work& work, const Fit& without, const Found& found) {
-  return found.gain < 2.0 * kFaint && gainOfSharpMotion(work.signals, work.stretches, without) > found.gain;
+bool mayBeSharpMotion(const Hypothesis& hypothesis, const Fit& without, const Found& found) {
+  return found.gain < 2.0 * kFaint && gainOfSharpMotion(hypothesis.signals, hypothesis.stretches, without) > found.gain;
 }
 
 /// The fit with a zero that walks instead of a drift that takes any course, where that is more than nothing.
-Fit withWalkInstead(const Work& work, Fit rest) {
-  const Cause& walk = *findCause(kWandering);
+Fit withWalkInstead(const Hypothesis& hypothesis, Fit rest) {
+  const Cause& walk = *findCause(kRandomWalk);
   Model model = rest.model;
-  for (Form& form : walk.forms(work.signals)) {
+  for (Form& form : walk.forms(hypothesis.signals)) {
     const VectorXd start = form.start;
     model.terms.push_back({std::make_shared<const Form>(std::move(form)), start, {}});
   }
-  Fit with = fitModel(work.signals, work.stretches, std::move(model));
+  Fit with = fitModel(hypothesis.signals, hypothesis.stretches, std::move(model));
   return believable(with) && with.evidence > rest.evidence + kThreshold ? with : rest;
 }
 
@@ -143,34 +147,35 @@ Fit withWalkInstead(const Work& work, Fit rest) {
 class Steps {
  public:
   /// `steps`: as of CoarseReadings. A channel that never leaves one has those of the others of its kind.
-  Steps(const Work& work, const Vector6d& steps) : size_(steps) {
-    constexpr double kLeast = 0.6, kMost = 1.5;  // Times what steps leave
+  Steps(const Hypothesis& hypothesis, const Vector6d& steps) : size_(steps) {
+    constexpr double kLeastOfSteps = 0.6, kMostOfSteps = 1.5;  // Times what steps leave
     for (const Eigen::Index kind : {0, 3}) {
       auto of = size_.segment<3>(kind);
       of = (of.array() > 0.0).select(of, of.maxCoeff()).eval();
     }
     if (!(size_.minCoeff() > 0.0)) return;
-    const Vector6d left = usualPower(work.signals, work.search.final, {}).cwiseSqrt();
+    const Vector6d left = usualPower(hypothesis.signals, hypothesis.search.final, {}).cwiseSqrt();
     const Vector6d times = std::sqrt(12.0) * left.cwiseQuotient(size_);
-    coarse_ = times.maxCoeff() < kMost && times.maxCoeff() > kLeast;
+    coarse_ = times.maxCoeff() < kMostOfSteps && times.maxCoeff() > kLeastOfSteps;
   }
 
   /// Whether steps alone may have made what a cause explains: a reading is half a step off at most, and `without` the
   /// cause hardly any is, or as many are with it. Of 60 recordings with steps and another effect, that one took 0.98 or
   /// more of what was off farther than that, or where this was a lot, most of it; of 31 causes that were steps alone,
   /// two did.
-  bool mayExplain(const Work& work, const Fit& without) const {
+  bool mayExplain(const Hypothesis& hypothesis, const Fit& without) const {
     constexpr double kLeft = 0.05, kALot = 0.1;
     if (!coarse_) return false;
-    const double before = beyond(work, without.residual), after = beyond(work, work.search.final.residual);
+    const double before = beyond(hypothesis, without.residual),
+                 after = beyond(hypothesis, hypothesis.search.final.residual);
     return !(after < kLeft * before || before - after > kALot);
   }
 
  private:
   /// Mean over the judged blocks of the square of what is left beyond half a step, in steps.
-  double beyond(const Work& work, const Wrenches& left) const {
+  double beyond(const Hypothesis& hypothesis, const Wrenches& left) const {
     double sum = 0.0, blocks = 1e-300;
-    for (const Stretch& s : work.stretches)
+    for (const Stretch& s : hypothesis.stretches)
       for (Eigen::Index n = s.from; n < s.to; ++n) {
         sum += (left.col(n).cwiseAbs().cwiseQuotient(size_).array() - 0.5).max(0.0).square().sum();
         blocks += 1.0;
@@ -189,10 +194,10 @@ struct Round {
   bool dropped = false;    ///< Whether any did not hold
 };
 
-Round judged(Work& work, const Needed& needed, const Surrogates& chance, const Steps& steps, bool held) {
+Round judged(Hypothesis& hypothesis, const Needed& needed, const Surrogates& chance, const Steps& steps, bool held) {
   Round out;
-  Search& search = work.search;
-  out.last = heldOutResidual(work.signals, work.stretches, search.final);
+  Search& search = hypothesis.search;
+  out.last = heldOutResidual(hypothesis.signals, hypothesis.stretches, search.final);
   // The weakest first: what it takes with it must not be counted against the others.
   std::vector<const Found*> order;
   for (const Found& found : search.found) order.push_back(&found);
@@ -200,21 +205,21 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, const S
   std::map<const Found*, DiagnosedCause> kept;
   for (const Found* found : order) {
     // Part of the model, but no cause that somebody could mend.
-    const bool turned = work.turnTold && found->cause == "sensor_rotation";
-    if (found->cause == kWandering || turned) continue;
-    if (ownErrors(work, *found)) {
+    const bool turned = hypothesis.mountTurnReported && found->cause == ids::sensorRotation;
+    if (found->cause == kRandomWalk || turned) continue;
+    if (ownErrors(hypothesis, *found)) {
       out.own.push_back(*found);
       continue;
     }
     const Model less = without(search.final.model, found->cause);
-    Fit rest = fitModel(work.signals, work.stretches, less);
-    Wrenches before = heldOutResidual(work.signals, work.stretches, rest);
-    const Gain gain = gainOf(work.stretches, search.final.noise, before, out.last);
-    if (steps.mayExplain(work, rest) || mayBeSharpMotion(work, rest, *found) ||
-        !holds(*found, gain, work, order.back()->gain, needed)) {
-      if (found->cause == "bias_drift" && takesAnyCourse(search.final.model) && !walks(less)) {
-        rest = withWalkInstead(work, std::move(rest));
-        before = heldOutResidual(work.signals, work.stretches, rest);
+    Fit rest = fitModel(hypothesis.signals, hypothesis.stretches, less);
+    Wrenches before = heldOutResidual(hypothesis.signals, hypothesis.stretches, rest);
+    const Gain gain = gainOf(hypothesis.stretches, search.final.noise, before, out.last);
+    if (steps.mayExplain(hypothesis, rest) || mayBeSharpMotion(hypothesis, rest, *found) ||
+        !holds(*found, gain, hypothesis, order.back()->gain, needed)) {
+      if (found->cause == ids::biasDrift && takesAnyCourse(search.final.model) && !hasRandomWalk(less)) {
+        rest = withWalkInstead(hypothesis, std::move(rest));
+        before = heldOutResidual(hypothesis.signals, hypothesis.stretches, rest);
       }
       search.final = std::move(rest);
       out.last = std::move(before);
@@ -226,7 +231,7 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, const S
     cause.deltaBic = found->gain;
     cause.pValue = chance.best.empty() ? std::exp(-0.5 * found->gain) : chance.pValue(found->gain);
     cause.gain = gain;
-    cause.alternatives = alternativesOf(*found, search.final, held, work.signals.gravity);
+    cause.alternatives = alternativesOf(*found, search.final, held, hypothesis.signals.gravity);
     cause.before = std::move(before);
     cause.after = out.last;
   }
@@ -234,14 +239,14 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, const S
   if (out.dropped)
     std::erase_if(kept, [&](const auto& each) {
       if (!isNothing(search.final, *each.first)) return false;
-      search.final = fitModel(work.signals, work.stretches, without(search.final.model, each.first->cause));
-      out.last = heldOutResidual(work.signals, work.stretches, search.final);
+      search.final = fitModel(hypothesis.signals, hypothesis.stretches, without(search.final.model, each.first->cause));
+      out.last = heldOutResidual(hypothesis.signals, hypothesis.stretches, search.final);
       return true;
     });
   for (const Found& found : search.found) {
     const auto cause = kept.find(&found);
     if (cause == kept.end()) continue;
-    describe(cause->second, search.final, found.spread, work.signals, work.stretches);
+    describe(cause->second, search.final, found.spread, hypothesis.signals, hypothesis.stretches);
     out.causes.push_back(std::move(cause->second));
   }
   return out;
@@ -249,27 +254,28 @@ Round judged(Work& work, const Needed& needed, const Surrogates& chance, const S
 
 }  // namespace
 
-Confirmed confirmed(Work& work, const Surrogates& chance, const Vector6d& steps, bool held) {
+Confirmed confirmed(Hypothesis& hypothesis, const Surrogates& chance, const Vector6d& steps, bool held) {
   constexpr double kBesideUnknown = 0.03;
-  keepOneOfTwo(work);
-  const Structure beside = structureIn(work.signals, work.stretches, work.search.final);
-  const Search before = work.search;
+  keepOneOfTwo(hypothesis);
+  const Structure beside = structureIn(hypothesis.signals, hypothesis.stretches, hypothesis.search.final);
+  const Search before = hypothesis.search;
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
   Needed needed{beside.gain > kUnexplained ? kBesideUnknown : 0.0};
-  const Steps coarse(work, steps);
+  const Steps coarse(hypothesis, steps);
   Confirmed out;
-  out.first = heldOutResidual(work.signals, work.stretches, work.search.null);
+  out.first = heldOutResidual(hypothesis.signals, hypothesis.stretches, hypothesis.search.null);
   const auto judge = [&] {
-    Round round = judged(work, needed, chance, coarse, held);
+    Round round = judged(hypothesis, needed, chance, coarse, held);
     out.causes = std::move(round.causes);
     out.last = std::move(round.last);
     out.own = std::move(round.own);
-    out.remaining = round.dropped ? structureIn(work.signals, work.stretches, work.search.final) : beside;
+    out.remaining =
+        round.dropped ? structureIn(hypothesis.signals, hypothesis.stretches, hypothesis.search.final) : beside;
   };
   judge();
   if (beside.gain <= kUnexplained && out.remaining.gain > kUnexplained) {
     // Without what explains little, something unknown is left: then it does explain that.
-    work.search = before;
+    hypothesis.search = before;
     needed.moreOfFaint = false;
     judge();
   }

@@ -19,6 +19,6 @@ struct Confirmed {
 /// Measures what each cause gains on unseen stretches; those that do not hold are taken out of the work's final model.
 /// `chance`: of finding something where nothing is. `steps`: that the readings come in, as of CoarseReadings. `held`:
 /// they were repeated.
-Confirmed confirmed(Work& work, const Surrogates& chance, const Vector6d& steps, bool held);
+Confirmed confirmed(Hypothesis& hypothesis, const Surrogates& chance, const Vector6d& steps, bool held);
 
 }  // namespace heft::diagnosis

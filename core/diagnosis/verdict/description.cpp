@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/causes/ids.h"
+
 namespace heft::diagnosis {
 
 namespace {
 
 /// The terms of a cause, events in the order of time.
-std::vector<Placed> termsOf(std::string_view cause, const Model& model) {
-  std::vector<Placed> out = placed(model);
-  std::erase_if(out, [&](const Placed& p) { return causeOf(*p.term) != cause; });
-  std::ranges::stable_sort(out, {}, [](const Placed& p) { return p.term->form->local ? p.term->v(0) : -1e300; });
+std::vector<IndexedTerm> termsOf(std::string_view cause, const Model& model) {
+  std::vector<IndexedTerm> out = indexedTerms(model);
+  std::erase_if(out, [&](const IndexedTerm& p) { return causeOf(*p.term) != cause; });
+  std::ranges::stable_sort(out, {}, [](const IndexedTerm& p) { return p.term->form->local ? p.term->v(0) : -1e300; });
   return out;
 }
 
@@ -31,7 +33,7 @@ void describeTerm(DiagnosedCause& cause, const Term& term, int event, VectorXd d
     std::string name = event > 1 ? fmt::format("{}_{}", parameter.name, event) : parameter.name;
     for (int i = 2; findParameter(out, name); ++i) name = fmt::format("{}_{}", parameter.name, i);
     const auto told = [&](double value) {
-      return parameter.told != nullptr ? parameter.told(value) : value * parameter.scale;
+      return parameter.reported != nullptr ? parameter.reported(value) : value * parameter.scale;
     };
     const double little = 1e-3 * parameter.size;
     const double slope = std::abs(told(term.v(p) + little) - told(term.v(p) - little)) / (2.0 * little);
@@ -44,25 +46,25 @@ void describeTerm(DiagnosedCause& cause, const Term& term, int event, VectorXd d
 /// of what changes between two samples, or where nothing is judged, derivatives say nothing. Half a block at least.
 double unnoticed(const Fit& fit, Eigen::Index at, const Parameter& parameter, const Signals& signals,
                  const std::vector<Stretch>& stretches) {
-  constexpr int kMost = 100;  // Half blocks
+  constexpr int kMostHalfBlocks = 100;
   const double step = 0.5 / signals.blockRate();
   const VectorXd packed = fit.model.packed();
   const Wrenches value = valueOf(signals, fit.model);
   Model model = fit.model;
-  double sum = 0.0, ways = 0.0;
-  for (const double way : {-step, step})
-    for (int k = 1; k <= kMost; ++k) {
+  double sum = 0.0, candidates = 0.0;
+  for (const double candidate : {-step, step})
+    for (int k = 1; k <= kMostHalfBlocks; ++k) {
       VectorXd moved = packed;
-      moved(at) += k * way;
+      moved(at) += k * candidate;
       if (moved(at) < parameter.lower || moved(at) > parameter.upper) break;
       model.unpack(moved);
       const Wrenches change = valueOf(signals, model) - value;
-      if (k < kMost && whitened(flat(change), fit.noise, stretches).squaredNorm() < 1.0) continue;
+      if (k < kMostHalfBlocks && whitened(flat(change), fit.noise, stretches).squaredNorm() < 1.0) continue;
       sum += (k - 0.5) * step;
-      ways += 1.0;
+      candidates += 1.0;
       break;
     }
-  return ways > 0.0 ? std::max(step, sum / ways) : parameter.size;
+  return candidates > 0.0 ? std::max(step, sum / candidates) : parameter.size;
 }
 
 }  // namespace
@@ -116,7 +118,8 @@ DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before,
   // A half turn is a mix-up of frames; anything else is how somebody bolted the sensor on.
   const bool turned = mistake.only(Change::turned),
              mount = turned && std::abs(vectorFromRotation(mistake.turn()).norm() * kDegrees - 180.0) > 4.0;
-  out.id = mount ? "sensor_rotation" : "frame_error";
+  out.id = mount ? ids::sensorRotation : ids::frameError;
+  out.ofMistake = true;
   out.direct = true;
   if (turned) {
     constexpr double kKnown = 0.1;  // [deg] Whatever the fit says
@@ -124,16 +127,16 @@ DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before,
     for (Eigen::Index i = 0; i < 3; ++i)
       out.parameters.push_back(
           {std::string("r") + "xyz"[i], "deg", v(i), std::hypot(mistake.turnStd(i) * kDegrees, kKnown)});
-    out.alternatives = {mount ? "frame_error" : "sensor_rotation"};
+    out.alternatives = {std::string(mount ? ids::frameError : ids::sensorRotation)};
   }
-  if (mistake.only(Change::gravityTurned)) out.alternatives = {"gravity_tilt"};
+  if (mistake.only(Change::gravityTurned)) out.alternatives = {std::string(ids::gravityTilt)};
   setGain(out, before, after);
   return out;
 }
 
 DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy) {
   DiagnosedCause out;
-  out.id = "derivative_noise";
+  out.id = ids::derivativeNoise;
   out.direct = true;
   out.parameters = {{"force_noise", "N", noisy.usual.force, std::max(noisy.smoothed.force, 0.05 * noisy.usual.force)},
                     {"corner", "Hz", noisy.cutoffHz, 0.0}};
@@ -149,7 +152,7 @@ double chanceOf(double evidence) { return std::exp(-0.5 * std::min(1000.0, evide
 
 DiagnosedCause fromRinging(const Ringing& ringing) {
   DiagnosedCause out;
-  out.id = "flexible_mount";
+  out.id = ids::flexibleMount;
   out.direct = true;
   out.parameters = {{"frequency", "Hz", ringing.frequencyHz, ringing.frequencyStd},
                     {"damping", "", ringing.damping, ringing.dampingStd}};
@@ -160,9 +163,9 @@ DiagnosedCause fromRinging(const Ringing& ringing) {
   return out;
 }
 
-DiagnosedCause fromCarried(const Carried& carried) {
+DiagnosedCause fromCarriedLoad(const CarriedLoad& carried) {
   DiagnosedCause out;
-  out.id = "payload_change";
+  out.id = ids::payloadChange;
   out.direct = true;
   out.parameters = {{"mass", "g", 1e3 * carried.mass, 1e3 * carried.massStd}};
   out.when = carried.when;
@@ -171,10 +174,10 @@ DiagnosedCause fromCarried(const Carried& carried) {
   return out;
 }
 
-DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left, const std::string& touchedOr,
-                            double noise) {
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left,
+                            const std::string& contactAlternative, double noise) {
   DiagnosedCause out;
-  out.id = "contact";
+  out.id = ids::contact;
   double peak = 0.0;
   for (const auto& contact : contacts) {
     out.when.push_back({contact.from, contact.to});
@@ -187,7 +190,7 @@ DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches
   out.parameters = {{"peak_force", "N", peak, noise}};
   out.pValue = chanceOf(out.deltaBic);
   out.direct = true;
-  if (!touchedOr.empty()) out.alternatives = {touchedOr};
+  if (!contactAlternative.empty()) out.alternatives = {contactAlternative};
   return out;
 }
 

@@ -18,11 +18,11 @@ DiagnosedCause fromDirect(const Direct& direct);
 DiagnosedCause fromMistake(const FrameMistake& mistake, const WrenchRms& before, const WrenchRms& after);
 DiagnosedCause fromNoisyMotion(const NoisyMotion& noisy);
 DiagnosedCause fromRinging(const Ringing& ringing);
-DiagnosedCause fromCarried(const Carried& carried);
+DiagnosedCause fromCarriedLoad(const CarriedLoad& carried);
 /// `contacts` must not be empty. `left`, 6 x blocks, is what all causes together leave: its mean over three blocks is
 /// at its greatest the force, known to `noise` [N] (one block by itself adds the most that the noise does in any).
-/// `touchedOr`: a cause that may be meant instead, or none.
-DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left, const std::string& touchedOr,
-                            double noise);
+/// `contactAlternative`: a cause that may be meant instead, or none.
+DiagnosedCause fromContacts(const std::vector<Contact>& contacts, const Wrenches& left,
+                            const std::string& contactAlternative, double noise);
 
 }  // namespace heft::diagnosis

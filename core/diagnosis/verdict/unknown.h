@@ -1,5 +1,8 @@
 #pragma once
 // What no cause of the catalogue accounts for, beside what goes with the motion (structure.h).
+#include <optional>
+#include <vector>
+
 #include "core/diagnosis/data_quality/dead_band.h"
 #include "core/diagnosis/data_quality/stuck_bit.h"
 #include "core/diagnosis/pipeline/hypothesis.h"
@@ -15,26 +18,32 @@ constexpr double kUnexplained = 18.5;
 struct ByReadings {
   bool known = false;        ///< Something is wrong with them
   bool withinSteps = false;  ///< No more is left over than their steps make of themselves
+  std::vector<DeadBand> deadBands = {};
+  std::vector<StuckBit> stuckBits = {};
+  std::optional<FrozenChannel> frozen = {};
+  Eigen::Index leaps = 0;  ///< Rows that leap and are neither spikes nor of a stuck bit
 };
 
-/// Looks for what a walk of the zero hides, for stretches that were set aside, and for a hum; says so in the findings
-/// and makes it what remains, unless something else does.
-void sayWhatElse(const Work& work, const Recording& cleaned, const ByReadings& by, DiagnosisReport& out);
+struct WhatRemains {
+  Structure structure;   ///< That the verdict counts; gain <= 0: nothing
+  Findings findings;     ///< What is said of it, and of what is no matter of the verdict
+  bool claimed = false;  ///< Some hypothesis about what the catalogue lacks holds, beyond what was known
+};
 
-/// Says so where contacts are too faint to tell a touch from whatever else lasts a moment; true if they are. Then they
-/// are what remains, unless that is little beside what `fitted` causes explain.
-bool sayFaintTouches(const Work& work, const std::vector<DiagnosedCause>& fitted, DiagnosisReport& out);
+/// Asks each hypothesis about what the catalogue lacks, in the order of the table there. `structure`: what is known to
+/// go with the motion.
+WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, const ByReadings& by,
+                        const Structure& structure);
 
-/// Says which channels give one value for all that is small: the catalogue has no such cause, so that is what remains.
-void sayDeadBands(const std::vector<DeadBand>& bands, DiagnosisReport& out);
+struct FaintTouches {
+  bool areFaint = false;
+  Finding finding;
+  std::optional<Structure> remaining;  ///< What then remains in place of what did, if it does
+};
 
-/// The same of a channel that stands still for a while.
-void sayFrozen(const FrozenChannel& frozen, DiagnosisReport& out);
-
-/// Says how many rows leap without being called spikes, if any: too few to tell what makes them.
-void sayLeaps(Eigen::Index rows, DiagnosisReport& out);
-
-/// The same of channels that leave out steps.
-void sayStuckBits(const std::vector<StuckBit>& bits, DiagnosisReport& out);
+/// Whether contacts are too faint to tell a touch from whatever else lasts a moment. They are then what remains, unless
+/// that is little beside what `fitted` causes explain.
+FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
+                          const Structure& remaining);
 
 }  // namespace heft::diagnosis

@@ -5,9 +5,10 @@
 
 namespace heft::diagnosis {
 
-/// Sets the verdict from the causes, the strongest first, and what remains beside them; where the causes are crutches
-/// for something unknown, that is what remains.
-void giveVerdict(const Work& work, DiagnosisReport& report);
+/// Decides between the causes, the strongest first, and what remains beside them, and sets the verdict and what
+/// remains: where the causes are crutches for something unknown, that is it. Causes that are not told then are taken
+/// out.
+void giveVerdict(const Hypothesis& hypothesis, const Structure& remaining, DiagnosisReport& report);
 
 /// The sentences of a report that is complete: the verdict's, and what a person reads about each cause.
 void putIntoWords(DiagnosisReport& report);

@@ -26,20 +26,6 @@ Eigen::Matrix3Xd positions(const std::vector<Witness>& witnesses) {
 
 }  // namespace
 
-Matrix3d tensorOf(std::string_view what, const std::vector<CauseParameter>& parameters, std::string_view ending) {
-  const std::string alike(what), along = alike + "_";
-  const auto valueOf = [&](std::string name) {
-    const CauseParameter* parameter = findParameter(parameters, name.append(ending));
-    return parameter ? parameter->value : 0.0;
-  };
-  Matrix3d out = valueOf(alike) * Matrix3d::Identity();
-  for (int i = 0; i < 3; ++i) {
-    out(i, i) += valueOf(along + "xyz"[i]);
-    for (int j = 0; j < i; ++j) out(i, j) = out(j, i) = valueOf(along + "xyz"[j] + "xyz"[i]);
-  }
-  return out;
-}
-
 std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witness>& witnesses) {
   constexpr double kFirm = 3.0;  ///< Deviations: a softer axis does not tell a place
   const Eigen::Matrix3Xd tool = positions(witnesses);

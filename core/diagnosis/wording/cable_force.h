@@ -9,11 +9,6 @@
 
 namespace heft::diagnosis {
 
-/// Symmetric, in the parameters' axes and unit: `what`, such as "stiffness" [N/m, B axes], alike to all sides, or along
-/// each axis and, where it has them, across two. `ending`: what follows the parameters' names where a cause has several
-/// terms.
-Matrix3d tensorOf(std::string_view what, const std::vector<CauseParameter>& parameters, std::string_view ending = {});
-
 /// Where a cable pulls to.
 struct Pull {
   Vector3d anchor = Vector3d::Zero();  ///< Where it is fixed or, where that was not found itself, where its force would

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cctype>
 #include <optional>
 
 #include "core/base/say.h"
@@ -149,13 +148,6 @@ std::string wordsOf(std::string_view name) {
 }
 
 }  // namespace
-
-std::string_view occurrenceOf(std::string_view name) {
-  const auto line = name.rfind('_');
-  const bool counted = line != std::string_view::npos && line + 1 < name.size() &&
-                       std::isdigit(static_cast<unsigned char>(name[line + 1])) != 0;
-  return counted ? name.substr(line) : std::string_view();
-}
 
 std::string parameterName(std::string_view name) {
   std::string words = wordsOf(name);

@@ -21,15 +21,7 @@ std::string causeCheck(std::string_view id);
 std::string causeDecides(std::string_view id);
 /// How a difference from this cause looks in the plots: for learning.
 std::string causeLooks(std::string_view id);
-/// "where the tool is": of Structure::goesWith.
-std::string goesWithWords(const std::string& goesWith);
-/// "force x" to "torque z"
-std::string channelWords(int channel);
-/// "_2" of "delay_2", the delay of the second time that a cause was found; empty for the first.
-std::string_view occurrenceOf(std::string_view name);
 /// "Stiffness k" for the file's "stiffness"; the name itself where this version has no words for it.
 std::string parameterName(std::string_view name);
-/// "2.60 ± 0.10 N/m", with half of the 95 % interval.
-std::string parameterWords(const CauseParameter& parameter);
 
 }  // namespace heft

@@ -10,42 +10,42 @@
 namespace heft::test {
 namespace {
 
-TEST(OnTwoThreads, DoesEachPieceOnce) {
+TEST(ParallelFor, DoesEachPieceOnce) {
   for (const std::size_t count : {0U, 1U, 2U, 3U, 1000U}) {
     std::vector<std::atomic<int>> done(count);
-    onTwoThreads(count, [&](std::size_t i) { ++done[i]; });
+    parallelFor(count, [&](std::size_t i) { ++done[i]; });
     for (const auto& times : done) EXPECT_EQ(times, 1);
   }
 }
 
-TEST(OnTwoThreads, PiecesMayHavePiecesOfTheirOwn) {
+TEST(ParallelFor, PiecesMayHavePiecesOfTheirOwn) {
   std::vector<std::atomic<int>> done(64);
-  onTwoThreads(8, [&](std::size_t i) { onTwoThreads(8, [&](std::size_t j) { ++done[8 * i + j]; }); });
+  parallelFor(8, [&](std::size_t i) { parallelFor(8, [&](std::size_t j) { ++done[8 * i + j]; }); });
   for (const auto& times : done) EXPECT_EQ(times, 1);
 }
 
-TEST(OnTwoThreads, SeveralMayAskAtATime) {
+TEST(ParallelFor, SeveralMayAskAtATime) {
   std::vector<std::atomic<int>> done(4 * 500);
   {
     std::vector<std::jthread> asking;
     for (std::size_t a = 0; a < 4; ++a)
       asking.emplace_back([&done, a] {
         for (std::size_t round = 0; round < 50; ++round)
-          onTwoThreads(10, [&](std::size_t i) { ++done[500 * a + 10 * round + i]; });
+          parallelFor(10, [&](std::size_t i) { ++done[500 * a + 10 * round + i]; });
       });
   }
   for (const auto& times : done) EXPECT_EQ(times, 1);
 }
 
-TEST(OnTwoThreads, ExceptionsReachWhoAsksAndTheNextIsDoneAsEver) {
+TEST(ParallelFor, ExceptionsReachWhoAsksAndTheNextIsDoneAsEver) {
   for (std::size_t bad = 0; bad < 20; ++bad)
-    EXPECT_THROW(onTwoThreads(20,
-                              [&](std::size_t i) {
-                                if (i == bad) throw std::runtime_error("bad");
-                              }),
+    EXPECT_THROW(parallelFor(20,
+                             [&](std::size_t i) {
+                               if (i == bad) throw std::runtime_error("bad");
+                             }),
                  std::runtime_error);
   std::atomic<int> sum{0};
-  onTwoThreads(100, [&](std::size_t) { ++sum; });
+  parallelFor(100, [&](std::size_t) { ++sum; });
   EXPECT_EQ(sum, 100);
 }
 

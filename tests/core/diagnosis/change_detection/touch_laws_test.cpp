@@ -273,26 +273,26 @@ TEST(TouchLaws, AZeroThatIsAnotherOneOnceMoreIsNone) {
       if (ofHand) out.head<3>() = (motion.R_BS[static_cast<std::size_t>(k)].transpose() * out.head<3>()).eval();
       return out;
     });
-    diagnosis::Work work;
-    work.signals =
+    diagnosis::Hypothesis hypothesis;
+    hypothesis.signals =
         diagnosis::signalsOf(recording, motionOf(recording, &RobotModel::panda(), {}).value(), &RobotModel::panda());
-    diagnosis::Contact contact{7.0, 11.0, 1e4, {work.signals.blocks(), 0}, {}};
-    for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) {
-      const double t = work.signals.blockTime(n);
+    diagnosis::Contact contact{7.0, 11.0, 1e4, {hypothesis.signals.blocks(), 0}, {}};
+    for (Eigen::Index n = 0; n < hypothesis.signals.blocks(); ++n) {
+      const double t = hypothesis.signals.blockTime(n);
       if (t > contact.from && t < contact.to) contact.blocks = {std::min(contact.blocks.from, n), n + 1};
-      work.signals.usable[static_cast<std::size_t>(n)] = t < contact.from || t > contact.to;
+      hypothesis.signals.usable[static_cast<std::size_t>(n)] = t < contact.from || t > contact.to;
     }
     diagnosis::Model model;
     if (jumpsElsewhere) {
-      const auto forms = diagnosis::findCause("sensor_bias")->forms(work.signals);
+      const auto forms = diagnosis::findCause("sensor_bias")->forms(hypothesis.signals);
       model.terms.push_back({std::make_shared<const diagnosis::Form>(forms.front()), forms.front().start, {}});
     }
-    work.stretches = diagnosis::stretchesOf(work.signals.usable);
-    work.search.final = diagnosis::fitModel(work.signals, work.stretches, model);
-    work.contacts = {contact};
-    diagnosis::setAgainAside(work);
-    EXPECT_EQ(work.contacts.size() + work.again.size(), 1u);
-    return work.contacts.size();
+    hypothesis.stretches = diagnosis::stretchesOf(hypothesis.signals.usable);
+    hypothesis.search.final = diagnosis::fitModel(hypothesis.signals, hypothesis.stretches, model);
+    hypothesis.contacts = {contact};
+    diagnosis::setRecurrencesAside(hypothesis);
+    EXPECT_EQ(hypothesis.contacts.size() + hypothesis.recurrences.size(), 1u);
+    return hypothesis.contacts.size();
   };
   EXPECT_EQ(leftAfter(false, true), 0u);
   EXPECT_EQ(leftAfter(true, true), 1u);

@@ -13,18 +13,20 @@ using namespace diagnosis;
 
 namespace {
 
-std::vector<Way> waysOf(const Recording& recording) {
-  std::vector<Way> out;
+std::vector<SmoothingCandidate> waysOf(const Recording& recording) {
+  std::vector<SmoothingCandidate> out;
   for (const double cutoff : {25.0, 12.0, 8.5, 6.0}) {
-    out.push_back(wayOf(recording, recording, &RobotModel::panda(), {.cutoffHz = cutoff}, {}, {}).value());
+    out.push_back(
+        smoothingCandidateOf(recording, recording, &RobotModel::panda(), {.cutoffHz = cutoff}, {}, {}).value());
     lookForContact(out.back(), recording, {});
   }
   return out;
 }
 
 /// A work on the least smoothed way with that cause alone, in the form `name`, begun with `v`.
-Work workWith(const std::vector<Way>& ways, const char* cause, std::string_view name, const VectorXd& v) {
-  Work out;
+Hypothesis workWith(const std::vector<SmoothingCandidate>& ways, const char* cause, std::string_view name,
+                    const VectorXd& v) {
+  Hypothesis out;
   out.signals = ways.front().signals;
   out.stretches = stretchesOf(out.signals.usable);
   const auto forms = findCause(cause)->forms(out.signals);
@@ -42,10 +44,10 @@ constexpr double kHeight = 0.003;
 
 TEST(MadeByMotion, AMemoryThatStaysWhereTheMotionIsSmootherIsNot) {
   const auto ways = waysOf(withLoop(aRecording(MotionKind::excitation, 261), kHeight));
-  const Work work = workWith(ways, "hysteresis", "loop", Eigen::Vector2d(kHeight, 0.005));
-  ASSERT_GT(work.search.found.front().gain, kNamed);
-  ASSERT_LT(work.search.found.front().gain, 300.0) << "Else nobody asks";
-  EXPECT_TRUE(madeByMotion(work, ways, 0).empty());
+  const Hypothesis hypothesis = workWith(ways, "hysteresis", "loop", Eigen::Vector2d(kHeight, 0.005));
+  ASSERT_GT(hypothesis.search.found.front().gain, kNamed);
+  ASSERT_LT(hypothesis.search.found.front().gain, 300.0) << "Else nobody asks";
+  EXPECT_TRUE(motionArtefacts(hypothesis, ways, 0).empty());
 }
 
 /// As if what smoothing takes away had made it.
@@ -53,9 +55,9 @@ TEST(MadeByMotion, OneThatTheLeastSmoothedMotionAloneHasIs) {
   const Recording still = aRecording(MotionKind::excitation, 261);
   auto ways = waysOf(still);
   ways.front() = waysOf(withLoop(still, kHeight)).front();
-  const Work work = workWith(ways, "hysteresis", "loop", Eigen::Vector2d(kHeight, 0.005));
-  EXPECT_EQ(madeByMotion(work, ways, 0), std::vector<std::string>{"hysteresis"});
-  EXPECT_TRUE(madeByMotion(work, ways, ways.size() - 1).empty()) << "Nothing is smoother to ask";
+  const Hypothesis hypothesis = workWith(ways, "hysteresis", "loop", Eigen::Vector2d(kHeight, 0.005));
+  EXPECT_EQ(motionArtefacts(hypothesis, ways, 0), std::vector<std::string>{"hysteresis"});
+  EXPECT_TRUE(motionArtefacts(hypothesis, ways, ways.size() - 1).empty()) << "Nothing is smoother to ask";
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ struct Held {
 
   std::vector<diagnosis::Stretch> with(double gain, double explained,
                                        const std::vector<diagnosis::Stretch>& holes) const {
-    return diagnosis::holesWithTouches(signals, {fit, diagnosis::SoFar::anotherCause, last, gain, explained}, holes);
+    return diagnosis::holesWithTouches(signals, {fit, diagnosis::SearchStage::anotherCause, last, gain, explained},
+                                       holes);
   }
 
   diagnosis::Signals signals;

@@ -136,17 +136,17 @@ TEST(Trials, TakeASiblingOnceOthersAreKnown) {
     return Term{std::make_shared<const Form>(*form), v, {}};
   };
   const auto trialOf = [&](const Term& tried, double gain) {
-    Trial out;
+    CandidateFit out;
     out.cause = causeOf(tried);
     out.fit.model.terms = {tried};
     out.gain = gain;
     return out;
   };
   const Term flange = term("coulomb_friction", ""), away = term("coulomb_friction", "away from the sensor");
-  const Trial accepted = trialOf(flange, 3000.0);
-  std::vector<Trial> all{accepted, trialOf(away, 2950.0),
-                         trialOf(term("coulomb_friction", "moving and turning"), 2000.0),
-                         trialOf(term("gravity_tilt", ""), 2990.0)};
+  const CandidateFit accepted = trialOf(flange, 3000.0);
+  std::vector<CandidateFit> all{accepted, trialOf(away, 2950.0),
+                                trialOf(term("coulomb_friction", "moving and turning"), 2000.0),
+                                trialOf(term("gravity_tilt", ""), 2990.0)};
   const auto siblings = siblingsOf(accepted, all);
   ASSERT_EQ(siblings.size(), 1u);
   EXPECT_EQ(siblings.front().term.form->name, away.form->name);

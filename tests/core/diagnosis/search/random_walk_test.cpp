@@ -75,8 +75,9 @@ TEST(Walk, ThePriceIsLeastAtItsOwnSize) {
   RandomStream random(3, RandomPurpose::walk, 0);
   VectorXd waves(60), spread = VectorXd::Constant(60, 1e-6);
   for (Eigen::Index k = 0; k < 60; ++k) waves(k) = 0.5 * random.normal() / static_cast<double>(k + 1);
-  const double right = priceOfWalk(waves, spread, 0.25);
-  for (const double off : {0.1, 0.3, 3.0, 10.0}) EXPECT_GT(priceOfWalk(waves, spread, 0.25 * off), right) << off;
+  const double right = complexityOfRandomWalk(waves, spread, 0.25);
+  for (const double off : {0.1, 0.3, 3.0, 10.0})
+    EXPECT_GT(complexityOfRandomWalk(waves, spread, 0.25 * off), right) << off;
 }
 
 /// A draught warms the sensor and goes again: it was a zero that walks, and thus clean.

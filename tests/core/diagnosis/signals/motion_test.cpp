@@ -51,11 +51,11 @@ TEST(Noise, IsLouderWhereTheMotionIsLessWellKnown) {
       if (n % 100 < 10) loud(c, n) = 32.0;
       plain(c, n) = 0.02 * random.normal();
     }
-  const auto louder = std::make_shared<const Loudness>(loud);
+  const auto noiseScale = std::make_shared<const NoiseScale>(loud);
   const std::vector<Stretch> stretches{{0, kBlocks}};
-  EXPECT_EQ(fitNoise(plain, stretches, louder).level, nullptr);
+  EXPECT_EQ(fitNoise(plain, stretches, noiseScale).level, nullptr);
   const Wrenches uneven = plain.cwiseProduct((1.0 + 0.25 * loud.array()).sqrt().matrix());
-  const Noise noise = fitNoise(uneven, stretches, louder);
+  const Noise noise = fitNoise(uneven, stretches, noiseScale);
   ASSERT_NE(noise.level, nullptr);
   EXPECT_EQ(noise.level->share, 0.25);
   EXPECT_GT(noise.evidence, fitNoise(uneven, stretches, nullptr).evidence + 500.0);
@@ -78,7 +78,7 @@ TEST(Noise, IsTheSameOfAShortEventAlone) {
       residual(c, n) = last(c);
     }
   const std::vector<Stretch> stretches{{0, 90}, {100, 180}, {195, kBlocks}};
-  const Noise noise = fitNoise(residual, stretches, std::make_shared<const Loudness>(loud));
+  const Noise noise = fitNoise(residual, stretches, std::make_shared<const NoiseScale>(loud));
   ASSERT_NE(noise.level, nullptr);
   for (const Stretch acts : {Stretch{2, 12}, Stretch{85, 110}, Stretch{182, 190}, Stretch{120, kBlocks}, Stretch{}}) {
     MatrixXd columns = MatrixXd::Zero(6 * kBlocks, 2);

@@ -13,7 +13,7 @@ namespace {
 using namespace diagnosis;
 
 /// A zero that jumps after 4 s and a load that becomes 150 g heavier after 8 s, both found.
-Work aJumpAndALoad() {
+Hypothesis aJumpAndALoad() {
   Recording recording = aRecording(MotionKind::excitation, 346);
   const Motion motion = motionOf(recording, &RobotModel::panda(), {}).value();
   Vector10d part = Vector10d::Zero();
@@ -26,18 +26,18 @@ Work aJumpAndALoad() {
       recording.wrench.row(i) +=
           (regressor({motion.specificForce.col(k), motion.omega.col(k), motion.alpha.col(k)}) * part).transpose();
   }
-  Work work;
-  work.signals = signalsOf(recording, motion, &RobotModel::panda());
-  work.stretches = stretchesOf(work.signals.usable);
-  work.search.null = fitModel(work.signals, work.stretches, Model{});
+  Hypothesis hypothesis;
+  hypothesis.signals = signalsOf(recording, motion, &RobotModel::panda());
+  hypothesis.stretches = stretchesOf(hypothesis.signals.usable);
+  hypothesis.search.null = fitModel(hypothesis.signals, hypothesis.stretches, Model{});
   Model model;
   for (const auto& [cause, at] : {std::pair{"sensor_bias", 4.0}, {"payload_change", 8.0}}) {
-    Form form = findCause(cause)->forms(work.signals).front();
+    Form form = findCause(cause)->forms(hypothesis.signals).front();
     form.start(0) = at;
     model.terms.push_back({std::make_shared<const Form>(form), form.start, {}});
   }
-  work.search.final = fitModel(work.signals, work.stretches, model);
-  return work;
+  hypothesis.search.final = fitModel(hypothesis.signals, hypothesis.stretches, model);
+  return hypothesis;
 }
 
 DiagnosedCause fitted(const char* id) {
@@ -49,14 +49,14 @@ DiagnosedCause fitted(const char* id) {
 }
 
 TEST(Verdict, TwoCausesOfOneMomentAreNeither) {
-  Work work = aJumpAndALoad();
+  Hypothesis hypothesis = aJumpAndALoad();
   DiagnosisReport report;
   report.causes = {fitted("sensor_bias"), fitted("payload_change")};
-  giveVerdict(work, report);
+  giveVerdict(hypothesis, report.remaining, report);
   EXPECT_EQ(report.verdict, Verdict::explained) << said(report);
 
-  work.search.final.model.terms[0].v(0) = work.search.final.model.terms[1].v(0) + 0.04;
-  giveVerdict(work, report);
+  hypothesis.search.final.model.terms[0].v(0) = hypothesis.search.final.model.terms[1].v(0) + 0.04;
+  giveVerdict(hypothesis, report.remaining, report);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   EXPECT_EQ(report.remaining.goesWith, "sudden changes");
   EXPECT_EQ(report.causes.size(), 2u);
@@ -66,15 +66,15 @@ TEST(Verdict, TwoCausesOfOneMomentAreNeither) {
 /// `deviation`.
 Verdict verdictOn(const char* cause, std::size_t form, std::initializer_list<std::pair<Eigen::Index, double>> changed,
                   double deviation = 1e-4) {
-  Work work = aJumpAndALoad();
-  Fit& final = work.search.final;
-  const Form one = findCause(cause)->forms(work.signals).at(form);
+  Hypothesis hypothesis = aJumpAndALoad();
+  Fit& final = hypothesis.search.final;
+  const Form one = findCause(cause)->forms(hypothesis.signals).at(form);
   final.model.terms = {{std::make_shared<const Form>(one), one.start, {}}};
   for (const auto& [p, value] : changed) final.model.terms.front().v(p) = value;
   final.covariance = deviation * deviation * MatrixXd::Identity(final.model.size(), final.model.size());
   DiagnosisReport report;
   report.causes = {fitted(cause)};
-  giveVerdict(work, report);
+  giveVerdict(hypothesis, report.remaining, report);
   return report.verdict;
 }
 
@@ -111,7 +111,7 @@ TEST(Verdict, APartThatMayHaveNoMassIsSomethingElse) {
 }
 
 TEST(Verdict, AFaintTouchBesideACauseMayBeItsRest) {
-  const Work work = aJumpAndALoad();
+  const Hypothesis hypothesis = aJumpAndALoad();
   for (const auto& [evidence, verdict] : {std::pair{900.0, Verdict::unexplained},
                                           {3000.0, Verdict::explained},  // Far more than speaks for the other
                                           {1e5, Verdict::explained}}) {
@@ -119,7 +119,7 @@ TEST(Verdict, AFaintTouchBesideACauseMayBeItsRest) {
     report.causes = {fitted("cable_pull"), fitted("contact")};
     report.causes.back().deltaBic = evidence;
     report.causes.back().direct = true;
-    giveVerdict(work, report);
+    giveVerdict(hypothesis, report.remaining, report);
     EXPECT_EQ(report.verdict, verdict) << evidence;
     EXPECT_EQ(report.causes.size(), 2u);
   }
@@ -127,22 +127,22 @@ TEST(Verdict, AFaintTouchBesideACauseMayBeItsRest) {
 
 /// A small thing that remains is no reason to believe four causes at once: the question was not asked then.
 TEST(Verdict, FourCausesAreAPatchworkWhateverRemains) {
-  const Work work = aJumpAndALoad();
+  const Hypothesis hypothesis = aJumpAndALoad();
   DiagnosisReport report;
   report.causes = {fitted("viscous_drag"), fitted("constant_pull"), fitted("motion_lag"), fitted("coulomb_friction")};
   report.remaining.gain = 30.0;  // Less than three hundredths of what these explain
-  giveVerdict(work, report);
+  giveVerdict(hypothesis, report.remaining, report);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
 }
 
 /// Beside a stronger cause, what four others explain as well has no name.
 TEST(Verdict, AGuessBesideACauseIsNotNamed) {
-  const Work work = aJumpAndALoad();
+  const Hypothesis hypothesis = aJumpAndALoad();
   DiagnosisReport report;
   report.causes = {fitted("joint_offset"), fitted("sensor_rotation")};
   report.causes[1].deltaBic = 25.0;
   report.causes[1].alternatives = {"bias_drift", "contact", "gravity_tilt", "crosstalk"};
-  giveVerdict(work, report);
+  giveVerdict(hypothesis, report.remaining, report);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
   ASSERT_EQ(report.causes.size(), 1u) << said(report);
   EXPECT_EQ(report.causes.front().id, "joint_offset");
@@ -150,13 +150,13 @@ TEST(Verdict, AGuessBesideACauseIsNotNamed) {
 
 /// What explains a little beside a strong cause is mostly what that one's form does not quite have.
 TEST(Verdict, ASlightCauseBesideAStrongOneIsNotNamed) {
-  const Work work = aJumpAndALoad();
+  const Hypothesis hypothesis = aJumpAndALoad();
   for (const auto& [explains, names] : {std::pair{0.1, 1u}, {0.7, 2u}}) {
     DiagnosisReport report;
     report.causes = {fitted("gain_error"), fitted("viscous_drag")};
     report.causes.front().deltaBic = 5000.0;
     report.causes.back().gain.explainedFraction = explains;
-    giveVerdict(work, report);
+    giveVerdict(hypothesis, report.remaining, report);
     EXPECT_EQ(report.causes.size(), names) << explains;
     EXPECT_EQ(report.causes.front().id, "gain_error") << explains;
     EXPECT_EQ(report.verdict, Verdict::explained) << explains;

@@ -38,7 +38,7 @@ TEST(Catalogue, HasWordsAndUniqueNames) {
   std::set<std::string> names;
   for (const auto& cause : catalogue()) {
     EXPECT_TRUE(names.insert(std::string(cause->id())).second) << cause->id();
-    if (cause->id() != kWandering) {  // never a verdict
+    if (cause->id() != kRandomWalk) {  // never a verdict
       EXPECT_NE(causeTitle(cause->id()), cause->id());
       EXPECT_FALSE(causeCheck(cause->id()).empty() || causeDecides(cause->id()).empty() ||
                    causeLooks(cause->id()).empty())
@@ -226,14 +226,14 @@ TEST(Fit, PriceRisesWithCountAndGainAndIsNeverAboveBic) {
   constexpr double kLnN = 8.7;
   for (const double count : {1.0, 4.0, 8.0})
     for (const double gain : {0.0, 10.0, 100.0, 1e4, 1e8}) {
-      const double price = priceOf(gain, count, kLnN);
+      const double price = complexityPenalty(gain, count, kLnN);
       EXPECT_LE(price, count * kLnN);
-      EXPECT_LE(price, priceOf(10.0 * gain, count, kLnN));
-      EXPECT_LT(price, priceOf(gain, count + 1.0, kLnN));
+      EXPECT_LE(price, complexityPenalty(10.0 * gain, count, kLnN));
+      EXPECT_LT(price, complexityPenalty(gain, count + 1.0, kLnN));
       EXPECT_GT(price, count) << "an idle parameter gains one on average";
     }
-  EXPECT_DOUBLE_EQ(priceOf(1e8, 4.0, kLnN), 4.0 * kLnN) << "plain to see: as BIC has it";
-  EXPECT_EQ(priceOf(100.0, 0.0, kLnN), 0.0);
+  EXPECT_DOUBLE_EQ(complexityPenalty(1e8, 4.0, kLnN), 4.0 * kLnN) << "plain to see: as BIC has it";
+  EXPECT_EQ(complexityPenalty(100.0, 0.0, kLnN), 0.0);
 }
 
 /// A mass on a spring is heavy after a stop as before it, and carries its weight: over a slow motion nothing shows but
@@ -286,7 +286,7 @@ TEST(Scan, JacobianIsTheDerivative) {
       for (Eigen::Index i = 0; i < v.size(); ++i) v(i) += form.parameters[static_cast<std::size_t>(i)].size;
       model.terms.push_back({std::make_shared<const Form>(form), v, {}});
     }
-    const Columns columns(p.signals, model);
+    const CachedJacobian columns(p.signals, model);
     VectorXd step = VectorXd::Zero(model.size());
     for (Eigen::Index i = c.payload ? 0 : kLinear; i < step.size(); ++i)
       step(i) = i < 6 ? 1e-3 : 1e-5 * (1.0 + static_cast<double>(i % 3));
@@ -300,7 +300,7 @@ TEST(Scan, JacobianIsTheDerivative) {
 }
 
 /// Steps of a fit keep columns that hardly change; what is told of the fit in the end is of all of them.
-TEST(Columns, FollowTheModel) {
+TEST(CachedJacobian, FollowTheModel) {
   const auto& p = prepared();
   Model model = p.model;
   const auto add = [&](const char* id, double sizes) {
@@ -309,7 +309,7 @@ TEST(Columns, FollowTheModel) {
     for (const int i : form.scan) v(i) += sizes * form.parameters[static_cast<std::size_t>(i)].size;
     model.terms.push_back({std::make_shared<const Form>(form), v, {}});
   };
-  const auto farthest = [](const Columns& columns, const Columns& anew) {
+  const auto farthest = [](const CachedJacobian& columns, const CachedJacobian& anew) {
     const MatrixXd off = columns.jacobian() - anew.jacobian();
     double out = 0.0;
     for (Eigen::Index i = 0; i < off.cols(); ++i)
@@ -318,31 +318,31 @@ TEST(Columns, FollowTheModel) {
   };
   add("gravity_tilt", 1.0);
   add("cable_pull", 1.0);
-  const Columns known(p.signals, model);
+  const CachedJacobian known(p.signals, model);
   // A term more: one that adds a force, one that bends the motion.
   add("loose_mass", 1.0);
-  EXPECT_LT(farthest(Columns(known, model), Columns(p.signals, model)), 0.01);
+  EXPECT_LT(farthest(CachedJacobian(known, model), CachedJacobian(p.signals, model)), 0.01);
   add("lever_arm", 1.0);
-  Columns columns(known, model);
-  EXPECT_LT(farthest(columns, Columns(p.signals, model)), 0.05);
+  CachedJacobian columns(known, model);
+  EXPECT_LT(farthest(columns, CachedJacobian(p.signals, model)), 0.05);
   // All of them move, some far.
   model.terms[0].v *= 1.2;
   model.terms[1].v *= 3.0;
   model.terms[2].v(4) *= 1.3;
   model.x(6) *= 1.04;
   columns.follow(model);
-  EXPECT_LT(farthest(columns, Columns(p.signals, model)), 0.3);
+  EXPECT_LT(farthest(columns, CachedJacobian(p.signals, model)), 0.3);
   columns.refresh(model);
-  EXPECT_LT(farthest(columns, Columns(p.signals, model)), 0.02);
+  EXPECT_LT(farthest(columns, CachedJacobian(p.signals, model)), 0.02);
   // Of another model nothing is kept.
   model.terms.erase(model.terms.begin());
-  EXPECT_LT(farthest(Columns(columns, model), Columns(p.signals, model)), 1e-12);
+  EXPECT_LT(farthest(CachedJacobian(columns, model), CachedJacobian(p.signals, model)), 1e-12);
 }
 
 /// At first all ways of being late are one.
 TEST(Catalogue, ALittleOfAnyFilterIsADelay) {
   const auto& p = prepared();
-  const Surroundings surroundings(p.signals, p.model);
+  const LinearisationPoint surroundings(p.signals, p.model);
   const auto column = [&](const Form& form) { return surroundings.signatures(form); };
   const MatrixXd late = column(findCause("time_offset")->forms(p.signals).front());
   for (const auto& form : findCause("low_pass_lag")->forms(p.signals)) {
