@@ -476,6 +476,8 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
   sortByStrength(out.causes);
   giveVerdict(hypothesis, faint.remaining.value_or(remains.structure), out);
+  const bool compared = faint.remaining || !remains.seen;
+  if (out.verdict == Verdict::unexplained && compared) dropBesideUnknown(out);
 
   progress(0.93, heft::say("Estimating the payload again"));
   if (auto error = estimateAgain(out, recording, readings->cleaned, robot, hypothesis, options.estimate,

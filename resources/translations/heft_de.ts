@@ -3831,7 +3831,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Last wird neu geschätzt</translation>
     </message>
     <message>
-        <source>Nothing in {} touches nothing for long enough to check a cause on it.</source>
+        <source>{} has too little free motion to check a cause on it.</source>
         <translation>In {} ist kein Stück lange genug ohne Berührung, um eine Ursache daran zu prüfen.</translation>
     </message>
     <message>
@@ -5243,8 +5243,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Realitätsprüfung enthält kein erweitertes Modell, das diese Heft-Version versteht; führen Sie sie noch einmal aus.</translation>
     </message>
     <message>
-        <source>Sensor&apos;s zero jumped</source>
-        <translation>Sensornull gesprungen</translation>
+        <source>Sensor zero jumped (bias step)</source>
+        <translation>Sensornull gesprungen (Nullpunktsprung)</translation>
     </message>
     <message>
         <source>Was there a knock, a loose plug, or a program that zeroed the sensor while recording?</source>
@@ -5259,8 +5259,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung ist flach, macht eine Stufe und ist wieder flach, wie man das Werkzeug auch hält.</translation>
     </message>
     <message>
-        <source>Sensor drifts</source>
-        <translation>Sensor wandert</translation>
+        <source>Sensor zero drifts (bias drift)</source>
+        <translation>Sensor wandert (Nullpunktdrift)</translation>
     </message>
     <message>
         <source>Let the sensor warm up for half an hour, keep draughts off it, and zero it often.</source>
@@ -5275,8 +5275,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung steigt oder sinkt langsam über die ganze Aufnahme und kümmert sich nicht um die Bewegung.</translation>
     </message>
     <message>
-        <source>Readings late</source>
-        <translation>Messwerte verspätet</translation>
+        <source>Force readings late (delay)</source>
+        <translation>Messwerte verspätet (Verzögerung)</translation>
     </message>
     <message>
         <source>Do force and joint angles get their time from one clock, at the source?</source>
@@ -5291,8 +5291,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung ist groß, wo sich die Kraft schnell ändert, und null, wo sie ruht; die Höhe bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Readings smoothed</source>
-        <translation>Messwerte geglättet</translation>
+        <source>Force readings smoothed (low-pass filter)</source>
+        <translation>Messwerte geglättet (Tiefpass)</translation>
     </message>
     <message>
         <source>Is a filter or averaging switched on in the sensor&apos;s amplifier or driver?</source>
@@ -5307,8 +5307,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verspätet wie bei einer Verzögerung, aber Spitzen sind auch niedriger, und das Rauschen wirkt weich.</translation>
     </message>
     <message>
-        <source>Accelerations late</source>
-        <translation>Beschleunigungen verspätet</translation>
+        <source>Accelerations late (motion lag)</source>
+        <translation>Beschleunigungen verspätet (Nachlauf der Bewegung)</translation>
     </message>
     <message>
         <source>Record the plain joint angles at the full rate, without smoothing.</source>
@@ -5323,7 +5323,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Langsames Drehen passt gut; nur Anfahren und Anhalten lassen eine Abweichung.</translation>
     </message>
     <message>
-        <source>Sensor mounted turned</source>
+        <source>Sensor rotated on its mount</source>
         <translation>Sensor verdreht montiert</translation>
     </message>
     <message>
@@ -5355,8 +5355,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Abweichung, die ihre Richtung im Raum behält und mit dem Gewicht des Werkzeugs wächst.</translation>
     </message>
     <message>
-        <source>One channel reads wrong</source>
-        <translation>Ein Kanal misst falsch</translation>
+        <source>One channel reads wrong (gain error)</source>
+        <translation>Ein Kanal misst falsch (Verstärkungsfehler)</translation>
     </message>
     <message>
         <source>Hang a known weight from each side of the sensor; check its calibration file.</source>
@@ -5371,8 +5371,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung eines Kanals ist ein kleines Abbild dieses Kanals selbst.</translation>
     </message>
     <message>
-        <source>One channel shows on another</source>
-        <translation>Ein Kanal wirkt auf einen anderen</translation>
+        <source>One channel leaks into another (crosstalk)</source>
+        <translation>Ein Kanal wirkt auf einen anderen (Übersprechen)</translation>
     </message>
     <message>
         <source>Is the sensor&apos;s own calibration matrix loaded (serial number)?</source>
@@ -5403,8 +5403,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung hängt vom Ort des Werkzeugs ab: dieselbe Stelle, derselbe Zug, bei jeder Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Steady pull from outside</source>
-        <translation>Steter Zug von außen</translation>
+        <source>Steady pull from outside (constant force)</source>
+        <translation>Steter Zug von außen (konstante Kraft)</translation>
     </message>
     <message>
         <source>Is there a balancer, a hose or a weight that pulls in one direction?</source>
@@ -5415,11 +5415,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Abweichung, die ihre Richtung im Raum behält, egal, wie schwer das Werkzeug ist.</translation>
     </message>
     <message>
-        <source>Resistance grows with speed</source>
-        <translation>Widerstand wächst mit dem Tempo</translation>
+        <source>Resistance grows with speed (viscous drag)</source>
+        <translation>Widerstand wächst mit dem Tempo (viskose Dämpfung)</translation>
     </message>
     <message>
-        <source>Does the tool drag hoses full of liquid, dampers, bellows or covers along?</source>
+        <source>Does the tool drag along hoses full of liquid, dampers, bellows or covers?</source>
         <translation>Zieht das Werkzeug gefüllte Schläuche, Dämpfer, Bälge oder Hüllen mit?</translation>
     </message>
     <message>
@@ -5431,15 +5431,15 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung folgt dem Tempo: keine in Ruhe, doppelt so viel bei doppeltem Tempo.</translation>
     </message>
     <message>
-        <source>Something rubs</source>
-        <translation>Etwas reibt</translation>
+        <source>Something rubs (Coulomb friction)</source>
+        <translation>Etwas reibt (Coulomb-Reibung)</translation>
     </message>
     <message>
         <source>Does a cable rub in a clamp, a cover scrape, a sheath stiffen?</source>
         <translation>Reibt ein Kabel in einer Klemme, schleift eine Hülle, ist ein Mantel steif?</translation>
     </message>
     <message>
-        <source>Repeat one movement at several speeds, and turn back after short and long ways.</source>
+        <source>Repeat one movement at several speeds, and reverse it after short and long distances.</source>
         <translation>Eine Bewegung mit mehreren Tempi wiederholen und nach kurzen und langen Wegen umkehren.</translation>
     </message>
     <message>
@@ -5447,7 +5447,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung springt auf die andere Seite, sobald die Bewegung umkehrt, bei jedem Tempo.</translation>
     </message>
     <message>
-        <source>Something loose in the tool</source>
+        <source>Something is loose in the tool</source>
         <translation>Etwas Loses im Werkzeug</translation>
     </message>
     <message>
@@ -5455,7 +5455,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug von Hand schütteln und lauschen: ein loses Teil, eine Flüssigkeit, ein hängender Schlauch?</translation>
     </message>
     <message>
-        <source>Move and stop abruptly a few times in different directions: what is loose rings on.</source>
+        <source>Move and stop abruptly a few times in different directions: a loose part keeps swinging.</source>
         <translation>Einige Male in verschiedene Richtungen bewegen und abrupt anhalten: Was lose ist, schwingt nach.</translation>
     </message>
     <message>
@@ -5463,8 +5463,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nach jedem Halt schwingt die Abweichung eine Weile nach, einige Male pro Sekunde.</translation>
     </message>
     <message>
-        <source>Mount gives</source>
-        <translation>Montage gibt nach</translation>
+        <source>The tool&apos;s mount gives (flexible mount)</source>
+        <translation>Montage gibt nach (weiche Halterung)</translation>
     </message>
     <message>
         <source>Tighten the screws between arm, sensor and tool; look for rubber or thin adapters.</source>
@@ -5475,11 +5475,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Mit dem Finger an das Werkzeug tippen, während der Arm stillhält.</translation>
     </message>
     <message>
-        <source>A fine, fast ringing after every jerk, always at the same pitch.</source>
+        <source>A small, fast ringing after every jerk, always at the same frequency.</source>
         <translation>Ein feines, schnelles Nachklingen nach jedem Ruck, immer gleich hoch.</translation>
     </message>
     <message>
-        <source>Load changed on the way</source>
+        <source>Load changed during the recording</source>
         <translation>Last änderte sich unterwegs</translation>
     </message>
     <message>
@@ -5491,12 +5491,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Das Werkzeug nach der Änderung in eine andere Lage drehen: Eine Last dreht sich mit der Schwerkraft, ein Sprung nicht.</translation>
     </message>
     <message>
-        <source>From one moment on there is a difference that turns with the tool, as a weight does.</source>
+        <source>From one moment on there is a residual that turns with the tool, as a weight does.</source>
         <translation>Von einem Augenblick an gibt es eine Abweichung, die sich mit dem Werkzeug dreht, wie ein Gewicht.</translation>
     </message>
     <message>
-        <source>The tool touched something</source>
-        <translation>Das Werkzeug berührte etwas</translation>
+        <source>The tool touched something (contact)</source>
+        <translation>Das Werkzeug berührte etwas (Kontakt)</translation>
     </message>
     <message>
         <source>Was the tool set down, bumped, or held by its front?</source>
@@ -5511,8 +5511,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Kurze, große Abweichungen in wenigen Augenblicken; dazwischen passt alles.</translation>
     </message>
     <message>
-        <source>Sensor at its limit</source>
-        <translation>Sensor am Anschlag</translation>
+        <source>Sensor at its limit (saturation)</source>
+        <translation>Sensor am Anschlag (Sättigung)</translation>
     </message>
     <message>
         <source>Use a range that fits the load, and check the sensor&apos;s zero.</source>
@@ -5527,8 +5527,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemessene Kurve ist oben flach abgeschnitten.</translation>
     </message>
     <message>
-        <source>Joint angle off</source>
-        <translation>Gelenkwinkel daneben</translation>
+        <source>Joint angle off (encoder offset)</source>
+        <translation>Gelenkwinkel daneben (Geberversatz)</translation>
     </message>
     <message>
         <source>Check that joint&apos;s calibration and the robot description of this recording.</source>
@@ -5543,7 +5543,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Abweichung, die von der Lage abhängt: eine Neigung, die nicht überall gleich ist.</translation>
     </message>
     <message>
-        <source>Spikes</source>
+        <source>Spikes in the readings</source>
         <translation>Ausreißer</translation>
     </message>
     <message>
@@ -5559,15 +5559,15 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Einzelne Werte weit daneben, mit gewöhnlichen zu beiden Seiten.</translation>
     </message>
     <message>
-        <source>Sensor&apos;s place is wrong</source>
-        <translation>Ort des Sensors stimmt nicht</translation>
+        <source>Sensor position wrong (lever arm)</source>
+        <translation>Ort des Sensors stimmt nicht (Hebelarm)</translation>
     </message>
     <message>
         <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file.</source>
         <translation>Vom Flansch zum Ursprung des Sensors messen und mit der Meta-Datei vergleichen.</translation>
     </message>
     <message>
-        <source>Turn the tool fast to and fro about all three axes.</source>
+        <source>Rotate the tool fast back and forth about all three axes.</source>
         <translation>Das Werkzeug schnell um alle drei Achsen hin und her drehen.</translation>
     </message>
     <message>
@@ -5575,7 +5575,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Langsame Bewegung passt; schnelles Drehen lässt eine Abweichung, die mit dem Quadrat des Tempos wächst.</translation>
     </message>
     <message>
-        <source>Accelerations off</source>
+        <source>Accelerations wrong</source>
         <translation>Beschleunigungen daneben</translation>
     </message>
     <message>
@@ -5591,8 +5591,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die schnellen Teile der Bewegung sind in der Simulation zu groß oder zu klein, die langsamen passen.</translation>
     </message>
     <message>
-        <source>Sensor remembers its load</source>
-        <translation>Sensor merkt sich seine Last</translation>
+        <source>Sensor remembers its load (hysteresis)</source>
+        <translation>Sensor merkt sich seine Last (Hysterese)</translation>
     </message>
     <message>
         <source>Was the sensor overloaded, glued or pinched? Check its screws.</source>
@@ -5623,8 +5623,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nichts passt: Die simulierten Kurven laufen den gemessenen entgegen.</translation>
     </message>
     <message>
-        <source>Readings lost or repeated</source>
-        <translation>Messwerte verloren oder wiederholt</translation>
+        <source>Readings lost or repeated (dropouts)</source>
+        <translation>Messwerte verloren oder wiederholt (Aussetzer)</translation>
     </message>
     <message>
         <source>Check the connection, and record at the sensor&apos;s own rate.</source>
@@ -5639,8 +5639,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemessene Kurve hat Stufen oder Löcher, wo sie weiterlaufen sollte.</translation>
     </message>
     <message>
-        <source>Uneven time stamps</source>
-        <translation>Ungleichmäßige Zeitstempel</translation>
+        <source>Uneven time stamps (jitter)</source>
+        <translation>Ungleichmäßige Zeitstempel (Jitter)</translation>
     </message>
     <message>
         <source>Let the sensor or the robot stamp the readings, not a busy computer.</source>
@@ -5651,12 +5651,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
     </message>
     <message>
-        <source>In fast motion the measured curve trembles forth and back in time.</source>
+        <source>In fast motion the measured curve jitters back and forth in time.</source>
         <translation>Bei schneller Bewegung zittert die gemessene Kurve zeitlich vor und zurück.</translation>
     </message>
     <message>
-        <source>Coarse readings</source>
-        <translation>Grobe Messwerte</translation>
+        <source>Coarse readings (quantisation)</source>
+        <translation>Grobe Messwerte (Quantisierung)</translation>
     </message>
     <message>
         <source>Choose a finer measuring range, or a file format with more digits.</source>
@@ -5671,7 +5671,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Null des Sensors wandert: {} um {} {} pro Sekunde.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
+        <source>The sensor&apos;s zero drifts until it settles: {} by {} {}.</source>
         <translation>Die Null des Sensors kriecht: {} um {} {}, bis sie sich beruhigt.</translation>
     </message>
     <message>
@@ -5687,7 +5687,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} % der Messwerte fehlen.</translation>
     </message>
     <message>
-        <source>{} % of the force readings repeat the one before.</source>
+        <source>{} % of the force readings repeat the previous one.</source>
         <translation>{} % der Kraftwerte wiederholen den davor.</translation>
     </message>
     <message>
@@ -5715,11 +5715,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} von {} erscheint in {}.</translation>
     </message>
     <message>
-        <source>Joint {} is really {} degrees away from what was recorded.</source>
+        <source>The angle of joint {} is {} degrees off.</source>
         <translation>Gelenk {} steht in Wahrheit {} Grad neben dem aufgenommenen Winkel.</translation>
     </message>
     <message>
-        <source>The sensor remembers {} of its load: it reads differently going up and coming down.</source>
+        <source>The sensor remembers {} of its load: it reads differently while it is loaded and unloaded.</source>
         <translation>Der Sensor merkt sich {} seiner Last: Er zeigt beim Belasten anderes als beim Entlasten.</translation>
     </message>
     <message>
@@ -5731,7 +5731,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Kraftwerte kommen {} ms zu spät.</translation>
     </message>
     <message>
-        <source>The force readings arrive {} ms before the motion.</source>
+        <source>The motion arrives {} ms after the force readings.</source>
         <translation>Die Kraftwerte kommen {} ms vor der Bewegung.</translation>
     </message>
     <message>
@@ -5743,11 +5743,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemeldeten Geschwindigkeiten kommen {} ms zu spät; Heft kann stattdessen die Lagen benutzen.</translation>
     </message>
     <message>
-        <source>Accelerations come {} ms late; the angles do not.</source>
+        <source>The accelerations lag by {} ms; the angles do not.</source>
         <translation>Beschleunigungen kommen {} ms zu spät; die Winkel nicht.</translation>
     </message>
     <message>
-        <source>The sensor sits turned by {} degrees.</source>
+        <source>The sensor is rotated by {} degrees.</source>
         <translation>Der Sensor sitzt um {} Grad verdreht.</translation>
     </message>
     <message>
@@ -5755,27 +5755,27 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Robotersockel ist um {} Grad gegen die angegebene Schwerkraft geneigt.</translation>
     </message>
     <message>
-        <source>Something pulls at the tool with {} N, always in the same direction.</source>
+        <source>Something pulls on the tool with {} N, always in the same direction.</source>
         <translation>Etwas zieht mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
     </message>
     <message>
-        <source>Something resists turning: {} N m per radian per second.</source>
+        <source>Something resists rotation: {} N m per radian per second.</source>
         <translation>Etwas bremst das Drehen: {} N m pro Radiant pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something holds the tool back: {} N per metre per second.</source>
+        <source>Something resists the tool&apos;s motion: {} N per metre per second.</source>
         <translation>Etwas bremst das Werkzeug: {} N pro Meter pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something rubs and holds the tool back with {} N.</source>
+        <source>Something rubs and resists the tool&apos;s motion with {} N.</source>
         <translation>Etwas reibt und hält das Werkzeug mit {} N zurück.</translation>
     </message>
     <message>
-        <source>Something rubs and resists turning with {} N m.</source>
+        <source>Something rubs and resists rotation with {} N m.</source>
         <translation>Etwas reibt und bremst das Drehen mit {} N m.</translation>
     </message>
     <message>
-        <source>About {} g in the tool are loose and swing {} times a second.</source>
+        <source>About {} g of the tool is loose and swings {} times a second.</source>
         <translation>Etwa {} g im Werkzeug sind lose und schwingen {}-mal pro Sekunde.</translation>
     </message>
     <message>
@@ -5803,7 +5803,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor war in {} % der Messwerte am Ende seines Bereichs.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s origin sits {} mm away from where the meta file puts it.</source>
+        <source>The sensor&apos;s origin is {} mm from where the meta file puts it.</source>
         <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
     </message>
     <message>
@@ -5811,7 +5811,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemeldeten Geschwindigkeiten liegen {} % daneben; Heft kann stattdessen die Lagen benutzen.</translation>
     </message>
     <message>
-        <source>The forces of acceleration are {} % off what the motion says.</source>
+        <source>The inertial forces differ by {} % from what the motion predicts.</source>
         <translation>Die Beschleunigungskräfte liegen {} % neben dem, was die Bewegung sagt.</translation>
     </message>
     <message>
@@ -6307,7 +6307,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Führen Sie die Realitätsprüfung noch einmal aus.</translation>
     </message>
     <message>
-        <source>About {} g in the tool are loose and roll to another place as it turns.</source>
+        <source>About {} g of the tool is loose and rolls to another place as the tool turns.</source>
         <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
     <message>
@@ -6315,7 +6315,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemeldeten Geschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Lagen nehmen.</translation>
     </message>
     <message>
-        <source>Something in the tool is loose and rolls to another place as it turns.</source>
+        <source>Something in the tool is loose and rolls to another place as the tool turns.</source>
         <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
     <message>
@@ -6335,7 +6335,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Von {} bis {} s wurde die Last {} g leichter.</translation>
     </message>
     <message>
-        <source>Near the end of its range the channel {} shows {} % less than there is.</source>
+        <source>Near the end of its range the channel {} reads {} % too little.</source>
         <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
     </message>
     <message>
@@ -6343,11 +6343,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geschwindigkeit, unter der es haftet, v</translation>
     </message>
     <message>
-        <source>The payload is told from the sensor&apos;s place and axes as the meta file states them.</source>
+        <source>The payload is given in the sensor frame that the meta file states.</source>
         <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Meta-Datei sie angibt.</translation>
     </message>
     <message>
-        <source>Where the corrected meta file is used, estimate once more with it.</source>
+        <source>If you use the corrected meta file, estimate again with it.</source>
         <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
     <message>
@@ -6363,7 +6363,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verstärkung von {}, zu einer Seite mehr</translation>
     </message>
     <message>
-        <source>The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.</source>
+        <source>The channel {} is {:+.1f} % off in one direction and {:+.1f} % in the other.</source>
         <translation>Der Kanal {} liegt zur einen Seite um {:+.1f} % daneben und zur anderen um {:+.1f} %.</translation>
     </message>
     <message>
@@ -6371,11 +6371,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ohne diese Ursachen wäre die Last um ein Viertel leichter oder schwerer, während etwas Unbekanntes bleibt; deshalb bleibt sie, wie sie war.</translation>
     </message>
     <message>
-        <source>{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.</source>
+        <source>{} segments, {:.1f} s in total, were excluded: what acts there goes with {} and is not contact.</source>
         <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
     </message>
     <message>
-        <source>Look at what switches, shakes or turns on the tool at these moments.</source>
+        <source>Check what switches, vibrates or rotates on the tool at these times.</source>
         <translation>Sehen Sie nach, was am Werkzeug in diesen Augenblicken schaltet, rüttelt oder dreht.</translation>
     </message>
     <message>
@@ -6431,11 +6431,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verstärkung aller Kräfte daneben um</translation>
     </message>
     <message>
-        <source>All forces read {} % too much against the torques.</source>
+        <source>All forces read {} % too much compared with the torques.</source>
         <translation>Alle Kräfte werden gegenüber den Momenten {} % zu groß gemessen.</translation>
     </message>
     <message>
-        <source>All forces read {} % too little against the torques.</source>
+        <source>All forces read {} % too little compared with the torques.</source>
         <translation>Alle Kräfte werden gegenüber den Momenten {} % zu klein gemessen.</translation>
     </message>
     <message>
@@ -6443,7 +6443,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Uhren laufen auseinander um</translation>
     </message>
     <message>
-        <source>The clocks of force readings and motion run apart, by {} ms a second.</source>
+        <source>The clocks of the force readings and of the motion drift apart by {} ms per second.</source>
         <translation>Die Uhren von Kraftwerten und Bewegung laufen auseinander, um {} ms je Sekunde.</translation>
     </message>
     <message>
@@ -6471,19 +6471,19 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Reibung längs {0}</translation>
     </message>
     <message>
-        <source>The sensor remembers its load: it reads {} % of the load&apos;s range differently going up and coming down.</source>
+        <source>The sensor remembers its load: loading and unloading differ by {} % of the load&apos;s range.</source>
         <translation>Der Sensor merkt sich seine Last: Auf dem Weg hinauf zeigt er um {} % des Lastbereichs anders an als auf dem Weg hinab.</translation>
     </message>
     <message>
-        <source>From {} s on something pulls at the tool with {} N, always in the same direction.</source>
+        <source>From {} s on, something pulls on the tool with {} N, always in the same direction.</source>
         <translation>Ab {} s zieht etwas mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
     </message>
     <message>
-        <source>Something holds the tool back, by up to {} N per metre per second.</source>
+        <source>Something resists the tool&apos;s motion by up to {} N per metre per second.</source>
         <translation>Etwas bremst das Werkzeug, mit bis zu {} N pro Meter pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something rubs and holds the tool back, with up to {} N.</source>
+        <source>Something rubs and resists the tool&apos;s motion with up to {} N.</source>
         <translation>Etwas reibt und hält das Werkzeug mit bis zu {} N zurück.</translation>
     </message>
     <message>
@@ -6519,7 +6519,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Verstärkung von {} ändert sich während der Aufnahme um {:+.1f} %, wie wenn ein Sensor warm wird.</translation>
     </message>
     <message>
-        <source>Joint {} is read up to {} degrees wrong, to and fro once a turn.</source>
+        <source>The angle of joint {} is off by up to {} degrees, varying once per turn.</source>
         <translation>Gelenk {} wird bis zu {} Grad falsch gelesen, einmal je Umdrehung hin und her.</translation>
     </message>
     <message>
@@ -6575,7 +6575,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} bleibt in fast allen Zeilen gleich: Der Kanal wurde nicht gemessen, oder eine Schwelle im Treiber des Sensors verbirgt, was klein ist. Beheben Sie das und nehmen Sie noch einmal auf.</translation>
     </message>
     <message>
-        <source>From {} s on the sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
+        <source>From {} s on, the sensor&apos;s zero drifts until it settles: {} by {} {}.</source>
         <translation>Ab {} s kriecht die Null des Sensors: {} um {} {}, bis sie sich beruhigt.</translation>
     </message>
     <message>
@@ -6587,7 +6587,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Welle {} des Verlaufs</translation>
     </message>
     <message>
-        <source>The sensor&apos;s zero drifts to and fro: {} by {} {} in all.</source>
+        <source>The sensor&apos;s zero drifts back and forth: {} by {} {} in total.</source>
         <translation>Die Null des Sensors wandert hin und her: {} um insgesamt {} {}.</translation>
     </message>
     <message>
@@ -6623,7 +6623,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt, zieht das Werkzeug zurück: {} N je Meter, wo es sich zu dehnen beginnt, und mehr, je weiter es sich dehnt.</translation>
     </message>
     <message>
-        <source>Something holds the tool back with the square of its speed: {} N at one metre per second.</source>
+        <source>Something resists the tool&apos;s motion with the square of its speed: {} N at one metre per second.</source>
         <translation>Etwas bremst das Werkzeug mit dem Quadrat seiner Geschwindigkeit: {} N bei einem Meter pro Sekunde.</translation>
     </message>
     <message>
@@ -6659,7 +6659,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Messwerte zittern {}-mal für einen Augenblick, zuerst bei {:.1f} s.</translation>
     </message>
     <message>
-        <source>Something twists the tool on the further it turns: {} N m per radian.</source>
+        <source>A torque grows as the tool rotates and drives it further: {} N m per radian.</source>
         <translation>Etwas verdreht das Werkzeug umso mehr, je weiter es sich dreht: {} N m je Radiant.</translation>
     </message>
     <message>
@@ -6667,19 +6667,19 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Etwas, etwa ein gebogener Schlauch, drückt das Werkzeug von einer Stelle weg: {} N je Meter.</translation>
     </message>
     <message>
-        <source>Something, such as a hand at the tool, pushes the way it goes: {} N per metre per second.</source>
+        <source>Something, such as a hand on the tool, pushes it in its direction of motion: {} N per metre per second.</source>
         <translation>Etwas, etwa eine Hand am Werkzeug, schiebt in Richtung der Bewegung: {} N je Meter pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something, such as a hand at the tool, turns it on: {} N m per radian per second.</source>
+        <source>Something, such as a hand on the tool, drives its rotation: {} N m per radian per second.</source>
         <translation>Etwas, etwa eine Hand am Werkzeug, dreht es weiter: {} N m je Radiant pro Sekunde.</translation>
     </message>
     <message>
-        <source>Something, such as a hand at the tool, pushes the way it goes with {} N.</source>
+        <source>Something, such as a hand on the tool, pushes it in its direction of motion with {} N.</source>
         <translation>Etwas, etwa eine Hand am Werkzeug, schiebt mit {} N in Richtung der Bewegung.</translation>
     </message>
     <message>
-        <source>Something, such as a hand at the tool, turns it on with {} N m.</source>
+        <source>Something, such as a hand on the tool, drives its rotation with {} N m.</source>
         <translation>Etwas, etwa eine Hand am Werkzeug, dreht es mit {} N m weiter.</translation>
     </message>
     <message>
@@ -6759,7 +6759,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Erneut ausgegeben</translation>
     </message>
     <message>
-        <source>{} % of the readings were handed out a second time, in place of new ones.</source>
+        <source>{} % of the readings were delivered a second time in place of new ones.</source>
         <translation>{} % der Anzeigen wurden ein zweites Mal ausgegeben, statt neuer.</translation>
     </message>
     <message>
@@ -6795,11 +6795,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>einigen Augenblicken allein</translation>
     </message>
     <message>
-        <source>{} leaves out every other step of {:.2g} {}: a bit of its converter never changes.</source>
+        <source>{} uses only every other step of {:.2g} {}: one bit of its converter appears to be stuck.</source>
         <translation>{} lässt jede zweite Stufe von {:.2g} {} aus: Ein Bit des Wandlers ändert sich nie.</translation>
     </message>
     <message>
-        <source>Restart the sensor&apos;s electronics; if that does not help, have them mended.</source>
+        <source>Restart the sensor&apos;s electronics; if that does not help, have them repaired.</source>
         <translation>Starten Sie die Elektronik des Sensors neu; hilft das nicht, lassen Sie sie reparieren.</translation>
     </message>
     <message>
@@ -6823,7 +6823,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Drehmomenten ohne eine Kraft</translation>
     </message>
     <message>
-        <source>A stretch of {:.1f} s was left out: what acts there goes with {} and is no touch.</source>
+        <source>A segment of {:.1f} s was excluded: what acts there goes with {} and is not contact.</source>
         <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
     </message>
     <message>
@@ -6835,7 +6835,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Von außen angestoßen, Male</translation>
     </message>
     <message>
-        <source>At {:.2f} s the readings leap to where no load takes them and back.</source>
+        <source>At {:.2f} s the readings jump briefly to implausible values.</source>
         <translation>Bei {:.2f} s springen die Messwerte dorthin, wohin keine Last sie bringt, und zurück.</translation>
     </message>
     <message>
@@ -6891,7 +6891,7 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>dem, was ein Kanal selbst misst</translation>
     </message>
     <message>
-        <source>{} % of the recorded positions repeat the one before, while the tool moved on.</source>
+        <source>{} % of the recorded positions repeat the previous one although the tool was moving.</source>
         <translation>{} % der aufgezeichneten Positionen wiederholen die vorige, während das Werkzeug sich weiterbewegte.</translation>
     </message>
     <message>
@@ -6911,11 +6911,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Trifft auch auf {} zu: {}.</translation>
     </message>
     <message>
-        <source>Makes {} worse: {}. That one has it not, or otherwise.</source>
+        <source>Makes {} worse: {}. That recording does not have this fault, or has it differently.</source>
         <translation>Macht {} schlechter: {}. Dort liegt es nicht vor, oder anders.</translation>
     </message>
     <message>
-        <source>Makes no difference on {}: {}. Its motion does not show it.</source>
+        <source>Makes no difference on {}: {}. Its motion does not excite this fault.</source>
         <translation>Macht bei {} keinen Unterschied: {}. Die Bewegung dort zeigt es nicht.</translation>
     </message>
     <message>
@@ -6927,11 +6927,11 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>der Stelle, an der das Gewicht im Werkzeug sitzt</translation>
     </message>
     <message>
-        <source>One reading leaps for a single row. It was replaced by what lies beside it.</source>
+        <source>One reading jumps for a single row. It was replaced by interpolation.</source>
         <translation>Ein Messwert springt eine einzige Zeile lang. Er wurde durch das ersetzt, was daneben liegt.</translation>
     </message>
     <message>
-        <source>{} readings leap for a single row, too few to tell what makes them. They were replaced by what lies beside them.</source>
+        <source>{} readings jump for a single row, too few to determine why. They were replaced by interpolation.</source>
         <translation>{} Messwerte springen je eine einzige Zeile lang; zu wenige, um zu sagen, woher das kommt. Sie wurden durch das ersetzt, was daneben liegt.</translation>
     </message>
     <message>
@@ -7377,6 +7377,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>There is less evidence for {} than for the unexplained part, and it may belong to that. It is not reported as a cause.</source>
+        <translation>Für {} spricht weniger als für das, was hier unerklärt bleibt, und es mag ein Teil davon sein. Es wird nicht als Ursache genannt.</translation>
     </message>
 </context>
 <context>

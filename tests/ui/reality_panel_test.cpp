@@ -184,7 +184,7 @@ TEST_F(RealityPanelTest, APracticeRecordingHidesItsFaultUntilAGuess) {
   QTest::mouseClick(panel->findChild<QPushButton*>("guess_cable_pull"), Qt::LeftButton);
   settle();
   EXPECT_TRUE(texts().contains("Not this one"));
-  EXPECT_TRUE(texts().join("|").contains("Hidden was: Readings late"));
+  EXPECT_TRUE(texts().join("|").contains("Hidden was: Force readings late (delay)"));
   // Opened once more it is a riddle again.
   ASSERT_TRUE(panel->obey({"practice", QString::number(seed)})->ok());
   settle();

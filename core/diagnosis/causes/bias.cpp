@@ -46,7 +46,7 @@ class BiasDrift final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::biasDrift,
         .family = Family::sensorZero,
-        .title = heft::toSay("Sensor drifts"),
+        .title = heft::toSay("Sensor zero drifts (bias drift)"),
         .check = heft::toSay("Let the sensor warm up for half an hour, keep draughts off it, and zero it often."),
         .decides = heft::toSay("Come back to the same pose three times: a drift reads differently each time."),
         .looks = heft::toSay("The difference climbs or sinks slowly over the whole recording and ignores the motion."),
@@ -66,12 +66,12 @@ class BiasDrift final : public Cause {
       return heft::say("The sensor's zero drifts: {} by {} {} per second.", channel, size,
                        p->unit.substr(0, p->unit.size() - 2));
     if (v.find("time_constant") && v.find("time"))
-      return heft::say("From {} s on the sensor's zero creeps: {} by {} {} before it settles.",
+      return heft::say("From {} s on, the sensor's zero drifts until it settles: {} by {} {}.",
                        numberWords(v.value("time"), 1), channel, size, p->unit);
     if (v.find("course_w4") || v.find("course_w5"))
-      return heft::say("The sensor's zero drifts to and fro: {} by {} {} in all.", channel,
+      return heft::say("The sensor's zero drifts back and forth: {} by {} {} in total.", channel,
                        plusMinus(std::abs(p->value), p->std), p->unit);
-    return heft::say("The sensor's zero creeps: {} by {} {} before it settles.", channel, size, p->unit);
+    return heft::say("The sensor's zero drifts until it settles: {} by {} {}.", channel, size, p->unit);
   }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
@@ -223,7 +223,7 @@ class SensorBias final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::sensorBias,
         .family = Family::sensorZero,
-        .title = heft::toSay("Sensor's zero jumped"),
+        .title = heft::toSay("Sensor zero jumped (bias step)"),
         .check = heft::toSay("Was there a knock, a loose plug, or a program that zeroed the sensor while recording?"),
         .decides = heft::toSay(
             "Turn the tool to another pose after the jump and hold: a jump stays, a load turns with gravity."),

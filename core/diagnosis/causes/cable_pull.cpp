@@ -96,7 +96,7 @@ class CablePull final : public Cause {
   }
   std::string sentence(const FoundValues& v) const override {
     if (v.value("twist_stiffness") < 0.0)
-      return heft::say("Something twists the tool on the further it turns: {} N m per radian.",
+      return heft::say("A torque grows as the tool rotates and drives it further: {} N m per radian.",
                        v.size("twist_stiffness"));
     if (v.value("stiffness") < 0.0)
       return heft::say("Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.",

@@ -17,7 +17,7 @@ class ConstantPull final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::constantPull,
         .family = Family::externalForce,
-        .title = heft::toSay("Steady pull from outside"),
+        .title = heft::toSay("Steady pull from outside (constant force)"),
         .check = heft::toSay("Is there a balancer, a hose or a weight that pulls in one direction?"),
         .decides = heft::toSay("Record once more with a heavier tool: a tilt grows with the weight, a pull does not."),
         .looks = heft::toSay("A difference that keeps its direction in the room, whatever the tool weighs."),
@@ -28,9 +28,9 @@ class ConstantPull final : public Cause {
   std::string sentence(const FoundValues& v) const override {
     const std::string size = v.norm({"force_x", "force_y", "force_z"});
     return v.find("time")
-               ? heft::say("From {} s on something pulls at the tool with {} N, always in the same direction.",
+               ? heft::say("From {} s on, something pulls on the tool with {} N, always in the same direction.",
                            numberWords(v.value("time"), 1), size)
-               : heft::say("Something pulls at the tool with {} N, always in the same direction.", size);
+               : heft::say("Something pulls on the tool with {} N, always in the same direction.", size);
   }
   /// Straight up all the time: a weight that is taken off the readings does exactly the same.
   std::string check(const FoundValues& v, const Vector3d& gravity) const override {

@@ -14,7 +14,7 @@ class Crosstalk final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::crosstalk,
         .family = Family::sensor,
-        .title = heft::toSay("One channel shows on another"),
+        .title = heft::toSay("One channel leaks into another (crosstalk)"),
         .check = heft::toSay("Is the sensor's own calibration matrix loaded (serial number)?"),
         .decides = heft::toSay("Tilt the tool so that its weight lies on each axis of the sensor in turn."),
         .looks = heft::toSay("The difference on one channel is a small copy of another channel."),

@@ -53,7 +53,7 @@ class DerivativeNoise final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::derivativeNoise,
         .family = Family::dynamicGain,
-        .title = heft::toSay("Accelerations off"),
+        .title = heft::toSay("Accelerations wrong"),
         .check = heft::toSay("Record joint angles at the full rate; check the size of gravity in the meta file."),
         .decides = heft::toSay("Record once more with stronger smoothing and compare."),
         .looks = heft::toSay(
@@ -99,7 +99,7 @@ class DerivativeNoise final : public Cause {
           v.size("smoothing"));
     return v.direct
                ? heft::say("The reported velocities are {} % off; Heft can use the positions instead.", v.size("loss"))
-               : heft::say("The forces of acceleration are {} % off what the motion says.", v.size("loss"));
+               : heft::say("The inertial forces differ by {} % from what the motion predicts.", v.size("loss"));
   }
   std::vector<std::string> lookAlikes() const override { return {"motion_lag", "flexible_mount"}; }
   std::vector<Form> forms(const Signals& signals) const override {

@@ -80,8 +80,8 @@ class ViscousDrag final : public Resistance {
     static constexpr CauseInfo kInfo{
         .id = ids::viscousDrag,
         .family = Family::externalForce,
-        .title = heft::toSay("Resistance grows with speed"),
-        .check = heft::toSay("Does the tool drag hoses full of liquid, dampers, bellows or covers along?"),
+        .title = heft::toSay("Resistance grows with speed (viscous drag)"),
+        .check = heft::toSay("Does the tool drag along hoses full of liquid, dampers, bellows or covers?"),
         .decides = heft::toSay("Repeat one movement slowly, faster and fast."),
         .looks = heft::toSay("The difference follows the speed: none at rest, twice as much at twice the speed."),
         .decidingMotion = "swing-sideways",
@@ -90,23 +90,26 @@ class ViscousDrag final : public Resistance {
   }
   std::string sentence(const FoundValues& v) const override {
     if (v.value("drag") < 0.0)
-      return heft::say("Something, such as a hand at the tool, pushes the way it goes: {} N per metre per second.",
-                       v.size("drag"));
+      return heft::say(
+          "Something, such as a hand on the tool, pushes it in its direction of motion: {} N per metre per second.",
+          v.size("drag"));
     if (v.value("turning_drag") < 0.0)
-      return heft::say("Something, such as a hand at the tool, turns it on: {} N m per radian per second.",
+      return heft::say("Something, such as a hand on the tool, drives its rotation: {} N m per radian per second.",
                        v.size("turning_drag"));
-    if (v.find("drag")) return heft::say("Something holds the tool back: {} N per metre per second.", v.size("drag"));
+    if (v.find("drag"))
+      return heft::say("Something resists the tool's motion: {} N per metre per second.", v.size("drag"));
     if (v.find("square_drag"))
-      return heft::say("Something holds the tool back with the square of its speed: {} N at one metre per second.",
-                       v.size("square_drag"));
+      return heft::say(
+          "Something resists the tool's motion with the square of its speed: {} N at one metre per second.",
+          v.size("square_drag"));
     for (const char* what : {"drag", "tool_drag"})
       if (v.find(std::string(what) + "_xy"))
-        return heft::say("Something holds the tool back, by up to {} N per metre per second.",
+        return heft::say("Something resists the tool's motion by up to {} N per metre per second.",
                          numberWords(v.mostAlongAnyLine(what), 2));
     return v.find("drag_x")
-               ? heft::say("Something holds the tool back, by up to {} N per metre per second.",
+               ? heft::say("Something resists the tool's motion by up to {} N per metre per second.",
                            v.most({"drag_x", "drag_y", "drag_z"}))
-               : heft::say("Something resists turning: {} N m per radian per second.", v.size("turning_drag"));
+               : heft::say("Something resists rotation: {} N m per radian per second.", v.size("turning_drag"));
   }
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
@@ -201,9 +204,9 @@ class CoulombFriction final : public Resistance {
     static constexpr CauseInfo kInfo{
         .id = ids::coulombFriction,
         .family = Family::externalForce,
-        .title = heft::toSay("Something rubs"),
+        .title = heft::toSay("Something rubs (Coulomb friction)"),
         .check = heft::toSay("Does a cable rub in a clamp, a cover scrape, a sheath stiffen?"),
-        .decides = heft::toSay("Repeat one movement at several speeds, and turn back after short and long ways."),
+        .decides = heft::toSay("Repeat one movement at several speeds, and reverse it after short and long distances."),
         .looks = heft::toSay("The difference jumps to the other side whenever the motion reverses, at any speed."),
         .decidingMotion = "swing-sideways",
         .effect = "coulomb_friction"};
@@ -211,14 +214,17 @@ class CoulombFriction final : public Resistance {
   }
   std::string sentence(const FoundValues& v) const override {
     if (v.value("friction") < 0.0)
-      return heft::say("Something, such as a hand at the tool, pushes the way it goes with {} N.", v.size("friction"));
+      return heft::say("Something, such as a hand on the tool, pushes it in its direction of motion with {} N.",
+                       v.size("friction"));
     if (v.value("turning_friction") < 0.0)
-      return heft::say("Something, such as a hand at the tool, turns it on with {} N m.", v.size("turning_friction"));
-    if (v.find("friction")) return heft::say("Something rubs and holds the tool back with {} N.", v.size("friction"));
+      return heft::say("Something, such as a hand on the tool, drives its rotation with {} N m.",
+                       v.size("turning_friction"));
+    if (v.find("friction"))
+      return heft::say("Something rubs and resists the tool's motion with {} N.", v.size("friction"));
     return v.find("friction_x")
-               ? heft::say("Something rubs and holds the tool back, with up to {} N.",
+               ? heft::say("Something rubs and resists the tool's motion with up to {} N.",
                            v.most({"friction_x", "friction_y", "friction_z"}))
-               : heft::say("Something rubs and resists turning with {} N m.", v.size("turning_friction"));
+               : heft::say("Something rubs and resists rotation with {} N m.", v.size("turning_friction"));
   }
   std::vector<std::string> lookAlikes() const override { return {"viscous_drag", "hysteresis"}; }
   std::vector<Form> forms(const Signals& signals) const override {

@@ -16,7 +16,7 @@ class GainError final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::gainError,
         .family = Family::sensor,
-        .title = heft::toSay("One channel reads wrong"),
+        .title = heft::toSay("One channel reads wrong (gain error)"),
         .check = heft::toSay("Hang a known weight from each side of the sensor; check its calibration file."),
         .decides = heft::toSay(
             "Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale."),
@@ -33,13 +33,13 @@ class GainError final : public Cause {
     if (const CauseParameter* asymmetry = v.find("asymmetry_" + channel)) {
       const CauseParameter* gain = v.find("gain_" + channel);
       const double both = gain != nullptr ? gain->value : 0.0;
-      return heft::say("The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.",
+      return heft::say("The channel {} is {:+.1f} % off in one direction and {:+.1f} % in the other.",
                        channelWords(channelOf(channel)), both + asymmetry->value, both - asymmetry->value);
     }
     const std::string much = plusMinus(std::abs(p->value), p->std);
     if (p->name.starts_with("gain_force"))
-      return p->value > 0.0 ? heft::say("All forces read {} % too much against the torques.", much)
-                            : heft::say("All forces read {} % too little against the torques.", much);
+      return p->value > 0.0 ? heft::say("All forces read {} % too much compared with the torques.", much)
+                            : heft::say("All forces read {} % too little compared with the torques.", much);
     if (p->name == "growth")
       return heft::say("The gain of all channels changes by {:+.1f} % during the recording, as when a sensor warms up.",
                        p->value);

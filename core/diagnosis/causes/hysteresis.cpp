@@ -17,7 +17,7 @@ class Hysteresis final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::hysteresis,
         .family = Family::sensor,
-        .title = heft::toSay("Sensor remembers its load"),
+        .title = heft::toSay("Sensor remembers its load (hysteresis)"),
         .check = heft::toSay("Was the sensor overloaded, glued or pinched? Check its screws."),
         .decides = heft::toSay("Load the sensor slowly up and down in one direction, in small and large steps."),
         .looks = heft::toSay(
@@ -31,10 +31,9 @@ class Hysteresis final : public Cause {
     if (!p) return {};
     const std::string much = plusMinus(std::abs(p->value), p->std);
     if (p->name.starts_with("loop"))
-      return heft::say(
-          "The sensor remembers its load: it reads {} % of the load's range differently going up and coming down.",
-          much);
-    return heft::say("The sensor remembers {} of its load: it reads differently going up and coming down.",
+      return heft::say("The sensor remembers its load: loading and unloading differ by {} % of the load's range.",
+                       much);
+    return heft::say("The sensor remembers {} of its load: it reads differently while it is loaded and unloaded.",
                      p->name.starts_with("memory") ? fmt::format("{} %", much) : parameterWords(*p));
   }
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }

@@ -14,7 +14,7 @@ class JointOffset final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::jointOffset,
         .family = Family::geometry,
-        .title = heft::toSay("Joint angle off"),
+        .title = heft::toSay("Joint angle off (encoder offset)"),
         .check = heft::toSay("Check that joint's calibration and the robot description of this recording."),
         .decides = heft::toSay("Visit poses in which the other joints stand very differently, elbow high and low."),
         .looks = heft::toSay("A difference that depends on the pose: a tilt that is not the same everywhere."),
@@ -26,10 +26,10 @@ class JointOffset final : public Cause {
     if (!p) return {};
     if (const auto once = p->name.find("_once_"); once != std::string::npos) {
       const std::string both = p->name.substr(0, once + 6);
-      return heft::say("Joint {} is read up to {} degrees wrong, to and fro once a turn.", p->name.substr(1, once - 1),
-                       v.norm({both + "sine", both + "cosine"}));
+      return heft::say("The angle of joint {} is off by up to {} degrees, varying once per turn.",
+                       p->name.substr(1, once - 1), v.norm({both + "sine", both + "cosine"}));
     }
-    return heft::say("Joint {} is really {} degrees away from what was recorded.", p->name.substr(1, 1),
+    return heft::say("The angle of joint {} is {} degrees off.", p->name.substr(1, 1),
                      plusMinus(std::abs(p->value), p->std));
   }
   std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "sensor_rotation"}; }

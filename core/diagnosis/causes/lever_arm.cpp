@@ -14,9 +14,9 @@ class LeverArm final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::leverArm,
         .family = Family::geometry,
-        .title = heft::toSay("Sensor's place is wrong"),
+        .title = heft::toSay("Sensor position wrong (lever arm)"),
         .check = heft::toSay("Measure from the flange to the sensor's origin and compare with the meta file."),
-        .decides = heft::toSay("Turn the tool fast to and fro about all three axes."),
+        .decides = heft::toSay("Rotate the tool fast back and forth about all three axes."),
         .looks =
             heft::toSay("Slow motion fits; fast turning leaves a difference that grows with the square of its speed."),
         .decidingMotion = "wobble",
@@ -25,8 +25,7 @@ class LeverArm final : public Cause {
     return kInfo;
   }
   std::string sentence(const FoundValues& v) const override {
-    return heft::say("The sensor's origin sits {} mm away from where the meta file puts it.",
-                     v.norm({"dx", "dy", "dz"}));
+    return heft::say("The sensor's origin is {} mm from where the meta file puts it.", v.norm({"dx", "dy", "dz"}));
   }
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {

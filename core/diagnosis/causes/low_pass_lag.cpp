@@ -15,7 +15,7 @@ class LowPassLag final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::lowPassLag,
         .family = Family::timing,
-        .title = heft::toSay("Readings smoothed"),
+        .title = heft::toSay("Force readings smoothed (low-pass filter)"),
         .check = heft::toSay("Is a filter or averaging switched on in the sensor's amplifier or driver?"),
         .decides = heft::toSay(
             "Shake the tool quickly for ten seconds: smoothing makes fast forces smaller, a delay does not."),

@@ -14,7 +14,7 @@ class MotionLag final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::motionLag,
         .family = Family::timing,
-        .title = heft::toSay("Accelerations late"),
+        .title = heft::toSay("Accelerations late (motion lag)"),
         .check = heft::toSay("Record the plain joint angles at the full rate, without smoothing."),
         .decides = heft::toSay(
             "Turn the tool slowly through large angles: late readings show then too, late accelerations do not."),
@@ -26,7 +26,7 @@ class MotionLag final : public Cause {
   std::string sentence(const FoundValues& v) const override {
     return v.direct ? heft::say("The reported velocities come {} ms late; Heft can use the positions instead.",
                                 v.size("lag"))
-                    : heft::say("Accelerations come {} ms late; the angles do not.", v.size("lag"));
+                    : heft::say("The accelerations lag by {} ms; the angles do not.", v.size("lag"));
   }
   std::vector<std::string> lookAlikes() const override { return {"time_offset", "derivative_noise"}; }
   std::vector<Form> forms(const Signals&) const override {

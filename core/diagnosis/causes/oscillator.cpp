@@ -272,9 +272,10 @@ class LooseMass final : public Oscillator {
     static constexpr CauseInfo kInfo{
         .id = ids::looseMass,
         .family = Family::dynamicGain,
-        .title = heft::toSay("Something loose in the tool"),
+        .title = heft::toSay("Something is loose in the tool"),
         .check = heft::toSay("Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?"),
-        .decides = heft::toSay("Move and stop abruptly a few times in different directions: what is loose rings on."),
+        .decides =
+            heft::toSay("Move and stop abruptly a few times in different directions: a loose part keeps swinging."),
         .looks = heft::toSay("After each stop the difference swings on for a while, a few times a second."),
         .decidingMotion = "shake-forwards",
         .effect = "loose_mass"};
@@ -283,9 +284,10 @@ class LooseMass final : public Oscillator {
   std::string sentence(const FoundValues& v) const override {
     if (const CauseParameter* mass = v.find("mass"); mass && v.value("damping") > 0.5)
       return mass->std > 0.5 * mass->value
-                 ? heft::say("Something in the tool is loose and rolls to another place as it turns.")
-                 : heft::say("About {} g in the tool are loose and roll to another place as it turns.", v.size("mass"));
-    return heft::say("About {} g in the tool are loose and swing {} times a second.", v.size("mass"),
+                 ? heft::say("Something in the tool is loose and rolls to another place as the tool turns.")
+                 : heft::say("About {} g of the tool is loose and rolls to another place as the tool turns.",
+                             v.size("mass"));
+    return heft::say("About {} g of the tool is loose and swings {} times a second.", v.size("mass"),
                      numberWords(v.value("frequency"), 1));
   }
   std::vector<std::string> lookAlikes() const override { return {"flexible_mount", "low_pass_lag"}; }
@@ -382,10 +384,10 @@ class FlexibleMount final : public Oscillator {
     static constexpr CauseInfo kInfo{
         .id = ids::flexibleMount,
         .family = Family::dynamicGain,
-        .title = heft::toSay("Mount gives"),
+        .title = heft::toSay("The tool's mount gives (flexible mount)"),
         .check = heft::toSay("Tighten the screws between arm, sensor and tool; look for rubber or thin adapters."),
         .decides = heft::toSay("Tap the tool with a finger while the arm holds still."),
-        .looks = heft::toSay("A fine, fast ringing after every jerk, always at the same pitch."),
+        .looks = heft::toSay("A small, fast ringing after every jerk, always at the same frequency."),
         .effect = "flexible_mount"};
     return kInfo;
   }

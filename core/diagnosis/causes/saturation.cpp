@@ -14,7 +14,7 @@ class Saturation final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::saturation,
         .family = Family::sensor,
-        .title = heft::toSay("Sensor at its limit"),
+        .title = heft::toSay("Sensor at its limit (saturation)"),
         .check = heft::toSay("Use a range that fits the load, and check the sensor's zero."),
         .decides = heft::toSay("Repeat the motion more slowly, or with a lighter tool."),
         .looks = heft::toSay("The measured curve is cut off flat at the top."),
@@ -25,11 +25,10 @@ class Saturation final : public Cause {
     if (v.direct) return heft::say("The sensor reached the end of its range in {} % of the readings.", v.size("share"));
     const auto loss = std::find_if(v.parameters.begin(), v.parameters.end(),
                                    [](const CauseParameter& p) { return p.name.starts_with("loss_"); });
-    return loss == v.parameters.end()
-               ? std::string()
-               : heft::say("Near the end of its range the channel {} shows {} % less than there is.",
-                           channelWords(channelOf(std::string_view(loss->name).substr(5))),
-                           plusMinus(loss->value, loss->std));
+    return loss == v.parameters.end() ? std::string()
+                                      : heft::say("Near the end of its range the channel {} reads {} % too little.",
+                                                  channelWords(channelOf(std::string_view(loss->name).substr(5))),
+                                                  plusMinus(loss->value, loss->std));
   }
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "contact"}; }
   std::vector<Form> forms(const Signals&) const override {

@@ -17,7 +17,7 @@ class Spikes final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::spikes,
         .family = Family::dataQuality,
-        .title = heft::toSay("Spikes"),
+        .title = heft::toSay("Spikes in the readings"),
         .check = heft::toSay("Check the sensor's cable and plug, and what switches on nearby."),
         .decides = heft::toSay("Hold still for a few seconds: spikes come without motion."),
         .looks = heft::toSay("Single readings far off, with normal ones on both sides."),
@@ -37,7 +37,7 @@ class Dropouts final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::dropouts,
         .family = Family::dataQuality,
-        .title = heft::toSay("Readings lost or repeated"),
+        .title = heft::toSay("Readings lost or repeated (dropouts)"),
         .check = heft::toSay("Check the connection, and record at the sensor's own rate."),
         .decides = heft::toSay("None is needed: the readings show it."),
         .looks = heft::toSay("The measured curve has flat steps or holes where it should run on."),
@@ -48,13 +48,13 @@ class Dropouts final : public Cause {
     if (v.value("zero") > 0.0)
       return heft::say("{} % of the readings are zero throughout: lost packets.", v.size("zero"));
     if (v.find("replayed") && v.value("replayed") > std::max(v.value("repeated"), v.value("missing")))
-      return heft::say("{} % of the readings were handed out a second time, in place of new ones.", v.size("replayed"));
+      return heft::say("{} % of the readings were delivered a second time in place of new ones.", v.size("replayed"));
     if (v.find("motion_repeated") && v.value("motion_repeated") > std::max(v.value("repeated"), v.value("missing")))
-      return heft::say("{} % of the recorded positions repeat the one before, while the tool moved on.",
+      return heft::say("{} % of the recorded positions repeat the previous one although the tool was moving.",
                        v.size("motion_repeated"));
     if (v.value("missing") > v.value("repeated"))
       return heft::say("{} % of the readings are missing.", v.size("missing"));
-    return heft::say("{} % of the force readings repeat the one before.", v.size("repeated"));
+    return heft::say("{} % of the force readings repeat the previous one.", v.size("repeated"));
   }
 };
 
@@ -65,10 +65,10 @@ class Jitter final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::jitter,
         .family = Family::dataQuality,
-        .title = heft::toSay("Uneven time stamps"),
+        .title = heft::toSay("Uneven time stamps (jitter)"),
         .check = heft::toSay("Let the sensor or the robot stamp the readings, not a busy computer."),
         .decides = heft::toSay("None is needed: the time stamps show it."),
-        .looks = heft::toSay("In fast motion the measured curve trembles forth and back in time."),
+        .looks = heft::toSay("In fast motion the measured curve jitters back and forth in time."),
         .effect = "jitter"};
     return kInfo;
   }
@@ -85,7 +85,7 @@ class Quantisation final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::quantisation,
         .family = Family::dataQuality,
-        .title = heft::toSay("Coarse readings"),
+        .title = heft::toSay("Coarse readings (quantisation)"),
         .check = heft::toSay("Choose a finer measuring range, or a file format with more digits."),
         .decides = heft::toSay("None is needed: the readings show it."),
         .looks = heft::toSay("The measured curve climbs in stairs where the simulated one is smooth."),

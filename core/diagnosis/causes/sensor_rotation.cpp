@@ -14,7 +14,7 @@ class SensorRotation final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::sensorRotation,
         .family = Family::geometry,
-        .title = heft::toSay("Sensor mounted turned"),
+        .title = heft::toSay("Sensor rotated on its mount"),
         .check = heft::toSay("Compare the arrows printed on the sensor with the mount in the meta file."),
         .decides = heft::toSay("Turn the last joint by half a turn and hold, then tilt the tool."),
         .looks = heft::toSay("The weight shows up on the wrong axis of the sensor, always the same one."),
@@ -24,7 +24,7 @@ class SensorRotation final : public Cause {
     return kInfo;
   }
   std::string sentence(const FoundValues& v) const override {
-    return heft::say("The sensor sits turned by {} degrees.", v.norm({"rx", "ry", "rz"}));
+    return heft::say("The sensor is rotated by {} degrees.", v.norm({"rx", "ry", "rz"}));
   }
   std::vector<std::string> lookAlikes() const override { return {"joint_offset", "crosstalk"}; }
   std::vector<Form> forms(const Signals&) const override {

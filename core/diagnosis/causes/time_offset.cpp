@@ -15,7 +15,7 @@ class TimeOffset final : public Cause {
     static constexpr CauseInfo kInfo{
         .id = ids::timeOffset,
         .family = Family::timing,
-        .title = heft::toSay("Readings late"),
+        .title = heft::toSay("Force readings late (delay)"),
         .check = heft::toSay("Do force and joint angles get their time from one clock, at the source?"),
         .decides = heft::toSay("Shake the tool quickly for ten seconds, two to four times a second."),
         .looks = heft::toSay(
@@ -26,9 +26,10 @@ class TimeOffset final : public Cause {
   }
   std::string sentence(const FoundValues& v) const override {
     if (v.find("clock_drift"))
-      return heft::say("The clocks of force readings and motion run apart, by {} ms a second.", v.size("clock_drift"));
+      return heft::say("The clocks of the force readings and of the motion drift apart by {} ms per second.",
+                       v.size("clock_drift"));
     return v.value("delay") > 0.0 ? heft::say("The force readings arrive {} ms late.", v.size("delay"))
-                                  : heft::say("The force readings arrive {} ms before the motion.", v.size("delay"));
+                                  : heft::say("The motion arrives {} ms after the force readings.", v.size("delay"));
   }
   std::vector<std::string> lookAlikes() const override { return {"low_pass_lag", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {

@@ -52,8 +52,7 @@ Result<DiagnosisReport::Check> checkOn(const DiagnosisReport& report, const Reco
   Signals signals = signalsOf(other, *motion, robot);
   const std::vector<bool> untouched = untouchedIn(other, *motion, signals);
   const auto stretches = stretchesOf(untouched);
-  if (stretches.empty())
-    return Error{heft::say("Nothing in {} touches nothing for long enough to check a cause on it.", other.file)};
+  if (stretches.empty()) return Error{heft::say("{} has too little free motion to check a cause on it.", other.file)};
   DiagnosisReport::Check out;
   out.file = other.file;
   Model kept;
@@ -94,10 +93,12 @@ std::string checkText(const DiagnosisReport::Check& check) {
   if (check.checked.empty())
     return heft::say("What was found belongs to its own recording; nothing of it can be checked on {}.", check.file);
   const std::string checked = titles(check.checked);
-  std::string out = check.holds() ? heft::say("Holds on {}, too: {}.", check.file, checked)
-                    : check.gain < -kThreshold
-                        ? heft::say("Makes {} worse: {}. That one has it not, or otherwise.", check.file, checked)
-                        : heft::say("Makes no difference on {}: {}. Its motion does not show it.", check.file, checked);
+  std::string out =
+      check.holds() ? heft::say("Holds on {}, too: {}.", check.file, checked)
+      : check.gain < -kThreshold
+          ? heft::say("Makes {} worse: {}. That recording does not have this fault, or has it differently.", check.file,
+                      checked)
+          : heft::say("Makes no difference on {}: {}. Its motion does not excite this fault.", check.file, checked);
   if (!check.ofOneMoment.empty())
     out += " " + heft::say("Not checked, since it belongs to one recording: {}.", titles(check.ofOneMoment));
   return out;

@@ -169,12 +169,11 @@ std::optional<Error> estimateAgain(DiagnosisReport& report, const Recording& rec
                            "something unknown is left; so it is left as it was."),
                  heft::say("Find what is unknown first: record the motion once more, more slowly."));
   } else if (report.metaChanges().value("sensor", nlohmann::json::object()).contains("mount")) {
-    report.findings.push_back(
-        {Severity::info,
-         "payload_as_stated",
-         heft::say("The payload is told from the sensor's place and axes as the meta file states them."),
-         heft::say("Where the corrected meta file is used, estimate once more with it."),
-         {}});
+    report.findings.push_back({Severity::info,
+                               "payload_as_stated",
+                               heft::say("The payload is given in the sensor frame that the meta file states."),
+                               heft::say("If you use the corrected meta file, estimate again with it."),
+                               {}});
   }
   return std::nullopt;
 }

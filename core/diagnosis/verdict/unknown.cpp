@@ -158,11 +158,11 @@ Claim segmentsSetAside(const Asked& asked, const WhatRemains&) {
   out.findings.push_back(warning(
       "odd_stretches",
       h.unexplained.size() == 1
-          ? heft::say("A stretch of {:.1f} s was left out: what acts there goes with {} and is no touch.", lasts,
+          ? heft::say("A segment of {:.1f} s was excluded: what acts there goes with {} and is not contact.", lasts,
                       correlate)
-          : heft::say("{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.",
+          : heft::say("{} segments, {:.1f} s in total, were excluded: what acts there goes with {} and is not contact.",
                       std::ssize(h.unexplained), lasts, correlate),
-      heft::say("Look at what switches, shakes or turns on the tool at these moments.")));
+      heft::say("Check what switches, vibrates or rotates on the tool at these times.")));
   if (!asked.by.known || h.unexplainedCorrelate == kOneChannel) out.remaining = seen(h.unexplainedCorrelate, evidence);
   return out;
 }
@@ -252,7 +252,7 @@ Claim bursts(const Asked& asked, const WhatRemains&) {
                                     at.front())
                         : heft::say("The readings shake in some parts of the recording, and not in others that move "
                                     "alike."),
-                   heft::say("Look at what switches, shakes or turns on the tool at these moments."))}};
+                   heft::say("Check what switches, vibrates or rotates on the tool at these times."))}};
 }
 
 /// Where nothing else was found, one moment at which a reading is plainly wrong is no noise.
@@ -262,7 +262,7 @@ Claim oneGlitch(const Asked& asked, const WhatRemains&) {
   const auto at = glitchIn(h.signals, h.stretches, h.search.final);
   if (!at) return {};
   return {seen(heft::toSay("a few moments alone")),
-          {warning("glitch", heft::say("At {:.2f} s the readings leap to where no load takes them and back.", *at),
+          {warning("glitch", heft::say("At {:.2f} s the readings jump briefly to implausible values.", *at),
                    heft::say("Check the sensor's cable and plug; mark the moment as \"ignore\"."))}};
 }
 
@@ -285,9 +285,9 @@ Claim stuckBitsOf(const Asked& asked, const WhatRemains&) {
   for (const StuckBit& bit : asked.by.stuckBits)
     out.findings.push_back(
         warning("stuck_bit",
-                heft::say("{} leaves out every other step of {:.2g} {}: a bit of its converter never changes.",
+                heft::say("{} uses only every other step of {:.2g} {}: one bit of its converter appears to be stuck.",
                           channelName(bit.channel), bit.worth, bit.channel < 3 ? "N" : "N m"),
-                heft::say("Restart the sensor's electronics; if that does not help, have them mended.")));
+                heft::say("Restart the sensor's electronics; if that does not help, have them repaired.")));
   if (!asked.by.stuckBits.empty()) out.remaining = seen(heft::toSay("steps that a channel never reads"));
   return out;
 }
@@ -297,13 +297,14 @@ Claim fewLeaps(const Asked& asked, const WhatRemains&) {
   if (rows == 0) return {};
   return {
       {},
-      {info("few_leaps",
-            rows == 1
-                ? heft::say("One reading leaps for a single row. It was replaced by what lies beside it.")
-                : heft::say("{} readings leap for a single row, too few to tell what makes them. They were replaced "
-                            "by what lies beside them.",
-                            rows),
-            heft::say("Look for what knocks or jerks, and check the sensor's plug, if there are more next time."))}};
+      {info(
+          "few_leaps",
+          rows == 1
+              ? heft::say("One reading jumps for a single row. It was replaced by interpolation.")
+              : heft::say(
+                    "{} readings jump for a single row, too few to determine why. They were replaced by interpolation.",
+                    rows),
+          heft::say("Look for what knocks or jerks, and check the sensor's plug, if there are more next time."))}};
 }
 
 Claim frozenChannelOf(const Asked& asked, const WhatRemains&) {
@@ -369,7 +370,7 @@ bool isAsked(const Unknown& unknown, const ByReadings& by, double gain) {
 
 WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, const ByReadings& by,
                         const Structure& structure) {
-  WhatRemains out{structure, {}, false};
+  WhatRemains out{structure, {}};
   const Asked asked(hypothesis, cleaned, by);
   for (const Unknown& unknown : kUnknowns) {
     if (!isAsked(unknown, by, out.structure.gain)) continue;
@@ -379,6 +380,7 @@ WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, 
     if (unknown.replaces == Replaces::weaker && claim.remaining->gain < out.structure.gain) continue;
     out.structure = std::move(*claim.remaining);
     out.claimed = true;
+    out.seen = out.structure.gain == kSeen;
   }
   return out;
 }

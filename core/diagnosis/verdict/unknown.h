@@ -28,6 +28,7 @@ struct WhatRemains {
   Structure structure;   ///< That the verdict counts; gain <= 0: nothing
   Findings findings;     ///< What is said of it, and of what is no matter of the verdict
   bool claimed = false;  ///< Some hypothesis about what the catalogue lacks holds, beyond what was known
+  bool seen = false;     ///< The structure was seen: its gain is just large, and no evidence to compare with
 };
 
 /// Asks each hypothesis about what the catalogue lacks, in the order of the table there. `structure`: what is known to

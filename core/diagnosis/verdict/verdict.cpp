@@ -203,7 +203,29 @@ void giveVerdict(const Hypothesis& hypothesis, const Structure& remaining, Diagn
   out.remaining = std::move(decision.remaining);
 }
 
+void dropBesideUnknown(DiagnosisReport& report) {
+  std::vector<std::string> titles;
+  std::erase_if(report.causes, [&](const DiagnosedCause& cause) {
+    const bool drops = !cause.direct && cause.deltaBic < report.remaining.gain;
+    if (drops) titles.push_back('"' + causeTitle(cause.id) + '"');
+    return drops;
+  });
+  if (titles.empty()) return;
+  report.findings.push_back(
+      {Severity::info,
+       "not_told",
+       heft::say("There is less evidence for {} than for the unexplained part, and it may belong to that. It is not "
+                 "reported as a cause.",
+                 joined(titles)),
+       heft::say("Find what is unknown first: record the motion once more, more slowly."),
+       {}});
+}
+
 namespace {
+
+bool lacksPosition(const DiagnosisReport& report) {
+  return std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "origin_acceleration_unknown"; });
+}
 
 std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
@@ -221,7 +243,10 @@ std::string verdictSentence(const DiagnosisReport& report) {
                          others);
     }
     case Verdict::unexplained:
-      return fmt::format("Something unknown is left that goes with {}.", report.remaining.goesWith.english());
+      return fmt::format("Something unknown is left that goes with {}.{}", report.remaining.goesWith.english(),
+                         lacksPosition(report) ? " The recording has no position of the sensor, so the acceleration of "
+                                                 "its origin is unknown: that is the first suspect."
+                                               : "");
     case Verdict::explained:
       break;
   }

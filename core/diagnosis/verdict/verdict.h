@@ -10,6 +10,10 @@ namespace heft::diagnosis {
 /// out.
 void giveVerdict(const Hypothesis& hypothesis, const Structure& remaining, DiagnosisReport& report);
 
+/// Takes out fitted causes for which less speaks than for the unknown that remains: they help to describe that, and are
+/// not found. Says so in the findings.
+void dropBesideUnknown(DiagnosisReport& report);
+
 /// The sentences of a report that is complete: the verdict's, and what a person reads about each cause.
 void putIntoWords(DiagnosisReport& report);
 

@@ -49,7 +49,7 @@ TEST(DiagnosisReport, TextAndPageNameTheCause) {
   const auto witnesses = diagnosis::witnesses(made().recording, &RobotModel::panda()).value();
   const std::string page = toHtml(made().report, witnesses);
   EXPECT_NE(page.find("<svg"), std::string::npos);
-  EXPECT_NE(page.find("Readings late"), std::string::npos);
+  EXPECT_NE(page.find("Force readings late (delay)"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos) << "A page on its own fetches nothing.";
   EXPECT_EQ(page.find("nan"), std::string::npos);
   for (const char* part : {"Force difference by frequency", "Torque difference by frequency",
@@ -65,10 +65,10 @@ TEST(DiagnosisReport, PageSaysWhatElseWasNoticed) {
   report.causes.front().alternatives = {"motion_lag"};
   report.check = {"other.csv", {0.5, 0.05}, {0.1, 0.01}, 50.0, false, {"motion_lag"}, {"bias_drift"}};
   const std::string page = toHtml(report, {});
-  for (const char* part :
-       {"The zero &lt;wanders&gt;. Let it warm up.", "other.csv: 0.500 &rarr; 0.100 N",
-        "Holds on other.csv, too: &quot;Accelerations late&quot;.",
-        "belongs to one recording: &quot;Sensor drifts&quot;", "Accelerations late", "Robot base tilted"})
+  for (const char* part : {"The zero &lt;wanders&gt;. Let it warm up.", "other.csv: 0.500 &rarr; 0.100 N",
+                           "Holds on other.csv, too: &quot;Accelerations late (motion lag)&quot;.",
+                           "belongs to one recording: &quot;Sensor zero drifts (bias drift)&quot;",
+                           "Accelerations late (motion lag)", "Robot base tilted"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const char* part : {"motion_lag", "gravity_tilt", "Unknown:"})
     EXPECT_EQ(page.find(part), std::string::npos) << part;
