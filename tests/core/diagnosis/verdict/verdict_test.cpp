@@ -163,5 +163,26 @@ TEST(Verdict, ASlightCauseBesideAStrongOneIsNotNamed) {
   }
 }
 
+/// What helps to describe an unknown that more speaks for is not found; what was seen in the samples was.
+TEST(Verdict, WhatExplainsLessThanTheUnknownIsNotTold) {
+  DiagnosisReport report;
+  report.verdict = Verdict::unexplained;
+  report.remaining.gain = 349.0;
+  report.causes = {fitted("time_offset"), fitted("saturation"), fitted("contact")};
+  report.causes[0].deltaBic = 400.0;
+  report.causes[1].deltaBic = 59.0;
+  report.causes[2].deltaBic = 0.0;
+  report.causes[2].direct = true;
+  dropBesideUnknown(report);
+  ASSERT_EQ(report.causes.size(), 2u);
+  EXPECT_EQ(report.causes[0].id, "time_offset");
+  EXPECT_EQ(report.causes[1].id, "contact");
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings.front().code, "not_told");
+  EXPECT_NE(report.findings.front().text.find("Sensor at its limit"), std::string::npos);
+  dropBesideUnknown(report);
+  EXPECT_EQ(report.findings.size(), 1u);
+}
+
 }  // namespace
 }  // namespace heft::test
