@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/cli.h"
+#include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/text.h"
+#include "core/conventions/check.h"
+#include "core/motion/motion.h"
 #include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
@@ -27,6 +31,40 @@ std::string motionForm(const Recording& recording) {
   if (recording.hasJoints()) return fmt::format("{} joints", recording.q.cols());
   if (recording.hasPosition()) return "sensor poses";
   return "orientation only";
+}
+
+/// What physics says that the numbers mean, where motion and wrench are there; else null.
+struct Meaning {
+  json conventions;
+  std::string text;
+};
+Meaning meaningOf(const ConvertArguments& options) {
+  Meaning out;
+  std::optional<Input> input;
+  try {
+    ProgressLine line;
+    input = readInput(options.input, options.import, {}, line.progress());
+  } catch (const Failed&) {
+    return out;  // Cannot be read as a whole: converting or estimating it says why.
+  }
+  const Recording& recording = input->recording;
+  const auto motion = recording.meta.kind == RecordingKind::poses ? standingPoses(recording, input->model())
+                                                                  : motionOf(recording, input->model(), {});
+  if (!motion) return out;
+  const auto question = conventions::questionOf(recording, *motion);
+  const conventions::Report report = conventions::check(question);
+  out.conventions = toJson(report, recording.meta.mount, !question.posesInFile);
+  if (!report.enough) {
+    out.text = "\nToo few numbers to tell what they mean.\n";
+    return out;
+  }
+  out.text = fmt::format("\n{}\n", report.sentence);
+  for (const auto& tie : report.ties) out.text += fmt::format("  fits as well: {}\n", tie.sentence);
+  if (!report.decides.empty()) out.text += fmt::format("  {}\n", report.decides);
+  if (const json& meta = out.conventions["meta"]; !meta.is_null())
+    out.text += fmt::format("  Write into the meta file: {}\n", meta.dump());
+  if (!report.check.empty()) out.text += fmt::format("  {}\n", report.check);
+  return out;
 }
 
 /// What there is to choose from, and what would be taken.
@@ -61,6 +99,7 @@ void list(const ConvertArguments& options) {
                        {"rate_hz", stream.rateHz()},
                        {"fields", std::move(fields)}});
   }
+  const Meaning meaning = contents.missing.empty() ? meaningOf(options) : Meaning{};
   if (!options.json.empty())
     writeOutput(options.json,
                 fileText({{"schema", "heft.contents/1"},
@@ -68,11 +107,12 @@ void list(const ConvertArguments& options) {
                           {"kind", toString(contents.kind)},
                           {"streams", std::move(streams)},
                           {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
+                          {"conventions", meaning.conventions},
                           {"findings", toJson(contents.findings)}}),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.contents/1"); }});
   if (options.json == "-") return;
   if (!contents.missing.empty()) text += fmt::format("\n{}\n", contents.missing);
-  print(text);
+  print(text + meaning.text);
   printFindings(contents.findings, true);
 }
 

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "app/cli/cli.h"
+#include "app/cli/recording_options.h"
 #include "app/cli/running_estimate.h"
 #include "core/base/text.h"
 #include "core/estimation/estimate.h"
@@ -35,7 +36,7 @@ constexpr std::size_t kMostRows = 4'000'000;  ///< About an hour at 1 kHz is kep
 
 struct LiveArguments {
   std::vector<std::string> sources;
-  std::string record, meta, shape, shapeFile, json;
+  std::string record, meta, shape, shapeFile, json, conventions = "as-stated";
   double duration = 0.0;
   bool force = false;
 };
@@ -291,7 +292,7 @@ class LiveRun {
     }
     std::optional<RobotModel> robot;
     if (first.q) robot = orFail(robotFor(meta_, findings_));
-    running_.emplace(meta_, robot ? &*robot : nullptr, settings_.shape);
+    running_.emplace(meta_, robot ? &*robot : nullptr, settings_.shape, settings_.conventions);
   }
 
   const LiveArguments& options_;
@@ -317,6 +318,7 @@ void run(const LiveArguments& options) {
     settings.shape = std::move(shape).value();
   }
   if (!options.shapeFile.empty()) settings.shape = orFail(readShapeFile(options.shapeFile));
+  settings.conventions = conventionChoice(options.conventions);
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
     throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));
   const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
@@ -353,6 +355,7 @@ Command makeLiveCommand(CLI::App& root) {
   app->add_option("--record", options->record, "Write the samples to this CSV as they arrive")->type_name("FILE");
   app->add_option("--meta", options->meta, "Meta file: robot, sensor mount, wrench sign, gravity")->type_name("FILE");
   app->add_option("--duration", options->duration, "End after so many seconds; otherwise at Ctrl-C")->type_name("S");
+  addConventionChoice(*app, options->conventions);
   app->add_option("--shape", options->shape, "Shape of the tool, as in 'heft estimate'")->type_name("SHAPE");
   app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")->type_name("FILE");
   app->add_option("--json", options->json, "Write the final estimate as JSON; - is stdout")->type_name("FILE");

@@ -20,11 +20,14 @@ struct Question {
   RecordingKind kind = RecordingKind::motion;
   Reading stated;
   bool posesInFile = false;  ///< The motion comes from poses in the file, not from joints.
-  SensorMount mount;         ///< As stated; for the meta keys.
   std::vector<bool> use;     ///< Empty, or one a sample of the motion: what the user marked as contact is not used.
   double heaviest = 50.0;    ///< Payload of the arm [kg]: what weighs more is not read rightly. Arms guided by hand
                              ///< carry 3 to 50 kg (FANUC CR-35iB).
 };
+
+/// What to ask of a recording whose motion, as stated, is `motion` (standing poses: of standingPoses()). Of a motion only
+/// what the user did not mark as contact, or as to be ignored, is used. `motion` must outlive it.
+Question questionOf(const Recording& recording, const Motion& motion);
 
 enum class Verdict {
   asStated,   ///< The stated conventions fit, or what is wrong is no convention.
@@ -74,6 +77,14 @@ struct Report {
 constexpr double kFits = 0.08;
 
 Report check(const Question& question);
+
+/// What a payload and a zero, fitted robustly, leave of the readings of `question.motion` as stated.
+struct LeftOver {
+  std::vector<double> time;  ///< [s], of blocks of some 80 ms; poses: their numbers, from 1
+  MatrixXd left;             ///< 6 x K, force [N] and torque [N m] in sensor axes
+  double mass = 0.0;         ///< Of the payload [kg]; below 0 where the sign is wrong
+};
+LeftOver leftOver(const Question& question);
 
 /// {"verdict", "stated", "suggested", "evidence", "over_stated", "meta", "ties", "sentence", "misfit": {...}}: the
 /// contract's keys of `conventions` and more.

@@ -120,7 +120,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
   out.stated = recording;
-  if (!asStated) out.mistake = frameMistake(out.cleaned, *motion, conventionsOf(out.cleaned, *motion));
+  if (!asStated) out.mistake = frameMistake(out.cleaned, *motion, conventions::check(conventions::questionOf(out.cleaned, *motion)));
   if (out.mistake) {
     if (auto error = putRight(out, robot, options)) return *error;
     motion = motionOf(out.cleaned, robot, smoothing);
@@ -414,7 +414,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
-  out.ofPoses = recording.q.rows() == 0;
+  out.ofPoses = recording.hasOrientation();
   progress(0.02, heft::say("Looking at single readings"));
   auto readings = readingsOf(recording, robot, options);
   if (!readings) return readings.error();

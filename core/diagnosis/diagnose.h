@@ -72,7 +72,7 @@ struct DiagnosisSeries {
 
 struct DiagnosisReport {
   std::string file;
-  bool ofPoses = false;  ///< The sensor's pose was recorded and no joints: where the meta file mounts it is not used
+  bool ofPoses = false;  ///< The sensor's pose was recorded: where the meta file mounts it is not used.
   Verdict verdict = Verdict::clean;
   std::string sentence;                  ///< The verdict in plain words
   diagnosis::WrenchRms baseline, noise;  ///< Misfit of bias and payload; noise floor

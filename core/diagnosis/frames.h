@@ -28,9 +28,6 @@ struct FrameMistake {
   std::string check() const;
 };
 
-/// What core/conventions says of it: of `motion` as stated, standing poses or not. Marked stretches are not used.
-conventions::Report conventionsOf(const Recording& recording, const Motion& motion);
-
 /// The conventions that have to be put right; nothing if the recording is understood as stated, or nothing fits.
 std::optional<FrameMistake> frameMistake(const Recording& recording, const Motion& motion,
                                          const conventions::Report& report);

@@ -463,12 +463,12 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
-  out.ofPoses = !recording.hasJoints();
+  out.ofPoses = recording.hasOrientation();
   progress(0.05, heft::say("Looking at conventions"));
   auto motion = standingPoses(recording, robot);
   if (!motion) return motion.error();
   if (!recording.hasPosition() && recording.hasOrientation()) motion->originAccelerationKnown = false;
-  const conventions::Report told = conventionsOf(recording, *motion);
+  const conventions::Report told = conventions::check(conventions::questionOf(recording, *motion));
   out.mistake = frameMistake(recording, *motion, told);
   Recording stated = recording;
   const auto posesIn = [&](const Recording& of, Motion from) {

@@ -108,7 +108,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   report.segments = prepared.segments;
   if (prepared.conventions) report.conventions = *prepared.conventions;
   report.readAsSuggested = prepared.readAsSuggested;
-  report.motionFromJoints = recording.hasJoints();
+  report.motionFromJoints = !recording.hasOrientation();
   report.findings = prepared.findings;
   report.findings.insert(report.findings.end(), prepared.motion.findings.begin(), prepared.motion.findings.end());
   const auto withOthers = [&](std::vector<Triangle> own) {

@@ -138,20 +138,14 @@ struct Understanding {
 Understanding asStated(const Recording& recording) {
   Understanding out;
   out.stated = conventions::statedIn(recording.meta);
-  out.posesInFile = !recording.hasJoints();
+  out.posesInFile = recording.hasOrientation();
   return out;
 }
 
 /// Asks physics what the numbers mean; `as` obeys from now on if the options say so.
 conventions::Report checkConventionsOf(const Recording& recording, const Motion& motion, ConventionChoice choice,
                                        Understanding& as) {
-  conventions::Question question;
-  question.motion = &motion;
-  question.kind = recording.meta.kind;
-  question.stated = as.stated;
-  question.posesInFile = as.posesInFile;
-  question.mount = recording.meta.mount;
-  conventions::Report report = conventions::check(question);
+  conventions::Report report = conventions::check(conventions::questionOf(recording, motion));
   const bool told = report.verdict == conventions::Verdict::suggested;
   if (told && choice == ConventionChoice::suggested) as.reading = report.suggested;
   as.doubtful = report.verdict != conventions::Verdict::asStated && !as.reading;

@@ -11,11 +11,13 @@
 
 namespace heft {
 
-Result<PayloadFile> payloadFile(const OpenRecording& opened, const EstimateReport& report, const ExportChoice& choice) {
+Result<PayloadFile> payloadFile(const OpenRecording& opened, const EstimateReport& report, const ExportChoice& choice,
+                                bool confirmed) {
   const ExportFormat* format = findExportFormat(choice.format);
   if (!format) return Error{fmt::format("This Heft does not write the format \"{}\".", printable(choice.format))};
   const QFileInfo file(opened.path);
   FlangeOptions options;
+  options.force = confirmed;
   options.name = file.completeBaseName().toStdString();
   options.program = "Heft Studio " + QCoreApplication::applicationVersion().toStdString();
   for (const MountedPart& part : choice.mounted) {

@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -79,6 +80,7 @@ void ExportPanel::refresh() {
   const auto opened = workspace().opened();
   const auto report = workspace().report();
   text_.clear();
+  refusal_.clear();
   if (!opened || !report) {
     page()->restart(tr("Where do the numbers go?"), tr("First comes a result."))->addStretch(1);
     page()->setMainButton(opened ? tr("Go to the result") : tr("Go to Record"),
@@ -91,7 +93,7 @@ void ExportPanel::refresh() {
   const ExportChoice choice = choiceNow();
   QVBoxLayout* column =
       page()->restart(tr("Where do the numbers go?"), tr("You see the whole file before anything is written."));
-  const auto file = payloadFile(*opened, *report, choice);
+  const auto file = payloadFile(*opened, *report, choice, confirmed());
   addFormats(column, choice);
   addRole(column, choice);
   addMounted(column, choice, file ? file->onFlange.mass : -1.0);
@@ -101,6 +103,7 @@ void ExportPanel::refresh() {
     preview_->showFile(suggestedName(), text, doubtfulLines(text.split('\n'), *report));
     preview_->setSaved(!savedAs_.isEmpty() && savedText_ == text);
   } else {
+    refusal_ = file.error().message;
     preview_->showNothing(tr("cannot be written"));
   }
   addChecks(column, choice);
@@ -196,9 +199,30 @@ void ExportPanel::addMounted(QVBoxLayout* column, const ExportChoice& choice, do
 
 void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
   QWidget* content = page()->content();
-  const auto file = payloadFile(*workspace().opened(), *workspace().report(), choice);
+  const auto report = workspace().report();
+  const auto file = payloadFile(*workspace().opened(), *report, choice, confirmed());
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Before you save"), "sectionTitle", content));
+  if (!file && report->trust == Trust::none && !confirmed()) {
+    const Card card = makeCard("cardBad", content);
+    card.layout->addWidget(
+        wrappedLabel(tr("Nothing in this result can be trusted, so no file is written."), "cardTitle", content));
+    card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whyNoTrust), "body", content));
+    card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whatToDo), "caption", content));
+    auto* row = new QHBoxLayout;
+    auto* look = new QPushButton(tr("Look for what is wrong"), content);
+    look->setObjectName("acceptButton");
+    connect(look, &QPushButton::clicked, this, [this] { parts().goTo(Step::realityCheck); });
+    row->addWidget(look);
+    row->addStretch(1);
+    auto* anyway = new QPushButton(tr("Write it all the same …"), content);
+    anyway->setObjectName("writeUntrusted");
+    connect(anyway, &QPushButton::clicked, this, &ExportPanel::confirmUntrusted);
+    row->addWidget(anyway);
+    card.layout->addLayout(row);
+    column->addWidget(card.frame);
+    return;
+  }
   if (!file) {
     const Card card = makeCard("cardBad", content);
     card.layout->addWidget(wrappedLabel(QString::fromStdString(file.error().message), "body", content));
@@ -206,7 +230,7 @@ void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
     return;
   }
   const ExportFormat* format = findExportFormat(choice.format);
-  auto checks = checksBeforeSaving(*workspace().report(), file->onFlange, file->findings, choice, *format);
+  auto checks = checksBeforeSaving(*report, file->onFlange, file->findings, choice, *format);
   if (!choice.mountedAnswered) {
     const QString asks = choice.mounted.empty() ? tr("The sensor itself weighs something, too: add it under “Something "
                                                      "else …” unless the controller knows it "
@@ -272,7 +296,7 @@ void ExportPanel::save() {
 }
 
 Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
-  if (text_.empty()) return Error{tr("There is no payload file to save yet.").toStdString()};
+  if (text_.empty()) return Error{refusal_.empty() ? tr("There is no payload file to save yet.").toStdString() : refusal_};
   if (!replace && QFileInfo::exists(path))
     return Error{tr("%1 exists already and was not replaced.").arg(path).toStdString()};
   auto written = writeTextFile(path.toStdString(), text_);
@@ -282,6 +306,32 @@ Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
   preview_->setSaved(true);
   emit stateChanged();
   return true;
+}
+
+bool ExportPanel::confirmed() const {
+  const auto report = workspace().report();
+  return report && confirmed_.lock() == report;
+}
+
+void ExportPanel::confirmUntrusted() {
+  const auto report = workspace().report();
+  if (!report) return;
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("Heft Studio"),
+                              tr("Write a payload that nothing in the recording supports?"), QMessageBox::NoButton, this);
+  box->setObjectName("confirmUntrusted");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setInformativeText(
+      tr("%1\n\nA robot that is told a wrong load drifts when it is guided, stops without a reason, or does not stop "
+         "when it should.")
+          .arg(QString::fromStdString(report->whyNoTrust)));
+  auto* yes = box->addButton(tr("I know that these numbers are wrong; write them"), QMessageBox::DestructiveRole);
+  box->setDefaultButton(box->addButton(tr("Do not write"), QMessageBox::RejectRole));
+  connect(yes, &QAbstractButton::clicked, this, [this, report] {
+    if (workspace().report() != report) return;
+    confirmed_ = report;
+    QMetaObject::invokeMethod(this, &ExportPanel::refresh, Qt::QueuedConnection);
+  });
+  box->open();
 }
 
 void ExportPanel::copy() {

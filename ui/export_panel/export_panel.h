@@ -2,7 +2,9 @@
 // The step "Export": which controller, the two questions that decide what the numbers mean there, the file before it is
 // written, and saving it.
 #include <QString>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "core/workspace/session.h"
 #include "ui/steps/step_panel.h"
@@ -40,12 +42,17 @@ class ExportPanel : public StepPanel {
   void chooseRole(ExportChoice::Role role);
   void save();
   void copy();
+  /// What nothing in the result allows is written only after this was answered with yes, and for this result only.
+  void confirmUntrusted();
+  bool confirmed() const;
   /// The choice of the session, with the parts that this recording suggests where the user has not said anything.
   ExportChoice choiceNow() const;
   QString suggestedName() const;
 
   FilePreview* preview_;
   std::string text_;  ///< Of the file shown; empty if it cannot be made.
+  std::string refusal_;                            ///< Why there is none.
+  std::weak_ptr<const EstimateReport> confirmed_;  ///< To be written although nothing in it can be trusted
   QString savedAs_;   ///< Where this very text was written last.
   QString savedText_;
 };

@@ -82,6 +82,11 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
   std::vector<Check> checks;
   const auto warn = [&](const QString& text) { checks.push_back({Severity::warning, false, text}); };
   if (const QString advice = roleAdvice(format.id, choice.role); !advice.isEmpty()) warn(advice);
+  if (report.trust == Trust::none) {
+    warn(Words::tr("You chose to write numbers that nothing in the recording supports. %1")
+             .arg(QString::fromStdString(report.whyNoTrust)));
+    return checks;
+  }
   if (report.identifiability.mass == Source::none) warn(Words::tr("The mass is not known from this motion."));
   if (anyUnknown(report)) {
     warn(Words::tr(

@@ -246,6 +246,27 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   return rows;
 }
 
+/// What is wrong and what to do next, in place of numbers.
+void withholdNumbers(const EstimateReport& report, ResultText& out) {
+  out.withheld = true;
+  out.question = ResultWords::tr("No weight can be told yet.");
+  out.answer = capitalised(QString::fromStdString(report.whyNoTrust));
+  out.advice = capitalised(QString::fromStdString(report.whatToDo));
+  std::erase_if(out.findings, [](const FindingText& finding) { return finding.noTrust; });
+  const auto hide = [](NumberText& number) {
+    number.value = QString(QChar(0x2014));
+    number.plusMinus.clear();
+    number.tip = ResultWords::tr("The readings do not tell it as they are understood.");
+    number.source = Source::none;
+  };
+  hide(out.mass);
+  std::ranges::for_each(out.com, hide);
+  std::ranges::for_each(out.inertia, hide);
+  for (QString* note : {&out.massNote, &out.comNote, &out.inertiaNote}) note->clear();
+  out.shares.clear();
+  out.known.clear();
+}
+
 }  // namespace
 
 QString sourceWord(Source source) {
@@ -317,7 +338,8 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
     if (finding.code == "weak_direction" && capitalised(QString::fromStdString(finding.text)) == out.advice) continue;
     out.findings.push_back({finding.severity, capitalised(QString::fromStdString(finding.text)),
                             capitalised(QString::fromStdString(finding.remedy)),
-                            finding.severity != Severity::info && kDoubts.contains(finding.code)});
+                            finding.severity != Severity::info && kDoubts.contains(finding.code),
+                            finding.code == "no_trust"});
     out.doubtful = out.doubtful || out.findings.back().doubt;
   }
   if (out.doubtful && id.mass != Source::none)
@@ -330,6 +352,7 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
   out.details = detailTexts(report);
+  if (report.trust == Trust::none) withholdNumbers(report, out);
   return out;
 }
 

@@ -26,7 +26,8 @@ struct MassScale {
 struct FindingText {
   Severity severity = Severity::info;
   QString text, remedy;
-  bool doubt = false;  ///< Says that the numbers themselves may be wrong.
+  bool doubt = false;    ///< Says that the numbers themselves may be wrong.
+  bool noTrust = false;  ///< Says why they are not shown.
 };
 
 struct DetailText {
@@ -45,6 +46,7 @@ struct ResultText {
   QString question;       ///< "Your tool weighs 0.81 kg."
   QString answer;         ///< "Mass and centre are measured; inertia is not known from this motion."
   bool doubtful = false;  ///< A finding doubts the numbers: check before use.
+  bool withheld = false;  ///< Nothing in the result can be trusted: no number is shown.
   NumberText mass;
   MassScale massScale;
   QString massNote;             ///< "you stated 0.815 kg, 0.4 % away"; may be empty

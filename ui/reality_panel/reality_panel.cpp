@@ -41,6 +41,7 @@ namespace {
 struct Looked {
   std::shared_ptr<const DiagnosisReport> report;
   std::vector<diagnosis::Witness> witnesses;
+  std::optional<ReadingCurves> curves;
   std::string json;
 };
 
@@ -52,7 +53,9 @@ Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
   auto report = diagnose(recording, now.robot(), options, progress);
   if (!report) return report.error();
   Looked out;
-  if (auto witnesses = diagnosis::witnesses(recording, now.robot())) out.witnesses = std::move(*witnesses);
+  if (recording.meta.kind == RecordingKind::motion)
+    if (auto witnesses = diagnosis::witnesses(recording, now.robot())) out.witnesses = std::move(*witnesses);
+  out.curves = readingCurves(recording, now.robot(), *report);
   out.json = toJson(*report).dump();
   out.report = std::make_shared<const DiagnosisReport>(std::move(*report));
   return out;
@@ -115,6 +118,11 @@ bool RealityPanel::applied(const std::string& cause) const {
 
 bool RealityPanel::outdated() const { return found() && !sameMarks(found()->marks, workspace().snapshot().marks); }
 
+bool RealityPanel::isOfPoses() const {
+  const auto opened = workspace().opened();
+  return opened && opened->recording.meta.kind == RecordingKind::poses;
+}
+
 bool RealityPanel::riddle() const {
   const auto opened = workspace().opened();
   return opened && practiceSeed(opened->path) && found_.value(opened->path).guess.empty();
@@ -126,8 +134,6 @@ StepState RealityPanel::state() const {
   if (riddle()) return {P::ready, Light::measured, tr("what is wrong?")};
   if (jobs_.running()) return {P::ready, Light::measured, tr("looking …")};
   const int count = static_cast<int>(workspace().corrections().causes.size());
-  if (workspace().opened()->recording.meta.kind == RecordingKind::poses)
-    return {P::done, Light::unknown, tr("needs a motion")};
   if (!found()) {
     if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
     return {P::ready, Light::measured, tr("not looked yet")};
@@ -226,6 +232,7 @@ void RealityPanel::diagnose() {
           entry.of = now.opened;
           entry.report = result->report;
           entry.witnesses = std::move(result->witnesses);
+          entry.curves = std::move(result->curves);
           entry.json = std::move(result->json);
           entry.marks = now.marks;
         } else {
@@ -280,7 +287,11 @@ void RealityPanel::apply(const std::string& cause) {
     next.found = found()->json;
   }
   next.causes.push_back(cause);
-  workspace().setCorrections(next, tr("apply “%1”").arg(titleOf(cause)));
+  const auto& causes = found()->report->causes;
+  const auto it = std::ranges::find(causes, cause, &DiagnosedCause::id);
+  const bool reading = it != causes.end() && isReading(*found()->report, *it);
+  workspace().setCorrections(next, reading ? tr("read the recording otherwise than stated")
+                                           : tr("apply “%1”").arg(titleOf(cause)));
 }
 
 void RealityPanel::takeBack(const std::string& cause) {
@@ -375,7 +386,9 @@ void RealityPanel::saveReport() {
 void RealityPanel::showWaiting() {
   QVBoxLayout* column = page()->restart(
       tr("Looking for causes …"),
-      tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean ones."));
+      isOfPoses() ? tr("Heft compares the poses with each other, and with what gravity makes of a rigid tool.")
+                  : tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean "
+                       "ones."));
   bar_ = new QProgressBar(page()->content());
   bar_->setRange(0, 1000);
   bar_->setValue(static_cast<int>(1000 * jobs_.fraction()));
@@ -413,13 +426,6 @@ void RealityPanel::refresh() {
     page()->setMainButton({});
   } else if (jobs_.running()) {
     showWaiting();
-  } else if (opened->recording.meta.kind == RecordingKind::poses) {
-    page()
-        ->restart(tr("What does the simulation get wrong?"), tr("Standing poses do not show it: causes need a motion. "
-                                                                "Mass and centre of mass can be exported as they are."))
-        ->addStretch(1);
-    page()->setSecondButton(tr("Record a motion"), [this] { parts().goTo(Step::record); });
-    page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
   } else if (!found()) {
     const int count = static_cast<int>(workspace().corrections().causes.size());
     page()
@@ -440,7 +446,11 @@ void RealityPanel::showReport(const Found& found) {
   const DiagnosisReport& report = *found.report;
   int count = 0;
   for (const auto& cause : report.causes) count += applied(cause.id) ? 1 : 0;
-  const VerdictText verdict = verdictText(report, count);
+  VerdictText verdict = verdictText(report, count);
+  const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
+  if (reading != report.causes.end() && !applied(reading->id))
+    verdict = {tr("The numbers mean something else"),
+               tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
@@ -463,7 +473,7 @@ void RealityPanel::showReport(const Found& found) {
   if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
   bool someNext = outdated();
   const std::vector<Segment> segments = workspace().segments();
-  for (const auto& cause : report.causes) {
+  const auto stateOf = [&](const DiagnosedCause& cause) {
     CardState state;
     state.applied = applied(cause.id);
     state.leftOut = !state.applied && leftOutAlready(cause, segments);
@@ -471,14 +481,25 @@ void RealityPanel::showReport(const Found& found) {
     state.details = details_;
     state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause);
     someNext = someNext || state.next;
-    column->addWidget((isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, actions, content));
-    if (&cause == &report.causes.front()) addChange(column, content, report, count > 0);
+    return state;
+  };
+  if (reading != report.causes.end()) {
+    const ReadingCurves* curves = found.curves ? &*found.curves : nullptr;
+    column->addWidget(makeReadingCard(report, *reading, curves, stateOf(*reading), actions, content));
+    addChange(column, content, report, count > 0);
+  }
+  for (auto cause = report.causes.begin(); cause != report.causes.end(); ++cause) {
+    if (cause == reading) continue;
+    column->addWidget((isTied(*cause) ? makeTieCard : makeCauseCard)(report, *cause, stateOf(*cause), actions, content));
+    if (cause == report.causes.begin() && reading == report.causes.end())
+      addChange(column, content, report, count > 0);
   }
   if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions, content));
   addMetaProposal(column, content, report, [this] { saveMeta(); });
   auto* closer = new QPushButton(tr("Look at the difference more closely"), content);
   closer->setObjectName("lookCloser");
   closer->setToolTip(tr("By frequency over the sensor’s noise, and against what the robot did"));
+  closer->setVisible(!isOfPoses());  // Poses have neither.
   connect(closer, &QPushButton::clicked, this, [this] { look(!looking_); });
   column->addWidget(closer);
   QStringList names;

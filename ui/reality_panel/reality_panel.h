@@ -2,9 +2,11 @@
 // The step "Reality check": what the simulation gets wrong, one card a cause, applied and taken back one by one.
 #include <QMap>
 #include <memory>
+#include <optional>
 
 #include "ui/controller/diagnosis.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/reality_panel/reading_card.h"
 #include "ui/steps/step_panel.h"
 
 class QProgressBar;
@@ -23,6 +25,7 @@ class RealityFindings : public QObject {
     std::weak_ptr<const OpenRecording> of;
     std::shared_ptr<const DiagnosisReport> report;
     std::vector<diagnosis::Witness> witnesses;
+    std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the meta file says
     std::string json;         ///< heft.diagnose/1
     std::vector<Mark> marks;  ///< That it was made with.
     std::string guess;        ///< Of a practice recording
@@ -68,6 +71,7 @@ class RealityPanel : public StepPanel {
   bool outdated() const;
   /// A practice recording whose fault has not been guessed yet.
   bool riddle() const;
+  bool isOfPoses() const;
   void checkOnOther(int index);
   std::vector<int> others() const;
   void markPull();

@@ -196,6 +196,12 @@ void LiveBoard::refreshCard() {
                             : tr("Is it switched on, and is its address right?"));
     return;
   }
+  if (view.conventions) {
+    kicker_->setText(tr("NOT WHAT THE RIG SAYS"));
+    sentence_->setText(QString::fromStdString(view.conventions->sentence));
+    gain_->setText(QString::fromStdString(view.conventions->check));
+    return;
+  }
   if (!view.any) {
     sentence_->setText(tr("Waiting for the first data"));
     gain_->setText(tr("Motion and force are both needed."));

@@ -93,11 +93,17 @@ void ResultPanel::showResult(const ResultText& result) {
         .push_back(finding);
   }
   if (!first.empty()) addFindings(column, first);
+  if (result.withheld && !result.advice.isEmpty()) {
+    const Card card = makeCard("cardLook", content);
+    card.layout->addWidget(styledLabel(tr("What to do"), "sectionTitle", content));
+    card.layout->addWidget(wrappedLabel(result.advice, "body", content));
+    column->addWidget(card.frame);
+  }
   addMass(column, result);
   addCentre(column, result);
   addInertia(column, result);
   if (!result.shares.empty()) addShares(column, result.shares);
-  if (!result.advice.isEmpty()) addAdvice(column, result.advice);
+  if (!result.advice.isEmpty() && !result.withheld) addAdvice(column, result.advice);
   if (!later.empty()) addFindings(column, later);
   if (details_) {
     addDetails(column, result.details);
@@ -111,7 +117,11 @@ void ResultPanel::showResult(const ResultText& result) {
   column->addStretch(1);
   setSecondButton(
       tr("All methods"), [this] { emit methodsWanted(); }, "table");
-  setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
+  if (result.withheld) {
+    setMainButton(tr("Look for what is wrong"), [this] { emit causeWanted(); });
+  } else {
+    setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
+  }
 }
 
 void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
@@ -128,7 +138,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   row->addWidget(value);
   row->addWidget(styledLabel(result.mass.plusMinus, "plusMinusLarge", content));
   card.layout->addLayout(row);
-  card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
+  if (!result.withheld) card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
   auto* foot = new QHBoxLayout;
   foot->addWidget(
       makeTag(tagText(result.mass.source, result.doubtful), lightOf(result.mass.source, result.doubtful), content), 0,

@@ -43,6 +43,7 @@ StepState ResultStep::state() const {
   }
   const ResultText text = describeResult(*report, known());
   const QString mass = tr("%1 kg").arg(numberText(report->payload.mass, 3));
+  if (text.withheld) return {P::done, Light::look, tr("no weight yet")};
   if (text.doubtful) return {P::done, Light::look, tr("%1, check first").arg(mass)};
   if (report->identifiability.mass == Source::none) return {P::done, Light::unknown, tr("mass not known")};
   const bool all = jointSource(text.com) == Source::data && jointSource(text.inertia) == Source::data &&

@@ -44,16 +44,6 @@ Motion motionFrom(const Recording& recording) {
   return std::move(*motion);
 }
 
-Question questionOf(const Recording& recording, const Motion& motion) {
-  Question q;
-  q.motion = &motion;
-  q.kind = recording.meta.kind;
-  q.stated = statedIn(recording.meta);
-  q.posesInFile = !recording.hasJoints();
-  q.mount = recording.meta.mount;
-  return q;
-}
-
 Report checkOf(const Recording& recording) {
   const Motion motion = motionFrom(recording);
   return check(questionOf(recording, motion));
