@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QFrame>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -10,11 +11,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/simulation/practice.h"
 #include "core/simulation/simulate.h"
+#include "tests/support/as_driver.h"
+#include "ui/charts/chart.h"
 #include "ui/controller/workspace.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
@@ -55,6 +59,13 @@ class RealityPanelTest : public testing::Test {
     EXPECT_TRUE(writeRecording(made->recording, path.toStdString()).ok());
     return path;
   }
+  /// Written as the named driver would have it.
+  QString asDriver(const char* name, const char* driver, Recording recording) {
+    test::rewriteAs(driver, RobotModel::panda(), 3, recording);
+    const QString path = folder.filePath(name);
+    EXPECT_TRUE(writeRecording(recording, path.toStdString()).ok());
+    return path;
+  }
   void open(const QString& path) {
     workspace.open(path);
     settle();
@@ -83,6 +94,61 @@ class RealityPanelTest : public testing::Test {
   QString said;
   std::unique_ptr<RealityPanel> panel;
 };
+
+TEST_F(RealityPanelTest, OtherConventionsComeFirstAndAreReadWithOneClick) {
+  auto read = readRecording(simulated("plain.csv", {}).toStdString());
+  ASSERT_TRUE(read.ok());
+  open(asDriver("base.csv", "base_axes", std::move(read->recording)));
+  EXPECT_EQ(workspace.report()->trust, Trust::none);
+  panel->diagnose();
+  settle();
+  ASSERT_TRUE(panel->report());
+  QFrame* card = nullptr;
+  for (auto* frame : panel->findChildren<QFrame*>())
+    if (frame->property("role") == "reading" && frame->property("cause").isValid()) card = frame;
+  ASSERT_NE(card, nullptr) << texts().join("|").toStdString();
+  EXPECT_TRUE(texts().join("|").contains("given in the robot's base axes"));
+  EXPECT_TRUE(texts().join("|").contains("At the driver:"));
+  const auto* chart = card->findChild<ChartWidget*>();
+  ASSERT_NE(chart, nullptr);
+  ASSERT_EQ(chart->chart().curves.size(), 2u);
+  const auto sizeOf = [](const ChartCurve& curve) {
+    double sum = 0.0;
+    for (const QPointF& point : curve.points) sum += point.y() * point.y();
+    return std::sqrt(sum);
+  };
+  EXPECT_LT(10.0 * sizeOf(chart->chart().curves[1]), sizeOf(chart->chart().curves[0]));
+  QPushButton* readSo = buttonOf("mainButton", "frame_error");
+  ASSERT_NE(readSo, nullptr);
+  EXPECT_EQ(readSo->text(), "Read it so");
+  QTest::mouseClick(readSo, Qt::LeftButton);
+  settle();
+  EXPECT_EQ(workspace.report()->trust, Trust::good);
+  EXPECT_NEAR(workspace.report()->payload.mass, 0.8, 0.01);
+  EXPECT_NE(workspace.corrections().found.find("\"wrench_axes\":\"base\""), std::string::npos)
+      << "the session holds the meta keys";
+  workspace.undoStack()->undo();
+  settle();
+  EXPECT_EQ(workspace.report()->trust, Trust::none);
+  EXPECT_TRUE(workspace.corrections().causes.empty());
+}
+
+TEST_F(RealityPanelTest, StandingPosesAreDiagnosedToo) {
+  Payload payload;
+  payload.mass = 1.2;
+  payload.com = {0.01, -0.02, 0.07};
+  payload.inertiaCom = Vector3d(0.002, 0.002, 0.001).asDiagonal();
+  open(asDriver("poses.csv", "base_axes", test::standingRecording(payload, 24, {0.0, 0.0, -9.81}, 1.0, 5)));
+  panel->diagnose();
+  settle();
+  ASSERT_TRUE(panel->report()) << texts().join("|").toStdString();
+  EXPECT_TRUE(texts().join("|").contains("given in the robot's base axes")) << texts().join("|").toStdString();
+  QPushButton* readSo = buttonOf("mainButton", "frame_error");
+  ASSERT_NE(readSo, nullptr);
+  QTest::mouseClick(readSo, Qt::LeftButton);
+  settle();
+  EXPECT_NEAR(workspace.report()->payload.mass, 1.2, 0.05);
+}
 
 TEST_F(RealityPanelTest, ACauseIsNamedAppliedUndoneAndSaved) {
   EXPECT_EQ(panel->state().progress, StepState::Progress::later);

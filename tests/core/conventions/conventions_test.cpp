@@ -1,6 +1,7 @@
 // A few fixed recordings of tests/benchmarks/conventions_study, and what holds for any.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -197,7 +198,7 @@ TEST(Conventions, WronglyStated) {
   EXPECT_EQ(report.suggested->conventions.wrenchAxes, Conventions::WrenchAxes::sensor);
   EXPECT_EQ(report.suggested->conventions.wrenchOrder, Conventions::WrenchOrder::forceFirst);
   EXPECT_DOUBLE_EQ(report.suggested->conventions.force.si, 1.0);
-  const auto patch = metaPatch(stated, *report.suggested, q.mount, true);
+  const auto patch = metaPatch(stated, *report.suggested, plain.meta.mount, true);
   EXPECT_EQ(patch["sensor"]["wrench_axes"], "sensor");
   EXPECT_EQ(patch["sensor"]["wrench_order"], "force_first");
   EXPECT_EQ(patch["sensor"]["force_unit"], "N");
@@ -236,6 +237,55 @@ TEST(Conventions, ReadingBackAndForth) {
   EXPECT_LT((back.position - motion.position).cwiseAbs().maxCoeff(), 1e-9);
   for (std::size_t k = 0; k < motion.R_BS.size(); k += 50)
     EXPECT_LT((back.R_BS[k] - motion.R_BS[k]).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// What the user marked, or a label column says, is not asked; where poses are in the file, they are the motion.
+TEST(Conventions, TheQuestionLeavesOutWhatIsMarked) {
+  Recording recording = guided(toolOf(15), 15);
+  const Motion motion = motionFrom(recording);
+  EXPECT_TRUE(questionOf(recording, motion).use.empty());
+  EXPECT_FALSE(questionOf(recording, motion).posesInFile);
+  recording.meta.marks.push_back({2.0, 4.0, MarkLabel::contact});
+  const auto marked = questionOf(recording, motion);
+  ASSERT_EQ(marked.use.size(), static_cast<std::size_t>(motion.size()));
+  const auto at = [&](double time) {
+    return static_cast<std::size_t>(std::lround((time - motion.startTime) * motion.rateHz));
+  };
+  EXPECT_TRUE(marked.use[at(1.0)]);
+  EXPECT_FALSE(marked.use[at(3.0)]);
+  EXPECT_TRUE(marked.use[at(5.0)]);
+  recording.meta.marks.clear();
+  recording.labels.assign(static_cast<std::size_t>(recording.rows()), MarkLabel::free);
+  for (Eigen::Index k = 0; k < recording.rows(); ++k)
+    if (recording.time(k) > 6.0) recording.labels[static_cast<std::size_t>(k)] = MarkLabel::contact;
+  const auto labelled = questionOf(recording, motion);
+  EXPECT_TRUE(labelled.use[at(3.0)]);
+  EXPECT_FALSE(labelled.use[at(7.0)]);
+  Recording both = guided(toolOf(15), 15);
+  const MatrixXd q = both.q;
+  test::logPoses(RobotModel::panda(), both);
+  both.q = q;
+  EXPECT_TRUE(questionOf(both, motionFrom(both)).posesInFile);
+}
+
+// What is left over falls where the reading is right, and stays where it is.
+TEST(Conventions, WhatIsLeftOver) {
+  const Payload payload = toolOf(16);
+  Recording recording = guided(payload, 16);
+  const auto sizeOf = [](const LeftOver& left) { return left.left.topRows<3>().norm(); };
+  const double plain = sizeOf(leftOver(questionOf(recording, motionFrom(recording))));
+  test::rewriteAs("base_axes", RobotModel::panda(), 16, recording);
+  const Motion motion = motionFrom(recording);
+  const Question question = questionOf(recording, motion);
+  const LeftOver stated = leftOver(question);
+  EXPECT_GT(sizeOf(stated), 10.0 * plain);
+  const Report report = check(question);
+  ASSERT_TRUE(report.suggested);
+  const Motion right = readSo(motion, question.stated, *report.suggested, false);
+  const LeftOver read = leftOver(questionOf(recording, right));
+  EXPECT_LT(sizeOf(read), 1.2 * plain);
+  EXPECT_EQ(read.time.size(), static_cast<std::size_t>(read.left.cols()));
+  EXPECT_NEAR(read.mass, payload.mass, 0.02 * payload.mass);
 }
 
 TEST(Conventions, TooLittleSaysNothing) {
