@@ -118,6 +118,9 @@ Report Check::run() {
     }
   }
   decide(stated, all, report);
+  // An acceleration that is not known looks like either.
+  if (report.verdict == Verdict::asStated && !isNegative(stated) && (standing_ || q_.motion->originAccelerationKnown))
+    report.agreement = agreementOf(forms_.front().blocks, statedWay(), stated.fit);
   putIntoWords(q_, report);
   return report;
 }
@@ -149,7 +152,7 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
     // people, and hardly any motion shows it: it is named only where it clearly fits better.
     for (const Candidate& c : all) {
       const bool scaled = has(c.differs, Change::unit);
-      const double free = scaled ? 0.0 : kPriceOfChange * static_cast<double>(c.differs.size());
+      const double free = scaled ? 0.0 : priceOf(c.differs);
       if (standard - c.score - free < (scaled ? -kOverwhelming : kTie) && c.misfit.worst() < kExplains &&
           !same(stated, c))
         report.ties.push_back(alternativeOf(c, stated, q_.stated));
@@ -165,7 +168,10 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   for (std::size_t i = 1; i < all.size(); ++i) {
     const Candidate& c = all[i];
     const double priced = first->score - c.score, behind = std::min(priced, priced + first->prior - c.prior);
-    if (!same(*first, c)) report.evidence = std::min(report.evidence, behind);
+    if (!same(*first, c)) {
+      if (behind < report.evidence || !report.next) report.next = alternativeOf(c, stated, q_.stated);
+      report.evidence = std::min(report.evidence, behind);
+    }
     if (behind >= kTie || isTold(c, *first, report.ties)) continue;
     if (!same(*first, c)) report.verdict = Verdict::ambiguous;
     report.ties.push_back(alternativeOf(c, stated, q_.stated));

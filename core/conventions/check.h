@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/findings.h"
+#include "core/conventions/agreement.h"
 #include "core/conventions/reading.h"
 
 namespace heft::conventions {
@@ -62,14 +63,17 @@ struct Report {
   std::optional<Reading> suggested;  ///< With Verdict::suggested; with ambiguous, the likeliest.
   double evidence = 0.0;             ///< 2 ln L of the best over the next that is not the same thing
   double overStated = 0.0;           ///< 2 ln L of the best over the stated conventions
+  std::optional<Alternative> next;   ///< With a suggestion: the likeliest that is not the same thing
   std::vector<Alternative> ties;     ///< What fits as well as the best, likeliest first; the best itself is not in it.
   Misfit misfit;                     ///< Of what the verdict takes for right: as stated, or as suggested
   Misfit statedMisfit;
   Payload payload, statedPayload;
+  std::optional<Agreement> agreement;  ///< As stated, where that is the verdict; absent where it cannot be told
   std::string sentence;  ///< "The force is given in the robot's base axes, not the sensor's."
   std::string check;     ///< Where to look at the driver; empty for asStated
   std::string decides;   ///< What would decide a tie; empty without one
-  Findings cautions;     ///< "centre_behind_sensor", "centre_far", "weight_large"
+  Findings cautions;     ///< "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
+                         ///< "sensor_turned", "force_and_torque"
 };
 
 /// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or

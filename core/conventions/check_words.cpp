@@ -1,5 +1,7 @@
 // What a check found, in words and as JSON.
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "core/base/say.h"
 #include "core/conventions/search.h"
@@ -31,11 +33,48 @@ void addCautions(Report& report, double heaviest, bool standing) {
                                {}});
 }
 
+/// What bends mass and centre although the numbers mean what is stated.
+void addDisagreement(Report& report) {
+  constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+  /// Smaller ones are hardly ever avoided, and bend little [rad], [1].
+  constexpr double kTurn = 1.0 * kRadPerDegree, kRatio = 0.05;
+  constexpr double kSure = 8.0;  ///< Standard deviations
+  const Agreement& a = *report.agreement;
+  if (a.turn > kTurn && a.turn > kSure * a.turnStd)
+    report.cautions.push_back(
+        {Severity::warning,
+         "sensor_turned",
+         heft::say("The readings look as if the sensor were turned by {:.1f} ± {:.1f} degrees from where the setup file "
+                   "has it. The centre of mass is off accordingly, by more than its interval says.",
+                   a.turn / kRadPerDegree, 1.96 * a.turnStd / kRadPerDegree),
+         heft::say("Look for causes: a turned sensor, a tilted base and a joint's zero look alike."),
+         {}});
+  if (std::abs(a.ratio - 1.0) > kRatio && std::abs(a.ratio - 1.0) > kSure * a.ratioStd)
+    report.cautions.push_back(
+        {Severity::warning,
+         "force_and_torque",
+         heft::say("Force and torque do not agree: mass times lever is {:.0f} ± {:.0f} % in the torque of what it is in "
+                   "the force. Mass and centre may be off by as much.",
+                   100.0 * a.ratio, 196.0 * a.ratioStd),
+         heft::say("Look for causes: a gain of force or torque, and a sensor beside its place, look like this."),
+         {}});
+}
+
 }  // namespace
 
 void putIntoWords(const Question& question, Report& report) {
   const bool standing = question.kind == RecordingKind::poses;
   addCautions(report, question.heaviest, standing);
+  if (report.agreement) addDisagreement(report);
+  constexpr double kPlain = 20.0;  // Odds of 20,000 to 1: less is no more than one pose may change
+  if (report.verdict == Verdict::suggested && report.next && report.evidence < kPlain)
+    report.cautions.push_back({Severity::warning,
+                               "nearly_tied",
+                               heft::say("The evidence is weak: nearly as well fits another reading. {}",
+                                         report.next->sentence),
+                               standing ? heft::say("Record more poses, tilted to all sides.")
+                                        : heft::say("Record a longer motion that tilts and turns the tool."),
+                               {}});
   if (standing && report.payload.com.z() < -kBehind && report.verdict != Verdict::none)
     report.cautions.push_back(
         {Severity::warning,

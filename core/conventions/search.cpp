@@ -107,6 +107,11 @@ double negativeMoments(const Vector10d& phi, const Covariance16& covariance, dou
 
 }  // namespace
 
+double priceOf(const std::vector<Change>& changes) {
+  const bool hangs = std::find(changes.begin(), changes.end(), Change::gravitySign) != changes.end();
+  return kPriceOfChange * static_cast<double>(changes.size()) + (hangs ? kPriceOfHanging : 0.0);
+}
+
 bool operator==(const Way& a, const Way& b) {
   return a.axes == b.axes && a.aboutBase == b.aboutBase && a.torqueFirst == b.torqueFirst && a.mirror == b.mirror &&
          a.torqueSign == b.torqueSign && a.forceSi == b.forceSi && a.torqueSi == b.torqueSi;
@@ -171,7 +176,7 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   out.payload = fromParameters(phi);
   out.misfit = misfitOf(blocks, out.fit);
   out.reach = outOfReach(phi, out.fit.covariance, q_.heaviest, rows);
-  out.score += out.fit.evidence - kPriceOfChange * static_cast<double>(out.differs.size()) - out.reach -
+  out.score += out.fit.evidence - priceOf(out.differs) - out.reach -
                negativeMoments(phi, out.fit.covariance, rows);
   // Poses tell the centre from its mirror image or from one of another scale only by where centres are. Most sensors' z
   // axes point to the tool.
@@ -256,10 +261,12 @@ void Check::scanAll(const VectorXd& weights, bool anyGravity, std::size_t most, 
     std::vector<double> prices;
     for (const Way& way : each) prices.push_back(kPriceOfChange * static_cast<double>(changesOf(way, form)));
     for (const Vector3d& g : gravities) {
-      const bool stated = &g == &gravities.front();
+      const bool stated = &g == &gravities.front(), opposite = (g + q_.stated.gravity).norm() < 1e-9 * g.norm();
       scans.emplace_back(stated ? blocks : withLessGravity(blocks, q_.stated.gravity - g), weights);
       for (std::size_t i = 0; i < each.size(); ++i) {
-        const double price = prices[i] + (stated ? 0.0 : kPriceOfChange);
+        const double price = prices[i] + (stated    ? 0.0
+                                          : opposite ? kPriceOfChange + kPriceOfHanging
+                                                     : kPriceOfChange);
         all.push_back({each[i], form, scans.size() - 1, price, scans.back().bound(each[i]) - price});
       }
     }

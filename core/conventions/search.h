@@ -14,6 +14,9 @@ namespace heft::conventions {
 
 /// Of people with a wrong convention one in a hundred has a second one: 2 ln 100 for each.
 inline const double kPriceOfChange = 2.0 * std::log(100.0);
+/// In standing poses gravity the other way is the other sign of all readings, exactly. Drivers with the weight's sign are
+/// many, robots that hang and whose setup file does not say so are few.
+inline const double kPriceOfHanging = 2.0 * std::log(10.0);
 /// A smaller turn of mount or gravity is a cause with an interval, no convention [rad].
 constexpr double kLeastTurn = 15.0 * std::numbers::pi / 180.0;
 /// No tool's centre of mass is farther from the sensor [m]; most are between the other two.
@@ -35,6 +38,9 @@ struct Candidate {
   double prior = 0.0;  ///< Price of a centre where centres seldom are; standing poses only
   double score = 0.0;  ///< 2 ln L less prices, and less what speaks against the payload
 };
+
+/// What changes cost, as evidence.
+double priceOf(const std::vector<Change>& changes);
 
 /// Poses understood in one way.
 struct PoseForm {

@@ -1,4 +1,5 @@
 // Whether an estimate may be relied on.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -214,11 +215,20 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
     loseTrust(report, why);
     return;
   }
-  if (!said.ties.empty())
+  // Another name for the same payload is no reason for doubt.
+  constexpr double kSameMass = 0.02, kSameCentre = 0.003;  // relative, [m]
+  const bool tied = std::ranges::any_of(said.ties, [&](const conventions::Alternative& tie) {
+    return std::abs(tie.payload.mass - said.payload.mass) > kSameMass * std::abs(said.payload.mass) ||
+           (tie.payload.com - said.payload.com).norm() > kSameCentre;
+  });
+  if (tied)
     report.findings.push_back(
         {Severity::warning,
          "conventions_tie",
-         inOneLine({heft::say("This recording cannot tell the stated conventions from others."), tiesOf(report)}),
+         inOneLine({report.readAsSuggested
+                        ? heft::say("This recording cannot tell this reading from others.")
+                        : heft::say("This recording cannot tell the stated conventions from others."),
+                    tiesOf(report)}),
          said.decides,
          {}});
   report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
@@ -234,7 +244,9 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          {}});
   if (warned(report.findings, {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data",
                                "held_inside_shape", "contact_left_out", "not_physical", "payload_change",
-                               "conventions_tie", "centre_behind_sensor", "centre_far", "weight_large"}))
+                               "conventions_tie", "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
+                               "sensor_turned",
+                               "force_and_torque"}))
     report.trust = Trust::low;
 }
 

@@ -381,6 +381,10 @@
         <source>body</source>
         <translation>Körper</translation>
     </message>
+    <message>
+        <source>You chose to write numbers that nothing in the recording supports. %1</source>
+        <translation>Sie wollten Zahlen schreiben, die nichts in der Aufnahme stützt. %1</translation>
+    </message>
 </context>
 <context>
     <name>LiveWords</name>
@@ -1242,6 +1246,69 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>ReadingCard</name>
+    <message>
+        <source>Error in %1 [%2]</source>
+        <translation>Fehler in %1 [%2]</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Haltung</translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>read so</source>
+        <translation>so gelesen</translation>
+    </message>
+    <message>
+        <source>What a rigid tool leaves unexplained, as stated and read so</source>
+        <translation>Was ein starres Werkzeug unerklärt lässt, wie angegeben und so gelesen</translation>
+    </message>
+    <message>
+        <source>As stated, the tool would weigh %1 kg.</source>
+        <translation>Wie angegeben, wöge das Werkzeug %1 kg.</translation>
+    </message>
+    <message>
+        <source>Two readings possible</source>
+        <translation>Zwei Lesarten möglich</translation>
+    </message>
+    <message>
+        <source>Not what the meta file says</source>
+        <translation>Anders als die Meta-Datei sagt</translation>
+    </message>
+    <message>
+        <source>Fits as well:</source>
+        <translation>Passt ebenso:</translation>
+    </message>
+    <message>
+        <source>To decide:</source>
+        <translation>Zur Entscheidung:</translation>
+    </message>
+    <message>
+        <source>At the driver:</source>
+        <translation>Am Treiber:</translation>
+    </message>
+    <message>
+        <source>Read so</source>
+        <translation>So gelesen</translation>
+    </message>
+    <message>
+        <source>Read as stated again</source>
+        <translation>Wieder wie angegeben lesen</translation>
+    </message>
+    <message>
+        <source>Read it so</source>
+        <translation>So lesen</translation>
+    </message>
+    <message>
+        <source>The session reads this recording so; the file stays as it is. Ctrl+Z takes it back.</source>
+        <translation>Die Sitzung liest diese Aufnahme so; die Datei bleibt, wie sie ist. Strg+Z nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
     <name>RealityPage</name>
     <message>
         <source>This is where the simulation differs from your data.</source>
@@ -1454,6 +1521,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
         <translation>Geben Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“ an: %1.</translation>
+    </message>
+    <message>
+        <source>The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.</source>
+        <translation>Der Schritt Realitätsprüfung liest sie mit einem Klick so; oder geben Sie es unter Werkzeuge, „Roboter und Sensor“ an: %1.</translation>
     </message>
 </context>
 <context>
@@ -1787,6 +1858,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Your tool seems to weigh %1 kg.</source>
         <translation>Ihr Werkzeug wiegt anscheinend %1 kg.</translation>
+    </message>
+    <message>
+        <source>No weight can be told yet.</source>
+        <translation>Noch lässt sich kein Gewicht nennen.</translation>
+    </message>
+    <message>
+        <source>The readings do not tell it as they are understood.</source>
+        <translation>So verstanden, verraten die Messwerte es nicht.</translation>
     </message>
 </context>
 <context>
@@ -7378,6 +7457,34 @@ Bitte prüfen Sie den Namen.</translation>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
     </message>
+    <message>
+        <source>The readings look as if the sensor were turned by {:.1f} ± {:.1f} degrees from where the setup file has it. The centre of mass is off accordingly, by more than its interval says.</source>
+        <translation>Die Messwerte sehen aus, als wäre der Sensor um {:.1f} ± {:.1f} Grad gegen die Angabe in der Setup-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
+    </message>
+    <message>
+        <source>Look for causes: a turned sensor, a tilted base and a joint&apos;s zero look alike.</source>
+        <translation>Suchen Sie nach Ursachen: Ein verdrehter Sensor, eine geneigte Basis und der Nullpunkt eines Gelenks sehen gleich aus.</translation>
+    </message>
+    <message>
+        <source>Force and torque do not agree: mass times lever is {:.0f} ± {:.0f} % in the torque of what it is in the force. Mass and centre may be off by as much.</source>
+        <translation>Kraft und Drehmoment passen nicht zusammen: Masse mal Hebel beträgt im Drehmoment {:.0f} ± {:.0f} % dessen, was die Kraft sagt. Masse und Schwerpunkt können um ebenso viel abweichen.</translation>
+    </message>
+    <message>
+        <source>Look for causes: a gain of force or torque, and a sensor beside its place, look like this.</source>
+        <translation>Suchen Sie nach Ursachen: Ein Verstärkungsfehler von Kraft oder Drehmoment und ein Sensor neben seinem Platz sehen so aus.</translation>
+    </message>
+    <message>
+        <source>The evidence is weak: nearly as well fits another reading. {}</source>
+        <translation>Der Beleg ist schwach: Fast ebenso gut passt eine andere Lesart. {}</translation>
+    </message>
+    <message>
+        <source>Record more poses, tilted to all sides.</source>
+        <translation>Nehmen Sie mehr Haltungen auf, nach allen Seiten geneigt.</translation>
+    </message>
+    <message>
+        <source>This recording cannot tell this reading from others.</source>
+        <translation>Diese Aufnahme kann diese Lesart nicht von anderen unterscheiden.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -7922,6 +8029,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>one answer is missing</source>
         <translation>eine Antwort fehlt</translation>
     </message>
+    <message>
+        <source>Nothing in this result can be trusted, so no file is written.</source>
+        <translation>Diesem Ergebnis ist nicht zu trauen, daher wird keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong</source>
+        <translation>Nachsehen, was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Write it all the same …</source>
+        <translation>Trotzdem schreiben …</translation>
+    </message>
+    <message>
+        <source>Heft Studio</source>
+        <translation>Heft Studio</translation>
+    </message>
+    <message>
+        <source>Write a payload that nothing in the recording supports?</source>
+        <translation>Eine Last schreiben, die nichts in der Aufnahme stützt?</translation>
+    </message>
+    <message>
+        <source>%1
+
+A robot that is told a wrong load drifts when it is guided, stops without a reason, or does not stop when it should.</source>
+        <translation>%1
+
+Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an oder hält nicht an, wenn er sollte.</translation>
+    </message>
+    <message>
+        <source>I know that these numbers are wrong; write them</source>
+        <translation>Ich weiß, dass diese Zahlen falsch sind; schreiben</translation>
+    </message>
+    <message>
+        <source>Do not write</source>
+        <translation>Nicht schreiben</translation>
+    </message>
 </context>
 <context>
     <name>heft::FilePreview</name>
@@ -8360,6 +8503,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Is it switched on, and is its address right?</source>
         <translation>Ist es eingeschaltet, und stimmt die Adresse?</translation>
+    </message>
+    <message>
+        <source>NOT WHAT THE RIG SAYS</source>
+        <translation>ANDERS ALS ANGEGEBEN</translation>
     </message>
 </context>
 <context>
@@ -9228,20 +9375,24 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>ungesehener Abschnitt</translation>
     </message>
     <message>
-        <source>needs a motion</source>
-        <translation>braucht eine Bewegung</translation>
-    </message>
-    <message>
         <source>free parts fit the model</source>
         <translation>freie Teile passen</translation>
     </message>
     <message>
-        <source>Standing poses do not show it: causes need a motion. Mass and centre of mass can be exported as they are.</source>
-        <translation>Stehende Posen zeigen es nicht: Ursachen brauchen eine Bewegung. Masse und Schwerpunkt lassen sich so ausgeben, wie sie sind.</translation>
+        <source>read the recording otherwise than stated</source>
+        <translation>Aufnahme anders lesen als angegeben</translation>
     </message>
     <message>
-        <source>Record a motion</source>
-        <translation>Bewegung aufnehmen</translation>
+        <source>Heft compares the poses with each other, and with what gravity makes of a rigid tool.</source>
+        <translation>Heft vergleicht die Haltungen miteinander und mit dem, was die Schwerkraft aus einem starren Werkzeug macht.</translation>
+    </message>
+    <message>
+        <source>The numbers mean something else</source>
+        <translation>Die Zahlen bedeuten etwas anderes</translation>
+    </message>
+    <message>
+        <source>Read the recording as physics says first; the rest of this page takes it as read so.</source>
+        <translation>Lesen Sie die Aufnahme zuerst so, wie die Physik es sagt; der Rest dieser Seite geht davon aus.</translation>
     </message>
 </context>
 <context>
@@ -9698,6 +9849,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Look for the cause</source>
         <translation>Ursache suchen</translation>
     </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong</source>
+        <translation>Nachsehen, was nicht stimmt</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultStep</name>
@@ -9748,6 +9907,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>compare needs an open recording.</source>
         <translation>compare braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>no weight yet</source>
+        <translation>noch kein Gewicht</translation>
     </message>
 </context>
 <context>
