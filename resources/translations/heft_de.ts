@@ -7459,7 +7459,7 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The readings look as if the sensor were turned by {:.1f} ± {:.1f} degrees from where the setup file has it. The centre of mass is off accordingly, by more than its interval says.</source>
-        <translation>Die Messwerte sehen aus, als wäre der Sensor um {:.1f} ± {:.1f} Grad gegen die Angabe in der Setup-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
+        <translation>Die Messwerte sehen aus, als wäre der Sensor um {:.1f} ± {:.1f} Grad gegen die Angabe in der Meta-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
     </message>
     <message>
         <source>Look for causes: a turned sensor, a tilted base and a joint&apos;s zero look alike.</source>
