@@ -34,6 +34,8 @@ Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
   MatrixXd force, torque;
   readingsOf(blocks, way, force, torque);
   const Vector3d h = fit.x.segment<3>(1);
+  // As fitted, not as read: noise in columns draws what is found towards zero.
+  const MatrixXd made = fit.load.transpose();
   MatrixXd A = MatrixXd::Zero(6 * K, kAll);
   VectorXd y(6 * K), scale(6 * K);
   for (Eigen::Index c = 0; c < 3; ++c) {
@@ -46,10 +48,10 @@ Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
     if (!standing) T.col(kRatio) = blocks.torque[i].leftCols<3>() * h;
     // (e x f)_c for e = the axes after c: e_j has component c of e_j x f = +-f_l.
     const Eigen::Index j = (c + 1) % 3, l = (c + 2) % 3;
-    F.col(kTurn + j) = -force.col(l);
-    F.col(kTurn + l) = force.col(j);
-    T.col(kTurn + j) = -torque.col(l);
-    T.col(kTurn + l) = torque.col(j);
+    F.col(kTurn + j) = -made.col(l);
+    F.col(kTurn + l) = made.col(j);
+    T.col(kTurn + j) = -made.col(3 + l);
+    T.col(kTurn + l) = made.col(3 + j);
     y.segment(c * K, K) = force.col(c);
     y.segment((3 + c) * K, K) = torque.col(c);
     scale.segment(c * K, K) = fit.weights.cwiseSqrt() / fit.force;
@@ -68,18 +70,20 @@ Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
   for (Eigen::Index c = 0; c < 6; ++c) left.col(c) = r.segment(c * K, K);
   const double spread = r.squaredNorm() / std::max(1.0, static_cast<double>(6 * K - kAll));
   const double longer = standing ? 1.0 : std::max(lasting(left.leftCols<3>()), lasting(left.rightCols<3>()));
-  const VectorXd std =
-      (spread * longer * inverted.diagonal()).cwiseMax(0.0).cwiseSqrt().cwiseQuotient(norms);
+  const MatrixXd covariance = spread * longer * norms.cwiseInverse().asDiagonal() * inverted *
+                              norms.cwiseInverse().asDiagonal();
   const VectorXd found = x.cwiseQuotient(norms);
   Agreement out;
   if (!standing) {
     out.ratio = 1.0 + found(kRatio);
-    out.ratioStd = std(kRatio);
+    out.ratioStd = std::sqrt(std::max(0.0, covariance(kRatio, kRatio)));
   }
   const Vector3d turn = found.segment<3>(kTurn);
   out.turn = turn.norm();
-  // Of the least known direction, which is on the safe side.
-  out.turnStd = std.segment<3>(kTurn).maxCoeff();
+  // Some directions are known far better than others: the angle is as sure as its components together.
+  const Matrix3d turnCovariance = covariance.block<3, 3>(kTurn, kTurn);
+  const double sure = std::sqrt(std::max(0.0, turn.dot(Vector3d(solveSymmetric(turnCovariance, turn)))));
+  out.turnStd = sure > 0.0 ? out.turn / sure : 0.0;
   return out;
 }
 

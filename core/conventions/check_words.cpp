@@ -38,24 +38,24 @@ void addDisagreement(Report& report) {
   constexpr double kRadPerDegree = std::numbers::pi / 180.0;
   /// Smaller ones are hardly ever avoided, and bend little [rad], [1].
   constexpr double kTurn = 1.0 * kRadPerDegree, kRatio = 0.05;
-  constexpr double kSure = 8.0;  ///< Standard deviations
+  constexpr double kSure = 6.0;  ///< Standard deviations
   const Agreement& a = *report.agreement;
   if (a.turn > kTurn && a.turn > kSure * a.turnStd)
     report.cautions.push_back(
         {Severity::warning,
          "sensor_turned",
-         heft::say("The readings look as if the sensor were turned by {:.1f} ± {:.1f} degrees from where the setup file "
-                   "has it. The centre of mass is off accordingly, by more than its interval says.",
-                   a.turn / kRadPerDegree, 1.96 * a.turnStd / kRadPerDegree),
+         heft::say("The readings look as if the sensor were turned by about {:.1f} degrees from where the setup file has "
+                   "it. The centre of mass is off accordingly, by more than its interval says.",
+                   a.turn / kRadPerDegree),
          heft::say("Look for causes: a turned sensor, a tilted base and a joint's zero look alike."),
          {}});
   if (std::abs(a.ratio - 1.0) > kRatio && std::abs(a.ratio - 1.0) > kSure * a.ratioStd)
     report.cautions.push_back(
         {Severity::warning,
          "force_and_torque",
-         heft::say("Force and torque do not agree: mass times lever is {:.0f} ± {:.0f} % in the torque of what it is in "
-                   "the force. Mass and centre may be off by as much.",
-                   100.0 * a.ratio, 196.0 * a.ratioStd),
+         heft::say("Force and torque do not agree: in the torque, mass times lever is about {:.0f} % of what it is in the "
+                   "force. Mass and centre may be off by as much.",
+                   100.0 * a.ratio),
          heft::say("Look for causes: a gain of force or torque, and a sensor beside its place, look like this."),
          {}});
 }

@@ -7458,16 +7458,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
     </message>
     <message>
-        <source>The readings look as if the sensor were turned by {:.1f} ± {:.1f} degrees from where the setup file has it. The centre of mass is off accordingly, by more than its interval says.</source>
-        <translation>Die Messwerte sehen aus, als wäre der Sensor um {:.1f} ± {:.1f} Grad gegen die Angabe in der Meta-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
-    </message>
-    <message>
         <source>Look for causes: a turned sensor, a tilted base and a joint&apos;s zero look alike.</source>
         <translation>Suchen Sie nach Ursachen: Ein verdrehter Sensor, eine geneigte Basis und der Nullpunkt eines Gelenks sehen gleich aus.</translation>
-    </message>
-    <message>
-        <source>Force and torque do not agree: mass times lever is {:.0f} ± {:.0f} % in the torque of what it is in the force. Mass and centre may be off by as much.</source>
-        <translation>Kraft und Drehmoment passen nicht zusammen: Masse mal Hebel beträgt im Drehmoment {:.0f} ± {:.0f} % dessen, was die Kraft sagt. Masse und Schwerpunkt können um ebenso viel abweichen.</translation>
     </message>
     <message>
         <source>Look for causes: a gain of force or torque, and a sensor beside its place, look like this.</source>
@@ -7484,6 +7476,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>This recording cannot tell this reading from others.</source>
         <translation>Diese Aufnahme kann diese Lesart nicht von anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The readings look as if the sensor were turned by about {:.1f} degrees from where the setup file has it. The centre of mass is off accordingly, by more than its interval says.</source>
+        <translation>Die Messwerte sehen aus, als wäre der Sensor um etwa {:.1f} Grad gegen die Angabe in der Meta-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
+    </message>
+    <message>
+        <source>Force and torque do not agree: in the torque, mass times lever is about {:.0f} % of what it is in the force. Mass and centre may be off by as much.</source>
+        <translation>Kraft und Drehmoment passen nicht zusammen: Im Drehmoment beträgt Masse mal Hebel etwa {:.0f} % dessen, was die Kraft sagt. Masse und Schwerpunkt können um ebenso viel abweichen.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // A few fixed recordings of tests/benchmarks/conventions_study, and what holds for any.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -266,6 +267,60 @@ TEST(Conventions, TheQuestionLeavesOutWhatIsMarked) {
   test::logPoses(RobotModel::panda(), both);
   both.q = q;
   EXPECT_TRUE(questionOf(both, motionFrom(both)).posesInFile);
+}
+
+// A sensor turned a little and a gain of the force bend mass and centre and leave hardly a trace: they are said.
+TEST(Conventions, ASmallTurnAndAGainAreSaid) {
+  const auto said = [](const Recording& recording, const char* code) {
+    const Report report = checkOf(recording);
+    EXPECT_EQ(report.verdict, Verdict::asStated);
+    return std::any_of(report.cautions.begin(), report.cautions.end(),
+                       [&](const Finding& caution) { return caution.code == code; });
+  };
+  const Vector3d down(0.0, 0.0, -9.81);
+  for (const std::uint64_t seed : {17, 18, 19}) {
+    const Payload payload = toolOf(seed);
+    const Recording plain = guided(payload, seed, down, MotionKind::excitation);
+    EXPECT_FALSE(said(plain, "sensor_turned")) << seed;
+    EXPECT_FALSE(said(plain, "force_and_torque")) << seed;
+    const Matrix3d turn = rotationFromVector(Vector3d(0.02, -0.02, 0.02));  // 2 degrees
+    Recording turned = plain;
+    for (const Eigen::Index from : {0, 3})
+      turned.wrench.middleCols<3>(from) = (plain.wrench.middleCols<3>(from) * turn).eval();
+    EXPECT_TRUE(said(turned, "sensor_turned")) << seed;
+    Recording gained = plain;
+    gained.wrench.leftCols<3>() *= 1.1;
+    EXPECT_TRUE(said(gained, "force_and_torque")) << seed;
+    EXPECT_FALSE(said(gained, "sensor_turned")) << seed;
+    // All six alike are a heavier tool.
+    gained.wrench.rightCols<3>() *= 1.1;
+    EXPECT_FALSE(said(gained, "force_and_torque")) << seed;
+    // Poses show the turn and not the gain.
+    const Recording poses = test::standingRecording(payload, 24, down, 1.0, seed);
+    EXPECT_FALSE(said(poses, "sensor_turned")) << seed;
+    Recording other = poses;
+    for (const Eigen::Index from : {0, 3})
+      other.wrench.middleCols<3>(from) = (poses.wrench.middleCols<3>(from) * turn).eval();
+    EXPECT_TRUE(said(other, "sensor_turned")) << seed;
+    other = poses;
+    other.wrench.leftCols<3>() *= 1.1;
+    EXPECT_FALSE(said(other, "force_and_torque")) << seed;
+  }
+}
+
+// All signs of standing poses turned: the driver's sign, before a robot that hangs.
+TEST(Conventions, PosesWithTheOtherSignAreThat) {
+  for (const std::uint64_t seed : {20, 21}) {
+    Recording recording = test::standingRecording(toolOf(seed), 24, {0.0, 0.0, -9.81}, 1.0, seed);
+    for (const char* name : {"wrench_sign", "base_axes+wrench_sign"}) {
+      Recording other = recording;
+      test::rewriteAs(name, RobotModel::panda(), seed, other);
+      const Report report = checkOf(other);
+      ASSERT_TRUE(report.suggested) << name;
+      EXPECT_EQ(report.suggested->sign, WrenchSign::payloadOnSensor) << name;
+      EXPECT_EQ(report.suggested->gravity, Vector3d(0.0, 0.0, -9.81)) << name;
+    }
+  }
 }
 
 // What is left over falls where the reading is right, and stays where it is.
