@@ -85,8 +85,8 @@ GuidedTool toolOf(const Input& input) {
   return orFail(guidedTool(*input.model(), input.recording.meta.mount));
 }
 
-/// Where more than one reading of the numbers fits: what would decide, as text and as JSON (null where nothing is open).
-/// `tool` and `from`: where a pose of the arm may do so.
+/// Where more than one reading of the numbers fits: what would decide, as text and as JSON (null where nothing is
+/// open). `tool` and `from`: where a pose of the arm may do so.
 std::pair<std::string, json> whatDecides(const Input& input, const std::optional<GuidedTool>& tool,
                                          const VectorXd& from) {
   const Recording& recording = input.recording;
@@ -102,15 +102,15 @@ std::pair<std::string, json> whatDecides(const Input& input, const std::optional
   if (pose) {
     std::string joints;
     for (const double q : pose->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
-    const std::string says = fmt::format("In this pose they expect readings that are {:.0f} standard deviations apart.",
-                                         pose->apart);
+    const std::string says =
+        fmt::format("In this pose they expect readings that are {:.0f} standard deviations apart.", pose->apart);
     text += fmt::format("  Decide by one more pose, joints [{}] rad. {}\n{}", joints, says, kObstacles);
     out["q_rad"] = list(pose->q);
     out["apart_sd"] = pose->apart;
     out["text"] = says;
   } else {
-    text += fmt::format("  {}{}\n", poses && tool ? "No pose within the last joints' reach decides. " : "",
-                        report.decides);
+    text +=
+        fmt::format("  {}{}\n", poses && tool ? "No pose within the last joints' reach decides. " : "", report.decides);
   }
   return {text, out};
 }

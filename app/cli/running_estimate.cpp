@@ -22,8 +22,8 @@ struct RunningEstimate::Impl {
   ConventionWatch watch;
   Matrix3d turn = Matrix3d::Identity();  ///< Of the wrench, beside poses
   bool readSo = false, fromJoints = false;
-  std::optional<double> start;
-  std::set<std::string> told;
+  std::optional<double> start{};
+  std::set<std::string> told{};
 
   const RobotModel* model() const { return robot ? &*robot : nullptr; }
   void read(const conventions::Report& report);
@@ -66,7 +66,8 @@ void RunningEstimate::add(const LiveSample& read) {
 
 std::string RunningEstimate::line() const {
   const OnlineState& state = impl_->estimator.state();
-  if (const auto* out = impl_->watch.report()) return fmt::format("{:6.1f} s  no weight: {}", state.time, out->sentence);
+  if (const auto* out = impl_->watch.report())
+    return fmt::format("{:6.1f} s  no weight: {}", state.time, out->sentence);
   if (!state.estimated) return fmt::format("{:6.1f} s  moving and measuring ...", state.time);
   const auto& com = state.payload.com;
   const auto& mass = state.interval95.mass;
@@ -90,12 +91,12 @@ std::vector<std::string> RunningEstimate::news() {
   } else {
     out.push_back(report->sentence);
     const bool plain = report->verdict == conventions::Verdict::suggested;
-    const auto patch = plain ? conventions::metaPatch(report->stated, *report->suggested, impl_->meta.mount,
-                                                      impl_->fromJoints)
-                             : nlohmann::json(nullptr);
+    const auto patch =
+        plain ? conventions::metaPatch(report->stated, *report->suggested, impl_->meta.mount, impl_->fromJoints)
+              : nlohmann::json(nullptr);
     if (!patch.is_null())
-      out.push_back(fmt::format("Write {} into the meta file, or add --conventions suggested. {}", patch.dump(),
-                                report->check));
+      out.push_back(
+          fmt::format("Write {} into the meta file, or add --conventions suggested. {}", patch.dump(), report->check));
   }
   return out;
 }

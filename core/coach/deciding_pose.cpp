@@ -20,7 +20,7 @@ constexpr double kDecides = 4.0;  // Standard deviations
 
 /// What a reading expects in each of `targets`, as the numbers look under the stated conventions.
 struct Expected {
-  MatrixXd wrench;           ///< 6 x K [N, N m]
+  MatrixXd wrench;             ///< 6 x K [N, N m]
   VectorXd forceSd, torqueSd;  ///< What is known of a component
 };
 

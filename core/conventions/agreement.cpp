@@ -70,8 +70,8 @@ Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
   for (Eigen::Index c = 0; c < 6; ++c) left.col(c) = r.segment(c * K, K);
   const double spread = r.squaredNorm() / std::max(1.0, static_cast<double>(6 * K - kAll));
   const double longer = standing ? 1.0 : std::max(lasting(left.leftCols<3>()), lasting(left.rightCols<3>()));
-  const MatrixXd covariance = spread * longer * norms.cwiseInverse().asDiagonal() * inverted *
-                              norms.cwiseInverse().asDiagonal();
+  const MatrixXd covariance =
+      spread * longer * norms.cwiseInverse().asDiagonal() * inverted * norms.cwiseInverse().asDiagonal();
   const VectorXd found = x.cwiseQuotient(norms);
   Agreement out;
   if (!standing) {

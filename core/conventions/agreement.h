@@ -2,10 +2,10 @@
 // What is no other convention and yet bends mass and centre without a trace in the misfit: a sensor that is turned a
 // little, and a gain of force or torque. Both show in one linear fit beside payload and zero.
 //
-// Of the payload m and m c stand in the force, m c and I in the torque. A turn by a small angle d adds d x f and d x tau
-// to the readings; gravity shows it in poses, too. A gain of one of the two makes their m c differ by a factor, which
-// only turning shows: the force holds m c beside angular accelerations alone. A gain that force and torque share is
-// another mass, and a gain of the force in standing poses another mass and centre: nothing tells these.
+// Of the payload m and m c stand in the force, m c and I in the torque. A turn by a small angle d adds d x f and d x
+// tau to the readings; gravity shows it in poses, too. A gain of one of the two makes their m c differ by a factor,
+// which only turning shows: the force holds m c beside angular accelerations alone. A gain that force and torque share
+// is another mass, and a gain of the force in standing poses another mass and centre: nothing tells these.
 #include "core/conventions/fit.h"
 
 namespace heft::conventions {

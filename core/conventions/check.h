@@ -26,8 +26,8 @@ struct Question {
                              ///< carry 3 to 50 kg (FANUC CR-35iB).
 };
 
-/// What to ask of a recording whose motion, as stated, is `motion` (standing poses: of standingPoses()). Of a motion only
-/// what the user did not mark as contact, or as to be ignored, is used. `motion` must outlive it.
+/// What to ask of a recording whose motion, as stated, is `motion` (standing poses: of standingPoses()). Of a motion
+/// only what the user did not mark as contact, or as to be ignored, is used. `motion` must outlive it.
 Question questionOf(const Recording& recording, const Motion& motion);
 
 enum class Verdict {
@@ -69,11 +69,11 @@ struct Report {
   Misfit statedMisfit;
   Payload payload, statedPayload;
   std::optional<Agreement> agreement;  ///< As stated, where that is the verdict; absent where it cannot be told
-  std::string sentence;  ///< "The force is given in the robot's base axes, not the sensor's."
-  std::string check;     ///< Where to look at the driver; empty for asStated
-  std::string decides;   ///< What would decide a tie; empty without one
-  Findings cautions;     ///< "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
-                         ///< "sensor_turned", "force_and_torque"
+  std::string sentence;                ///< "The force is given in the robot's base axes, not the sensor's."
+  std::string check;                   ///< Where to look at the driver; empty for asStated
+  std::string decides;                 ///< What would decide a tie; empty without one
+  Findings cautions;                   ///< "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
+                                       ///< "sensor_turned", "force_and_torque"
 };
 
 /// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or

@@ -44,18 +44,20 @@ void addDisagreement(Report& report) {
     report.cautions.push_back(
         {Severity::warning,
          "sensor_turned",
-         heft::say("The readings look as if the sensor were turned by about {:.1f} degrees from where the setup file has "
-                   "it. The centre of mass is off accordingly, by more than its interval says.",
-                   a.turn / kRadPerDegree),
+         heft::say(
+             "The readings look as if the sensor were turned by about {:.1f} degrees from where the setup file has "
+             "it. The centre of mass is off accordingly, by more than its interval says.",
+             a.turn / kRadPerDegree),
          heft::say("Look for causes: a turned sensor, a tilted base and a joint's zero look alike."),
          {}});
   if (std::abs(a.ratio - 1.0) > kRatio && std::abs(a.ratio - 1.0) > kSure * a.ratioStd)
     report.cautions.push_back(
         {Severity::warning,
          "force_and_torque",
-         heft::say("Force and torque do not agree: in the torque, mass times lever is about {:.0f} % of what it is in the "
-                   "force. Mass and centre may be off by as much.",
-                   100.0 * a.ratio),
+         heft::say(
+             "Force and torque do not agree: in the torque, mass times lever is about {:.0f} % of what it is in the "
+             "force. Mass and centre may be off by as much.",
+             100.0 * a.ratio),
          heft::say("Look for causes: a gain of force or torque, and a sensor beside its place, look like this."),
          {}});
 }
@@ -68,13 +70,13 @@ void putIntoWords(const Question& question, Report& report) {
   if (report.agreement) addDisagreement(report);
   constexpr double kPlain = 20.0;  // Odds of 20,000 to 1: less is no more than one pose may change
   if (report.verdict == Verdict::suggested && report.next && report.evidence < kPlain)
-    report.cautions.push_back({Severity::warning,
-                               "nearly_tied",
-                               heft::say("The evidence is weak: nearly as well fits another reading. {}",
-                                         report.next->sentence),
-                               standing ? heft::say("Record more poses, tilted to all sides.")
-                                        : heft::say("Record a longer motion that tilts and turns the tool."),
-                               {}});
+    report.cautions.push_back(
+        {Severity::warning,
+         "nearly_tied",
+         heft::say("The evidence is weak: nearly as well fits another reading. {}", report.next->sentence),
+         standing ? heft::say("Record more poses, tilted to all sides.")
+                  : heft::say("Record a longer motion that tilts and turns the tool."),
+         {}});
   if (standing && report.payload.com.z() < -kBehind && report.verdict != Verdict::none)
     report.cautions.push_back(
         {Severity::warning,

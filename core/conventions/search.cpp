@@ -17,7 +17,6 @@ using PointKind = Conventions::WrenchPoint::Kind;
 constexpr double kLeastLever = 0.01;
 constexpr int kRobustRounds = 8;
 
-
 struct UnitPair {
   const char *force, *torque;
   double forceSi, torqueSi;
@@ -176,8 +175,7 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   out.payload = fromParameters(phi);
   out.misfit = misfitOf(blocks, out.fit);
   out.reach = outOfReach(phi, out.fit.covariance, q_.heaviest, rows);
-  out.score += out.fit.evidence - priceOf(out.differs) - out.reach -
-               negativeMoments(phi, out.fit.covariance, rows);
+  out.score += out.fit.evidence - priceOf(out.differs) - out.reach - negativeMoments(phi, out.fit.covariance, rows);
   // Poses tell the centre from its mirror image or from one of another scale only by where centres are. Most sensors' z
   // axes point to the tool.
   const double far = out.payload.com.norm();
@@ -264,9 +262,7 @@ void Check::scanAll(const VectorXd& weights, bool anyGravity, std::size_t most, 
       const bool stated = &g == &gravities.front(), opposite = (g + q_.stated.gravity).norm() < 1e-9 * g.norm();
       scans.emplace_back(stated ? blocks : withLessGravity(blocks, q_.stated.gravity - g), weights);
       for (std::size_t i = 0; i < each.size(); ++i) {
-        const double price = prices[i] + (stated    ? 0.0
-                                          : opposite ? kPriceOfChange + kPriceOfHanging
-                                                     : kPriceOfChange);
+        const double price = prices[i] + (stated ? 0.0 : opposite ? kPriceOfChange + kPriceOfHanging : kPriceOfChange);
         all.push_back({each[i], form, scans.size() - 1, price, scans.back().bound(each[i]) - price});
       }
     }

@@ -14,8 +14,8 @@ namespace heft::conventions {
 
 /// Of people with a wrong convention one in a hundred has a second one: 2 ln 100 for each.
 inline const double kPriceOfChange = 2.0 * std::log(100.0);
-/// In standing poses gravity the other way is the other sign of all readings, exactly. Drivers with the weight's sign are
-/// many, robots that hang and whose setup file does not say so are few.
+/// In standing poses gravity the other way is the other sign of all readings, exactly. Drivers with the weight's sign
+/// are many, robots that hang and whose setup file does not say so are few.
 inline const double kPriceOfHanging = 2.0 * std::log(10.0);
 /// A smaller turn of mount or gravity is a cause with an interval, no convention [rad].
 constexpr double kLeastTurn = 15.0 * std::numbers::pi / 180.0;

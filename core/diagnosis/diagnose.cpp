@@ -120,7 +120,8 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
   out.stated = recording;
-  if (!asStated) out.mistake = frameMistake(out.cleaned, *motion, conventions::check(conventions::questionOf(out.cleaned, *motion)));
+  if (!asStated)
+    out.mistake = frameMistake(out.cleaned, *motion, conventions::check(conventions::questionOf(out.cleaned, *motion)));
   if (out.mistake) {
     if (auto error = putRight(out, robot, options)) return *error;
     motion = motionOf(out.cleaned, robot, smoothing);

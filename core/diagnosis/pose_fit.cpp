@@ -9,7 +9,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kNu = 4.0;       ///< Degrees of freedom of the t-distribution
+constexpr double kNu = 4.0;  ///< Degrees of freedom of the t-distribution
 
 }  // namespace
 

@@ -242,11 +242,10 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          heft::say(
              "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
          {}});
-  if (warned(report.findings, {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data",
-                               "held_inside_shape", "contact_left_out", "not_physical", "payload_change",
-                               "conventions_tie", "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
-                               "sensor_turned",
-                               "force_and_torque"}))
+  if (warned(report.findings,
+             {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data", "held_inside_shape",
+              "contact_left_out", "not_physical", "payload_change", "conventions_tie", "centre_behind_sensor",
+              "centre_far", "weight_large", "nearly_tied", "sensor_turned", "force_and_torque"}))
     report.trust = Trust::low;
 }
 

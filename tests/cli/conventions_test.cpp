@@ -123,8 +123,7 @@ TEST_F(ConventionsTest, AReplaySaysAtOnceWhatTheNumbersMeanAndCanObey) {
   EXPECT_THAT(stated.err, HasSubstr("--conventions suggested"));
   EXPECT_THAT(stated.err, HasSubstr("no weight: "));
   EXPECT_EQ(readJson("stated.json")["trust"], "none");
-  const Outcome so =
-      heft({"live", "replay:odd.csv?speed=6", "--conventions", "suggested", "--json", "suggested.json"});
+  const Outcome so = heft({"live", "replay:odd.csv?speed=6", "--conventions", "suggested", "--json", "suggested.json"});
   ASSERT_EQ(so.exitCode, 0) << so.err;
   EXPECT_THAT(so.err, HasSubstr("are read so from now on"));
   EXPECT_THAT(so.err, HasSubstr(" kg ["));

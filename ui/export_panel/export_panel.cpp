@@ -296,7 +296,8 @@ void ExportPanel::save() {
 }
 
 Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
-  if (text_.empty()) return Error{refusal_.empty() ? tr("There is no payload file to save yet.").toStdString() : refusal_};
+  if (text_.empty())
+    return Error{refusal_.empty() ? tr("There is no payload file to save yet.").toStdString() : refusal_};
   if (!replace && QFileInfo::exists(path))
     return Error{tr("%1 exists already and was not replaced.").arg(path).toStdString()};
   auto written = writeTextFile(path.toStdString(), text_);
@@ -316,8 +317,9 @@ bool ExportPanel::confirmed() const {
 void ExportPanel::confirmUntrusted() {
   const auto report = workspace().report();
   if (!report) return;
-  auto* box = new QMessageBox(QMessageBox::Warning, tr("Heft Studio"),
-                              tr("Write a payload that nothing in the recording supports?"), QMessageBox::NoButton, this);
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("Heft Studio"),
+                      tr("Write a payload that nothing in the recording supports?"), QMessageBox::NoButton, this);
   box->setObjectName("confirmUntrusted");
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setInformativeText(

@@ -50,10 +50,10 @@ class ExportPanel : public StepPanel {
   QString suggestedName() const;
 
   FilePreview* preview_;
-  std::string text_;  ///< Of the file shown; empty if it cannot be made.
+  std::string text_;                               ///< Of the file shown; empty if it cannot be made.
   std::string refusal_;                            ///< Why there is none.
   std::weak_ptr<const EstimateReport> confirmed_;  ///< To be written although nothing in it can be trusted
-  QString savedAs_;   ///< Where this very text was written last.
+  QString savedAs_;                                ///< Where this very text was written last.
   QString savedText_;
 };
 

@@ -21,8 +21,7 @@ struct ReadingWords {
 };
 
 Result<Motion> motionFor(const Recording& recording, const RobotModel* robot) {
-  return recording.meta.kind == RecordingKind::poses ? standingPoses(recording, robot)
-                                                     : motionOf(recording, robot, {});
+  return recording.meta.kind == RecordingKind::poses ? standingPoses(recording, robot) : motionOf(recording, robot, {});
 }
 
 /// Root mean square of one row.
@@ -50,8 +49,9 @@ Eigen::Index tellingChannel(const ReadingCurves& curves) {
 
 Chart chartOf(const ReadingCurves& curves, Eigen::Index channel, bool poses) {
   Chart chart;
-  chart.yTitle = ReadingWords::tr("Error in %1 [%2]")
-                     .arg(channelText(static_cast<int>(channel)), channel >= 3 ? QStringLiteral("N m") : QStringLiteral("N"));
+  chart.yTitle =
+      ReadingWords::tr("Error in %1 [%2]")
+          .arg(channelText(static_cast<int>(channel)), channel >= 3 ? QStringLiteral("N m") : QStringLiteral("N"));
   if (poses) {
     chart.xTitle = ReadingWords::tr("Pose");
   } else {
@@ -80,9 +80,9 @@ void addCurves(QVBoxLayout* column, const ReadingCurves& curves, bool poses, QWi
     chart->setAccessibleName(ReadingWords::tr("What a rigid tool leaves unexplained, as stated and read so"));
     column->addWidget(chart);
   } else if (curves.stated.mass < 0.0) {
-    column->addWidget(wrappedLabel(
-        ReadingWords::tr("As stated, the tool would weigh %1 kg.").arg(numberText(curves.stated.mass, 2)), "body",
-        parent));
+    column->addWidget(
+        wrappedLabel(ReadingWords::tr("As stated, the tool would weigh %1 kg.").arg(numberText(curves.stated.mass, 2)),
+                     "body", parent));
   }
 }
 
@@ -127,11 +127,11 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   if (curves && !state.applied) addCurves(card.layout, *curves, report.meta.kind == RecordingKind::poses, card.frame);
   if (!state.applied) {
     for (const auto& tie : mistake.ties)
-      card.layout->addWidget(
-          said(ReadingWords::tr("Fits as well:"), QString::fromStdString(tie.sentence), card.frame));
+      card.layout->addWidget(said(ReadingWords::tr("Fits as well:"), QString::fromStdString(tie.sentence), card.frame));
     if (mistake.tied && !mistake.decides.empty())
       card.layout->addWidget(said(ReadingWords::tr("To decide:"), QString::fromStdString(mistake.decides), card.frame));
-    card.layout->addWidget(said(ReadingWords::tr("At the driver:"), QString::fromStdString(mistake.check()), card.frame));
+    card.layout->addWidget(
+        said(ReadingWords::tr("At the driver:"), QString::fromStdString(mistake.check()), card.frame));
   }
   auto* row = new QHBoxLayout;
   row->setSpacing(8);

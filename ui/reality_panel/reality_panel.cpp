@@ -290,8 +290,8 @@ void RealityPanel::apply(const std::string& cause) {
   const auto& causes = found()->report->causes;
   const auto it = std::ranges::find(causes, cause, &DiagnosedCause::id);
   const bool reading = it != causes.end() && isReading(*found()->report, *it);
-  workspace().setCorrections(next, reading ? tr("read the recording otherwise than stated")
-                                           : tr("apply “%1”").arg(titleOf(cause)));
+  workspace().setCorrections(
+      next, reading ? tr("read the recording otherwise than stated") : tr("apply “%1”").arg(titleOf(cause)));
 }
 
 void RealityPanel::takeBack(const std::string& cause) {
@@ -490,9 +490,9 @@ void RealityPanel::showReport(const Found& found) {
   }
   for (auto cause = report.causes.begin(); cause != report.causes.end(); ++cause) {
     if (cause == reading) continue;
-    column->addWidget((isTied(*cause) ? makeTieCard : makeCauseCard)(report, *cause, stateOf(*cause), actions, content));
-    if (cause == report.causes.begin() && reading == report.causes.end())
-      addChange(column, content, report, count > 0);
+    column->addWidget(
+        (isTied(*cause) ? makeTieCard : makeCauseCard)(report, *cause, stateOf(*cause), actions, content));
+    if (cause == report.causes.begin() && reading == report.causes.end()) addChange(column, content, report, count > 0);
   }
   if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions, content));
   addMetaProposal(column, content, report, [this] { saveMeta(); });

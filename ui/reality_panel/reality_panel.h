@@ -26,9 +26,9 @@ class RealityFindings : public QObject {
     std::shared_ptr<const DiagnosisReport> report;
     std::vector<diagnosis::Witness> witnesses;
     std::optional<ReadingCurves> curves;  ///< Where the numbers do not mean what the meta file says
-    std::string json;         ///< heft.diagnose/1
-    std::vector<Mark> marks;  ///< That it was made with.
-    std::string guess;        ///< Of a practice recording
+    std::string json;                     ///< heft.diagnose/1
+    std::vector<Mark> marks;              ///< That it was made with.
+    std::string guess;                    ///< Of a practice recording
   };
   QMap<QString, Found> found;
 };

@@ -45,7 +45,8 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::giveCentre:
       return Words::tr("Say in Shape what the tool looks like.");
     case Remedy::readSo:
-      return Words::tr("The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.")
+      return Words::tr(
+                 "The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.")
           .arg(subject);
     case Remedy::keepReading:
       return Words::tr("Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.").arg(subject);
