@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/conventions/search.h"
 #include "core/math/linear_algebra.h"
@@ -37,7 +38,9 @@ bool isSmall(const Candidate& c, const Reading& stated) {
   if (c.free == Free::mount) return vectorFromRotation(stated.turn.transpose() * c.fit.place.turn).norm() < kLeastTurn;
   if (c.free == Free::gravity) {
     const Vector3d &from = stated.gravity, &to = c.fit.place.gravity;
-    return std::atan2(from.cross(to).norm(), from.dot(to)) < kLeastTurn;
+    const double turn = std::atan2(from.cross(to).norm(), from.dot(to));
+    // Nearly the other way is that and a tilt; without the tilt it is a hypothesis of its own.
+    return turn < kLeastTurn || turn > std::numbers::pi - kLeastTurn;
   }
   return c.free == Free::point;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/estimation/estimate.h"
 #include "core/workspace/session.h"
 #include "ui/steps/step_panel.h"
 
