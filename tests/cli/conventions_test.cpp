@@ -117,7 +117,7 @@ TEST_F(ConventionsTest, AReplaySaysAtOnceWhatTheNumbersMeanAndCanObey) {
   json meta = readJson("plain.meta.json");
   meta["angle_unit"] = "deg";
   write("odd.meta.json", meta.dump());
-  const Outcome stated = heft({"live", "replay:odd.csv?speed=6", "--json", "stated.json"});
+  const Outcome stated = heft({"live", "replay:odd.csv?speed=2", "--json", "stated.json"});
   ASSERT_EQ(stated.exitCode, 0) << stated.err;
   EXPECT_THAT(stated.err, HasSubstr("The force is given in the robot's base axes"));
   EXPECT_THAT(stated.err, HasSubstr("--conventions suggested"));

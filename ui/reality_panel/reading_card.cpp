@@ -119,7 +119,7 @@ QWidget* makeReadingCard(const DiagnosisReport& report, const DiagnosedCause& ca
   card.frame->setProperty("role", "reading");
   card.layout->addWidget(makeVerdictTag(mistake.tied ? ReadingWords::tr("Two readings possible")
                                                      : ReadingWords::tr("Not what the meta file says"),
-                                        mistake.tied ? Light::twoCauses : Light::look, !mistake.tied, card.frame),
+                                        mistake.tied ? Light::twoCauses : Light::look, false, card.frame),
                          0, Qt::AlignLeft);
   QLabel* sentence = wrappedLabel(sentenceOf(cause, report), "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
