@@ -113,17 +113,18 @@ TEST_F(ConventionsTest, AReplayEstimatesTheSame) {
 }
 
 TEST_F(ConventionsTest, AReplaySaysAtOnceWhatTheNumbersMeanAndCanObey) {
+  simulate("rec", {"--duration", "16", "--rate", "200"});
   make("odd", kBaseAxes, MotionForm::joints);
   json meta = readJson("plain.meta.json");
   meta["angle_unit"] = "deg";
   write("odd.meta.json", meta.dump());
-  const Outcome stated = heft({"live", "replay:odd.csv?speed=2", "--json", "stated.json"});
+  const Outcome stated = heft({"live", "replay:odd.csv?speed=4", "--json", "stated.json"});
   ASSERT_EQ(stated.exitCode, 0) << stated.err;
   EXPECT_THAT(stated.err, HasSubstr("The force is given in the robot's base axes"));
   EXPECT_THAT(stated.err, HasSubstr("--conventions suggested"));
   EXPECT_THAT(stated.err, HasSubstr("no weight: "));
   EXPECT_EQ(readJson("stated.json")["trust"], "none");
-  const Outcome so = heft({"live", "replay:odd.csv?speed=6", "--conventions", "suggested", "--json", "suggested.json"});
+  const Outcome so = heft({"live", "replay:odd.csv?speed=4", "--conventions", "suggested", "--json", "suggested.json"});
   ASSERT_EQ(so.exitCode, 0) << so.err;
   EXPECT_THAT(so.err, HasSubstr("are read so from now on"));
   EXPECT_THAT(so.err, HasSubstr(" kg ["));
