@@ -130,11 +130,12 @@ void run(const ConvertArguments& options) {
 Command makeConvertCommand(CLI::App& root) {
   auto options = std::make_shared<ConvertArguments>();
   CLI::App* app = root.add_subcommand("convert", "Check a recording and write it in the plain form");
-  app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5")
+  app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5, MATLAB, NumPy")
       ->type_name("")
       ->required();
   app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")->type_name("");
   app->add_flag("--list", options->list, "Show topics and columns and what would be taken from them; write nothing");
+  app->add_option("--robot", options->import.robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   addRecordingOptions(*app, options->import);
   app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace files that exist");

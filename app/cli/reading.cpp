@@ -10,10 +10,11 @@ namespace heft::cli {
 
 Input readInput(const std::string& file, const ImportOptions& options, const std::string& robot,
                 const Progress& progress) {
-  ReadRecording read = orFail(openRecording(file, options, progress));
+  ImportOptions known = options;
+  known.robot = robot;
+  ReadRecording read = orFail(openRecording(file, known, progress));
   Input input{std::move(read.recording), std::nullopt, std::move(read.findings)};
   Recording& recording = input.recording;
-  if (!robot.empty()) input.recording.meta.robot = robot == "panda" ? robot : std::filesystem::absolute(robot).string();
   if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) {
     orFail(toSensorAxes(recording, nullptr));
     return input;

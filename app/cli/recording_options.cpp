@@ -15,9 +15,13 @@ void addRecordingOptions(CLI::App& app, ImportOptions& options) {
       ->group(kGroup);
   app.add_option("--use", options.use,
                  "Topic or column to take, such as wrench=/ft/raw, q1=TOPIC:FIELD; may be repeated.\n"
-                 "Groups: joints, velocities, position, quaternion, wrench")
+                 "Groups: joints, velocities, position, quaternion, rotation, wrench; demo: one of several in a file")
       ->type_name("NAME=SOURCE")
       ->allow_extra_args(false)
+      ->group(kGroup);
+  app.add_option("--rate", options.rateHz, "Rate of files without a clock: rows are 1/HZ apart, whatever stands there")
+      ->type_name("HZ")
+      ->check(CLI::Range(1e-3, 1e6))
       ->group(kGroup);
   app.add_option("--map", options.mapFile, "The same, with scales and time offsets, as a JSON file")
       ->type_name("FILE")

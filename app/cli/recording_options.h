@@ -8,7 +8,7 @@ class App;
 
 namespace heft::cli {
 
-/// Adds --meta, --map, --join and --use.
+/// Adds --meta, --map, --join, --use and --rate.
 void addRecordingOptions(CLI::App& app, ImportOptions& options);
 
 }  // namespace heft::cli

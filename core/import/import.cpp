@@ -20,6 +20,11 @@ namespace heft {
 
 namespace {
 
+/// As it stands in a meta: "panda", or the URDF's full path.
+std::string robotName(const std::string& robot) {
+  return robot == "panda" ? robot : std::filesystem::absolute(robot).string();
+}
+
 /// Files, wishes and streams of one import.
 struct Opened {
   std::vector<std::pair<std::filesystem::path, FileKind>> files;
@@ -27,7 +32,9 @@ struct Opened {
   std::vector<Stream> streams;
   std::vector<std::string> timeCandidates;
   Findings findings;
+  Findings look;  ///< Of the first look, as long as nothing was read: what explains a failure.
   RecordingMeta meta;
+  std::set<std::string> stated;  ///< Keys of conventions that the user states.
   std::vector<std::string> jointNames;
 };
 
@@ -35,6 +42,7 @@ TimeChoice timeChoice(const MappingWishes& wishes) {
   TimeChoice out;
   if (const auto found = wishes.use.find("time"); found != wishes.use.end()) out.column = found->second;
   if (const auto found = wishes.scale.find("time"); found != wishes.scale.end()) out.unit = found->second;
+  out.rateHz = wishes.rateHz;
   return out;
 }
 
@@ -57,8 +65,12 @@ Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& 
     findings.insert(findings.end(), set->findings.begin(), set->findings.end());
   }
   // Without a filter it is a first look, and all is read once more if there is anything.
-  if (filter || opened.streams.empty() || hasErrors(findings))
+  if (filter || opened.streams.empty() || hasErrors(findings)) {
     opened.findings.insert(opened.findings.end(), findings.begin(), findings.end());
+    opened.look.clear();
+  } else {
+    opened.look = std::move(findings);
+  }
   return true;
 }
 
@@ -105,6 +117,7 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
   for (const auto& wish : options.use)
     if (const auto added = addWish(opened.wishes, wish); !added) return added.error();
   opened.wishes.join.insert(opened.wishes.join.end(), options.join.begin(), options.join.end());
+  if (options.rateHz > 0.0) opened.wishes.rateHz = options.rateHz;
 
   opened.files.emplace_back(path, kind == FileKind::contractCsv ? FileKind::table : kind);
   for (const auto& other : opened.wishes.join) {
@@ -129,7 +142,11 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
     auto read = readMeta(metaFile, opened.findings);
     if (!read) return read.error();
     opened.meta = std::move(*read);
+    if (const auto root = readJsonFile(metaFile))
+      if (auto stated = readConventions(*root, displayName(metaFile))) opened.stated = std::move(stated->keys);
   }
+  opened.stated.insert(opened.wishes.conventions.keys.begin(), opened.wishes.conventions.keys.end());
+  if (!options.robot.empty()) opened.meta.robot = robotName(options.robot);
   takeOver(opened.wishes.conventions, opened.meta.conventions);
   if (auto failure = refuseTwoScales(opened.wishes, opened.meta.conventions, displayName(path))) return *failure;
   if (opened.meta.robot) {
@@ -140,6 +157,49 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
   }
   if (const auto read = readAll(opened, {}, progress); !read) return read.error();
   return opened;
+}
+
+/// What a field's name says of its unit holds before a unit that is stated for all.
+void settleUnits(std::vector<ColumnSource>& columns, Opened& opened) {
+  const auto& conventions = opened.meta.conventions;
+  std::vector<std::string> named;
+  for (auto& column : columns) {
+    const char first = column.column[0];
+    const auto form = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), column.column) != names.end();
+    };
+    const auto& forms = rotationForms();
+    const bool rotation = std::any_of(forms.begin(), forms.end() - 1, form);
+    if (rotation && !column.unitNamed) column.scale *= conventions.radPerAngle;
+    if (!column.unitNamed) continue;
+    if (column.scale != 1.0 && named.size() < 4) named.push_back(column.column);
+    // The stated unit is taken out of everything later on.
+    if (!rotation && (first == 'q' || first == 'd')) column.scale /= conventions.radPerAngle;
+    if (first == 'p' && !rotation) column.scale /= conventions.mPerLength;
+    if (first == 'f') column.scale /= conventions.force.si;
+    if (first == 't') column.scale /= conventions.torque.si;
+  }
+  if (!named.empty())
+    opened.findings.push_back({Severity::info,
+                               "units_named",
+                               heft::say("Units were taken from the columns' names ({}{}).", fmt::join(named, ", "),
+                                         named.size() == 4 ? ", ..." : ""),
+                               {},
+                               {opened.streams.empty() ? "" : opened.streams[0].file, 0, 0}});
+}
+
+/// UR's actual_TCP_force stands in the base's axes, whatever the default says.
+void settleAxes(const std::vector<ColumnSource>& columns, Opened& opened, const std::string& file) {
+  const bool base = std::any_of(columns.begin(), columns.end(), [](const auto& column) { return column.inBaseAxes; });
+  if (!base || opened.stated.contains("wrench_axes")) return;
+  opened.meta.conventions.wrenchAxes = Conventions::WrenchAxes::base;
+  opened.findings.push_back(
+      {Severity::warning,
+       "base_axes_known",
+       heft::say("UR's actual_TCP_force is in the robot's base axes, about the TCP, and without the payload that the "
+                 "controller has configured; it was read so."),
+       heft::say("State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench."),
+       {file, 0, 0}});
 }
 
 constexpr std::string_view kHdf5Magic = "\x89HDF\r\n\x1a\n";
@@ -191,6 +251,10 @@ std::string_view toString(FileKind kind) {
       return "ROS 2 bag";
     case FileKind::hdf5:
       return "HDF5";
+    case FileKind::matlab:
+      return "MATLAB";
+    case FileKind::numpy:
+      return "NumPy";
   }
   return "";
 }
@@ -219,12 +283,23 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
   for (const std::size_t offset : {0u, 512u, 1024u, 2048u})
     if (bytes.size() > offset && bytes.substr(offset).starts_with(kHdf5Magic)) return FileKind::hdf5;
   if (looksLikeZstd(bytes)) {
-    const auto inner = unpack(bytes, Compression::zstd, 64u << 20);
+    const auto inner = unpack(bytes, Compression::zstd, 64u << 20, {});
     // One that is cut off before its first block's end tells by its name alone.
     const bool named = path.stem().extension() == ".db3";
     if (inner.bytes.starts_with("SQLite format 3") || (named && inner.bytes.empty())) return FileKind::sqliteBag;
     return FileKind::contractCsv;  // its reader says what to do with the archive
   }
+  if (bytes.starts_with("MATLAB 5.0 MAT-file")) return FileKind::matlab;
+  if (bytes.starts_with("\x93NUMPY")) return FileKind::numpy;
+  if (bytes.starts_with("PK\x03\x04") && bytes.substr(0, 4096).find(".npy") != std::string_view::npos)
+    return FileKind::numpy;
+  if (bytes.starts_with("PAR1") || bytes.starts_with("ARROW1") || bytes.starts_with("FEA1"))
+    return errorAt({name, 0, 0}, heft::say("this is a Parquet or Arrow file, for which Debian has no library."),
+                   heft::say("Convert it, for instance with python3 -c \"import pandas; "
+                             "pandas.{}('{}').to_csv('{}.csv', index=False)\".",
+                             bytes.starts_with("PAR1") ? "read_parquet" : "read_feather", name,
+                             displayName(path.filename().stem())));
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return FileKind::table;
   const auto content = bytes.find_first_not_of(" \t\r\n");
   if (content != std::string_view::npos && bytes[content] == '{') {
     NamedNumbers numbers;
@@ -245,6 +320,10 @@ Result<StreamSet> readStreams(const std::filesystem::path& path, FileKind kind, 
       return readJsonLines(path, time, progress);
     case FileKind::hdf5:
       return readHdf5Streams(path, filter, time, progress);
+    case FileKind::matlab:
+      return readMatlabStreams(path, filter, time, progress);
+    case FileKind::numpy:
+      return readNumpyStreams(path, filter, time, progress);
     case FileKind::rosBag:
     case FileKind::mcap:
     case FileKind::sqliteBag:
@@ -283,6 +362,7 @@ Result<RecordingContents> inspect(const std::filesystem::path& path, const Impor
     return out;
   }
   out.candidates = findCandidates(opened->streams, opened->jointNames);
+  out.findings.insert(out.findings.end(), opened->look.begin(), opened->look.end());
   auto chosen = chooseColumns(opened->streams, opened->wishes, opened->jointNames, out.findings);
   if (chosen)
     out.chosen = std::move(*chosen);
@@ -297,17 +377,61 @@ Result<RecordingContents> inspect(const std::filesystem::path& path, const Impor
   return out;
 }
 
+/// The failure with every finding that may explain it, in the same line, and how to see what there is.
+Error explained(Error error, const Findings& first, const Findings& second = {}) {
+  if (error.cancelled) return error;
+  static const std::set<std::string> kTelling = {"topic_unreadable", "no_time",     "dataset_odd",  "filter_missing",
+                                                 "link_broken",      "names_missing", "schema_unread"};
+  std::size_t told = 0;
+  for (const auto* findings : {&first, &second}) {
+    for (const auto& finding : *findings) {
+      const bool tells = finding.severity != Severity::info || kTelling.contains(finding.code);
+      if (!tells || error.message.find(finding.text) != std::string::npos || told == 6) continue;
+      error.message += " " + finding.text;
+      if (!finding.remedy.empty() && error.message.find(finding.remedy) == std::string::npos)
+        error.message += " " + finding.remedy;
+      ++told;
+    }
+  }
+  return error;
+}
+
+/// Why the file is no recording in the contract's form, judged by its head and first rows: other names, other units, or
+/// cells that need another reader. Nothing for one that its own reader should have.
+std::optional<Error> otherThanContract(const std::filesystem::path& path, const ImportOptions& options) {
+  std::error_code code;
+  if (std::filesystem::status(path, code).type() != std::filesystem::file_type::regular) return std::nullopt;
+  const auto file = ByteFile::open(path);
+  if (!file) return std::nullopt;
+  const auto head = file->read(0, 256u << 10);
+  RecordingMeta meta;
+  Findings aside;
+  auto metaFile = options.metaFile;
+  if (metaFile.empty() && std::filesystem::exists(metaFileOf(path), code)) metaFile = metaFileOf(path);
+  if (!metaFile.empty()) {
+    auto read = readMeta(metaFile, aside);
+    if (!read) return std::nullopt;
+    meta = std::move(*read);
+  }
+  if (!options.robot.empty()) meta.robot = robotName(options.robot);
+  return contractMisfit(head, displayName(path), meta);
+}
+
 Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOptions& options,
                               const Progress& progress) {
   const auto kind = recognise(path);
   if (!kind) return kind.error();
   std::error_code code;
-  if (*kind == FileKind::contractCsv && options.empty() && !std::filesystem::exists(mapFileOf(path), code))
-    return readRecording(path, {options.metaFile}, progress);
+  std::optional<Error> misfit;
+  if (*kind == FileKind::contractCsv && options.empty() && !std::filesystem::exists(mapFileOf(path), code)) {
+    misfit = otherThanContract(path, options);
+    if (!misfit)
+      return readRecording(path, {options.metaFile, options.robot.empty() ? "" : robotName(options.robot)}, progress);
+  }
 
   auto opened = openAll(path, *kind, options, progress);
-  if (!opened) return opened.error();
-  if (auto failure = firstError(opened->findings)) return *failure;
+  if (!opened) return misfit ? *misfit : opened.error();
+  if (auto failure = firstError(opened->findings)) return misfit ? *misfit : explained(*failure, opened->findings);
   const auto listed = std::move(opened->streams);
   const auto cutOff = [](const Finding& finding) {
     return finding.code == "file_cut_off" || finding.code == "chunk_damaged";
@@ -317,11 +441,19 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
                    heft::say("it is cut off or damaged before the first message that could be read."),
                    heft::say("Copy it again from where it was recorded."));
   if (listed.empty())
-    return errorAt(
-        {displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
-        heft::say("Record the sensor's wrench and the joints or the pose.") + " " + remedy(Remedy::showContents));
-  const auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
-  if (!columns) return columns.error();
+    return explained(
+        errorAt({displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
+                heft::say("Record the sensor's wrench and the joints or the pose.") + " " + remedy(Remedy::showContents)),
+        opened->findings);
+  auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
+  if (!columns) {
+    auto error = misfit ? *misfit : explained(columns.error(), opened->findings, opened->look);
+    if (const auto way = remedy(Remedy::showContents); error.message.find(way) == std::string::npos)
+      error.message += " " + way;
+    return error;
+  }
+  settleUnits(*columns, *opened);
+  settleAxes(*columns, *opened, displayName(path));
 
   // Streams are known again by file, name and type, fields by name.
   std::set<std::tuple<std::string, std::string, std::string, std::string>> wanted;
@@ -353,10 +485,10 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
     found.push_back(std::move(column));
   }
   auto joined = joinStreams(opened->streams, found, opened->wishes, std::move(opened->meta), opened->findings);
-  if (!joined) return joined.error();
+  if (!joined) return explained(joined.error(), opened->findings);
   joined->file = displayName(path);
   auto checked = checkRecording(std::move(*joined), NumberForm::plain);
-  if (!checked) return checked.error();
+  if (!checked) return explained(checked.error(), opened->findings);
   checked->findings.insert(checked->findings.begin(), opened->findings.begin(), opened->findings.end());
   return checked;
 }
@@ -382,8 +514,8 @@ Result<ReadRecording> openRecording(const std::filesystem::path& path, const Imp
 }
 
 bool looksLikeRecording(const std::filesystem::path& name) {
-  static constexpr std::array kExtensions = {".csv",  ".bag",   ".mcap", ".db3", ".zstd", ".h5",
-                                             ".hdf5", ".jsonl", ".json", ".txt", ".log"};
+  static constexpr std::array kExtensions = {".csv", ".bag", ".mcap", ".db3",   ".zstd", ".h5",  ".hdf5",
+                                             ".mat", ".npy", ".npz",  ".jsonl", ".json", ".txt", ".log"};
   const auto extension = lowerCase(name.extension().string());
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }

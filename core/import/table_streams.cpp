@@ -12,8 +12,11 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/array_streams.h"
+#include "core/import/date_time.h"
 #include "core/import/json_numbers.h"
 #include "core/import/streams.h"
+#include "core/import/table_text.h"
 #include "core/import/time_column.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/csv_table.h"
@@ -48,8 +51,9 @@ class Table {
 
   Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
     set.timeCandidates = names;
-    auto time = findTime(names, choice);
-    if (!time) {
+    const std::size_t rows = columns.empty() ? 0 : columns[0].size();
+    const auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
+    if (!time && choice.rateHz <= 0.0) {
       set.findings.push_back({Severity::error,
                               "no_time",
                               choice.column.empty()
@@ -59,12 +63,22 @@ class Table {
                               {set.file, 0, 0}});
       return true;
     }
-    const auto& clock = columns[time->index];
-    if (!time->unitKnown) time->unit = unitOfTimes(clock);
-    const std::size_t rows = clock.size();
+    std::vector<double> clock;
+    std::vector<std::int64_t> times;
+    if (time) {
+      clock = columns[time->index];
+      auto read = *time;
+      if (!read.unitKnown) read.unit = unitOfTimes(clock);
+      times = timesOf(clock, read.fraction ? columns[*read.fraction] : std::vector<double>(), read);
+    } else {
+      for (std::size_t r = 0; r < rows; ++r) clock.push_back(static_cast<double>(r) / choice.rateHz);
+      times = timesOf(clock, {}, {});
+      noteRate(set, choice.rateHz);
+    }
+    const auto isTime = [&](std::size_t c) { return time && (c == time->index || c == time->fraction); };
     std::map<std::vector<bool>, std::vector<std::size_t>> groups;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (c == time->index) continue;
+      if (isTime(c)) continue;
       std::vector<bool> present(rows);
       std::size_t count = 0;
       for (std::size_t r = 0; r < rows; ++r) {
@@ -87,9 +101,8 @@ class Table {
       stream.file = set.file;
       for (const auto c : members) stream.fields.push_back(names[c]);
       stream.name = prefixOf(stream.fields);
-      // Stamps in seconds are exact enough: 2^-52 of today's epoch is 0.3 us.
       for (std::size_t r = 0; r < rows; ++r)
-        if ((*present)[r]) stream.received.push_back(nanoseconds(clock[r] * time->unit));
+        if ((*present)[r]) stream.received.push_back(times[r]);
       stream.stamps.assign(stream.received.size(), 0);
       for (const auto c : members) {
         auto& values = stream.values.emplace_back();
@@ -114,7 +127,7 @@ class Table {
   }
 };
 
-/// Cells as numbers; text becomes NaN.
+/// Cells as numbers; text becomes NaN. Dates and times of the day count as seconds where hardly a cell is a number.
 std::vector<double> toNumbers(const std::vector<std::string>& cells) {
   std::vector<double> out;
   out.reserve(cells.size());
@@ -124,7 +137,16 @@ std::vector<double> toNumbers(const std::vector<std::string>& cells) {
     if (cell.empty() || csv::parseNumber(cell.data(), end, value) != end || !std::isfinite(value)) value = kNoNumber;
     out.push_back(value);
   }
-  return out;
+  const auto numbers = std::count_if(out.begin(), out.end(), [](double value) { return std::isfinite(value); });
+  if (static_cast<std::size_t>(numbers) * 20 > cells.size()) return out;
+  std::vector<double> dates;
+  dates.reserve(cells.size());
+  for (const auto& cell : cells) {
+    const auto seconds = secondsOfDate(cell);
+    if (!seconds && !cell.empty() && dates.size() < 3) return out;
+    dates.push_back(seconds.value_or(kNoNumber));
+  }
+  return dates;
 }
 
 /// The contract's column `label` as the numbers of MarkLabel; kNoLabel where a cell is empty or is no label.
@@ -162,25 +184,6 @@ void nameJoints(std::vector<std::string>& names, const std::vector<std::vector<s
           name = fmt::format("{}[{}]", quantity, printable(label->second));
 }
 
-/// A table separated by blanks becomes one separated by commas.
-std::string commasForBlanks(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  bool pending = false;
-  bool lineStart = true;
-  for (const char c : text) {
-    if (c == ' ') {
-      pending = !lineStart;
-      continue;
-    }
-    if (pending && c != '\n' && c != '\r') out += ',';
-    pending = false;
-    out += c;
-    lineStart = c == '\n';
-  }
-  return out;
-}
-
 }  // namespace
 
 Result<StreamSet> readTableStreams(const std::filesystem::path& path, const TimeChoice& time,
@@ -188,12 +191,10 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   StreamSet set;
   set.file = displayName(path);
   set.kind = FileKind::table;
-  auto text = readTextFile(path, kMaxRecordingBytes);
-  if (!text) return text.error();
-  const auto firstLine = std::string_view(*text).substr(0, text->find('\n'));
-  if (firstLine.find_first_of(",;\t") == std::string_view::npos && firstLine.find(' ') != std::string_view::npos)
-    *text = commasForBlanks(*text);
-  const auto header = csv::readHeader(*text, set.file);
+  auto bytes = readTextFile(path, kMaxRecordingBytes);
+  if (!bytes) return bytes.error();
+  const auto text = readTableText(std::move(*bytes), set.file, set.findings);
+  const auto header = csv::readHeader(text.text, set.file);
   if (!header) return header.error();
   const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
   if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
@@ -217,6 +218,14 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
     table.columns.push_back(table.names[c] == kLabelField ? toLabels(cells[c], set) : toNumbers(cells[c]));
   const auto done = table.toStreams(set, time);
   if (!done) return done.error();
+  if (text.namesMissing)
+    set.findings.push_back({Severity::warning,
+                            "names_missing",
+                            heft::say("The first row looks like data, not like names; the columns are called column1 to "
+                                      "column{}.",
+                                      table.names.size()),
+                            heft::say("Put a row of names above it."),
+                            {set.file, 1, 0}});
   return set;
 }
 

@@ -73,6 +73,7 @@ void BridgeSource::take(const std::string& topic, const std::string& type, const
                         const std::vector<double>& values, std::int64_t stamp) {
   auto sample = mapper_.map(topic, type, names, values);
   const double now = hostNow();
+  stamp = soundStamp(stamp);
   if (stamp != 0) {
     auto& last = lastStamp_[topic];
     // Seconds back is a sender that began anew; less is a message that came late.

@@ -210,7 +210,7 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
 
 TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
   const Remedy all[] = {Remedy::showContents, Remedy::chooseSource, Remedy::takeSource,   Remedy::addFile,
-                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::nameRobot,    Remedy::mountSensor,
+                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::stateRate,    Remedy::nameRobot,    Remedy::mountSensor,
                         Remedy::turnWrench,   Remedy::turnGravity,  Remedy::correctMount, Remedy::sayStandingPoses,
                         Remedy::keepEndsOut,  Remedy::giveCentre,   Remedy::giveInertia};
   for (const char* language : {"en", "de"}) {

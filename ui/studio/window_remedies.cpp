@@ -23,6 +23,8 @@ QString words(Remedy way, const QString& subject) {
       return Words::tr("Choose which column is the time, under Tools, “Where the numbers come from”.");
     case Remedy::stateOffset:
       return Words::tr("If you know by how much, say it under Tools, “Where the numbers come from”.");
+    case Remedy::stateRate:
+      return Words::tr("If the file has no clock, state its rate in the map file beside it: \"rate_hz\".");
     case Remedy::nameRobot:
       return Words::tr("Choose it under Tools, “Robot and sensor”.");
     case Remedy::mountSensor:
