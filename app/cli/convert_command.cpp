@@ -9,6 +9,8 @@
 #include "app/cli/cli.h"
 #include "app/cli/recording_options.h"
 #include "core/base/text.h"
+#include "core/motion/motion.h"
+#include "core/motion/mount_link.h"
 #include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
@@ -38,16 +40,19 @@ void list(const ConvertArguments& options) {
   }();
   std::string text = fmt::format("{}: {}\n", options.input, toString(contents.kind));
   json streams = json::array();
+  const auto& taking = contents.chosen.empty() ? contents.proposed : contents.chosen;
   for (std::size_t s = 0; s < contents.streams.size(); ++s) {
     const Stream& stream = contents.streams[s];
     text +=
-        fmt::format("\n{}{}{}\n  {} samples, {:.4g} Hz, {:.4g} s\n", stream.name.empty() ? stream.file : stream.name,
-                    stream.type.empty() ? "" : ", ", stream.type, stream.samples, stream.rateHz(), stream.duration());
+        fmt::format("\n{}{}{}\n  {} samples, {}\n", stream.name.empty() ? stream.file : stream.name,
+                    stream.type.empty() ? "" : ", ", stream.type, stream.samples,
+                    stream.clockless ? std::string("no clock")
+                                     : fmt::format("{:.4g} Hz, {:.4g} s", stream.rateHz(), stream.duration()));
     json fields = json::array();
     for (std::size_t f = 0; f < stream.fields.size(); ++f) {
-      const auto taken = std::find_if(contents.chosen.begin(), contents.chosen.end(),
-                                      [&](const auto& c) { return c.stream == s && c.field == f; });
-      const bool is = taken != contents.chosen.end();
+      const auto taken =
+          std::find_if(taking.begin(), taking.end(), [&](const auto& c) { return c.stream == s && c.field == f; });
+      const bool is = taken != taking.end();
       text +=
           fmt::format("    {}{}\n", stream.fields[f], is ? fmt::format("  -> {} ({})", taken->column, taken->why) : "");
       fields.push_back({{"name", stream.fields[f]},
@@ -94,6 +99,9 @@ void run(const ConvertArguments& options) {
     ProgressLine line;
     return orFail(openRecording(options.input, options.import, line.progress()));
   }();
+  if (read.recording.hasJoints() && read.recording.meta.robot)
+    if (const auto robot = robotFor(read.recording.meta, read.findings))
+      mountOnFlange(read.recording.meta, *robot, read.findings);
   orFail(toSensorAxes(read.recording));
   // One form in every file that Heft writes, and one sign: what the sensor exerts on the payload.
   const bool flipped = read.recording.meta.wrenchSign == WrenchSign::payloadOnSensor;
@@ -137,6 +145,7 @@ Command makeConvertCommand(CLI::App& root) {
   app->add_flag("--list", options->list, "Show topics and columns and what would be taken from them; write nothing");
   app->add_option("--robot", options->import.robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace files that exist");
   app->footer(

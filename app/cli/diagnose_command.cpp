@@ -108,6 +108,7 @@ Command makeDiagnoseCommand(CLI::App& root) {
                   "Where a cause means that the meta file is wrong, write the corrected one")
       ->type_name("FILE");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
   app->add_option("--without", options->hidden, "Leave a cause out of the catalogue; may be given several times")

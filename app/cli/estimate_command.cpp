@@ -211,6 +211,7 @@ Command makeEstimateCommand(CLI::App& root) {
       ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist, and write a payload that is not trusted");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->add_option("--conventions", options->conventions,
                   "as-stated: the numbers mean what the meta file says; suggested: what physics says\n"
                   "they mean, where that is plain")

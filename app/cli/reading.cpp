@@ -4,6 +4,7 @@
 
 #include "app/cli/cli.h"
 #include "core/motion/motion.h"
+#include "core/motion/mount_link.h"
 #include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
@@ -25,6 +26,7 @@ Input readInput(const std::string& file, const ImportOptions& options, const std
                     "meta file.",
                     recording.file));
   input.robot = orFail(robotFor(recording.meta, input.findings));
+  mountOnFlange(recording.meta, *input.robot, input.findings);
   orFail(toSensorAxes(recording, input.model()));
   return input;
 }

@@ -19,13 +19,16 @@ void addRecordingOptions(CLI::App& app, ImportOptions& options) {
       ->type_name("NAME=SOURCE")
       ->allow_extra_args(false)
       ->group(kGroup);
-  app.add_option("--rate", options.rateHz, "Rate of files without a clock: rows are 1/HZ apart, whatever stands there")
-      ->type_name("HZ")
-      ->check(CLI::Range(1e-3, 1e6))
-      ->group(kGroup);
   app.add_option("--map", options.mapFile, "The same, with scales and time offsets, as a JSON file")
       ->type_name("FILE")
       ->group(kGroup);
+}
+
+void addRateOption(CLI::App& app, ImportOptions& options) {
+  app.add_option("--rate", options.rateHz, "Rate of files without a clock: rows are 1/HZ apart, whatever stands there")
+      ->type_name("HZ")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->group("Reading the recording");
 }
 
 }  // namespace heft::cli

@@ -8,7 +8,10 @@ class App;
 
 namespace heft::cli {
 
-/// Adds --meta, --map, --join, --use and --rate.
+/// Adds --meta, --map, --join and --use.
 void addRecordingOptions(CLI::App& app, ImportOptions& options);
+
+/// Adds --rate, the rate of files without a clock.
+void addRateOption(CLI::App& app, ImportOptions& options);
 
 }  // namespace heft::cli

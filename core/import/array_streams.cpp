@@ -126,6 +126,7 @@ class ArrayStreams {
     std::optional<ArrayClock> clock;
     std::vector<double> times;
     TimeColumn column;
+    bool clockless = false;
     std::vector<double> parts;
     std::optional<std::pair<std::size_t, std::size_t>> partsInTable;
     if (choice_.rateHz > 0.0) {
@@ -149,14 +150,17 @@ class ArrayStreams {
       }
       if (!timeInTable) {
         clock = findClock(group, rows);
-        if (!clock) {
-          withoutClock_.emplace_back(group, rows);
-          return true;
+        clockless = !clock;
+        if (clockless) {
+          if (choice_.clockNeeded) withoutClock_.emplace_back(group, rows);
+          for (std::size_t r = 0; r < rows; ++r) times.push_back(static_cast<double>(r));
+          column.unitKnown = true;
+        } else {
+          column = clock->column;
+          times = read_(clock->times, 0);
         }
-        column = clock->column;
-        times = read_(clock->times, 0);
-        if (clock->parts) parts = read_(*clock->parts, 0);
-        if (clock->elsewhere)
+        if (clock && clock->parts) parts = read_(*clock->parts, 0);
+        if (clock && clock->elsewhere)
           note(Severity::info, "time_elsewhere",
                heft::say("The times of /{} were taken from /{}.", printable(group), printable(arrays_[clock->times].path)));
       }
@@ -174,6 +178,7 @@ class ArrayStreams {
     stream.name = "/" + printable(group, 200);
     stream.file = set_.file;
     stream.samples = rows;
+    stream.clockless = clockless && choice_.clockNeeded;
     std::vector<std::pair<std::size_t, std::size_t>> sources;
     for (const auto a : members)
       for (std::size_t c = 0; c < arrays_[a].channels; ++c) {
@@ -205,7 +210,7 @@ class ArrayStreams {
   void finish() {
     for (const auto& [group, rows] : withoutClock_)
       note(Severity::info, "no_time",
-           heft::say("The datasets of {} rows in /{} have no dataset of times beside them and were left out.", rows,
+           heft::say("The datasets of {} rows in /{} have no dataset of times beside them.", rows,
                      printable(group)),
            remedy(Remedy::chooseTime) + " " + remedy(Remedy::stateRate));
     if (numbers_ > kMaxStreamNumbers)

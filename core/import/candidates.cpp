@@ -483,6 +483,8 @@ std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,
   std::vector<ColumnCandidate> out;
   for (std::size_t s = 0; s < streams.size(); ++s) StreamGuess(streams, s, out).run(jointNames);
   std::stable_sort(out.begin(), out.end(), [&](const ColumnCandidate& a, const ColumnCandidate& b) {
+    const bool clockA = !streams[a.columns[0].stream].clockless, clockB = !streams[b.columns[0].stream].clockless;
+    if (clockA != clockB) return clockA;
     if (a.score != b.score) return a.score > b.score;
     return streams[a.columns[0].stream].samples > streams[b.columns[0].stream].samples;
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/json_file.h"
@@ -15,6 +16,7 @@
 #include "core/import/json_numbers.h"
 #include "core/import/time_column.h"
 #include "core/motion/motion.h"
+#include "core/motion/mount_link.h"
 
 namespace heft {
 
@@ -54,6 +56,7 @@ Result<bool> readAll(Opened& opened, const FieldFilter& filter, const Progress& 
     const auto& [path, kind] = opened.files[i];
     // A column chosen for the time may stand in one of several files.
     TimeChoice time = timeChoice(opened.wishes);
+    time.clockNeeded = opened.meta.kind == RecordingKind::motion;
     auto set = readStreams(path, kind, filter, time, progress);
     if ((!set || hasErrors(set->findings)) && opened.files.size() > 1 && !time.column.empty()) {
       time.column.clear();
@@ -151,9 +154,11 @@ Result<Opened> openAll(const std::filesystem::path& path, FileKind kind, const I
   if (auto failure = refuseTwoScales(opened.wishes, opened.meta.conventions, displayName(path))) return *failure;
   if (opened.meta.robot) {
     Findings aside;
-    if (const auto robot = robotFor(opened.meta, aside))
+    if (const auto robot = robotFor(opened.meta, aside)) {
+      mountOnFlange(opened.meta, *robot, opened.findings);
       for (const int joint : robot->movingJoints())
         opened.jointNames.push_back(robot->joints()[static_cast<std::size_t>(joint)].name);
+    }
   }
   if (const auto read = readAll(opened, {}, progress); !read) return read.error();
   return opened;
@@ -346,6 +351,29 @@ Error tooLarge(const std::filesystem::path& path) {
                  heft::say("Split it, or record fewer topics."));
 }
 
+/// The failure that a chosen stream has no clock; nothing if all have.
+std::optional<Error> withoutClock(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns) {
+  for (const auto& column : columns) {
+    const auto& stream = streams[column.stream];
+    if (!stream.clockless) continue;
+    return errorAt({stream.file, 0, 0},
+                   heft::say("{} has no clock: nothing in the file tells its times.",
+                             stream.name.empty() || stream.name == "/" ? stream.file : stream.name),
+                   remedy(Remedy::stateRate) + " " + remedy(Remedy::chooseTime));
+  }
+  return std::nullopt;
+}
+
+/// Of every part the best source, whether or not they make a recording together.
+std::vector<ColumnSource> bestOfEach(const std::vector<ColumnCandidate>& candidates) {
+  std::vector<ColumnSource> out;
+  std::set<std::string> parts;
+  for (const auto& candidate : candidates)
+    if (candidate.score >= 0 && parts.insert(candidate.part).second)
+      out.insert(out.end(), candidate.columns.begin(), candidate.columns.end());
+  return out;
+}
+
 Result<RecordingContents> inspect(const std::filesystem::path& path, const ImportOptions& options,
                                   const Progress& progress) {
   const auto kind = recognise(path);
@@ -357,17 +385,20 @@ Result<RecordingContents> inspect(const std::filesystem::path& path, const Impor
   out.timeCandidates = std::move(opened->timeCandidates);
   out.wishes = opened->wishes;
   out.findings = std::move(opened->findings);
-  if (const auto failure = firstError(out.findings)) {
-    out.missing = failure->message;
-    return out;
-  }
   out.candidates = findCandidates(opened->streams, opened->jointNames);
   out.findings.insert(out.findings.end(), opened->look.begin(), opened->look.end());
+  const auto failure = firstError(out.findings);
   auto chosen = chooseColumns(opened->streams, opened->wishes, opened->jointNames, out.findings);
-  if (chosen)
+  if (failure)
+    out.missing = failure->message;
+  else if (!chosen)
+    out.missing = chosen.error().message;
+  else if (const auto lost = withoutClock(opened->streams, *chosen))
+    out.missing = lost->message;
+  if (out.missing.empty())
     out.chosen = std::move(*chosen);
   else
-    out.missing = chosen.error().message;
+    out.proposed = chosen ? std::move(*chosen) : bestOfEach(out.candidates);
   for (auto& stream : opened->streams) {
     stream.values.clear();
     stream.received.clear();
@@ -452,6 +483,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
       error.message += " " + way;
     return error;
   }
+  if (const auto lost = withoutClock(listed, *columns)) return *lost;
   settleUnits(*columns, *opened);
   settleAxes(*columns, *opened, displayName(path));
 

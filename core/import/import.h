@@ -39,6 +39,7 @@ struct RecordingContents {
   std::vector<Stream> streams;              ///< Of the recording and of joined files; their fields are names only.
   std::vector<ColumnCandidate> candidates;  ///< Best first; `why` is for the user to read.
   std::vector<ColumnSource> chosen;         ///< Empty if a part is missing; `missing` says which.
+  std::vector<ColumnSource> proposed;       ///< Then: what would be taken of the parts that are there.
   std::string missing;                      ///< The sentence with which openRecording would fail.
   std::vector<std::string> timeCandidates;  ///< What may be chosen as the time ("use": {"time": ...}).
   MappingWishes wishes;                     ///< What was said, by a map file or the options.

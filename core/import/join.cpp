@@ -402,6 +402,20 @@ class Joiner {
     return signal;
   }
 
+  /// Who sends what the chosen joints are not in: " (position[finger])".
+  std::string otherSenders(std::size_t s) const {
+    const auto& stream = streams_[s];
+    std::set<int> mine, all;
+    for (std::size_t k = 0; k < stream.sender.size(); ++k) {
+      all.insert(stream.sender[k]);
+      if (reported(s, k)) mine.insert(stream.sender[k]);
+    }
+    std::vector<std::string> names;
+    for (const int sender : all)
+      if (!mine.contains(sender) && names.size() < 3) names.push_back(stream.senders[static_cast<std::size_t>(sender)]);
+    return names.empty() ? std::string() : fmt::format(" ({})", fmt::join(names, "; "));
+  }
+
   Signal signalOf(const std::vector<std::string>& names) {
     Signal out;
     std::vector<const ColumnSource*> sources;
@@ -447,9 +461,9 @@ class Joiner {
                heft::say("{} of {} samples of {} lack a value and were left out.", missing, rows, nameOf(out.stream)));
     if (others > 0)
       noteOnce(Severity::info, "other_publisher",
-               heft::say("{} of {} samples of {} have none of these joints: another publisher sends there, too. They "
+               heft::say("{} of {} samples of {} have none of these joints: another publisher sends there, too{}. They "
                          "were left out.",
-                         others, rows, nameOf(out.stream)));
+                         others, rows, nameOf(out.stream), otherSenders(out.stream)));
     if (backwards > 0) {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       noteOnce(Severity::warning, "time_sorted",

@@ -118,17 +118,33 @@ class Chooser {
     }
   }
 
-  /// Two parts of one demonstration belong together, whatever the others score.
-  static std::string demonstrationOf(const Stream& stream) {
-    const auto first = stream.name.find('/', 1);
-    return first == std::string::npos ? std::string() : stream.name.substr(0, stream.name.find('/', first + 1));
+  /// The path of a stream up to the first part in which it differs from `other` by a number alone: "/data/demo_1" of
+  /// several demonstrations. Empty if they differ otherwise.
+  static std::string differsByNumber(const std::string& name, const std::string& other) {
+    const auto withoutDigits = [](std::string_view text) {
+      std::string out;
+      for (const char c : text)
+        if (c < '0' || c > '9') out += c;
+      return out;
+    };
+    std::size_t a = 0, b = 0;
+    while (a < name.size() && b < other.size()) {
+      const auto endA = std::min(name.find('/', a + 1), name.size());
+      const auto endB = std::min(other.find('/', b + 1), other.size());
+      const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
+      if (mine != theirs)
+        return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
+      a = endA;
+      b = endB;
+    }
+    return {};
   }
+  /// Two parts of one demonstration belong together, whatever the others score. Topics are no demonstrations.
   bool ofAnotherDemonstration(std::size_t stream) const {
     if (chosen_.empty() || !streams_[stream].type.empty()) return false;
     const auto& mine = streams_[chosen_[0].stream];
-    if (!mine.type.empty() || mine.file != streams_[stream].file) return false;
-    const auto here = demonstrationOf(mine), there = demonstrationOf(streams_[stream]);
-    return !here.empty() && !there.empty() && here != there && here.substr(0, here.rfind('/')) == there.substr(0, there.rfind('/'));
+    return mine.type.empty() && mine.file == streams_[stream].file &&
+           !differsByNumber(streams_[stream].name, mine.name).empty();
   }
 
   bool take(const std::string& part) {
@@ -287,13 +303,15 @@ class Chooser {
 
   void sayDemonstrations() {
     std::vector<std::string> others;
-    for (std::size_t s = 0; s < streams_.size(); ++s)
-      if (ofAnotherDemonstration(s)) {
-        const auto name = demonstrationOf(streams_[s]);
-        if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
-      }
+    const auto& chosen = streams_[chosen_[0].stream];
+    std::string mine;
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      if (!ofAnotherDemonstration(s)) continue;
+      mine = differsByNumber(chosen.name, streams_[s].name);
+      const auto name = differsByNumber(streams_[s].name, chosen.name);
+      if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
+    }
     if (others.empty() || wishes_.use.contains(kDemonstration)) return;
-    const auto mine = demonstrationOf(streams_[chosen_[0].stream]);
     const auto count = others.size();
     if (count > 4) others.resize(4);
     findings_.push_back({Severity::warning,

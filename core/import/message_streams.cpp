@@ -218,7 +218,9 @@ class Collector : public MessageListener {
                        stream.samples, stream.name));
       if (!reader.problem().empty())
         note(set, Severity::info, "topic_unreadable",
-             heft::say("Topic {} of type {} cannot be read: {}.", stream.name, stream.type, reader.problem()));
+             stream.type.empty()
+                 ? heft::say("Topic {} cannot be read: {}.", stream.name, reader.problem())
+                 : heft::say("Topic {} of type {} cannot be read: {}.", stream.name, stream.type, reader.problem()));
       set.streams.push_back(std::move(stream));
     }
     if (homeless_ > 0)

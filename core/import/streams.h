@@ -28,6 +28,7 @@ struct Stream {
   std::int64_t first = 0;           ///< Received [ns], on the recorder's clock.
   std::int64_t last = 0;            ///< Received [ns].
   std::vector<std::string> fields;  ///< "wrench.force.x"; a table's columns as they are called there.
+  bool clockless = false;           ///< Nothing tells its times: they are the numbers of the rows.
 
   // Filled for selected fields only:
   std::vector<std::int64_t> received;       ///< [ns] One a sample; for tables the column of time.
@@ -52,7 +53,7 @@ struct StreamSet {
   FileKind kind = FileKind::table;
   std::vector<Stream> streams;
   std::vector<std::string> timeCandidates;  ///< Columns or datasets that may be chosen as the time; empty for messages.
-  Findings findings;                        ///< With an error among them (no_time) there are no streams.
+  Findings findings;                        ///< With an error among them the streams are good for a list only.
 };
 
 /// Which fields to read: called with a stream (name, type, fields known) and a field's index. An empty function lists
@@ -67,6 +68,7 @@ struct TimeChoice {
   std::string column;   ///< Empty: found by its name.
   double unit = 0.0;    ///< [s]; 0: by the name and the size of the numbers.
   double rateHz = 0.0;  ///< Above 0: rows are this far apart, whatever the file says; for files without a clock.
+  bool clockNeeded = true;  ///< False for standing poses, whose rows are only counted.
 };
 
 /// Tells the kind from the first bytes; fails for what is no recording at all (a device, an empty file, an archive).

@@ -53,15 +53,15 @@ class Table {
     set.timeCandidates = names;
     const std::size_t rows = columns.empty() ? 0 : columns[0].size();
     const auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
-    if (!time && choice.rateHz <= 0.0) {
+    const bool lost = !time && choice.rateHz <= 0.0;
+    if (lost && (choice.clockNeeded || !choice.column.empty())) {
       set.findings.push_back({Severity::error,
                               "no_time",
                               choice.column.empty()
                                   ? heft::say("no column holds the time.")
                                   : heft::say("there is no column \"{}\" for the time.", printable(choice.column)),
-                              remedy(Remedy::chooseTime),
+                              remedy(Remedy::chooseTime) + " " + remedy(Remedy::stateRate),
                               {set.file, 0, 0}});
-      return true;
     }
     std::vector<double> clock;
     std::vector<std::int64_t> times;
@@ -71,9 +71,10 @@ class Table {
       if (!read.unitKnown) read.unit = unitOfTimes(clock);
       times = timesOf(clock, read.fraction ? columns[*read.fraction] : std::vector<double>(), read);
     } else {
-      for (std::size_t r = 0; r < rows; ++r) clock.push_back(static_cast<double>(r) / choice.rateHz);
+      const double step = lost ? 1.0 : 1.0 / choice.rateHz;
+      for (std::size_t r = 0; r < rows; ++r) clock.push_back(static_cast<double>(r) * step);
       times = timesOf(clock, {}, {});
-      noteRate(set, choice.rateHz);
+      if (!lost) noteRate(set, choice.rateHz);
     }
     const auto isTime = [&](std::size_t c) { return time && (c == time->index || c == time->fraction); };
     std::map<std::vector<bool>, std::vector<std::size_t>> groups;
@@ -99,6 +100,7 @@ class Table {
       const auto& members = groups.at(*present);
       Stream stream;
       stream.file = set.file;
+      stream.clockless = lost && choice.clockNeeded;
       for (const auto c : members) stream.fields.push_back(names[c]);
       stream.name = prefixOf(stream.fields);
       for (std::size_t r = 0; r < rows; ++r)
@@ -184,6 +186,59 @@ void nameJoints(std::vector<std::string>& names, const std::vector<std::vector<s
           name = fmt::format("{}[{}]", quantity, printable(label->second));
 }
 
+/// Whether columns c to c + 3 are unit quaternions in nearly all rows.
+bool isQuaternion(const std::vector<std::vector<double>>& columns, std::size_t c) {
+  std::size_t unit = 0;
+  const std::size_t rows = columns[c].size();
+  for (std::size_t r = 0; r < rows; ++r) {
+    double squares = 0.0;
+    for (std::size_t i = c; i < c + 4; ++i) squares += columns[i][r] * columns[i][r];
+    unit += std::abs(squares - 1.0) < 0.01 ? 1 : 0;
+  }
+  return rows > 1 && 20 * unit >= 19 * rows;
+}
+
+/// Names for a table without any, where its numbers leave no doubt: a time that rises, a unit quaternion (after a
+/// position, if three columns stand before it) and six columns of a wrench account for all of it. Says what was named.
+std::string guessNames(std::vector<std::string>& names, const std::vector<std::vector<double>>& columns) {
+  std::size_t first = 0;
+  const auto rises = [](const std::vector<double>& values) {
+    for (std::size_t r = 1; r < values.size(); ++r)
+      if (!(values[r] > values[r - 1])) return false;
+    return values.size() > 8;
+  };
+  std::vector<std::string> out;
+  if (!columns.empty() && rises(columns[0])) {
+    out.emplace_back("time");
+    first = 1;
+  }
+  const std::vector<std::string> wrench = {"fx", "fy", "fz", "tx", "ty", "tz"};
+  const std::vector<std::string> quaternion = {"qx", "qy", "qz", "qw"};
+  const std::vector<std::string> place = {"px", "py", "pz"};
+  const auto append = [&](const std::vector<std::string>& more) { out.insert(out.end(), more.begin(), more.end()); };
+  for (std::size_t c = first; c < columns.size();) {
+    const std::size_t left = columns.size() - c;
+    const auto quaternionAt = [&](std::size_t at) { return at + 4 <= columns.size() && isQuaternion(columns, at); };
+    if (quaternionAt(c)) {
+      append(quaternion);
+      c += 4;
+    } else if (left >= 7 && quaternionAt(c + 3)) {
+      append(place);
+      c += 3;
+    } else if (left == 6 || (left >= 10 && (quaternionAt(c + 6) || quaternionAt(c + 9)))) {
+      append(wrench);
+      c += 6;
+    } else {
+      return {};
+    }
+  }
+  auto sorted = out;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() || out.size() != names.size()) return {};
+  names = out;
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
 }  // namespace
 
 Result<StreamSet> readTableStreams(const std::filesystem::path& path, const TimeChoice& time,
@@ -216,16 +271,23 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   nameJoints(table.names, cells);
   for (std::size_t c = 0; c < cells.size(); ++c)
     table.columns.push_back(table.names[c] == kLabelField ? toLabels(cells[c], set) : toNumbers(cells[c]));
+  if (text.namesMissing) {
+    const auto guessed = guessNames(table.names, table.columns);
+    set.findings.push_back(
+        {Severity::warning,
+         "names_missing",
+         guessed.empty() ? heft::say("The first row looks like data, not like names; the columns are called column1 to "
+                                     "column{}.",
+                                     table.names.size())
+                         : heft::say("The first row looks like data, not like names; by the numbers the columns are "
+                                     "taken to be {}.",
+                                     guessed),
+         heft::say("Put a row of names above it, or name the columns by their numbers, for instance with "
+                   "--use fx=column2."),
+         {set.file, 1, 0}});
+  }
   const auto done = table.toStreams(set, time);
   if (!done) return done.error();
-  if (text.namesMissing)
-    set.findings.push_back({Severity::warning,
-                            "names_missing",
-                            heft::say("The first row looks like data, not like names; the columns are called column1 to "
-                                      "column{}.",
-                                      table.names.size()),
-                            heft::say("Put a row of names above it."),
-                            {set.file, 1, 0}});
   return set;
 }
 
