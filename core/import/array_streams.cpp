@@ -17,6 +17,8 @@ namespace heft {
 
 namespace {
 
+constexpr std::size_t kFewRows = 10;  ///< Fewer are no recording whose times were missed.
+
 /// Where a group's times stand.
 struct ArrayClock {
   std::size_t times = 0;
@@ -152,7 +154,7 @@ class ArrayStreams {
         clock = findClock(group, rows);
         clockless = !clock;
         if (clockless) {
-          if (choice_.clockNeeded) withoutClock_.emplace_back(group, rows);
+          if (choice_.clockNeeded && rows >= kFewRows) withoutClock_.emplace_back(group, rows);
           for (std::size_t r = 0; r < rows; ++r) times.push_back(static_cast<double>(r));
           column.unitKnown = true;
         } else {

@@ -323,7 +323,7 @@ class Joiner {
   std::optional<Error> refuseRestarts() {
     for (const auto s : used_) {
       const auto& stream = streams_[s];
-      if (useStamps_[s] && restartsAt(stream.stamps) && !restartsAt(stream.received)) {
+      if (useStamps_[s] && restartsAt(s, stream.stamps) && !restartsAt(s, stream.received)) {
         for (const auto each : used_) {
           useStamps_[each] = false;
           clockShift_[each] = 0;
@@ -335,7 +335,7 @@ class Joiner {
     for (const auto s : used_) {
       const auto& stream = streams_[s];
       const auto& times = useStamps_[s] ? stream.stamps : stream.received;
-      const auto at = restartsAt(times);
+      const auto at = restartsAt(s, times);
       if (!at) continue;
       return errorAt({stream.file, 0, 0},
                      heft::say("the times of {} fall from {:.4f} s to {:.4f} s at sample {}, over what was there "
@@ -348,8 +348,8 @@ class Joiner {
   }
 
   /// The first sample whose time falls by more than half a second back into times that were there: a few samples that
-  /// came late do not count. Nothing if the order is sound.
-  static std::optional<std::size_t> restartsAt(const std::vector<std::int64_t>& times) {
+  /// came late do not count, nor do samples that are there twice. Nothing if the order is sound.
+  std::optional<std::size_t> restartsAt(std::size_t s, const std::vector<std::int64_t>& times) const {
     std::optional<std::size_t> fall;
     for (std::size_t k = 1; k < times.size() && !fall; ++k)
       if (times[k - 1] - times[k] > kRestart) fall = k;
@@ -359,12 +359,20 @@ class Joiner {
       if (times[k] > times[k - 1]) steps.push_back(static_cast<double>(times[k] - times[k - 1]));
     if (steps.empty()) return fall;
     const double usual = median(std::move(steps));
-    auto sorted = times;
-    std::sort(sorted.begin(), sorted.end());
+    std::vector<std::size_t> order(times.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+    const auto core = coreOf(s);
     std::size_t crowded = 0;
-    for (std::size_t k = 1; k < sorted.size(); ++k)
-      crowded += static_cast<double>(sorted[k] - sorted[k - 1]) < 0.75 * usual ? 1 : 0;
-    if (20 * crowded < sorted.size()) return std::nullopt;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      const auto a = order[i - 1], b = order[i];
+      if (static_cast<double>(times[b] - times[a]) >= 0.75 * usual) continue;
+      const bool twice = times[a] == times[b] && std::all_of(core.begin(), core.end(), [&](const auto* values) {
+                           return a < values->size() && b < values->size() && (*values)[a] == (*values)[b];
+                         });
+      crowded += twice ? 0 : 1;
+    }
+    if (20 * crowded < order.size()) return std::nullopt;
     return fall;
   }
 

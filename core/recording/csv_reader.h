@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
 
 struct ReadOptions {
   std::filesystem::path metaFile;  ///< Empty: NAME.meta.json beside NAME.csv if it exists.
-  std::string robot;               ///< Instead of the meta file's; empty: the meta file's.
+  std::string robot = {};          ///< Instead of the meta file's; empty: the meta file's.
 };
 
 struct ReadRecording {
