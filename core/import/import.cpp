@@ -479,8 +479,8 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
   if (!columns) {
     auto error = misfit ? *misfit : explained(columns.error(), opened->findings, opened->look);
-    if (const auto way = remedy(Remedy::showContents); error.message.find(way) == std::string::npos)
-      error.message += " " + way;
+    for (const auto way : {Remedy::addFile, Remedy::showContents})
+      if (const auto text = remedy(way); error.message.find(text) == std::string::npos) error.message += " " + text;
     return error;
   }
   if (const auto lost = withoutClock(listed, *columns)) return *lost;

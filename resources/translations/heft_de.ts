@@ -1455,6 +1455,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
         <translation>Geben Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“ an: %1.</translation>
     </message>
+    <message>
+        <source>If the file has no clock, state its rate in the map file beside it: &quot;rate_hz&quot;.</source>
+        <translation>Hat die Datei keine Uhr, nennen Sie ihre Rate in der Zuordnungsdatei daneben: „rate_hz“.</translation>
+    </message>
 </context>
 <context>
     <name>ResultText</name>
@@ -2745,10 +2749,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Left out, as they are no tables of numbers: {}.</source>
         <translation>Ausgelassen, weil es keine Zahlentabellen sind: {}.</translation>
-    </message>
-    <message>
-        <source>The datasets of {} rows in /{} have no dataset of times beside them and were left out.</source>
-        <translation>Neben den Datensätzen mit {} Zeilen in /{} steht keiner mit Zeiten; sie wurden ausgelassen.</translation>
     </message>
     <message>
         <source>The selected datasets hold more than {} million numbers; the rest was not read.</source>
@@ -4051,10 +4051,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nehmen Sie noch einmal auf, oder wählen Sie andere Spalten.</translation>
     </message>
     <message>
-        <source>State it in a map file, for instance {{&quot;offset_s&quot;: {{&quot;{}&quot;: 0.0}}}} (seconds added to its times).</source>
-        <translation>Nennen Sie sie in einer Zuordnungsdatei, zum Beispiel {{&quot;offset_s&quot;: {{&quot;{}&quot;: 0.0}}}} (Sekunden, die zu ihren Zeiten addiert werden).</translation>
-    </message>
-    <message>
         <source>{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)</source>
         <translation>{:.3f} s (± {:.3f} s; die Bewegung erklärt dann {:.0f} % der Kraft)</translation>
     </message>
@@ -4069,10 +4065,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>&quot;{}&quot; is no column of a recording.</source>
         <translation>„{}“ ist keine Spalte einer Aufnahme.</translation>
-    </message>
-    <message>
-        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the groups joints, velocities, position, quaternion, wrench.</source>
-        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz und die Gruppen joints, velocities, position, quaternion, wrench.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; has no {} that Heft can find by name.</source>
@@ -4675,10 +4667,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es ist kein Roboter genannt; bei sieben Gelenken wird ein Franka Panda angenommen, mit dem Sensor am Flansch.</translation>
     </message>
     <message>
-        <source>Name it in the meta file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
-        <translation>Nennen Sie ihn in der Meta-Datei: &quot;robot&quot;: &quot;panda&quot; oder der Pfad eines URDF.</translation>
-    </message>
-    <message>
         <source>there are {} joints but no robot is named.</source>
         <translation>es gibt {} Gelenke, aber es ist kein Roboter genannt.</translation>
     </message>
@@ -4841,10 +4829,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>the header has more than {} columns.</source>
         <translation>die Kopfzeile hat mehr als {} Spalten.</translation>
-    </message>
-    <message>
-        <source>the first row holds no column names.</source>
-        <translation>die erste Zeile enthält keine Spaltennamen.</translation>
     </message>
     <message>
         <source>Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.</source>
@@ -6979,10 +6963,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Geben Sie nur eines davon an.</translation>
     </message>
     <message>
-        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, sensor, {}.</source>
-        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock, sensor, {}.</translation>
-    </message>
-    <message>
         <source>&quot;sensor&quot; is no object.</source>
         <translation>„sensor“ ist kein Objekt.</translation>
     </message>
@@ -7377,6 +7357,290 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>State it in a map file, for instance {{&quot;offset_s&quot;: {{{}}}}} (seconds added to its times).</source>
+        <translation>Geben Sie es in einer Zuordnungsdatei an, zum Beispiel {{&quot;offset_s&quot;: {{{}}}}} (Sekunden, die zu den Zeiten addiert werden).</translation>
+    </message>
+    <message>
+        <source>If the file has no clock, state its rate with --rate HZ.</source>
+        <translation>Hat die Datei keine Uhr, nennen Sie ihre Rate mit --rate HZ.</translation>
+    </message>
+    <message>
+        <source>Name it with --robot, or in the meta file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
+        <translation>Nennen Sie ihn mit --robot oder in der Metadatei: &quot;robot&quot;: &quot;panda&quot; oder den Pfad einer URDF-Datei.</translation>
+    </message>
+    <message>
+        <source>The times of /{} were taken from /{}.</source>
+        <translation>Die Zeiten von /{} stammen aus /{}.</translation>
+    </message>
+    <message>
+        <source>The datasets of {} rows in /{} have no dataset of times beside them.</source>
+        <translation>Bei den Datensätzen mit {} Zeilen in /{} steht kein Datensatz mit Zeiten.</translation>
+    </message>
+    <message>
+        <source>Times count from 0 at the rate that was stated, {:g} Hz.</source>
+        <translation>Die Zeiten zählen ab 0 mit der genannten Rate, {:g} Hz.</translation>
+    </message>
+    <message>
+        <source>pose of a UR with a rotation vector</source>
+        <translation>Pose eines UR mit Drehvektor</translation>
+    </message>
+    <message>
+        <source>pose of a KUKA: mm, and A, B, C in degrees</source>
+        <translation>Pose eines KUKA: mm, und A, B, C in Grad</translation>
+    </message>
+    <message>
+        <source>rotation vector</source>
+        <translation>Drehvektor</translation>
+    </message>
+    <message>
+        <source>The file of {} kB unpacks to more than 64 times its size and 1 GB; the rest was not read.</source>
+        <translation>Die Datei von {} kB wird entpackt größer als das 64-Fache ihrer Größe und 1 GB; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>filter {} of HDF5, which this machine does not have</source>
+        <translation>dem HDF5-Filter {}, den dieser Rechner nicht hat</translation>
+    </message>
+    <message>
+        <source>{}, which this machine cannot unpack</source>
+        <translation>{}, was dieser Rechner nicht entpacken kann</translation>
+    </message>
+    <message>
+        <source>{}, which this machine cannot unpack (Debian: {})</source>
+        <translation>{}, was dieser Rechner nicht entpacken kann (Debian: {})</translation>
+    </message>
+    <message>
+        <source>The link /{} leads nowhere.</source>
+        <translation>Der Verweis /{} führt ins Leere.</translation>
+    </message>
+    <message>
+        <source>Copy the file that it names beside this one.</source>
+        <translation>Kopieren Sie die Datei, die er nennt, neben diese.</translation>
+    </message>
+    <message>
+        <source>datasets of the file are packed with {}.</source>
+        <translation>Datensätze der Datei sind gepackt mit {}.</translation>
+    </message>
+    <message>
+        <source>Install that package, or rewrite the file with &quot;h5repack -f GZIP=4 IN OUT&quot; where the filter is at hand.</source>
+        <translation>Installieren Sie dieses Paket, oder schreiben Sie die Datei dort, wo es den Filter gibt, mit „h5repack -f GZIP=4 IN OUT“ neu.</translation>
+    </message>
+    <message>
+        <source>Units were taken from the columns&apos; names ({}{}).</source>
+        <translation>Einheiten wurden den Namen der Spalten entnommen ({}{}).</translation>
+    </message>
+    <message>
+        <source>UR&apos;s actual_TCP_force is in the robot&apos;s base axes, about the TCP, and without the payload that the controller has configured; it was read so.</source>
+        <translation>URs actual_TCP_force steht in den Achsen der Roboterbasis, gilt um den TCP und enthält die Last nicht, die in der Steuerung eingestellt ist; so wurde sie gelesen.</translation>
+    </message>
+    <message>
+        <source>State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench.</source>
+        <translation>Geben Sie sensor.wrench_point in der Metadatei an, wenn der TCP nicht am Sensor liegt, oder zeichnen Sie ft_raw_wrench auf.</translation>
+    </message>
+    <message>
+        <source>this is a Parquet or Arrow file, for which Debian has no library.</source>
+        <translation>dies ist eine Parquet- oder Arrow-Datei, für die Debian keine Bibliothek hat.</translation>
+    </message>
+    <message>
+        <source>Convert it, for instance with python3 -c &quot;import pandas; pandas.{}(&apos;{}&apos;).to_csv(&apos;{}.csv&apos;, index=False)&quot;.</source>
+        <translation>Wandeln Sie sie um, zum Beispiel mit python3 -c &quot;import pandas; pandas.{}(&apos;{}&apos;).to_csv(&apos;{}.csv&apos;, index=False)&quot;.</translation>
+    </message>
+    <message>
+        <source>{} has no clock: nothing in the file tells its times.</source>
+        <translation>{} hat keine Uhr: Nichts in der Datei nennt die Zeiten.</translation>
+    </message>
+    <message>
+        <source>an offset is stated for &quot;{}&quot;, which is not there.</source>
+        <translation>ein Versatz ist für „{}“ angegeben, was es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>What was chosen is {}.</source>
+        <translation>Gewählt wurde {}.</translation>
+    </message>
+    <message>
+        <source>{} missing in {} of {} samples and left aside.</source>
+        <translation>{} in {} von {} Werten nicht vorhanden und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The position is</source>
+        <translation>Die Position ist</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} are all zeros between others: another publisher sends there, too. They were left out.</source>
+        <translation>{} von {} Werten von {} sind lauter Nullen zwischen anderen: Dort sendet noch jemand. Sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} do not fit the others: another publisher sends there, too ({}). The one that moves was taken.</source>
+        <translation>{} von {} Werten von {} passen nicht zu den anderen: Dort sendet noch jemand ({}). Genommen wurde, was sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The stamps of {} start again in the middle; the recorder&apos;s times are used for all.</source>
+        <translation>Die Zeitstempel von {} beginnen mittendrin von vorn; für alle gelten die Zeiten des Aufzeichners.</translation>
+    </message>
+    <message>
+        <source>the times of {} fall from {:.4f} s to {:.4f} s at sample {}, over what was there already: two recordings, or two clocks.</source>
+        <translation>die Zeiten von {} fallen von {:.4f} s auf {:.4f} s bei Wert {}, über schon Vorhandenes: zwei Aufnahmen oder zwei Uhren.</translation>
+    </message>
+    <message>
+        <source>Split the recording there, or record one source only.</source>
+        <translation>Teilen Sie die Aufnahme dort, oder zeichnen Sie nur eine Quelle auf.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} have none of these joints: another publisher sends there, too{}. They were left out.</source>
+        <translation>{} von {} Werten von {} haben keines dieser Gelenke: Dort sendet noch jemand{}. Sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The force of {} does not follow the motion of {} within half a second, but does when shifted by {:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force); nothing was shifted.</source>
+        <translation>Die Kraft von {} folgt der Bewegung von {} innerhalb einer halben Sekunde nicht, wohl aber um {:.3f} s verschoben (± {:.3f} s; die Bewegung erklärt dann {:.0f} % der Kraft); verschoben wurde nichts.</translation>
+    </message>
+    <message>
+        <source>The recorder lagged, or one clock is wrong.</source>
+        <translation>Der Aufzeichner hing nach, oder eine Uhr geht falsch.</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the groups joints, velocities, position, quaternion, rotation, wrench, and demo.</source>
+        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, die Gruppen joints, velocities, position, quaternion, rotation, wrench, und demo.</translation>
+    </message>
+    <message>
+        <source>there is no demonstration &quot;{}&quot;.</source>
+        <translation>es gibt keine Vorführung „{}“.</translation>
+    </message>
+    <message>
+        <source>The file holds {} demonstrations; {} was read, not {}{}.</source>
+        <translation>Die Datei enthält {} Vorführungen; gelesen wurde {}, nicht {}{}.</translation>
+    </message>
+    <message>
+        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.</source>
+        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.</translation>
+    </message>
+    <message>
+        <source>the offset of {} is {:g} s, more than the {:g} s (63 years) by which clocks can differ.</source>
+        <translation>der Versatz von {} beträgt {:g} s, mehr als die {:g} s (63 Jahre), um die Uhren sich unterscheiden können.</translation>
+    </message>
+    <message>
+        <source>Offsets are in seconds, also where the file counts in ms or ns.</source>
+        <translation>Versätze sind in Sekunden, auch wenn die Datei in ms oder ns zählt.</translation>
+    </message>
+    <message>
+        <source>&quot;rate_hz&quot; is no rate above 0.</source>
+        <translation>„rate_hz“ ist keine Rate über 0.</translation>
+    </message>
+    <message>
+        <source>a cell array</source>
+        <translation>ein Cell-Array</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a sparse matrix</source>
+        <translation>eine dünn besetzte Matrix</translation>
+    </message>
+    <message>
+        <source>a table or another object</source>
+        <translation>eine Tabelle oder ein anderes Objekt</translation>
+    </message>
+    <message>
+        <source>this MATLAB file cannot be opened: it is cut off or damaged.</source>
+        <translation>diese MATLAB-Datei lässt sich nicht öffnen: Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>Save it again, for instance with save(&apos;FILE&apos;, &apos;-v7&apos;).</source>
+        <translation>Speichern Sie sie noch einmal, zum Beispiel mit save(&apos;FILE&apos;, &apos;-v7&apos;).</translation>
+    </message>
+    <message>
+        <source>Save each quantity as a matrix of numbers with one row a sample.</source>
+        <translation>Speichern Sie jede Größe als Matrix von Zahlen mit einer Zeile je Wert.</translation>
+    </message>
+    <message>
+        <source>its encoding &quot;{}&quot; is none of those that Heft reads (ros1, cdr, json)</source>
+        <translation>seine Kodierung „{}“ gehört nicht zu denen, die Heft liest (ros1, cdr, json)</translation>
+    </message>
+    <message>
+        <source>its schema is in &quot;{}&quot;, and Heft does not know the type by itself</source>
+        <translation>sein Schema ist in „{}“, und den Typ kennt Heft nicht von selbst</translation>
+    </message>
+    <message>
+        <source>{} messages on {} have times before 1897 or after 2043 and were left out.</source>
+        <translation>{} Nachrichten auf {} haben Zeiten vor 1897 oder nach 2043 und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} messages on {} are in XCDR 2 or as parameter lists, not in plain CDR, and were left out.</source>
+        <translation>{} von {} Nachrichten auf {} sind in XCDR 2 oder als Parameterlisten geschrieben, nicht in einfachem CDR, und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Topic {} cannot be read: {}.</source>
+        <translation>Thema {} kann nicht gelesen werden: {}.</translation>
+    </message>
+    <message>
+        <source>a structure in a structure</source>
+        <translation>eine Struktur in einer Struktur</translation>
+    </message>
+    <message>
+        <source>pickled Python objects</source>
+        <translation>gepickelte Python-Objekte</translation>
+    </message>
+    <message>
+        <source>no numbers</source>
+        <translation>keine Zahlen</translation>
+    </message>
+    <message>
+        <source>Save each quantity as an array of numbers with one row a sample.</source>
+        <translation>Speichern Sie jede Größe als Feld von Zahlen mit einer Zeile je Wert.</translation>
+    </message>
+    <message>
+        <source>The first row looks like data, not like names; the columns are called column1 to column{}.</source>
+        <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; die Spalten heißen column1 bis column{}.</translation>
+    </message>
+    <message>
+        <source>The first row looks like data, not like names; by the numbers the columns are taken to be {}.</source>
+        <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; nach den Zahlen werden die Spalten für {} gehalten.</translation>
+    </message>
+    <message>
+        <source>Put a row of names above it, or name the columns by their numbers, for instance with --use fx=column2.</source>
+        <translation>Setzen Sie eine Zeile mit Namen darüber, oder nennen Sie die Spalten nach ihrer Nummer, zum Beispiel mit --use fx=column2.</translation>
+    </message>
+    <message>
+        <source>The text is UTF-16 and was read as such.</source>
+        <translation>Der Text ist UTF-16 und wurde so gelesen.</translation>
+    </message>
+    <message>
+        <source>Decimal commas were read as points.</source>
+        <translation>Dezimalkommas wurden als Punkte gelesen.</translation>
+    </message>
+    <message>
+        <source>{} lines above the names of the columns were skipped.</source>
+        <translation>{} Zeilen über den Namen der Spalten wurden übersprungen.</translation>
+    </message>
+    <message>
+        <source>The row below the names was read as the columns&apos; units.</source>
+        <translation>Die Zeile unter den Namen wurde als Einheiten der Spalten gelesen.</translation>
+    </message>
+    <message>
+        <source>Nothing says where the sensor sits; it is taken to be at the origin of the robot&apos;s link &quot;{}&quot;.</source>
+        <translation>Nirgends steht, wo der Sensor sitzt; angenommen wird der Ursprung des Robotergliedes „{}“.</translation>
+    </message>
+    <message>
+        <source>State sensor.mount in the meta file.</source>
+        <translation>Geben Sie sensor.mount in der Metadatei an.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in column time is no number of seconds.</source>
+        <translation>„{}“ in Spalte time ist keine Zahl von Sekunden.</translation>
+    </message>
+    <message>
+        <source>the first row looks like data, not like column names.</source>
+        <translation>die erste Zeile sieht nach Daten aus, nicht nach Namen von Spalten.</translation>
+    </message>
+    <message>
+        <source>Write time in seconds, not microseconds.</source>
+        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Mikrosekunden.</translation>
     </message>
 </context>
 <context>
