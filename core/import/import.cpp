@@ -22,6 +22,8 @@ namespace heft {
 
 namespace {
 
+constexpr double kClearlyBetter = 0.05;  ///< Share of the force's variance that decides between two wrenches.
+
 /// As it stands in a meta: "panda", or the URDF's full path.
 std::string robotName(const std::string& robot) {
   return robot == "panda" ? robot : std::filesystem::absolute(robot).string();
@@ -448,6 +450,45 @@ std::optional<Error> otherThanContract(const std::filesystem::path& path, const 
   return contractMisfit(head, displayName(path), meta);
 }
 
+/// Of several wrenches that names alone do not tell apart, the one that follows the motion best. The choice comes first
+/// among what is told.
+void letMotionDecide(std::vector<ColumnSource>& columns, const std::vector<std::vector<ColumnSource>>& others,
+                     const Opened& opened, Findings& findings) {
+  if (others.empty()) return;
+  const auto nameOf = [&](const std::vector<ColumnSource>& sources) {
+    const auto fx = std::find_if(sources.begin(), sources.end(), [](const auto& c) { return c.column == "fx"; });
+    const auto& stream = opened.streams[fx->stream];
+    return stream.type.empty() ? stream.fields[fx->field] : stream.name;
+  };
+  const auto explainedBy = [&](const std::vector<ColumnSource>& sources) {
+    return explainedByMotion(opened.streams, sources, opened.wishes, opened.meta);
+  };
+  const auto mine = explainedBy(columns);
+  std::string names;
+  const std::vector<ColumnSource>* best = &columns;
+  double bestShare = mine.value_or(0.0);
+  for (const auto& other : others) {
+    names += (names.empty() ? "" : ", ") + nameOf(other);
+    const auto share = explainedBy(other);
+    if (!mine || !share || *share < bestShare + kClearlyBetter) continue;
+    best = &other;
+    bestShare = *share;
+  }
+  const bool moved = best != &columns;
+  const auto was = nameOf(columns);
+  if (moved) columns = *best;
+  findings.insert(
+      findings.begin(),
+      {Severity::warning,
+       "wrench_of_several",
+       moved ? heft::say("Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and "
+                         "{:.0f} % of that of {}.",
+                         nameOf(columns), 100.0 * bestShare, 100.0 * mine.value_or(0.0), was)
+             : heft::say("Several wrenches would do; {} was taken, and it could also be {}.", was, names),
+       remedy(Remedy::chooseSource, "wrench"),
+       {opened.streams[columns[0].stream].file, 0, 0}});
+}
+
 Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOptions& options,
                               const Progress& progress) {
   const auto kind = recognise(path);
@@ -493,29 +534,45 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
     return std::tuple(stream.file, stream.name, stream.type, stream.fields[field]);
   };
   for (const auto& column : *columns) wanted.insert(keyOf(listed[column.stream], column.field));
+  const auto rivals = rivalWrenches(listed, opened->wishes, *columns);
+  for (const auto& rival : rivals)
+    for (const auto& column : rival.columns) wanted.insert(keyOf(listed[column.stream], column.field));
   const FieldFilter filter = [&](const Stream& stream, std::size_t field) {
     return wanted.contains(keyOf(stream, field));
   };
   if (const auto read = readAll(*opened, filter, progress); !read) return read.error();
 
-  std::vector<ColumnSource> found;
-  for (auto column : *columns) {
-    const auto& key = keyOf(listed[column.stream], column.field);
-    bool there = false;
-    for (std::size_t s = 0; s < opened->streams.size() && !there; ++s) {
-      for (std::size_t f = 0; f < opened->streams[s].fields.size() && !there; ++f) {
-        if (keyOf(opened->streams[s], f) != key) continue;
-        column.stream = s;
-        column.field = f;
-        there = true;
+  // Where they stand after the second read; false where one is gone.
+  const auto findAgain = [&](std::vector<ColumnSource>& sources) {
+    for (auto& column : sources) {
+      const auto key = keyOf(listed[column.stream], column.field);
+      bool there = false;
+      for (std::size_t s = 0; s < opened->streams.size() && !there; ++s) {
+        for (std::size_t f = 0; f < opened->streams[s].fields.size() && !there; ++f) {
+          if (keyOf(opened->streams[s], f) != key) continue;
+          column.stream = s;
+          column.field = f;
+          there = true;
+        }
       }
+      if (!there) return false;
     }
-    if (!there)
-      return errorAt({listed[column.stream].file, 0, 0},
-                     heft::say("{} could not be read again.", printable(listed[column.stream].fields[column.field])),
-                     heft::say("Was the file changed meanwhile?"));
-    found.push_back(std::move(column));
+    return true;
+  };
+  auto found = *columns;
+  if (!findAgain(found))
+    return errorAt({listed[(*columns)[0].stream].file, 0, 0}, heft::say("its columns could not be read again."),
+                   heft::say("Was the file changed meanwhile?"));
+  std::vector<std::vector<ColumnSource>> others;
+  for (const auto& rival : rivals) {
+    auto other = *columns;
+    std::erase_if(other, [](const auto& column) { return column.column[0] == 'f' || column.column[0] == 't'; });
+    other.insert(other.end(), rival.columns.begin(), rival.columns.end());
+    if (findAgain(other)) others.push_back(std::move(other));
   }
+  Findings choice;
+  letMotionDecide(found, others, *opened, choice);
+  opened->findings.insert(opened->findings.begin(), choice.begin(), choice.end());
   auto joined = joinStreams(opened->streams, found, opened->wishes, std::move(opened->meta), opened->findings);
   if (!joined) return explained(joined.error(), opened->findings);
   joined->file = displayName(path);

@@ -28,6 +28,7 @@ constexpr double kEpoch = 1e9;            ///< [s] Later times count from 1970, 
 constexpr double kLongestGapSteps = 5.0;  ///< Across longer gaps nothing is interpolated.
 constexpr double kMissingShare = 0.05;    ///< Up to this share of samples may lack a velocity.
 constexpr std::int64_t kRestart = 500'000'000;  ///< [ns] Samples that come late are late by less.
+constexpr double kNoDelay = 0.06;         ///< [s] A little to either side, so that the fit at none is seen.
 constexpr double kWideReach = 10.0;       ///< [s] Delays on a common clock are looked for up to this.
 constexpr double kLongestReach = 600.0;   ///< [s] Offsets between unrelated clocks are looked for up to this.
 
@@ -54,7 +55,29 @@ class Joiner {
          Findings& findings)
       : streams_(streams), columns_(columns), wishes_(wishes), findings_(findings) {}
 
+  std::optional<double> explained(RecordingMeta meta) {
+    if (const auto failure = makeSignals(std::move(meta)); failure || unrelated_) return std::nullopt;
+    const auto moved = specificForce();
+    if (!moved) return std::nullopt;
+    return findOffset(inWrenchAxes(*moved), moved->startTime, moved->rateHz, wrench_.time, wrench_.values.leftCols<3>(),
+                      -kNoDelay, kNoDelay)
+        .explained;
+  }
+
   Result<Recording> join(RecordingMeta meta) {
+    if (auto failure = makeSignals(std::move(meta))) return *failure;
+    if (auto failure = align()) return *failure;
+    if (auto failure = resample()) return *failure;
+    for (const auto s : {wrench_.stream, motion().stream}) {
+      if (!recording_.labels.empty()) break;
+      takeLabels(s);
+    }
+    return std::move(recording_);
+  }
+
+ private:
+  /// All signals on their own times, in the plain form.
+  std::optional<Error> makeSignals(RecordingMeta meta) {
     recording_.file = streams_[columns_[0].stream].file;
     recording_.meta = std::move(meta);
     for (const auto& column : columns_) used_.insert(column.stream);
@@ -78,16 +101,9 @@ class Joiner {
     makeTimes();
     if (auto failure = toPlainForm()) return *failure;
     makeQuaternionsSmooth();
-    if (auto failure = align()) return *failure;
-    if (auto failure = resample()) return *failure;
-    for (const auto s : {wrench_.stream, motion().stream}) {
-      if (!recording_.labels.empty()) break;
-      takeLabels(s);
-    }
-    return std::move(recording_);
+    return std::nullopt;
   }
 
- private:
   void note(Severity severity, const char* code, std::string text, std::string remedy = {}) {
     findings_.push_back({severity, code, std::move(text), std::move(remedy), {recording_.file, 0, 0}});
   }
@@ -816,6 +832,12 @@ class Joiner {
 };
 
 }  // namespace
+
+std::optional<double> explainedByMotion(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns,
+                                        const MappingWishes& wishes, RecordingMeta meta) {
+  Findings aside;
+  return Joiner(streams, columns, wishes, aside).explained(std::move(meta));
+}
 
 Result<Recording> joinStreams(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns,
                               const MappingWishes& wishes, RecordingMeta meta, Findings& findings) {

@@ -23,6 +23,7 @@ constexpr std::array kParts = {"joints", "velocities", "position", "quaternion",
 /// A target of "use" that names a part of the file: a demonstration of several.
 constexpr const char* kDemonstration = "demo";
 
+constexpr int kNearlyAsGood = 2;  ///< Scores that differ by less say nothing.
 constexpr const char* kSaidByUser = "said by the user";
 constexpr double kLargestOffset = 2e9;  ///< [s] An epoch's clock beside one that counts from power-on.
 
@@ -73,6 +74,27 @@ std::string shown(const Stream& stream) {
   return stream.name;
 }
 
+/// The path of a stream up to the first part in which it differs from `other` by a number alone: "/data/demo_1" of
+/// several demonstrations. Empty if they differ otherwise.
+std::string differsByNumber(const std::string& name, const std::string& other) {
+  const auto withoutDigits = [](std::string_view text) {
+    std::string out;
+    for (const char c : text)
+      if (c < '0' || c > '9') out += c;
+    return out;
+  };
+  std::size_t a = 0, b = 0;
+  while (a < name.size() && b < other.size()) {
+    const auto endA = std::min(name.find('/', a + 1), name.size());
+    const auto endB = std::min(other.find('/', b + 1), other.size());
+    const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
+    if (mine != theirs)
+      return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
+    a = endA;
+    b = endB;
+  }
+  return {};
+}
 class Chooser {
  public:
   Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
@@ -118,27 +140,6 @@ class Chooser {
     }
   }
 
-  /// The path of a stream up to the first part in which it differs from `other` by a number alone: "/data/demo_1" of
-  /// several demonstrations. Empty if they differ otherwise.
-  static std::string differsByNumber(const std::string& name, const std::string& other) {
-    const auto withoutDigits = [](std::string_view text) {
-      std::string out;
-      for (const char c : text)
-        if (c < '0' || c > '9') out += c;
-      return out;
-    };
-    std::size_t a = 0, b = 0;
-    while (a < name.size() && b < other.size()) {
-      const auto endA = std::min(name.find('/', a + 1), name.size());
-      const auto endB = std::min(other.find('/', b + 1), other.size());
-      const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
-      if (mine != theirs)
-        return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
-      a = endA;
-      b = endB;
-    }
-    return {};
-  }
   /// Two parts of one demonstration belong together, whatever the others score. Topics are no demonstrations.
   bool ofAnotherDemonstration(std::size_t stream) const {
     if (chosen_.empty() || !streams_[stream].type.empty()) return false;
@@ -444,6 +445,30 @@ Result<bool> addWish(MappingWishes& wishes, const std::string& text) {
   if (auto failure = checkTarget(target, "--use")) return *failure;
   wishes.use[target] = text.substr(sign + 1);
   return true;
+}
+
+std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
+                                           const std::vector<ColumnSource>& chosen) {
+  constexpr std::size_t kMost = 4;
+  std::vector<ColumnCandidate> out;
+  const auto column = std::find_if(chosen.begin(), chosen.end(), [](const auto& c) { return c.column == "fx"; });
+  if (column == chosen.end() || column->why == kSaidByUser || wishes.use.contains(kDemonstration)) return out;
+  const auto candidates = findCandidates(streams, {});
+  const auto is = [&](const ColumnCandidate& candidate) {
+    return candidate.columns[0].stream == column->stream && candidate.columns[0].field == column->field;
+  };
+  const auto mine = std::find_if(candidates.begin(), candidates.end(), is);
+  if (mine == candidates.end()) return out;
+  for (const auto& candidate : candidates) {
+    const auto& stream = streams[candidate.columns[0].stream];
+    if (candidate.part != "wrench" || is(candidate) || candidate.score + kNearlyAsGood < mine->score ||
+        stream.clockless != streams[column->stream].clockless || out.size() == kMost)
+      continue;
+    // Of several demonstrations the first one is read, whatever the others hold.
+    if (stream.type.empty() && !differsByNumber(stream.name, streams[column->stream].name).empty()) continue;
+    out.push_back(candidate);
+  }
+  return out;
 }
 
 const std::vector<std::vector<std::string>>& rotationForms() {

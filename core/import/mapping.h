@@ -71,6 +71,10 @@ std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,
 ColumnSource columnFrom(const std::vector<Stream>& streams, std::size_t stream, std::size_t field,
                         const std::string& column, const std::string& why);
 
+/// Other wrenches that names and types speak for as much as for the chosen one, unless the user named it.
+std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
+                                           const std::vector<ColumnSource>& chosen);
+
 /// The columns to read: wishes first, then the best candidates. Fails if a wish names nothing that is there, or if
 /// wrench or motion are missing; says in findings what was chosen and what else might have been.
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,

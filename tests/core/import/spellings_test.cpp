@@ -8,6 +8,7 @@
 #include "core/import/date_time.h"
 #include "core/import/field_name.h"
 #include "core/import/time_column.h"
+#include "core/robot/robot_model.h"
 #include "tests/core/import/fixtures.h"
 
 namespace heft {
@@ -218,6 +219,31 @@ TEST_F(Spellings, RawComesBeforeWhatWasMadeOfIt) {
   const auto read = openRecording(write("several.csv", text));
   ASSERT_TRUE(read.ok()) << read.error().message;
   expectFormula(read->recording);
+}
+
+TEST_F(Spellings, BetweenTwoWrenchesTheMotionDecides) {
+  // A tool of 1 kg at the wrist of a Panda: the rear sensor carries it, the front one shakes by itself.
+  std::string text = "time,q1,q2,q3,q4,q5,q6,q7";
+  for (const char* const kind : {"front", "rear"})
+    for (const char* const name : {"fx", "fy", "fz", "tx", "ty", "tz"}) text += fmt::format(",{}_{}", kind, name);
+  text += "\n";
+  const auto& panda = RobotModel::panda();
+  const auto link = *panda.findLink("panda_link8");
+  VectorXd q(7);
+  for (int k = 0; k < 1200; ++k) {
+    const double t = 0.01 * k;
+    q << 0.0, -0.785, 0.0, -2.356, std::sin(0.9 * t), 1.571 + 0.7 * std::sin(1.3 * t), 0.785 + std::sin(0.7 * t);
+    const Vector3d weight = panda.linkPose(q, link).linear().transpose() * Vector3d(0.0, 0.0, 9.81);
+    text += fmt::format("{:.2f}", t);
+    for (int j = 0; j < 7; ++j) text += fmt::format(",{:.9g}", q(j));
+    for (int a = 0; a < 6; ++a) text += fmt::format(",{:.9g}", std::sin(17.0 * t + a));
+    for (int a = 0; a < 3; ++a) text += fmt::format(",{:.9g}", weight(a));
+    text += ",0.1,0.2,0.3\n";
+  }
+  const auto read = openRecording(write("two.csv", text));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->findings.front().code, "wrench_of_several");
+  EXPECT_NEAR(read->recording.wrench.row(600).head<3>().norm(), 9.81, 1e-6);
 }
 
 TEST_F(Spellings, PosesAsRotationVectorsAnglesAndMatrices) {
