@@ -43,11 +43,10 @@ void list(const ConvertArguments& options) {
   const auto& taking = contents.chosen.empty() ? contents.proposed : contents.chosen;
   for (std::size_t s = 0; s < contents.streams.size(); ++s) {
     const Stream& stream = contents.streams[s];
-    text +=
-        fmt::format("\n{}{}{}\n  {} samples, {}\n", stream.name.empty() ? stream.file : stream.name,
-                    stream.type.empty() ? "" : ", ", stream.type, stream.samples,
-                    stream.clockless ? std::string("no clock")
-                                     : fmt::format("{:.4g} Hz, {:.4g} s", stream.rateHz(), stream.duration()));
+    text += fmt::format("\n{}{}{}\n  {} samples, {}\n", stream.name.empty() ? stream.file : stream.name,
+                        stream.type.empty() ? "" : ", ", stream.type, stream.samples,
+                        stream.clockless ? std::string("no clock")
+                                         : fmt::format("{:.4g} Hz, {:.4g} s", stream.rateHz(), stream.duration()));
     json fields = json::array();
     for (std::size_t f = 0; f < stream.fields.size(); ++f) {
       const auto taken =

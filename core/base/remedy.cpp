@@ -24,9 +24,8 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
     case Remedy::chooseTime:
       return heft::say("Name it time (in seconds), or say which it is with --use time=NAME.");
     case Remedy::stateOffset:
-      return heft::say(
-          "State it in a map file, for instance {{\"offset_s\": {{{}}}}} (seconds added to its times).",
-          subject);
+      return heft::say("State it in a map file, for instance {{\"offset_s\": {{{}}}}} (seconds added to its times).",
+                       subject);
     case Remedy::stateRate:
       return heft::say("If the file has no clock, state its rate with --rate HZ.");
     case Remedy::nameRobot:

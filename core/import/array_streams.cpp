@@ -63,8 +63,8 @@ class ArrayStreams {
     std::vector<std::string> names;
     TimeChoice choice = choice_;
     for (const auto a : candidates) {
-      const bool chosen = !choice.column.empty() &&
-                          (arrays_[a].path == choice.column || "/" + arrays_[a].path == choice.column);
+      const bool chosen =
+          !choice.column.empty() && (arrays_[a].path == choice.column || "/" + arrays_[a].path == choice.column);
       names.push_back(chosen ? choice.column : arrays_[a].name);
     }
     const auto found = findTime(names, choice);
@@ -116,6 +116,28 @@ class ArrayStreams {
     return std::nullopt;
   }
 
+  /// The index that pandas keeps beside its blocks ("index" of a table, "axis1"), where it holds dates.
+  void takeIndex(const std::vector<std::size_t>& members, std::optional<std::pair<std::size_t, std::size_t>>& inTable,
+                 std::optional<ArrayClock>& alone) const {
+    const auto isDates = [&](std::size_t a, std::size_t c) {
+      const auto values = read_(a, c);
+      return values.size() > 1 && unitOfTimes(values) < 1e-3 && values.back() > values.front();
+    };
+    for (const auto a : members) {
+      const auto& array = arrays_[a];
+      const auto index = std::find(array.columns.begin(), array.columns.end(), "index");
+      const auto column = static_cast<std::size_t>(index - array.columns.begin());
+      if (index != array.columns.end() && isDates(a, column)) {
+        inTable = {a, column};
+        return;
+      }
+      if (array.name == "axis1" && array.channels == 1 && isDates(a, 0)) {
+        alone = ArrayClock{a, {}, std::nullopt, false};
+        return;
+      }
+    }
+  }
+
   static std::string fieldOf(const NumberArray& array, std::size_t channel) {
     if (channel < array.columns.size()) return printable(array.columns[channel], 100);
     return array.vector ? printable(array.name, 100) : fmt::format("{}[{}]", printable(array.name, 100), channel);
@@ -152,6 +174,10 @@ class ArrayStreams {
       }
       if (!timeInTable) {
         clock = findClock(group, rows);
+        if (!clock && choice_.column.empty()) takeIndex(members, timeInTable, clock);
+        if (timeInTable) times = read_(timeInTable->first, timeInTable->second);
+      }
+      if (!timeInTable) {
         clockless = !clock;
         if (clockless) {
           if (choice_.clockNeeded && rows >= kFewRows) withoutClock_.emplace_back(group, rows);
@@ -164,7 +190,8 @@ class ArrayStreams {
         if (clock && clock->parts) parts = read_(*clock->parts, 0);
         if (clock && clock->elsewhere)
           note(Severity::info, "time_elsewhere",
-               heft::say("The times of /{} were taken from /{}.", printable(group), printable(arrays_[clock->times].path)));
+               heft::say("The times of /{} were taken from /{}.", printable(group),
+                         printable(arrays_[clock->times].path)));
       }
       if (times.empty()) {
         damaged_.insert(arrays_[clock ? clock->times : timeInTable->first].path);
@@ -212,16 +239,14 @@ class ArrayStreams {
   void finish() {
     for (const auto& [group, rows] : withoutClock_)
       note(Severity::info, "no_time",
-           heft::say("The datasets of {} rows in /{} have no dataset of times beside them.", rows,
-                     printable(group)),
+           heft::say("The datasets of {} rows in /{} have no dataset of times beside them.", rows, printable(group)),
            remedy(Remedy::chooseTime) + " " + remedy(Remedy::stateRate));
     if (numbers_ > kMaxStreamNumbers)
       note(Severity::warning, "file_too_large",
            heft::say("The selected datasets hold more than {} million numbers; the rest was not read.",
                      kMaxStreamNumbers / 1'000'000));
     for (const auto& each : damaged_)
-      note(Severity::warning, "dataset_damaged",
-           heft::say("The dataset /{} is damaged or cut off.", printable(each)));
+      note(Severity::warning, "dataset_damaged", heft::say("The dataset /{} is damaged or cut off.", printable(each)));
   }
 
   const std::vector<NumberArray>& arrays_;

@@ -24,12 +24,11 @@ bool anyIs(const Words& tokens, std::span<const char* const> words) {
 }
 
 /// Words of values that nobody measured.
-constexpr std::array kCommanded = {"d",        "cmd",       "command",    "commanded",  "desired",    "des",
-                                   "target",   "ref",       "reference",  "goal",       "setpoint",   "limit",
-                                   "limits",   "error",     "errors",     "ddq",        "qdd",        "dtau",
-                                   "dp",       "ddp",       "collision",  "contact",    "std",        "stdev",
-                                   "finger",   "gripper",   "covariance", "inaccuracy", "accuracy",   "variance",
-                                   "tolerance", "uncertainty", "soll",    "increment",  "inc"};
+constexpr std::array kCommanded = {
+    "d",          "cmd",      "command",   "commanded", "desired",     "des",    "target",    "ref",     "reference",
+    "goal",       "setpoint", "limit",     "limits",    "error",       "errors", "ddq",       "qdd",     "dtau",
+    "dp",         "ddp",      "collision", "contact",   "std",         "stdev",  "finger",    "gripper", "covariance",
+    "inaccuracy", "accuracy", "variance",  "tolerance", "uncertainty", "soll",   "increment", "inc"};
 /// Words of wrenches from which something was taken away, or that no sensor measured.
 constexpr std::array kProcessed = {"compensated", "comp",     "bias", "unbiased", "zeroed",   "tared",
                                    "ext",         "external", "hat",  "estimate", "estimated"};
@@ -80,10 +79,10 @@ struct Member {
 constexpr std::array kForceWords = {"force", "forces", "f", "kraft"};
 constexpr std::array kTorqueWords = {"torque", "torques", "moment", "moments", "t", "m", "tau", "drehmoment"};
 
-
 /// 0..5 of a wrench: "fx", "force x", "wrench.torque.z", "ft[3]", "Fx_raw".
 std::optional<Member> asWrench(const Words& words) {
-  static constexpr std::array kOther = {"pose", "twist", "position", "translation", "velocity", "acceleration", "joint"};
+  static constexpr std::array kOther = {"pose",     "twist",        "position", "translation",
+                                        "velocity", "acceleration", "joint"};
   if (anyIs(words, kOther)) return std::nullopt;
   for (std::size_t i = words.size(); i-- > 0;) {
     const auto& word = words[i];
@@ -119,8 +118,8 @@ struct PoseMember : Member {
 std::optional<PoseMember> asPose(const Words& words) {
   static constexpr std::array kPlaces = {"position", "translation", "pos", "xyz", "p"};
   static constexpr std::array kTurns = {"orientation", "quaternion", "rotation", "quat", "ori", "q"};
-  static constexpr std::array kRates = {"velocity", "vel", "twist", "speed", "acceleration", "accel", "acc", "angular",
-                                        "linear"};
+  static constexpr std::array kRates = {"velocity", "vel", "twist",   "speed", "acceleration",
+                                        "accel",    "acc", "angular", "linear"};
   if (words.empty() || anyIs(words, kRates)) return std::nullopt;
   for (std::size_t i = words.size(); i-- > 0;) {
     const auto& word = words[i];
@@ -168,10 +167,10 @@ std::optional<JointMember> asJoint(const Words& words) {
   static constexpr std::array kPositions = {"position", "positions", "pos", "q", "angle", "angles", "theta", "winkel"};
   static constexpr std::array kVelocities = {"velocity", "velocities", "vel", "dq", "qd", "qdot", "speed", "speeds"};
   static constexpr std::array kOther = {
-      "effort",      "efforts",      "torque",   "torques", "tau",    "current", "currents",    "temperature",
-      "temp",        "temperatures", "is",       "force",   "wrench", "voltage", "power",       "acceleration",
-      "accelerations", "acc",        "jerk",     "mode",    "status", "moment",  "stiffness",   "load",
-      "tcp",         "pose",         "encoder",  "ticks",   "fts",    "ft",      "column"};
+      "effort",        "efforts",      "torque",  "torques", "tau",    "current", "currents",  "temperature",
+      "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
+      "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
+      "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
   static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt"};
   if (words.empty() || anyIs(words, kOther)) return std::nullopt;
   // The number that tells the joint: the last one ("fr3_joint1" has another before it).
@@ -250,7 +249,8 @@ class StreamGuess {
       if (fields.size() == 6 && fields.rbegin()->first - fields.begin()->first == 5 && fields.begin()->first <= 1)
         addWrench(family, fields, fields.begin()->first);
     for (const auto& [family, fields] : quaternions)
-      if (fields.size() == 4) add("quaternion", fields, 0, kQuaternionColumns, poseScore() - doubtOfPose(family), why());
+      if (fields.size() == 4)
+        add("quaternion", fields, 0, kQuaternionColumns, poseScore() - doubtOfPose(family), why());
     for (const auto& [family, fields] : positions)
       if (fields.size() == 3) add("position", fields, 0, kPositionColumns, poseScore() - doubtOfPose(family), why());
     for (const auto& [family, fields] : matrices)
@@ -336,7 +336,8 @@ class StreamGuess {
       const Words& words = names_[f].words;
       if (words.empty() || anyIs(words, kCommanded)) continue;
       if (words.size() == 1 && words[0].size() <= 2) single.try_emplace(words[0], f);
-      if (words.back() == "roll" || words.back() == "pitch" || words.back() == "yaw") turns.try_emplace(words.back(), f);
+      if (words.back() == "roll" || words.back() == "pitch" || words.back() == "yaw")
+        turns.try_emplace(words.back(), f);
       if (words.size() >= 3 && isDigits(words.back()) && anyIs(words, std::array{"tcp"}) &&
           anyIs(words, std::array{"pose"}))
         vectors[Words(words.begin(), words.end() - 1)].try_emplace(std::stoi(words.back()), f);
@@ -387,7 +388,8 @@ class StreamGuess {
     if (fields.size() == 7) score += 2;
     score -= std::min(doubtOf(family), 9);
     // An arm has not also joints without a number: "wrist_1" to "wrist_3" are half of a UR.
-    if (stream_.type == "sensor_msgs/JointState" && inOrder("position").size() > fields.size() && fields.size() < 6) return;
+    if (stream_.type == "sensor_msgs/JointState" && inOrder("position").size() > fields.size() && fields.size() < 6)
+      return;
     std::vector<std::string> names;
     for (std::size_t j = 1; j <= fields.size(); ++j) names.push_back(fmt::format("{}{}", prefix, j));
     add(part, fields, first, names, score, why());

@@ -101,7 +101,8 @@ std::optional<double> secondsOfDate(std::string_view text) {
     if (!date) return std::nullopt;
     day = *date;
     if (scan.done()) return day;
-    if (!scan.take('T') && !scan.take('t') && !scan.take(' ') && !scan.take('_') && !scan.take(',')) return std::nullopt;
+    if (!scan.take('T') && !scan.take('t') && !scan.take(' ') && !scan.take('_') && !scan.take(','))
+      return std::nullopt;
     scan.blanks();
     hours = scan.number(2);
   }

@@ -150,8 +150,8 @@ std::string takeTrailingUnit(Words& words) {
   if (last.size() == 1) {
     const auto& before = words[words.size() - 2];
     const bool number = before[0] >= '0' && before[0] <= '9';
-    const bool axis = before == "x" || before == "y" || before == "z" ||
-                      (before.size() == 2 && before[1] >= 'x' && before[1] <= 'z');
+    const bool axis =
+        before == "x" || before == "y" || before == "z" || (before.size() == 2 && before[1] >= 'x' && before[1] <= 'z');
     const bool time = before == "time" || before == "timestamp" || before == "stamp" || before == "t";
     if (!(last == "s" ? time : axis || number)) return {};
   }
@@ -176,7 +176,8 @@ Words wordsOf(std::string_view name) {
     // "forceX" and "TCPForce" are two words each; "Fx", "dQ" and "mX" are one.
     if (now == 1 && current.size() > 1 && isUpper(c)) {
       const bool afterLower = isLower(current.back());
-      const bool newWord = isUpper(current.back()) && i + 2 < name.size() && isLower(name[i + 1]) && isLower(name[i + 2]);
+      const bool newWord =
+          isUpper(current.back()) && i + 2 < name.size() && isLower(name[i + 1]) && isLower(name[i + 2]);
       if (afterLower || newWord) close();
     }
     if (now != 0) current += c;

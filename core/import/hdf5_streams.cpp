@@ -40,10 +40,10 @@ class Handle {
 struct Dataset {
   NumberArray array;
   int rank = 1;
-  bool rowsLast = false;              ///< channels x rows, as MATLAB writes
+  bool rowsLast = false;  ///< channels x rows, as MATLAB writes
   hsize_t sizes[3] = {0, 1, 1};
-  std::vector<std::string> members;   ///< Of a compound type: the member of each channel ...
-  std::vector<hsize_t> elements;      ///< ... and the element in it, where the member is an array.
+  std::vector<std::string> members;  ///< Of a compound type: the member of each channel ...
+  std::vector<hsize_t> elements;     ///< ... and the element in it, where the member is an array.
 };
 
 /// Paths of all datasets, through hard, soft and external links. A group is not entered inside itself.
@@ -283,7 +283,8 @@ std::optional<Dataset> describe(hid_t file, const std::string& path, double most
     out.array.channels = out.sizes[1] * out.sizes[2];
   }
   const auto rows = out.array.rows;
-  if (static_cast<double>(rows) * static_cast<double>(out.array.channels) * static_cast<double>(H5Tget_size(type.id())) >
+  if (static_cast<double>(rows) * static_cast<double>(out.array.channels) *
+          static_cast<double>(H5Tget_size(type.id())) >
       mostBytes * static_cast<double>(out.members.empty() ? 1 : out.array.channels))
     return std::nullopt;
   if (rows < 2 || rows > kMaxStreamNumbers || out.array.channels == 0 || out.array.channels > kMostArrayChannels)
@@ -400,7 +401,10 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
   for (const auto& each : all) arrays.push_back(each.array);
   std::string filterMissing;
   const auto added = addArrayStreams(
-      arrays, [&](std::size_t index, std::size_t channel) { return readChannel(file.id(), all[index], channel, filterMissing); },
+      arrays,
+      [&](std::size_t index, std::size_t channel) {
+        return readChannel(file.id(), all[index], channel, filterMissing);
+      },
       filter, choice, progress, set);
   if (!added) return added.error();
   if (!filterMissing.empty())

@@ -205,11 +205,28 @@ void settleAxes(const std::vector<ColumnSource>& columns, Opened& opened, const 
        "base_axes_known",
        heft::say("UR's actual_TCP_force is in the robot's base axes, about the TCP, and without the payload that the "
                  "controller has configured; it was read so."),
-       heft::say("State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench."),
+       heft::say(
+           "State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench."),
        {file, 0, 0}});
 }
 
 constexpr std::string_view kHdf5Magic = "\x89HDF\r\n\x1a\n";
+
+/// Version 4 begins with a variable's head: type, rows, columns, 0 or 1 for imaginary parts, length of the name; then
+/// the name with a zero at its end.
+bool looksLikeMatlab4(std::string_view bytes) {
+  ByteReader reader(bytes);
+  const auto type = reader.read<std::uint32_t>();
+  const auto rows = reader.read<std::uint32_t>();
+  const auto columns = reader.read<std::uint32_t>();
+  const auto imaginary = reader.read<std::uint32_t>();
+  const auto length = reader.read<std::uint32_t>();
+  if (!reader.ok() || type > 52 || rows == 0 || columns == 0 || imaginary > 1 || length < 2 || length > 64)
+    return false;
+  const auto name = reader.take(length);
+  return reader.ok() && name.find('\0') == length - 1 &&
+         ((name[0] >= 'a' && name[0] <= 'z') || (name[0] >= 'A' && name[0] <= 'Z'));
+}
 
 bool looksLikeTable(std::string_view header) {
   const auto firstLine = lowerCase(header.substr(0, header.find('\n')));
@@ -296,7 +313,7 @@ Result<FileKind> recognise(const std::filesystem::path& path) {
     if (inner.bytes.starts_with("SQLite format 3") || (named && inner.bytes.empty())) return FileKind::sqliteBag;
     return FileKind::contractCsv;  // its reader says what to do with the archive
   }
-  if (bytes.starts_with("MATLAB 5.0 MAT-file")) return FileKind::matlab;
+  if (bytes.starts_with("MATLAB 5.0 MAT-file") || looksLikeMatlab4(bytes)) return FileKind::matlab;
   if (bytes.starts_with("\x93NUMPY")) return FileKind::numpy;
   if (bytes.starts_with("PK\x03\x04") && bytes.substr(0, 4096).find(".npy") != std::string_view::npos)
     return FileKind::numpy;
@@ -413,7 +430,7 @@ Result<RecordingContents> inspect(const std::filesystem::path& path, const Impor
 /// The failure with every finding that may explain it, in the same line, and how to see what there is.
 Error explained(Error error, const Findings& first, const Findings& second = {}) {
   if (error.cancelled) return error;
-  static const std::set<std::string> kTelling = {"topic_unreadable", "no_time",     "dataset_odd",  "filter_missing",
+  static const std::set<std::string> kTelling = {"topic_unreadable", "no_time",       "dataset_odd",  "filter_missing",
                                                  "link_broken",      "names_missing", "schema_unread"};
   std::size_t told = 0;
   for (const auto* findings : {&first, &second}) {
@@ -481,10 +498,11 @@ void letMotionDecide(std::vector<ColumnSource>& columns, const std::vector<std::
       findings.begin(),
       {Severity::warning,
        "wrench_of_several",
-       moved ? heft::say("Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and "
-                         "{:.0f} % of that of {}.",
-                         nameOf(columns), 100.0 * bestShare, 100.0 * mine.value_or(0.0), was)
-             : heft::say("Several wrenches would do; {} was taken, and it could also be {}.", was, names),
+       moved
+           ? heft::say("Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and "
+                       "{:.0f} % of that of {}.",
+                       nameOf(columns), 100.0 * bestShare, 100.0 * mine.value_or(0.0), was)
+           : heft::say("Several wrenches would do; {} was taken, and it could also be {}.", was, names),
        remedy(Remedy::chooseSource, "wrench"),
        {opened.streams[columns[0].stream].file, 0, 0}});
 }
@@ -513,10 +531,10 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
                    heft::say("it is cut off or damaged before the first message that could be read."),
                    heft::say("Copy it again from where it was recorded."));
   if (listed.empty())
-    return explained(
-        errorAt({displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
-                heft::say("Record the sensor's wrench and the joints or the pose.") + " " + remedy(Remedy::showContents)),
-        opened->findings);
+    return explained(errorAt({displayName(path), 0, 0}, heft::say("nothing that Heft can read is in it."),
+                             heft::say("Record the sensor's wrench and the joints or the pose.") + " " +
+                                 remedy(Remedy::showContents)),
+                     opened->findings);
   auto columns = chooseColumns(listed, opened->wishes, opened->jointNames, opened->findings);
   if (!columns) {
     auto error = misfit ? *misfit : explained(columns.error(), opened->findings, opened->look);

@@ -28,9 +28,9 @@ constexpr double kEpoch = 1e9;            ///< [s] Later times count from 1970, 
 constexpr double kLongestGapSteps = 5.0;  ///< Across longer gaps nothing is interpolated.
 constexpr double kMissingShare = 0.05;    ///< Up to this share of samples may lack a velocity.
 constexpr std::int64_t kRestart = 500'000'000;  ///< [ns] Samples that come late are late by less.
-constexpr double kNoDelay = 0.06;         ///< [s] A little to either side, so that the fit at none is seen.
-constexpr double kWideReach = 10.0;       ///< [s] Delays on a common clock are looked for up to this.
-constexpr double kLongestReach = 600.0;   ///< [s] Offsets between unrelated clocks are looked for up to this.
+constexpr double kNoDelay = 0.06;               ///< [s] A little to either side, so that the fit at none is seen.
+constexpr double kWideReach = 10.0;             ///< [s] Delays on a common clock are looked for up to this.
+constexpr double kLongestReach = 600.0;         ///< [s] Offsets between unrelated clocks are looked for up to this.
 
 /// Rows of some columns of one stream.
 struct Signal {
@@ -173,11 +173,10 @@ class Joiner {
     if (wishes_.clock == "header" || most->second - least->second < kSameClock) return;
     for (const auto& [s, delay] : delays) {
       clockShift_[s] = nanoseconds(delay);
-      note(
-          Severity::warning, "clock_shifted",
-          heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
-                    nameOf(s), delay),
-          heft::say("The transport's delay is not known.") + " " + howToShift(s, 0.0));
+      note(Severity::warning, "clock_shifted",
+           heft::say("The stamps of {} are on another clock: {:.4f} s were added, from when its messages arrived.",
+                     nameOf(s), delay),
+           heft::say("The transport's delay is not known.") + " " + howToShift(s, 0.0));
     }
   }
 
@@ -288,12 +287,13 @@ class Joiner {
                                     ? stream.senders[static_cast<std::size_t>(id)]
                                     : std::string();
         note(Severity::warning, "other_publisher",
-             id < 0 ? heft::say("{} of {} samples of {} are all zeros between others: another publisher sends there, "
-                                "too. They were left out.",
-                                sender.rows.size(), stream.received.size(), nameOf(s))
-                    : heft::say("{} of {} samples of {} do not fit the others: another publisher sends there, too ({}). "
-                                "The one that moves was taken.",
-                                sender.rows.size(), stream.received.size(), nameOf(s), who));
+             id < 0
+                 ? heft::say("{} of {} samples of {} are all zeros between others: another publisher sends there, "
+                             "too. They were left out.",
+                             sender.rows.size(), stream.received.size(), nameOf(s))
+                 : heft::say("{} of {} samples of {} do not fit the others: another publisher sends there, too ({}). "
+                             "The one that moves was taken.",
+                             sender.rows.size(), stream.received.size(), nameOf(s), who));
       }
     }
   }
@@ -344,8 +344,9 @@ class Joiner {
           useStamps_[each] = false;
           clockShift_[each] = 0;
         }
-        note(Severity::warning, "clock_restarts",
-             heft::say("The stamps of {} start again in the middle; the recorder's times are used for all.", nameOf(s)));
+        note(
+            Severity::warning, "clock_restarts",
+            heft::say("The stamps of {} start again in the middle; the recorder's times are used for all.", nameOf(s)));
       }
     }
     for (const auto s : used_) {
@@ -491,8 +492,8 @@ class Joiner {
     if (backwards > 0) {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       noteOnce(Severity::warning, "time_sorted",
-           heft::say("{} samples of {} were not in the order of their times and were sorted.", backwards,
-                     nameOf(out.stream)));
+               heft::say("{} samples of {} were not in the order of their times and were sorted.", backwards,
+                         nameOf(out.stream)));
     }
     const auto before = order.size();
     order.erase(
@@ -500,8 +501,8 @@ class Joiner {
         order.end());
     if (order.size() < before)
       noteOnce(Severity::warning, "time_repeated",
-           heft::say("{} of {} samples of {} repeat a time and were left out.", before - order.size(), before,
-                     nameOf(out.stream)));
+               heft::say("{} of {} samples of {} repeat a time and were left out.", before - order.size(), before,
+                         nameOf(out.stream)));
     out.values.resize(static_cast<Eigen::Index>(order.size()), static_cast<Eigen::Index>(sources.size()));
     for (std::size_t r = 0; r < order.size(); ++r) {
       out.nanoseconds.push_back(order[r].first);
@@ -659,12 +660,11 @@ class Joiner {
                                    wrench_.values.leftCols<3>(), -kWideReach, kWideReach);
       if (wide.sure && std::abs(wide.seconds) > 0.5) {
         note(Severity::warning, "time_offset_estimated",
-             heft::say("The force of {} does not follow the motion of {} within half a second, but does when shifted by "
-                       "{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force); nothing was shifted.",
-                       nameOf(wrench_.stream), nameOf(motion().stream), wide.seconds, 2.0 * wide.std,
-                       100.0 * wide.explained),
-             heft::say("The recorder lagged, or one clock is wrong.") + " " +
-                 howToShift(wrench_.stream, wide.seconds));
+             heft::say(
+                 "The force of {} does not follow the motion of {} within half a second, but does when shifted by "
+                 "{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force); nothing was shifted.",
+                 nameOf(wrench_.stream), nameOf(motion().stream), wide.seconds, 2.0 * wide.std, 100.0 * wide.explained),
+             heft::say("The recorder lagged, or one clock is wrong.") + " " + howToShift(wrench_.stream, wide.seconds));
         return std::nullopt;
       }
     }
@@ -678,7 +678,8 @@ class Joiner {
       wrench_.time.array() += offset.seconds;
       wrenchShift_ = offset.seconds;
       // What would have to be stated to get the same: it counts between the clocks as the files have them.
-      const double stated = 1e-9 * (static_cast<double>(motionZero_) - static_cast<double>(wrenchZero_)) + offset.seconds;
+      const double stated =
+          1e-9 * (static_cast<double>(motionZero_) - static_cast<double>(wrenchZero_)) + offset.seconds;
       note(
           Severity::warning, "clock_offset",
           heft::say("{} and {} are on different clocks: the wrench was shifted by {}.", nameOf(motion().stream),
@@ -720,8 +721,7 @@ class Joiner {
           heft::say("{} and {} do not overlap in time: {:.3f} to {:.3f} s and {:.3f} to {:.3f} s.",
                     nameOf(moving.stream), nameOf(wrench_.stream), moving.time(0), moving.time(moving.time.size() - 1),
                     wrench_.time(0), wrench_.time(wrench_.time.size() - 1)),
-          heft::say("Were they recorded together, or is one clock late?") + " " +
-              howToShift(wrench_.stream, 0.0));
+          heft::say("Were they recorded together, or is one clock late?") + " " + howToShift(wrench_.stream, 0.0));
     const VectorXd at = Eigen::Map<const VectorXd>(times.data(), static_cast<Eigen::Index>(times.size()));
     const auto on = [&](const Signal& signal) -> MatrixXd {
       if (signal.empty()) return {};

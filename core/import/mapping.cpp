@@ -28,8 +28,9 @@ constexpr const char* kSaidByUser = "said by the user";
 constexpr double kLargestOffset = 2e9;  ///< [s] An epoch's clock beside one that counts from power-on.
 
 std::string partName(std::string_view part) {
-  static constexpr const char* kNames[] = {heft::toSay("joints"), heft::toSay("velocities"), heft::toSay("position"),
-                                           heft::toSay("quaternion"), heft::toSay("rotation"), heft::toSay("wrench")};
+  static constexpr const char* kNames[] = {heft::toSay("joints"),   heft::toSay("velocities"),
+                                           heft::toSay("position"), heft::toSay("quaternion"),
+                                           heft::toSay("rotation"), heft::toSay("wrench")};
   for (const char* const name : kNames)
     if (part == name) return heft::say(fmt::runtime(name));
   return std::string(part);
@@ -88,8 +89,7 @@ std::string differsByNumber(const std::string& name, const std::string& other) {
     const auto endA = std::min(name.find('/', a + 1), name.size());
     const auto endB = std::min(other.find('/', b + 1), other.size());
     const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
-    if (mine != theirs)
-      return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
+    if (mine != theirs) return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
     a = endA;
     b = endB;
   }
@@ -331,9 +331,10 @@ class Chooser {
 };
 
 Error badMap(const std::string& name, const std::string& what) {
-  return errorAt({name, 0, 0}, what,
-                 heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.",
-                           fmt::join(conventionKeys(false), ", ")));
+  return errorAt(
+      {name, 0, 0}, what,
+      heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.",
+                fmt::join(conventionKeys(false), ", ")));
 }
 
 }  // namespace

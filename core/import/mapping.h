@@ -12,12 +12,12 @@ namespace heft {
 
 /// Where one column of a recording comes from.
 struct ColumnSource {
-  std::string column;      ///< Contract name: q1, dq1, px, qx, fx, tx, ...; or one of a rotation, see rotationForms().
-  std::size_t stream = 0;  ///< Index into the streams.
-  std::size_t field = 0;   ///< Index into the stream's fields.
-  double scale = 1.0;      ///< Factor to SI units.
-  std::string why;         ///< In words: "type geometry_msgs/WrenchStamped", "said by the user".
-  bool unitNamed = false;  ///< `scale` is what the field's own name says, and stronger than a unit that is stated.
+  std::string column;       ///< Contract name: q1, dq1, px, qx, fx, tx, ...; or one of a rotation, see rotationForms().
+  std::size_t stream = 0;   ///< Index into the streams.
+  std::size_t field = 0;    ///< Index into the stream's fields.
+  double scale = 1.0;       ///< Factor to SI units.
+  std::string why;          ///< In words: "type geometry_msgs/WrenchStamped", "said by the user".
+  bool unitNamed = false;   ///< `scale` is what the field's own name says, and stronger than a unit that is stated.
   bool inBaseAxes = false;  ///< Of a wrench that is known to be given in the robot's base axes (UR's actual_TCP_force).
 };
 
@@ -44,9 +44,9 @@ struct MappingWishes {
 };
 
 /// Reads a map file (JSON): {"use": {"wrench": "/ft/raw", "q1": "/arm:position[j1]"}, "scale": {"torque": 0.001},
-/// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header", "rate_hz": 125}, and the conventions
-/// as in a meta file: {"sensor": {"torque_unit": "N mm"}, "angle_unit": "deg"}. Relative files count from the map
-/// file's folder. Unknown keys fail.
+/// "offset_s": {"/ft/raw": 0.01}, "join": ["wrench.csv"], "pose_of": "flange", "clock": "header", "rate_hz": 125}, and
+/// the conventions as in a meta file: {"sensor": {"torque_unit": "N mm"}, "angle_unit": "deg"}. Relative files count
+/// from the map file's folder. Unknown keys fail.
 Result<MappingWishes> readMapFile(const std::filesystem::path& file);
 
 /// The map file that is read with a recording where no other is given: NAME.map.json beside it.

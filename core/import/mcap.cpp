@@ -166,7 +166,8 @@ class McapScan {
       const auto logged = reader.read<std::uint64_t>();
       reader.read<std::uint64_t>();  // published
       // Later than 2262 is no time; the listener drops it as such.
-      const auto time = logged < static_cast<std::uint64_t>(kLargestStamp) ? static_cast<std::int64_t>(logged) : kLargestStamp;
+      const auto time =
+          logged < static_cast<std::uint64_t>(kLargestStamp) ? static_cast<std::int64_t>(logged) : kLargestStamp;
       if (reader.ok()) stopped_ = !listener_.message(channel, time, content.substr(reader.position()));
     }
   }

@@ -27,19 +27,19 @@ class TopicReader {
     stream_.type = plainTypeName(info.type);
     stream_.file = file;
     if (encoding_ == PayloadEncoding::other) {
-      problem_ = info.encodingName.empty()
-                     ? heft::say("its encoding is not known")
-                     : heft::say("its encoding \"{}\" is none of those that Heft reads (ros1, cdr, json)",
-                                 info.encodingName);
+      problem_ =
+          info.encodingName.empty()
+              ? heft::say("its encoding is not known")
+              : heft::say("its encoding \"{}\" is none of those that Heft reads (ros1, cdr, json)", info.encodingName);
       return;
     }
     if (encoding_ == PayloadEncoding::json) return;
     const auto definition = info.definition.empty() ? builtInDefinition(info.type) : info.definition;
     if (definition.empty()) {
-      problem_ = info.schemaEncoding.empty() || info.schemaEncoding == "ros1msg" || info.schemaEncoding == "ros2msg"
-                     ? heft::say("the file does not define its type")
-                     : heft::say("its schema is in \"{}\", and Heft does not know the type by itself",
-                                 info.schemaEncoding);
+      problem_ =
+          info.schemaEncoding.empty() || info.schemaEncoding == "ros1msg" || info.schemaEncoding == "ros2msg"
+              ? heft::say("the file does not define its type")
+              : heft::say("its schema is in \"{}\", and Heft does not know the type by itself", info.schemaEncoding);
       return;
     }
     auto decoder = MessageDecoder::make(

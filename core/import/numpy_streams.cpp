@@ -305,11 +305,9 @@ std::vector<double> readNpyChannel(const NpyArray& npy, const NumberArray& array
   out.reserve(array.rows);
   for (std::size_t r = 0; r < array.rows; ++r) {
     std::size_t item = r;
-    if (!header.structured)
-      item = header.fortran ? fortranChannel * header.shape[0] + r : r * array.channels + channel;
-    out.push_back(
-        numberAt(data.substr(item * header.itemSize + field.offset + element * field.type.size, field.type.size),
-                 field.type));
+    if (!header.structured) item = header.fortran ? fortranChannel * header.shape[0] + r : r * array.channels + channel;
+    out.push_back(numberAt(
+        data.substr(item * header.itemSize + field.offset + element * field.type.size, field.type.size), field.type));
   }
   return out;
 }

@@ -65,9 +65,9 @@ inline constexpr std::size_t kMaxStreamNumbers = 200'000'000;
 
 /// Which column of a table is the time, where the user says so.
 struct TimeChoice {
-  std::string column;   ///< Empty: found by its name.
-  double unit = 0.0;    ///< [s]; 0: by the name and the size of the numbers.
-  double rateHz = 0.0;  ///< Above 0: rows are this far apart, whatever the file says; for files without a clock.
+  std::string column;       ///< Empty: found by its name.
+  double unit = 0.0;        ///< [s]; 0: by the name and the size of the numbers.
+  double rateHz = 0.0;      ///< Above 0: rows are this far apart, whatever the file says; for files without a clock.
   bool clockNeeded = true;  ///< False for standing poses, whose rows are only counted.
 };
 

@@ -116,8 +116,8 @@ std::string utf8FromUtf16(std::string_view bytes, bool bigEndian) {
 /// Where names and numbers are.
 struct Layout {
   char separator = ',';
-  std::size_t dataLine = 0;              ///< Index into the lines.
-  std::optional<std::size_t> nameLine;   ///< Nothing: no names.
+  std::size_t dataLine = 0;             ///< Index into the lines.
+  std::optional<std::size_t> nameLine;  ///< Nothing: no names.
   std::optional<std::size_t> unitLine;
   std::size_t cells = 0;
   bool commaNumbers = false;

@@ -84,7 +84,8 @@ std::string readZipMember(std::string_view archive, const ZipMember& member, std
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return {};
   std::string out;
   std::string block(256u << 10, '\0');
-  stream.next_in = reinterpret_cast<unsigned char*>(const_cast<char*>(packed.data()));  // the library does not write to it
+  stream.next_in =
+      reinterpret_cast<unsigned char*>(const_cast<char*>(packed.data()));  // the library does not write to it
   stream.avail_in = static_cast<unsigned>(packed.size());
   for (;;) {
     stream.next_out = reinterpret_cast<unsigned char*>(block.data());

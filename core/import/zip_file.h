@@ -9,10 +9,10 @@ namespace heft {
 
 struct ZipMember {
   std::string name;
-  unsigned method = 0;           ///< 0 stored, 8 deflated
-  std::uint64_t packed = 0;      ///< [bytes]
-  std::uint64_t unpacked = 0;    ///< [bytes] as stated
-  std::uint64_t headerAt = 0;    ///< Of the member's own header.
+  unsigned method = 0;         ///< 0 stored, 8 deflated
+  std::uint64_t packed = 0;    ///< [bytes]
+  std::uint64_t unpacked = 0;  ///< [bytes] as stated
+  std::uint64_t headerAt = 0;  ///< Of the member's own header.
 };
 
 /// Members in the order of the directory; empty if there is no sound directory.

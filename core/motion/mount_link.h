@@ -11,8 +11,8 @@ namespace heft {
 Result<int> mountLink(const SensorMount& mount, const RobotModel& robot);
 
 /// Where nothing says where the sensor sits (the mount's parent is Panda's flange by default, which the robot does not
-/// have), the robot's flange is taken: the link tool0, flange or ee_link behind its last moving joint, else that joint's
-/// own link. A warning says so.
+/// have), the robot's flange is taken: the link tool0, flange or ee_link behind its last moving joint, else that
+/// joint's own link. A warning says so.
 void mountOnFlange(RecordingMeta& meta, const RobotModel& robot, Findings& findings);
 
 }  // namespace heft

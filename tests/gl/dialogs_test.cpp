@@ -209,10 +209,10 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
 }
 
 TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
-  const Remedy all[] = {Remedy::showContents, Remedy::chooseSource, Remedy::takeSource,   Remedy::addFile,
-                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::stateRate,    Remedy::nameRobot,    Remedy::mountSensor,
-                        Remedy::turnWrench,   Remedy::turnGravity,  Remedy::correctMount, Remedy::sayStandingPoses,
-                        Remedy::keepEndsOut,  Remedy::giveCentre,   Remedy::giveInertia};
+  const Remedy all[] = {Remedy::showContents,     Remedy::chooseSource, Remedy::takeSource,  Remedy::addFile,
+                        Remedy::chooseTime,       Remedy::stateOffset,  Remedy::stateRate,   Remedy::nameRobot,
+                        Remedy::mountSensor,      Remedy::turnWrench,   Remedy::turnGravity, Remedy::correctMount,
+                        Remedy::sayStandingPoses, Remedy::keepEndsOut,  Remedy::giveCentre,  Remedy::giveInertia};
   for (const char* language : {"en", "de"}) {
     SCOPED_TRACE(language);
     ASSERT_TRUE(studio->setLanguage(language));

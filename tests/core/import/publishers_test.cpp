@@ -1,5 +1,5 @@
-// Topics on which messages differ: several publishers, parts that are empty, encodings that nobody reads. The MCAP files
-// are written here, record by record from the specification, with JSON messages.
+// Topics on which messages differ: several publishers, parts that are empty, encodings that nobody reads. The MCAP
+// files are written here, record by record from the specification, with JSON messages.
 #include <fmt/format.h>
 
 #include <array>
@@ -97,8 +97,8 @@ TEST_F(Publishers, AGripperThatSpeaksFirstIsNoArm) {
 }
 
 TEST_F(Publishers, ZerosBetweenTheArmsOwnStatesAreAnothers) {
-  const auto read = openRecording(
-      write("zeros.mcap", bag([](int k) { return k % 5 == 2 ? arm(0.0, "", true) : std::string(); })));
+  const auto read =
+      openRecording(write("zeros.mcap", bag([](int k) { return k % 5 == 2 ? arm(0.0, "", true) : std::string(); })));
   ASSERT_TRUE(read.ok()) << read.error().message;
   expectFormula(read->recording);
   EXPECT_TRUE(hasCode(read->findings, "other_publisher"));
@@ -160,9 +160,11 @@ TEST_F(Publishers, ADelayOfSecondsIsFoundAndCanBeStatedBack) {
                 fmt::format(R"({{"name":{},"position":{}}})", list(names), list(positions)));
     at(t - kLate);
     const Vector3d weight = panda.linkPose(q, link).linear().transpose() * Vector3d(0.0, 0.0, 9.81);
-    out.message(2, kStart + 10'000'000LL * k,
-                fmt::format(R"({{"wrench":{{"force":{{"x":{:.9g},"y":{:.9g},"z":{:.9g}}},"torque":{{"x":0.1,"y":0.2,"z":{:.9g}}}}}}})",
-                            weight(0), weight(1), weight(2), 0.01 * std::sin(t)));
+    out.message(
+        2, kStart + 10'000'000LL * k,
+        fmt::format(
+            R"({{"wrench":{{"force":{{"x":{:.9g},"y":{:.9g},"z":{:.9g}}},"torque":{{"x":0.1,"y":0.2,"z":{:.9g}}}}}}})",
+            weight(0), weight(1), weight(2), 0.01 * std::sin(t)));
   }
   const auto path = write("late.mcap", out.bytes());
   const auto read = openRecording(path);

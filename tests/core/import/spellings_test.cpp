@@ -1,4 +1,5 @@
-// Names, units, times and layouts of tables and arrays as other programs write them: each small input says what is right.
+// Names, units, times and layouts of tables and arrays as other programs write them: each small input says what is
+// right.
 #include <fmt/format.h>
 
 #include <limits>
@@ -90,11 +91,12 @@ TEST_F(Spellings, JointsAndWrenchesUnderManyNames) {
       {"rtde", header("timestamp", "actual_q_{}", six("ft_raw_wrench_{}", 0), 0)},
       {"readings", header("Timestamp", "joint_angles_{}", six("fts_reading_{}", 1))},
       {"arrays", header("t", "q[{}]", six("wrench[{}]", 0), 0)},
-      {"dotted", header("time", "position.{}", {"force.0", "force.1", "force.2", "torque.0", "torque.1", "torque.2"}, 0)},
+      {"dotted",
+       header("time", "position.{}", {"force.0", "force.1", "force.2", "torque.0", "torque.1", "torque.2"}, 0)},
       {"camel", header("time", "jointPosition{}", {"forceX", "forceY", "forceZ", "torqueX", "torqueY", "torqueZ"})},
-      {"quoted", header("time", "q{}",
-                        {"\"Force, X\"", "\"Force, Y\"", "\"Force, Z\"", "\"Torque, X\"", "\"Torque, Y\"",
-                         "\"Torque, Z\""})},
+      {"quoted",
+       header("time", "q{}",
+              {"\"Force, X\"", "\"Force, Y\"", "\"Force, Z\"", "\"Torque, X\"", "\"Torque, Y\"", "\"Torque, Z\""})},
       {"kuka", header("time", "A{}", plain)},
       {"sensor", header("time", "joint_{}", {"Fx_raw", "Fy_raw", "Fz_raw", "Tx_raw", "Ty_raw", "Tz_raw"})},
   };
@@ -107,8 +109,9 @@ TEST_F(Spellings, JointsAndWrenchesUnderManyNames) {
 
 TEST_F(Spellings, TheUnitInANameIsBelieved) {
   const auto names = {"fx (kgf)", "fy (kgf)", "fz (kgf)", "tx (kgf m)", "ty (kgf m)", "tz (kgf m)"};
-  const auto text = table(header("time_ms", "q{}_deg", {names.begin(), names.end()}),
-                          [](int k) { return std::to_string(10 * k); }, 1.0 / kDegree, 1.0 / 9.80665);
+  const auto text = table(
+      header("time_ms", "q{}_deg", {names.begin(), names.end()}), [](int k) { return std::to_string(10 * k); },
+      1.0 / kDegree, 1.0 / 9.80665);
   const auto read = openRecording(write("named.csv", text));
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_TRUE(hasCode(read->findings, "units_named"));
@@ -143,9 +146,8 @@ TEST_F(Spellings, TimesInTwoColumnsAsDatesAndWithoutAClock) {
   const std::vector<std::string> dates = {"2024-01-05 12:00:00.{:02}", "2024-01-05T12:00:00.{:02}Z",
                                           "05.01.2024 12:00:00.{:02}", "12:00:00.{:02}"};
   for (const auto& form : dates) {
-    const auto read = openRecording(write("dates.csv", table(header("time", "q{}", plain), [&](int k) {
-                                            return fmt::format(fmt::runtime(form), k);
-                                          })));
+    const auto read = openRecording(write(
+        "dates.csv", table(header("time", "q{}", plain), [&](int k) { return fmt::format(fmt::runtime(form), k); })));
     ASSERT_TRUE(read.ok()) << form << ": " << read.error().message;
     const double first = form.size() < 20 ? 43200.0 : 0.0;  // a time of the day counts from midnight
     expectFormula(read->recording, -first);
@@ -192,7 +194,8 @@ TEST_F(Spellings, PreamblesUnitRowsSeparatorsAndCommas) {
   ImportOptions options;
   options.use = {"time=column1"};
   for (int j = 1; j <= 7; ++j) options.use.push_back(fmt::format("q{}=column{}", j, j + 1));
-  for (int a = 0; a < 6; ++a) options.use.push_back(fmt::format("{}=column{}", plain[static_cast<std::size_t>(a)], a + 9));
+  for (int a = 0; a < 6; ++a)
+    options.use.push_back(fmt::format("{}=column{}", plain[static_cast<std::size_t>(a)], a + 9));
   const auto numbered = openRecording(folder_ / "nameless.csv", options);
   ASSERT_TRUE(numbered.ok()) << numbered.error().message;
   expectFormula(numbered->recording);
@@ -249,8 +252,9 @@ TEST_F(Spellings, BetweenTwoWrenchesTheMotionDecides) {
 TEST_F(Spellings, PosesAsRotationVectorsAnglesAndMatrices) {
   // A turn of 0.5 rad about x, then -0.3 about the new y would be no rotation vector that is easy to read: one axis.
   const std::string wrench = ",1,2,3,0.1,0.2,0.3\n";
-  std::string vector = "time,actual_TCP_pose_0,actual_TCP_pose_1,actual_TCP_pose_2,actual_TCP_pose_3,actual_TCP_pose_4,"
-                       "actual_TCP_pose_5,fx,fy,fz,tx,ty,tz\n";
+  std::string vector =
+      "time,actual_TCP_pose_0,actual_TCP_pose_1,actual_TCP_pose_2,actual_TCP_pose_3,actual_TCP_pose_4,"
+      "actual_TCP_pose_5,fx,fy,fz,tx,ty,tz\n";
   std::string kuka = "time,X,Y,Z,A,B,C,fx,fy,fz,tx,ty,tz\n";
   std::string matrix = "time,r11,r12,r13,r21,r22,r23,r31,r32,r33,fx,fy,fz,tx,ty,tz\n";
   for (int k = 0; k < 40; ++k) {
