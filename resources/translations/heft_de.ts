@@ -4035,10 +4035,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>es ist nichts darin, was Heft lesen kann.</translation>
     </message>
     <message>
-        <source>{} could not be read again.</source>
-        <translation>{} ließ sich kein zweites Mal lesen.</translation>
-    </message>
-    <message>
         <source>Was the file changed meanwhile?</source>
         <translation>Wurde die Datei inzwischen geändert?</translation>
     </message>
@@ -7641,6 +7637,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Write time in seconds, not microseconds.</source>
         <translation>Schreiben Sie die Zeit in Sekunden, nicht in Mikrosekunden.</translation>
+    </message>
+    <message>
+        <source>Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and {:.0f} % of that of {}.</source>
+        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, denn die Bewegung erklärt {:.0f} % ihrer Kraft, und {:.0f} % der von {}.</translation>
+    </message>
+    <message>
+        <source>Several wrenches would do; {} was taken, and it could also be {}.</source>
+        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, es könnte auch {} sein.</translation>
+    </message>
+    <message>
+        <source>its columns could not be read again.</source>
+        <translation>ihre Spalten konnten nicht noch einmal gelesen werden.</translation>
     </message>
 </context>
 <context>
