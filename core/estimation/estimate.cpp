@@ -7,6 +7,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/estimation/configured.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/inside_shape.h"
 #include "core/estimation/judgement.h"
@@ -100,6 +101,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   report.parameters = options.parameters;
   report.file = recording.file;
   report.mount = recording.meta.mount;
+  report.configured = recording.configured;
   report.samples = recording.rows();
   report.rateHz = poses ? 0.0 : recording.rateHz();
   report.duration = poses ? 0.0 : recording.duration();
@@ -274,6 +276,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   judgeFit(prepared, heldout, report);
   addFindings(report);
   judgeTrust(unseen, report);
+  compareWithConfigured(report);
   progress(1.0, "Done");
   report.timing.total = prepareSeconds + secondsSince(begin);
   return report;

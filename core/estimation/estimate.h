@@ -70,6 +70,7 @@ struct EstimateReport {
     int iterations = 0;
   } termination;
   std::optional<RelativeError> relativeError;
+  std::optional<ConfiguredPayload> configured;  ///< As in Recording.
   WrenchSeries series;
   Findings findings;
 };

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/import/compression.h"
+#include "core/import/configured.h"
 #include "core/import/join.h"
 #include "core/import/json_numbers.h"
 #include "core/import/time_column.h"
@@ -330,7 +331,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   };
   for (const auto& column : *columns) wanted.insert(keyOf(listed[column.stream], column.field));
   const FieldFilter filter = [&](const Stream& stream, std::size_t field) {
-    return wanted.contains(keyOf(stream, field));
+    return wanted.contains(keyOf(stream, field)) || tellsConfiguredPayload(stream, field);
   };
   if (const auto read = readAll(*opened, filter, progress); !read) return read.error();
 
@@ -355,6 +356,7 @@ Result<ReadRecording> readAny(const std::filesystem::path& path, const ImportOpt
   auto joined = joinStreams(opened->streams, found, opened->wishes, std::move(opened->meta), opened->findings);
   if (!joined) return joined.error();
   joined->file = displayName(path);
+  joined->configured = configuredPayload(opened->streams);
   auto checked = checkRecording(std::move(*joined), NumberForm::plain);
   if (!checked) return checked.error();
   checked->findings.insert(checked->findings.begin(), opened->findings.begin(), opened->findings.end());
