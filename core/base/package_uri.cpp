@@ -1,8 +1,8 @@
+#include "core/base/package_uri.h"
+
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
-
-#include "core/robot/urdf_reader.h"
+#include <vector>
 
 namespace heft {
 namespace {
@@ -19,7 +19,7 @@ std::optional<fs::path> ifFile(const fs::path& path) {
   return std::nullopt;
 }
 
-std::vector<fs::path> searchPath(const char* variable) {
+std::vector<fs::path> foldersOf(const char* variable) {
   std::vector<fs::path> folders;
   const char* value = std::getenv(variable);
   if (!value) return folders;
@@ -60,7 +60,7 @@ std::optional<fs::path> inPackage(const fs::path& package, const fs::path& rest,
     // A package whose folder was renamed (a downloaded archive, say) is recognised by its content.
     if (!renamed) renamed = ifFile(folder / rest);
   }
-  for (const fs::path& entry : searchPath("ROS_PACKAGE_PATH")) {
+  for (const fs::path& entry : foldersOf("ROS_PACKAGE_PATH")) {
     if (entry.filename() == package) {
       if (auto found = ifFile(entry / rest)) return found;
     }
@@ -71,7 +71,7 @@ std::optional<fs::path> inPackage(const fs::path& package, const fs::path& rest,
       if (auto found = ifFile(it->path() / package / rest)) return found;
     }
   }
-  for (const fs::path& prefix : searchPath("AMENT_PREFIX_PATH")) {
+  for (const fs::path& prefix : foldersOf("AMENT_PREFIX_PATH")) {
     if (auto found = ifFile(prefix / "share" / package / rest)) return found;
   }
   return renamed;
@@ -79,7 +79,7 @@ std::optional<fs::path> inPackage(const fs::path& package, const fs::path& rest,
 
 }  // namespace
 
-std::optional<fs::path> resolveMeshUri(const std::string& uri, const fs::path& baseFolder) {
+std::optional<fs::path> resolveUri(const std::string& uri, const fs::path& baseFolder) {
   if (uri.empty()) return std::nullopt;
   for (const std::string_view scheme : {"package://", "model://"}) {
     if (!std::string_view(uri).starts_with(scheme)) continue;

@@ -133,7 +133,7 @@ class VisualReader {
       warn(shape, "bad_visual", heft::say("a mesh of link \"{}\" has no filename", link), heft::say("It is not drawn"));
       return false;
     }
-    if (const auto found = resolveMeshUri(uri, baseFolder_)) {
+    if (const auto found = resolveUri(uri, baseFolder_)) {
       visual.file = *found;
       return true;
     }
