@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/say.h"
@@ -16,18 +17,20 @@ constexpr double kSilence = 2.0;   ///< [s] without a sample, after which the us
 
 }  // namespace
 
-BridgeSource::BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols)
+BridgeSource::BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols,
+                           std::vector<std::string> jointNames)
     : ThreadedSource(fmt::format("{} {}:{}", what, host, port)),
       host_(std::move(host)),
       port_(port),
-      protocols_(std::move(protocols)) {}
+      protocols_(std::move(protocols)),
+      jointNames_(std::move(jointNames)) {}
 
 void BridgeSource::run(const std::stop_token& stopping) {
   while (!stopping.stop_requested()) {
     auto made = WebSocketClient::connect(host_, port_, protocols_, kPatience);
     if (made) {
       client_.emplace(std::move(*made));
-      mapper_ = {};
+      mapper_ = FieldMapper(jointNames_);
       clock_ = {};
       lastStamp_.clear();
       connected();
@@ -67,6 +70,13 @@ bool BridgeSource::talk(const std::stop_token& stopping) {
   return true;
 }
 
+void BridgeSource::note(const std::string& sentence) {
+  count([&](SourceStatus& status) {
+    if (std::find(status.notes.begin(), status.notes.end(), sentence) == status.notes.end())
+      status.notes.push_back(sentence);
+  });
+}
+
 bool BridgeSource::send(const std::string& text) { return client_ && client_->send(text); }
 
 void BridgeSource::take(const std::string& topic, const std::string& type, const std::vector<std::string>& names,
@@ -88,6 +98,7 @@ void BridgeSource::take(const std::string& topic, const std::string& type, const
   count([&](SourceStatus& status) {
     if (status.topics != topics) status.topics = topics;
   });
+  for (const auto& sentence : mapper_.notes()) note(sentence);
   setState(LinkState::live);
   if (std::isfinite(sample->time)) passOn(*sample);
 }
