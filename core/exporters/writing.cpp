@@ -113,6 +113,15 @@ std::string xmlEscaped(std::string_view text) {
   return out;
 }
 
+std::string frameName(const std::string& frame) {
+  std::string out;
+  for (const char c : frame) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    out += plain || c == '_' || c == '/' || c == '-' ? c : '_';
+  }
+  return out;
+}
+
 std::string jsonString(std::string_view text) { return nlohmann::json(printable(text, 1000)).dump(); }
 
 std::vector<std::string> remarksOf(const ExportInput& input, const std::vector<std::string>& more) {
