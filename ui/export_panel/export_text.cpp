@@ -55,6 +55,10 @@ FormatName formatName(const ExportFormat& format) {
                {"kuka", {"KUKA", "LOAD_DATA", "KRL"}},
                {"abb", {"ABB", "loaddata", "RAPID"}},
                {"fanuc", {"FANUC", Words::tr("payload schedule"), {}}},
+               {"xarm", {"xArm", "set_tcp_load", "Python"}},
+               {"ros2-control", {"ros2_control", Words::tr("gravity compensation"), "YAML"}},
+               {"force-torque-tools", {"force_torque_tools", Words::tr("calibration"), "YAML"}},
+               {"mc-rtc", {"mc_rtc", Words::tr("calibration"), {}}},
                {"json", {"Heft JSON", Words::tr("for programs"), "JSON"}}};
   for (const auto& [id, name] : names)
     if (id == format.id) return name;

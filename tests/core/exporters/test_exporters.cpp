@@ -21,8 +21,9 @@ bool hasFinding(const Findings& findings, std::string_view code) {
 }
 
 TEST(Exporters, EveryFormatOfTheContractIsThere) {
-  for (const char* id : {"franka-desk", "franka-profile", "libfranka", "franka-ros", "franka-ros2", "urdf", "sdf",
-                         "mjcf", "ur", "kuka", "abb", "fanuc", "json"}) {
+  for (const char* id :
+       {"franka-desk", "franka-profile", "libfranka", "franka-ros", "franka-ros2", "urdf", "sdf", "mjcf", "ur", "kuka",
+        "abb", "fanuc", "json", "xarm", "ros2-control", "force-torque-tools", "mc-rtc"}) {
     const ExportFormat* format = findExportFormat(id);
     ASSERT_NE(format, nullptr) << id;
     EXPECT_EQ(format->id, id);
@@ -98,6 +99,11 @@ TEST(Exporters, SaysWhatAFormatCannotHoldOrWhatIsUnverified) {
     EXPECT_TRUE(hasFinding(findingsOf(id, input), "format_unverified")) << id;
   for (const char* id : {"franka-desk", "libfranka", "franka-ros", "urdf", "sdf", "mjcf", "ur", "abb", "json"})
     EXPECT_FALSE(hasFinding(findingsOf(id, input), "format_unverified")) << id;
+  for (const char* id : {"xarm", "ros2-control", "force-torque-tools", "mc-rtc"})
+    EXPECT_TRUE(hasFinding(findingsOf(id, input), "inertia_left_out")) << id;
+  EXPECT_TRUE(hasFinding(findingsOf("mc-rtc", input), "bias_unknown"));
+  EXPECT_TRUE(hasFinding(findingsOf("ros2-control", input), "sensor_frame_unset"));
+  EXPECT_FALSE(hasFinding(findingsOf("sdf", input), "inertia_left_out"));
   input.payload.inertiaCom *= 1e5;
   EXPECT_TRUE(hasFinding(findingsOf("ur", input), "inertia_limit"));
   EXPECT_FALSE(hasFinding(findingsOf("urdf", input), "inertia_limit"));
