@@ -335,8 +335,9 @@ void RecordPanel::startListening() {
 
 void RecordPanel::listenTo(LiveOrigin origin, bool poses) {
   LiveSetup setup;
+  const auto jointNames = jointNamesOf(origin.meta);
   for (const std::string& address : origin.addresses) {
-    auto source = makeLiveSource(address, origin.replayMeta);
+    auto source = makeLiveSource(address, origin.replayMeta, jointNames);
     if (!source) return fail(QString::fromStdString(source.error().message));
     setup.sources.push_back(std::move(*source));
   }

@@ -37,6 +37,7 @@ SourceForm::SourceForm(QWidget* parent) : QWidget(parent) {
   auto* group = new QButtonGroup(this);
   const std::tuple<Kind, QString, QString, const char*> cards[] = {
       {Kind::netFt, tr("Net F/T sensor"), tr("ATI, Schunk"), "sourceNetFt"},
+      {Kind::ur, tr("Universal Robots"), tr("joints and wrench"), "sourceUr"},
       {Kind::foxglove, tr("ROS, Foxglove bridge"), tr("joints and wrench"), "sourceFoxglove"},
       {Kind::rosbridge, tr("ROS, rosbridge"), tr("joints and wrench"), "sourceRosbridge"},
       {Kind::jsonUdp, tr("Own program"), tr("JSON over UDP"), "sourceUdp"},
@@ -63,7 +64,7 @@ void SourceForm::setKind(Kind kind) {
   if (jointsAddress_) lastJoints_ = jointsAddress_->text();
   lastRig_ = rig_->text();
   kind_ = kind;
-  const char* names[] = {"sourceNetFt", "sourceFoxglove", "sourceRosbridge", "sourceUdp", "sourceReplay"};
+  const char* names[] = {"sourceNetFt", "sourceUr", "sourceFoxglove", "sourceRosbridge", "sourceUdp", "sourceReplay"};
   if (auto* card = findChild<QAbstractButton*>(names[static_cast<int>(kind)])) card->setChecked(true);
   rebuild();
 }
@@ -92,6 +93,8 @@ void SourceForm::rebuild() {
   const Place places[] = {
       {tr("Address of the sensor, for instance 192.168.1.1"),
        tr("As its web page has it. Heft asks it for its data and changes nothing in it.")},
+      {tr("Address of the robot, for instance 192.168.0.10"),
+       tr("An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.")},
       {tr("Address of the Foxglove bridge; empty: localhost:8765"), tr("Computer and port of foxglove_bridge")},
       {tr("Address of rosbridge; empty: localhost:9090"), tr("Computer and port of rosbridge_server")},
       {tr("Port that your program sends to; empty: 9870"),
@@ -119,8 +122,8 @@ void SourceForm::rebuild() {
   if (kind_ == Kind::netFt) {
     column->addSpacing(4);
     column->addWidget(styledLabel(tr("Who tells how the arm stands?"), "sectionTitle", fields_));
-    auto* choices = new Segments({tr("Foxglove"), tr("rosbridge"), tr("JSON, UDP")}, {}, fields_);
-    static constexpr Kind kKinds[] = {Kind::foxglove, Kind::rosbridge, Kind::jsonUdp};
+    auto* choices = new Segments({tr("Foxglove"), tr("rosbridge"), tr("JSON, UDP"), tr("UR")}, {}, fields_);
+    static constexpr Kind kKinds[] = {Kind::foxglove, Kind::rosbridge, Kind::jsonUdp, Kind::ur};
     choices->setChosen(static_cast<int>(std::find(std::begin(kKinds), std::end(kKinds), joints_) - std::begin(kKinds)));
     connect(choices, &Segments::picked, this, [this](int i) {
       joints_ = kKinds[i];
@@ -155,6 +158,9 @@ Result<std::vector<std::string>> SourceForm::addresses() const {
       case Kind::netFt:
         if (address.isEmpty()) return Error{tr("The sensor's address is missing.").toStdString()};
         return "rdt:" + address.toStdString();
+      case Kind::ur:
+        if (address.isEmpty()) return Error{tr("The robot's address is missing.").toStdString()};
+        return "rtde:" + address.toStdString();
       case Kind::foxglove:
         return "foxglove:" + (address.isEmpty() ? std::string("localhost") : address.toStdString());
       case Kind::rosbridge:

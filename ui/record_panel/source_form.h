@@ -14,7 +14,7 @@ namespace heft {
 class SourceForm : public QWidget {
   Q_OBJECT
  public:
-  enum class Kind { netFt, foxglove, rosbridge, jsonUdp, replay };
+  enum class Kind { netFt, ur, foxglove, rosbridge, jsonUdp, replay };
   explicit SourceForm(QWidget* parent = nullptr);
 
   void setKind(Kind kind);
@@ -33,7 +33,7 @@ class SourceForm : public QWidget {
   Kind joints_ = Kind::foxglove;  ///< With Net F/T, which measures forces only
   QWidget* fields_ = nullptr;
   QLineEdit *address_ = nullptr, *jointsAddress_ = nullptr, *rig_ = nullptr;
-  QString lastAddress_[5], lastJoints_, lastRig_;
+  QString lastAddress_[6], lastJoints_, lastRig_;
 };
 
 }  // namespace heft
