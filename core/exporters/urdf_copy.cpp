@@ -131,7 +131,8 @@ Result<std::string> payloadIntoUrdf(const std::string& urdf, const std::string& 
   }
   const Payload rounded = roundedForExport(own);
   if (const auto physical = checkPhysical(rounded); !physical.physical)
-    return Error{heft::say("This payload cannot exist, so no {} file is written: {}", "URDF", physical.reason)};
+    return Error{heft::say("This payload cannot exist, so no {} file is written: {}", findExportFormat("urdf")->id,
+                           physical.reason)};
 
   const std::string newline = urdf.find("\r\n") == std::string::npos ? "\n" : "\r\n";
   const auto start = offsetOf(urdf, *element);

@@ -179,7 +179,7 @@ class RtdeSource : public ThreadedSource {
     const auto version = answerTo(kProtocolVersion, std::string("\0\2", 2), stopping);
     if (!version) return version.error();
     if (*version != std::string(1, '\1'))
-      return Error{heft::say("{}:{} does not speak version 2 of RTDE; its software is older than 3.10.", host_, port_)};
+      return Error{heft::say("{}:{} does not speak version 2 of RTDE: its software is too old.", host_, port_)};
     const auto controller = answerTo(kControllerVersion, {}, stopping);
     if (!controller) return controller.error();
     const auto major = ByteReader(*controller, true).read<std::uint32_t>();

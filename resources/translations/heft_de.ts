@@ -381,6 +381,14 @@
         <source>body</source>
         <translation>Körper</translation>
     </message>
+    <message>
+        <source>gravity compensation</source>
+        <translation>Schwerkraftausgleich</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
 </context>
 <context>
     <name>LiveWords</name>
@@ -4259,10 +4267,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>An {}:{} kommt nichts an.</translation>
     </message>
     <message>
-        <source>The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.</source>
-        <translation>Die Objekte haben weder q1 bis q7 oder eine Pose noch fx, fy, fz, tx, ty, tz.</translation>
-    </message>
-    <message>
         <source>{}:{} {}. Check the name, the cable and the firewall.</source>
         <translation>{}:{} {}. Prüfen Sie Namen, Kabel und Firewall.</translation>
     </message>
@@ -4325,10 +4329,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{} has {} joints; live samples have seven at most.</source>
         <translation>{} hat {} Gelenke; live sind höchstens sieben möglich.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
-        <translation>„{}“ ist keine Live-Quelle. Quellen sind rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:ZAHL.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; in &quot;{}&quot; is not known.</source>
@@ -4875,20 +4875,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Schreiben Sie &quot;panda&quot;, den Pfad eines URDF oder null.</translation>
     </message>
     <message>
-        <source>holds a zero byte</source>
-        <translation>enthält ein Null-Byte</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is a xacro file</source>
-        <translation>„{}“ ist eine xacro-Datei</translation>
-    </message>
-    <message>
         <source>Expand it to a URDF first: xacro in.xacro &gt; out.urdf.</source>
         <translation>Wandeln Sie sie zuerst in ein URDF um: xacro in.xacro &gt; out.urdf.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no robot that Heft knows</source>
-        <translation>„{}“ ist kein Roboter, den Heft kennt</translation>
     </message>
     <message>
         <source>must be &quot;motion&quot; or &quot;poses&quot;, not {}</source>
@@ -7377,6 +7365,178 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>The controller was set to {:.3f} kg ({}), {:.3f} kg {} than estimated.</source>
+        <translation>In der Steuerung waren {:.3f} kg eingestellt ({}), {:.3f} kg {} als geschätzt.</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>Its centre of mass is set {:.1f} mm from the estimated one.</source>
+        <translation>Ihr Schwerpunkt liegt {:.1f} mm neben dem geschätzten.</translation>
+    </message>
+    <message>
+        <source>It was set anew during the recording; this is what held longest.</source>
+        <translation>Während der Aufnahme wurde er neu eingestellt; dies galt am längsten.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s values include what sits between flange and sensor, the estimate does not: &apos;heft export --add&apos; adds it.</source>
+        <translation>Die Werte der Steuerung enthalten, was zwischen Flansch und Sensor sitzt, die Schätzung nicht: „heft export --add“ fügt es hinzu.</translation>
+    </message>
+    <message>
+        <source>This format has no inertia: it is left out.</source>
+        <translation>Dieses Format kennt keine Trägheit: Sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s frame is called ft_sensor.</source>
+        <translation>Das Koordinatensystem des Sensors heißt in der Datei ft_sensor.</translation>
+    </message>
+    <message>
+        <source>Write the name that it has on your robot.</source>
+        <translation>Schreib den Namen hin, den es an deinem Roboter hat.</translation>
+    </message>
+    <message>
+        <source>A payload without an estimate has no bias; zeros are written.</source>
+        <translation>Zu einer Last ohne Schätzung gehört kein Nullpunkt; es werden Nullen geschrieben.</translation>
+    </message>
+    <message>
+        <source>Zero the sensor with the tool off.</source>
+        <translation>Stell den Sensor ohne Werkzeug auf null.</translation>
+    </message>
+    <message>
+        <source>that the centre of mass counts from the flange</source>
+        <translation>dass der Schwerpunkt vom Flansch aus zählt</translation>
+    </message>
+    <message>
+        <source>the link &quot;{}&quot; moves against &quot;{}&quot;, which carries the sensor.</source>
+        <translation>das Glied „{}“ bewegt sich gegen „{}“, das den Sensor trägt.</translation>
+    </message>
+    <message>
+        <source>Name a link behind the last joint.</source>
+        <translation>Nenn ein Glied hinter dem letzten Gelenk.</translation>
+    </message>
+    <message>
+        <source>there is no link &quot;{}&quot;.</source>
+        <translation>es gibt kein Glied „{}“.</translation>
+    </message>
+    <message>
+        <source>Name one of: {}.</source>
+        <translation>Nenn eines von: {}.</translation>
+    </message>
+    <message>
+        <source>The URDF has no link that the sensor is known to be mounted on, so &quot;{}&quot; was taken for the flange.</source>
+        <translation>Die URDF hat kein Glied, an dem der Sensor bekanntermaßen sitzt; „{}“ wurde daher als Flansch genommen.</translation>
+    </message>
+    <message>
+        <source>Check that its axes are the flange&apos;s.</source>
+        <translation>Prüfe, ob seine Achsen die des Flanschs sind.</translation>
+    </message>
+    <message>
+        <source>The link &quot;{}&quot; weighed {} kg in the URDF; the payload replaces that.</source>
+        <translation>Das Glied „{}“ wog in der URDF {} kg; die Last tritt an diese Stelle.</translation>
+    </message>
+    <message>
+        <source>If that was the arm&apos;s own mass, put the payload on a link of its own.</source>
+        <translation>War das die Masse des Arms selbst, gib der Last ein eigenes Glied.</translation>
+    </message>
+    <message>
+        <source>{}: several publishers send on this topic ({}); the arm&apos;s joints are taken.</source>
+        <translation>{}: Auf diesem Topic senden mehrere ({}); genommen werden die Gelenke des Arms.</translation>
+    </message>
+    <message>
+        <source>The velocities of {} are no numbers; they were set aside and the joint angles differentiated.</source>
+        <translation>Die Geschwindigkeiten von {} sind keine Zahlen; sie wurden weggelassen und die Gelenkwinkel abgeleitet.</translation>
+    </message>
+    <message>
+        <source>the objects</source>
+        <translation>den Objekten</translation>
+    </message>
+    <message>
+        <source>{} comes as {}, which is not read: let the bridge send ROS messages (cdr, ros1) or JSON.</source>
+        <translation>{} kommt als {}, was nicht gelesen wird: Lass die Brücke ROS-Nachrichten (cdr, ros1) oder JSON senden.</translation>
+    </message>
+    <message>
+        <source>{} describes its messages as {}, which is not read: let the bridge send ros2msg or JSON.</source>
+        <translation>{} beschreibt seine Nachrichten als {}, was nicht gelesen wird: Lass die Brücke ros2msg oder JSON senden.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>The objects have neither joint angles or a pose, nor fx, fy, fz, tx, ty, tz.</source>
+        <translation>Die Objekte haben weder Gelenkwinkel oder eine Pose noch fx, fy, fz, tx, ty, tz.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not answer as RTDE does. Is it a controller of Universal Robots, and is RTDE enabled in its security settings?</source>
+        <translation>{}:{} antwortet nicht wie RTDE. Ist es eine Steuerung von Universal Robots, und ist RTDE in ihren Sicherheitseinstellungen erlaubt?</translation>
+    </message>
+    <message>
+        <source>{}:{} says: {}</source>
+        <translation>{}:{} meldet: {}</translation>
+    </message>
+    <message>
+        <source>{}:{} does not speak version 2 of RTDE: its software is too old.</source>
+        <translation>{}:{} spricht nicht Version 2 von RTDE: Die Software ist zu alt.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not send {}.</source>
+        <translation>{}:{} sendet {} nicht.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not accept the outputs that are asked for.</source>
+        <translation>{}:{} nimmt die Liste der gewünschten Ausgaben nicht an.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not start to send.</source>
+        <translation>{}:{} beginnt nicht zu senden.</translation>
+    </message>
+    <message>
+        <source>This controller does not send ft_raw_wrench (e-Series from 5.9 on do), and from actual_TCP_force it has taken the payload already: the wrench must come from a sensor of its own.</source>
+        <translation>Diese Steuerung sendet ft_raw_wrench nicht (e-Series ab 5.9 tun das), und aus actual_TCP_force hat sie die Last schon herausgerechnet: Kraft und Drehmoment müssen von einem eigenen Sensor kommen.</translation>
+    </message>
+    <message>
+        <source>Neither joint angles, a pose nor a wrench arrived: motion and wrench are both needed.</source>
+        <translation>Es kamen weder Gelenkwinkel noch eine Pose noch Kräfte an: Bewegung und Kräfte werden beide gebraucht.</translation>
+    </message>
+    <message>
+        <source>The wrench arrives, but no joint angles and no pose: add the robot as a second source, such as foxglove:HOST, rosbridge:HOST or rtde:HOST.</source>
+        <translation>Kräfte kommen an, aber weder Gelenkwinkel noch eine Pose: Nenn den Roboter als zweite Quelle, etwa foxglove:HOST, rosbridge:HOST oder rtde:HOST.</translation>
+    </message>
+    <message>
+        <source>Joint angles or poses arrive, but no wrench: add the sensor as a second source, such as rdt:HOST.</source>
+        <translation>Gelenkwinkel oder Posen kommen an, aber keine Kräfte: Nenn den Sensor als zweite Quelle, etwa rdt:HOST.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
+        <translation>„{}“ ist keine Live-Quelle. Quellen sind rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:SEED.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; names no file.</source>
+        <translation>„{}“ nennt keine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a xacro file.</source>
+        <translation>„{}“ ist eine xacro-Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; was not found in {} or a folder above it, nor by ROS_PACKAGE_PATH or AMENT_PREFIX_PATH.</source>
+        <translation>„{}“ fand sich weder in {} oder einem Ordner darüber noch über ROS_PACKAGE_PATH oder AMENT_PREFIX_PATH.</translation>
+    </message>
+    <message>
+        <source>Source the workspace that holds the package, or give the path of the URDF.</source>
+        <translation>Lade den Workspace, der das Paket enthält, oder gib den Pfad der URDF an.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no robot that Heft knows.</source>
+        <translation>„{}“ ist kein Roboter, den Heft kennt.</translation>
     </message>
 </context>
 <context>
@@ -10451,6 +10611,26 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Standing poses cannot be played as a motion.</source>
         <translation>Stehende Posen lassen sich nicht als Bewegung abspielen.</translation>
+    </message>
+    <message>
+        <source>Universal Robots</source>
+        <translation>Universal Robots</translation>
+    </message>
+    <message>
+        <source>Address of the robot, for instance 192.168.0.10</source>
+        <translation>Adresse des Roboters, zum Beispiel 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.</source>
+        <translation>Eine e-Series von Universal Robots mit eigenem Kraftsensor. Heft liest nur und schreibt nichts in die Steuerung.</translation>
+    </message>
+    <message>
+        <source>UR</source>
+        <translation>UR</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s address is missing.</source>
+        <translation>Die Adresse des Roboters fehlt.</translation>
     </message>
 </context>
 <context>
