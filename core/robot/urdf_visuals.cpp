@@ -1,3 +1,4 @@
+#include "core/base/package_uri.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/robot/urdf_reader.h"

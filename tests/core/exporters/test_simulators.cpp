@@ -18,6 +18,14 @@
 #ifdef HEFT_WITH_SDFORMAT
 #include <sdf/sdf.hh>
 #endif
+#ifdef HEFT_WITH_KDL_AND_DART
+#include <dart/dynamics/dynamics.hpp>
+#include <dart/utils/SkelParser.hpp>
+#include <dart/utils/sdf/SdfParser.hpp>
+#include <dart/utils/urdf/DartLoader.hpp>
+#include <kdl/tree.hpp>
+#include <kdl_parser/kdl_parser.hpp>
+#endif
 
 namespace heft {
 namespace {
@@ -45,7 +53,7 @@ void expectSame(const Payload& read, const Payload& payload, int index) {
   EXPECT_LT((read.inertiaCom - written.inertiaCom).cwiseAbs().maxCoeff(), 1e-6 * largest) << index;
 }
 
-#if defined(HEFT_WITH_MUJOCO) || defined(HEFT_WITH_SDFORMAT)
+#if defined(HEFT_WITH_MUJOCO) || defined(HEFT_WITH_SDFORMAT) || defined(HEFT_WITH_KDL_AND_DART)
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& name, const std::string& text)
@@ -107,7 +115,7 @@ Payload inSdformat(const std::string& name, const std::string& text) {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) I(r, c) = moi(static_cast<size_t>(r), static_cast<size_t>(c));
   const auto at = body.Pose().Pos();
-  EXPECT_EQ(body.Pose().Rot(), decltype(body.Pose().Rot())::Identity);
+  EXPECT_EQ(body.Pose().Rot().Euler().Length(), 0.0);
   return {body.MassMatrix().Mass(), {at.X(), at.Y(), at.Z()}, I};
 }
 
@@ -121,6 +129,49 @@ TEST(Sdformat, ReadsSdfAndUrdfForTwoHundredBodies) {
 }
 #else
 TEST(Sdformat, ReadsSdfAndUrdfForTwoHundredBodies) { GTEST_SKIP() << "libsdformat-dev is not installed"; }
+#endif
+
+#ifdef HEFT_WITH_KDL_AND_DART
+/// KDL's inertia is about the segment's origin.
+Payload inKdl(const std::string& text) {
+  KDL::Tree tree;
+  if (!kdl_parser::treeFromString(text, tree)) throw std::runtime_error("KDL takes no such URDF");
+  const auto segment = tree.getSegment("tool");
+  if (segment == tree.getSegments().end()) return {};
+  const auto body = GetTreeElementSegment(segment->second).getInertia();
+  const KDL::Vector com = body.getCOG();
+  Payload out{body.getMass(), {com.x(), com.y(), com.z()}, Matrix3d::Zero()};
+  const auto data = body.getRotationalInertia();
+  const Matrix3d aboutOrigin = Eigen::Map<const Matrix3d>(data.data);
+  const Payload point{out.mass, out.com, Matrix3d::Zero()};
+  out.inertiaCom = aboutOrigin - inertiaAboutOrigin(point);
+  return out;
+}
+
+TEST(Kdl, ReadsUrdfForTwoHundredBodiesBelowARootLink) {
+  for (int index = 0; index < 200; ++index) {
+    const ExportInput input = inputFor(index, "flange");
+    expectSame(inKdl(fileFor("urdf", input)), input.payload, index);
+  }
+  EXPECT_EQ(inKdl(fileFor("urdf", inputFor(4))).mass, 0.0);  // a root link weighs nothing
+}
+
+Payload inDart(const dart::dynamics::SkeletonPtr& skeleton) {
+  if (!skeleton || !skeleton->getBodyNode("tool")) throw std::runtime_error("DART takes no such file");
+  const auto& body = skeleton->getBodyNode("tool")->getInertia();
+  return {body.getMass(), body.getLocalCOM(), body.getMoment()};
+}
+
+TEST(Dart, ReadsSdfAndUrdfForTwoHundredBodies) {
+  for (int index = 0; index < 200; ++index) {
+    const TemporaryFile sdf("a.sdf", fileFor("sdf", inputFor(index)));
+    expectSame(inDart(dart::utils::SdfParser::readSkeleton(dart::common::Uri::createFromPath(sdf.name()))),
+               randomPayload(index), index);
+    dart::utils::DartLoader loader;
+    expectSame(inDart(loader.parseSkeletonString(fileFor("urdf", inputFor(index, "flange")), {})), randomPayload(index),
+               index);
+  }
+}
 #endif
 
 }  // namespace
