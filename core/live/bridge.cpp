@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/import/configured.h"
 #include "core/import/streams.h"
 
 namespace heft {
@@ -33,6 +34,7 @@ void BridgeSource::run(const std::stop_token& stopping) {
       mapper_ = FieldMapper(jointNames_);
       clock_ = {};
       lastStamp_.clear();
+      configuredTold_ = false;
       connected();
       talk(stopping);
       client_.reset();
@@ -77,10 +79,21 @@ void BridgeSource::note(const std::string& sentence) {
   });
 }
 
+void BridgeSource::tellConfigured(const std::string& type, const std::vector<std::string>& names,
+                                  const std::vector<double>& values) {
+  if (configuredTold_ || !type.starts_with("franka_msgs/")) return;
+  configuredTold_ = true;
+  std::vector<Stream> state(1);
+  state[0].fields = names;
+  for (const double value : values) state[0].values.push_back({value});
+  if (auto told = configuredPayload(state)) count([&](SourceStatus& status) { status.configured = std::move(told); });
+}
+
 bool BridgeSource::send(const std::string& text) { return client_ && client_->send(text); }
 
 void BridgeSource::take(const std::string& topic, const std::string& type, const std::vector<std::string>& names,
                         const std::vector<double>& values, std::int64_t stamp) {
+  tellConfigured(type, names, values);
   auto sample = mapper_.map(topic, type, names, values);
   const double now = hostNow();
   if (stamp != 0) {

@@ -33,6 +33,8 @@ class BridgeSource : public ThreadedSource {
 
  private:
   void run(const std::stop_token& stopping) final;
+  void tellConfigured(const std::string& type, const std::vector<std::string>& names,
+                      const std::vector<double>& values);
   bool talk(const std::stop_token& stopping);
 
   const std::string host_;
@@ -43,6 +45,7 @@ class BridgeSource : public ThreadedSource {
   FieldMapper mapper_;
   StampClock clock_;
   std::map<std::string, std::int64_t> lastStamp_;
+  bool configuredTold_ = false;  ///< On this connection
   std::vector<std::string> names_;
   std::vector<double> values_;
 };

@@ -19,8 +19,9 @@
 #include <sdf/sdf.hh>
 #endif
 #ifdef HEFT_WITH_KDL_AND_DART
-#include <dart/dynamics/dynamics.hpp>
-#include <dart/utils/SkelParser.hpp>
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+
 #include <dart/utils/sdf/SdfParser.hpp>
 #include <dart/utils/urdf/DartLoader.hpp>
 #include <kdl/tree.hpp>

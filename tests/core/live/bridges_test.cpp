@@ -154,6 +154,25 @@ TEST(Foxglove, SchemasAreTakenForWhatTheirEncodingSays) {
                                               ::testing::HasSubstr("/franka describes its messages as omgidl")));
 }
 
+TEST(Foxglove, AFrankaTellsWhatItWasToldThatItCarries) {
+  FakeBridge bridge(
+      "foxglove.sdk.v1",
+      [](FakeBridge& self) {
+        self.sendText(R"({"op":"advertise","channels":[{"id":10,"topic":"/franka","encoding":"json",)"
+                      R"("schemaName":"franka_msgs/FrankaState","schema":"{}","schemaEncoding":"jsonschema"}]})");
+      },
+      {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  bridge.sendBinary(
+      dataMessage(1, R"({"q":[1,2,3,4,5,6,7],"m_ee":0.73,"F_x_Cee":[0,0,0.03],"m_load":0.0,"F_x_Cload":[0,0,0]})"));
+  ASSERT_TRUE(eventually([&] { return source->status().configured.has_value(); }));
+  EXPECT_EQ(*source->status().configured->payload.mass, 0.73);
+  EXPECT_EQ(source->status().configured->payload.com->z(), 0.03);
+}
+
 TEST(Foxglove, SurvivesDamagedMessages) {
   FakeBridge bridge("foxglove.websocket.v1", [](FakeBridge& self) { self.sendText(kAdvertise); }, {});
   Collected collected;
