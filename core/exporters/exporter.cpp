@@ -15,17 +15,15 @@ namespace {
 constexpr double kPandaPayload = 3.0;      // [kg], the Panda's rated payload
 constexpr double kUrInertiaLimit = 133.0;  // [kg m2], of each entry of set_target_payload
 
-/// Possible without any tolerance, so that a reader that allows none takes it too.
+/// Possible without any tolerance, so that a reader that allows none (MuJoCo) takes it too.
 bool strictlyPhysical(const Matrix3d& I) {
   Vector3d moments = I.diagonal();
   const bool diagonal = I(0, 1) == 0.0 && I(0, 2) == 0.0 && I(1, 2) == 0.0;
-  double slack = -1e-15;  // decimals such as 0.1 + 0.7 may come out one bit short of 0.8
-  if (!diagonal) {
-    moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
-    slack = 1e-12;
-  }
-  const double largest = moments.maxCoeff();
-  return moments.minCoeff() > 0.0 && moments.sum() - largest >= largest * (1.0 + slack);
+  // Readers of a diagonal tensor add two of these very numbers; others turn it first, which costs some bits.
+  const double slack = diagonal ? 0.0 : 1e-11;
+  if (!diagonal) moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
+  std::sort(moments.begin(), moments.end());
+  return moments(0) > 0.0 && moments(0) + moments(1) >= moments(2) * (1.0 + slack);
 }
 
 Matrix3d roundedInertia(const Matrix3d& inertia) {
