@@ -45,13 +45,14 @@ ExportInput inputFor(int index, const std::string& parent = {}) {
   return input;
 }
 
-/// Compares with the rounded payload, which is what stands in the file.
+/// Compares with the rounded payload, which is what stands in the file; MuJoCo's turning into principal axes is good to
+/// about 1e-6 of the largest entry.
 void expectSame(const Payload& read, const Payload& payload, int index) {
   const Payload written = roundedForExport(payload);
   const double largest = written.inertiaCom.cwiseAbs().maxCoeff();
   EXPECT_NEAR(read.mass, written.mass, 1e-9 * written.mass) << index;
   EXPECT_LT((read.com - written.com).norm(), 1e-9) << index;
-  EXPECT_LT((read.inertiaCom - written.inertiaCom).cwiseAbs().maxCoeff(), 1e-6 * largest) << index;
+  EXPECT_LT((read.inertiaCom - written.inertiaCom).cwiseAbs().maxCoeff(), 3e-6 * largest) << index;
 }
 
 #if defined(HEFT_WITH_MUJOCO) || defined(HEFT_WITH_SDFORMAT) || defined(HEFT_WITH_KDL_AND_DART)
