@@ -23,6 +23,32 @@ auto predictionError(const ArModel& model, Eigen::Index k, const Row& at) {
   return error;
 }
 
+/// The blocks' residual under a linear fit with a whisper of prior information: enough to keep what the motion does not
+/// excite near zero, far too little to bend what it does.
+Wrenches noiseResidualOf(const WrenchRows& blocks, const Triangle& whitened) {
+  MatrixXd A(2 * kColumns + 1, kColumns);
+  VectorXd y = VectorXd::Zero(2 * kColumns + 1);
+  A.topRows<kColumns + 1>() = whitened.leftCols<kColumns>();
+  y.head<kColumns + 1>() = whitened.col(kColumns);
+  VectorXd sd(kColumns);
+  sd << VectorXd::Constant(6, 1e4), 30.0, VectorXd::Constant(3, 3.0), VectorXd::Constant(6, 1.0);
+  A.bottomRows<kColumns>() = sd.cwiseInverse().asDiagonal();
+  const VectorXd x = leastSquares(A, y).x;
+  Wrenches residual(6, blocks.size());
+  for (Eigen::Index k = 0; k < blocks.size(); ++k)
+    residual.col(k) = blocks.wrench.col(k) - x.head<6>() - blocks.Y[static_cast<std::size_t>(k)] * x.tail<10>();
+  return residual;
+}
+
+/// A noise model to begin with: white, with forces a hundred times noisier than torques in SI units.
+NoiseModel firstGuess() {
+  NoiseModel noise;
+  Vector6d whitener;
+  whitener << Vector3d::Constant(10.0), Vector3d::Constant(500.0);
+  noise.whitener = whitener.asDiagonal();
+  return noise;
+}
+
 }  // namespace
 
 NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters) {
@@ -69,6 +95,27 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   for (int c = 0; c < 6; ++c) noise.channels[static_cast<std::size_t>(c)].sigma = std::sqrt(variance(c));
   noise.whitener = whitenerOf(covariance);
   return noise;
+}
+
+LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
+                          bool keepAll) {
+  LearnedNoise out;
+  out.noise = firstGuess();
+  out.weights = Wrenches::Ones(6, rows.size());
+  Wrenches keep = out.weights;
+  for (int round = 0; round < 4; ++round) {
+    // The bounded model weights the fit from which the next noise model is learned, as it will weight the last one.
+    const auto whitened = merged(whitenedTriangles(rows, bounded(out.noise), out.weights, runs, 1));
+    out.residual = noiseResidualOf(rows, whitened);
+    out.noise = fitNoise(out.residual, keep, runs, kColumns);
+    if (std::ranges::find(silent, true) != silent.end()) out.noise = without(out.noise, silent);
+    const Wrenches u = innovations(out.noise, out.residual, runs);
+    // Huber weights: beyond three standard deviations an innovation counts with its sign only. What lies beyond five is
+    // no part of the noise and leaves the noise model.
+    out.weights = u.unaryExpr([](double e) { return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0; });
+    if (!keepAll) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
+  }
+  return out;
 }
 
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent) {
@@ -151,7 +198,8 @@ NoiseModel bounded(const NoiseModel& noise) {
 }
 
 Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
-                        const Wrenches& weights, const std::vector<Run>& runs) {
+                        const Wrenches& weights, const std::vector<Run>& runs, const Matrix10d& motionNoise,
+                        const Matrix10d& more) {
   const Triangle plain = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
   // With z = Wt Fb F^-1 L u (u white; F, Fb the autoregressive filters of noise and weighting, Wt = L^-1 the whitener)
   // the scores are sum_k A_k^T w z_k, so their covariance is that of the rows sent backwards through the same filters.
@@ -195,6 +243,7 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
       M.noalias() += v.transpose() * v;
     }
   }
+  M.bottomRightCorner<10, 10>() += more;
   const Eigen::Matrix<double, kColumns, kColumns> A = plain.topLeftCorner<kColumns, kColumns>();
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-12).cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
@@ -204,7 +253,9 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
       [top = values.maxCoeff()](double value) { return value > 1e-11 * top ? 1.0 / std::sqrt(value) : 0.0; });
   const MatrixXd left = inverseRoot.asDiagonal() * vectors.transpose() * scale.asDiagonal();
   TriangleBuilder builder;
-  const MatrixXd system = product(left, transposedProduct(A, plain.topRows<kColumns>()));
+  MatrixXd scores = transposedProduct(A, plain.topRows<kColumns>());
+  scores.block<10, 10>(kBiasColumns, kBiasColumns) -= motionNoise;
+  const MatrixXd system = product(left, scores);
   builder.add(system);
   return builder.finish();
 }

@@ -29,6 +29,16 @@ NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
                     int parameters);
 
+/// A noise model with the robust weights of the innovations that it was learned with.
+struct LearnedNoise {
+  NoiseModel noise;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> weights;   ///< 0..1
+  Eigen::Matrix<double, 6, Eigen::Dynamic> residual;  ///< That it was fitted to
+};
+/// Fits payload, noise and weights in turn. `keepAll`: however far off, no row is left out of the noise model.
+LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
+                          bool keepAll);
+
 /// The same with next to no weight on the channels that are `silent`.
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent);
 
@@ -52,9 +62,11 @@ NoiseModel bounded(const NoiseModel& noise);
 
 /// Least squares of rows whitened by `weighting`, judged by the noise that was found: score equations H x = g whose
 /// error has the covariance M. Returned as a triangle R with R^T R = H M^-1 H, so that a fit to R has honest variances;
-/// where both models agree it is the merged whitened triangle itself.
+/// where both models agree it is the merged whitened triangle itself. `motionNoise` is taken off the payload's part of H,
+/// and `more` is added to M.
 Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
-                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs);
+                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
+                        const Matrix10d& motionNoise = Matrix10d::Zero(), const Matrix10d& more = Matrix10d::Zero());
 
 /// Covariance of A^T W e for the found noise e, when A are the unwhitened rows of the runs (16 x 16) and W the
 /// channels' row weights: the middle of the sandwich for estimators that ignore the noise's colour.

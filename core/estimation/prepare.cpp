@@ -11,42 +11,11 @@
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
 #include "core/math/linear_algebra.h"
+#include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
 #include "core/recording/frozen.h"
 
 namespace heft {
-
-namespace {
-
-using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
-
-/// The blocks' residual under a linear fit with a whisper of prior information: enough to keep what the motion does not
-/// excite near zero, far too little to bend what it does.
-Wrenches residualOf(const WrenchRows& blocks, const Triangle& whitened) {
-  MatrixXd A(2 * kColumns + 1, kColumns);
-  VectorXd y = VectorXd::Zero(2 * kColumns + 1);
-  A.topRows<kColumns + 1>() = whitened.leftCols<kColumns>();
-  y.head<kColumns + 1>() = whitened.col(kColumns);
-  VectorXd sd(kColumns);
-  sd << VectorXd::Constant(6, 1e4), 30.0, VectorXd::Constant(3, 3.0), VectorXd::Constant(6, 1.0);
-  A.bottomRows<kColumns>() = sd.cwiseInverse().asDiagonal();
-  const VectorXd x = leastSquares(A, y).x;
-  Wrenches residual(6, blocks.size());
-  for (Eigen::Index k = 0; k < blocks.size(); ++k)
-    residual.col(k) = blocks.wrench.col(k) - x.head<6>() - blocks.Y[static_cast<std::size_t>(k)] * x.tail<10>();
-  return residual;
-}
-
-/// A noise model to begin with: white, with forces a hundred times noisier than torques in SI units.
-NoiseModel firstGuess() {
-  NoiseModel noise;
-  Vector6d whitener;
-  whitener << Vector3d::Constant(10.0), Vector3d::Constant(500.0);
-  noise.whitener = whitener.asDiagonal();
-  return noise;
-}
-
-}  // namespace
 
 std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,
                         Eigen::Index shortest) {
@@ -69,25 +38,12 @@ void calm(Prepared& out) {
 }
 
 void learnNoise(Prepared& out, bool poses) {
-  out.noise = firstGuess();
-  out.weights = Wrenches::Ones(6, out.blocks.size());
-  Wrenches keep = out.weights;
-  Wrenches residual;
-  for (int round = 0; round < 4; ++round) {
-    // The bounded model weights the fit from which the next noise model is learned, as it will weight the last one.
-    const auto whitened = merged(whitenedTriangles(out.blocks, bounded(out.noise), out.weights, out.runs, 1));
-    residual = residualOf(out.blocks, whitened);
-    out.noise = fitNoise(residual, keep, out.runs, kColumns);
-    if (std::ranges::find(out.silent, true) != out.silent.end()) out.noise = without(out.noise, out.silent);
-    const Wrenches u = innovations(out.noise, residual, out.runs);
-    // Huber weights: beyond three standard deviations an innovation counts with its sign only. What lies beyond five is
-    // no part of the noise and leaves the noise model.
-    out.weights = u.unaryExpr([](double e) { return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0; });
-    if (!poses) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
-  }
+  LearnedNoise learned = learnedNoise(out.blocks, out.runs, out.silent, poses);
+  out.noise = std::move(learned.noise);
+  out.weights = std::move(learned.weights);
   NoiseModel plain = out.noise;
   plain.whitener.setIdentity();
-  out.unwhitened = innovations(plain, residual, {{0, out.blocks.size()}});
+  out.unwhitened = innovations(plain, learned.residual, {{0, out.blocks.size()}});
 }
 
 double advantage(const Prepared& first, const Prepared& second) {
@@ -267,6 +223,40 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   return out;
 }
 
+/// The blocks of the same motion with as much noise again as it has; nothing where that cannot be told.
+std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotModel* robot, MotionOptions options,
+                                        const Understanding& as) {
+  const auto noisier = noisierMotion(recording);
+  if (!noisier) return std::nullopt;
+  options.outputRateHz = MotionOptions{}.outputRateHz;
+  auto motion = motionOf(*noisier, robot, options);
+  if (!motion) return std::nullopt;
+  return rowsOf(understood(std::move(*motion), as), kBlockRate);
+}
+
+/// `widest`: the blocks of the motion at the widest band, if that was not told. Smoothing of another kind, and a tool
+/// that stands still, are taken as they are.
+FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                   const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest) {
+  const LearnedNoise learned{prepared.noise, prepared.weights, {}};
+  FitRowsQuestion question{prepared.blocks, prepared.runs, prepared.silent, {}, &learned};
+  if (prepared.cutoffHz <= 0.0 || prepared.still) return fitRowsOf(question);
+  const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
+  MotionOptions wide = options.motion;
+  wide.cutoffHz = std::max(kDefaultCutoffHz, prepared.cutoffHz);
+  const bool fixed = !widest;
+  if (fixed && stride > 1) {
+    auto motion = motionOf(recording, robot, wide);
+    if (motion) widest = rowsOf(understood(std::move(*motion), as), kBlockRate);
+  }
+  if (!prepared.motion.originAccelerationKnown || (widest && widest->size() != prepared.blocks.size()))
+    return fitRowsOf(question);
+  const bool own = stride == 1;
+  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, prepared.silent,
+                        noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr, stride, fixed};
+  return fitRowsOf(about);
+}
+
 }  // namespace
 
 bool Prepared::used(Eigen::Index block) const {
@@ -288,17 +278,18 @@ int Prepared::foldOf(Eigen::Index block) const {
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress, bool checkConventions) {
   progress(0.1, heft::say("Working out how the tool moved"));
-  const auto finish = [&](Prepared prepared) {
-    progress(0.6, heft::say("Learning the sensor's noise"));
-    const NoiseModel weighting = bounded(prepared.noise);
-    prepared.folds = whitenedTriangles(prepared.blocks, weighting, prepared.weights, prepared.runs, kFolds);
-    prepared.whitened = honestTriangle(prepared.blocks, prepared.noise, weighting, prepared.weights, prepared.runs);
+  const auto finish = [&](Prepared prepared, const FitRows& fit) {
+    prepared.stride = fit.stride;
+    prepared.folds = whitenedTriangles(fit.rows, fit.weighting, fit.weights, fit.runs, kFolds);
+    prepared.whitened = fit.whitened;
     return prepared;
   };
   if (recording.meta.kind == RecordingKind::poses) {
     auto poses = preparePoses(recording, robot, options.conventions, checkConventions);
     if (!poses) return poses.error();
-    return finish(std::move(*poses));
+    const LearnedNoise learned{poses->noise, poses->weights, {}};
+    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, poses->silent, {}, &learned});
+    return finish(std::move(*poses), fit);
   }
 
   Eigen::Index spikes = 0;
@@ -307,7 +298,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
   for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c];
-  const bool choose = options.motion.smoothing == SmoothingKind::lowPass && options.motion.cutoffHz <= 0.0;
+  const bool lowPass = options.motion.smoothing == SmoothingKind::lowPass;
+  const bool choose = lowPass && options.motion.cutoffHz <= 0.0;
   if (choose) {
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
@@ -346,7 +338,10 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     for (const double cutoff : {12.0, 6.0, 3.0}) others.push_back(std::async(std::launch::async, prepareAt, cutoff));
   auto best = prepareMotion(cleaned, robot, trial, as, std::move(first));
   if (!best) return best.error();
+  // Of the motion that lost least: what is smoothed further, is smoothed together with the wrench.
+  std::optional<WrenchRows> widest;
   if (choose) {
+    widest = best->blocks;
     for (auto& other : others) {
       auto next = other.get();
       if (progress.cancelled()) return Error{"Stopped.", true};
@@ -370,13 +365,17 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
                    spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
          {},
          {}});
-  if (best->cutoffHz > 0.0 && best->cutoffHz < kDefaultCutoffHz && choose)
-    best->findings.push_back({Severity::info,
-                              "motion_smoothed",
-                              heft::say("The recorded motion is noisy; it was smoothed to {:.0f} Hz.", best->cutoffHz),
-                              {},
-                              {}});
-  return finish(std::move(*best));
+  progress(0.6, heft::say("Learning the sensor's noise"));
+  const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));
+  if (choose && fit.stride > 1)
+    best->findings.push_back(
+        {Severity::info,
+         "motion_smoothed",
+         heft::say("The recorded motion is noisy; it was smoothed to {:.0f} Hz, and the wrench with it.",
+                   kDefaultCutoffHz / fit.stride),
+         {},
+         {}});
+  return finish(std::move(*best), fit);
 }
 
 }  // namespace heft
