@@ -271,7 +271,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   if (!known.empty()) report.relativeError = relativeErrors(report.payload, known);
   fillSeries(prepared, solution.phi, solution.bias, report.series);
-  judgeFit(prepared, heldout, report);
+  judgeFit(prepared, heldout, unseen, report);
   addFindings(report);
   judgeTrust(unseen, report);
   progress(1.0, "Done");

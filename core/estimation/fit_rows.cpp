@@ -21,6 +21,9 @@ constexpr Eigen::Index kFewestRows = 4;  // Of a run
 constexpr double kAgree = 3.0;
 /// Share of the information in any direction that may come from the motion's noise and be taken off again.
 constexpr double kMostNoise = 0.3;
+/// Share of the noise that the motion's may be: it grows with the fourth power of frequency, and an autoregressive model
+/// of noise that it rules tells little of the slow noise below, against which a weight is told.
+constexpr double kMostShare = 0.3;
 constexpr double kHopeless = 1e3;  // Score of a band that is noise
 constexpr int kFewestEquations = 4 * kColumns;
 
@@ -97,7 +100,9 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.stride = stride;
   out.runs = of.runs;
   out.rows = narrowed(of.blocks, stride, out.runs);
-  LearnedNoise learned = stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.silent, false);
+  LearnedNoise learned = withTaken(
+      stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.silent, of.standing), out.rows,
+      out.runs, of.silent, of.standing);
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);
@@ -114,6 +119,8 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   const Vector10d unknown = kNoiseUnknown * (out.motionNoise * without.phi);
   out.whitened = honestTriangle(out.rows, out.noise, out.weighting, out.weights, out.runs, out.motionNoise,
                                 unknown * unknown.transpose());
+  const double rows = static_cast<double>(6 * out.rows.size());
+  out.share = without.phi.dot(out.motionNoise * without.phi) / rows;
   out.bias = (with.phi - without.phi).cwiseQuotient(without.std).cwiseAbs().maxCoeff();
   return out;
 }
@@ -144,7 +151,8 @@ FitRows fitRowsOf(const FitRowsQuestion& of) {
     if (stride > 1 && 6 * narrowed(of.blocks, stride, left).size() < kFewestEquations) break;
     bands.push_back(rowsAt(stride, of, difference));
     const FitRows& band = bands.back();
-    const double score = mostlyMotion(band) ? fitOf(band.whitened).std.array().log().sum() : kHopeless - stride;
+    const bool believed = band.share < kMostShare && mostlyMotion(band);
+    const double score = believed ? fitOf(band.whitened).std.array().log().sum() : kHopeless - stride;
     if (score < least) {
       least = score;
       best = bands.size() - 1;

@@ -25,6 +25,8 @@ struct FitRows {
   Triangle whitened = Triangle::Zero();  ///< The whole problem with honest variances and without that bias
   /// Largest bias that was taken out, in standard deviations of one of the ten parameters.
   double bias = 0.0;
+  /// Share of what the fit leaves over that the motion's noise makes.
+  double share = 0.0;
 };
 
 /// The band in which the payload is known best, errors by what is not known of the motion's noise counted: all of the
@@ -36,6 +38,7 @@ struct FitRowsQuestion {
   std::array<bool, 6> silent{};
   std::optional<WrenchRows> noisier;
   const LearnedNoise* learned = nullptr;  ///< From the blocks, if that has been done.
+  bool standing = false;  ///< Poses: no row is left out of the noise model.
   int predicts = 1;    ///< The stride that predicts the wrench best.
   bool fixed = false;  ///< No other will do.
 };

@@ -23,11 +23,16 @@ struct NoiseModel {
 /// Longest autoregressive memory that is tried [blocks].
 constexpr int kMaxArOrder = 8;
 
+/// What a fit has taken from the noise of each channel: 16 independent parts (columns), a row each block; their products
+/// are the covariance of what the fitted parameters make of the rows.
+using Taken = std::array<MatrixXd, 6>;
+
 /// Fits to residuals (6 x K); `weights` (6 x K in 0..1) leave spikes out. `parameters` is the number of parameters that
-/// the residual was fitted with, for the degrees of freedom.
+/// the residual was fitted with, for the degrees of freedom; with `taken` the noise is that of the residual and of what
+/// the fit took together, and they need not be counted.
 NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
-                    int parameters);
+                    int parameters, const Taken* taken = nullptr);
 
 /// A noise model with the robust weights of the innovations that it was learned with.
 struct LearnedNoise {
@@ -38,6 +43,12 @@ struct LearnedNoise {
 /// Fits payload, noise and weights in turn. `keepAll`: however far off, no row is left out of the noise model.
 LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
                           bool keepAll);
+
+/// Further rounds in which each channel gets back what the fit has taken from its noise, where in the spectrum it was
+/// taken (the expectation step of Dempster, Laird and Rubin 1977; its fixed point is Patterson and Thompson's restricted
+/// likelihood, 1971): a short recording's fit eats most of the slow noise, and what is left looks too quiet.
+LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
+                       const std::array<bool, 6>& silent, bool keepAll);
 
 /// The same with next to no weight on the channels that are `silent`.
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent);

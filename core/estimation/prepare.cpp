@@ -14,6 +14,7 @@
 #include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
 #include "core/recording/frozen.h"
+#include "core/segmentation/flat_tops.h"
 
 namespace heft {
 
@@ -69,18 +70,38 @@ double advantage(const Prepared& first, const Prepared& second) {
 
 namespace {
 
-void saySilent(const std::array<bool, 6>& silent, Findings& findings) {
-  std::vector<std::string> names;
+/// `cut`: those of the silent channels that are cut off at the ends of their range.
+void saySilent(const std::array<bool, 6>& silent, const std::array<bool, 6>& cut, Findings& findings) {
+  std::vector<std::string> still, limited;
   for (std::size_t c = 0; c < silent.size(); ++c)
-    if (silent[c]) names.emplace_back(channelName(static_cast<Eigen::Index>(c)));
-  if (names.empty()) return;
-  findings.push_back(
-      {Severity::warning,
-       "channel_unused",
-       heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
-                 joined(names)),
-       heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
-       {}});
+    if (silent[c]) (cut[c] ? limited : still).emplace_back(channelName(static_cast<Eigen::Index>(c)));
+  if (!still.empty())
+    findings.push_back(
+        {Severity::warning,
+         "channel_unused",
+         heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
+                   joined(still)),
+         heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
+         {}});
+  if (!limited.empty())
+    findings.push_back(
+        {Severity::warning,
+         "channel_unused",
+         heft::say("More than half of the readings of {} are cut off at the end of the sensor's range, so it is not "
+                   "used.",
+                   joined(limited)),
+         heft::say("Choose a larger measuring range of the sensor."),
+         {}});
+}
+
+/// The blocks with nothing in the channels that are not used: neither load nor reading.
+WrenchRows heard(WrenchRows blocks, const std::array<bool, 6>& silent) {
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    if (!silent[static_cast<std::size_t>(c)]) continue;
+    blocks.wrench.row(c).setZero();
+    for (auto& Y : blocks.Y) Y.row(c).setZero();
+  }
+  return blocks;
 }
 
 /// What the file's numbers mean as stated, and how they are to be understood instead.
@@ -129,12 +150,17 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
   out.blocks = rowsOf(out.motion, kBlockRate);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
-  Segmentation segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
+  const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
+  const auto segmented = [&] {
+    return deaf ? segmentRows(recording, heard(out.blocks, options.silent), mode, options.firstEstimate)
+                : segmentRows(recording, out.blocks, mode, options.firstEstimate);
+  };
+  Segmentation segmentation = segmented();
   if (!out.motion.originAccelerationKnown) {
     if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
       addSwing(*point, out.motion);
       out.blocks = rowsOf(out.motion, kBlockRate);
-      segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
+      segmentation = segmented();
       out.findings.push_back({Severity::info,
                               "swing_assumed",
                               heft::say("The forces fit a sensor that swings about a point {:.2g} m away, so its "
@@ -197,7 +223,6 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
   out.silent = options.silent;
-  saySilent(out.silent, out.findings);
   learnNoise(out, false);
   return out;
 }
@@ -253,7 +278,9 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
     return fitRowsOf(question);
   const bool own = stride == 1;
   FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, prepared.silent,
-                        noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr, stride, fixed};
+                        noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr};
+  about.predicts = stride;
+  about.fixed = fixed;
   return fitRowsOf(about);
 }
 
@@ -288,7 +315,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     auto poses = preparePoses(recording, robot, options.conventions, checkConventions);
     if (!poses) return poses.error();
     const LearnedNoise learned{poses->noise, poses->weights, {}};
-    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, poses->silent, {}, &learned});
+    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, poses->silent, {}, &learned, true});
     return finish(std::move(*poses), fit);
   }
 
@@ -297,7 +324,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   cleaned.wrench = withoutSpikes(recording.wrench, spikes);
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
-  for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c];
+  const auto cut = mostlyCutOff(flatTops(cleaned.wrench), cleaned.rows());
+  for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c] || cut[c];
   const bool lowPass = options.motion.smoothing == SmoothingKind::lowPass;
   const bool choose = lowPass && options.motion.cutoffHz <= 0.0;
   if (choose) {
@@ -357,6 +385,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   if (progress.cancelled()) return Error{"Stopped.", true};
   best->conventions = std::move(report);
   best->readAsSuggested = as.reading.has_value();
+  saySilent(best->silent, cut, best->findings);
   if (spikes > 0)
     best->findings.push_back(
         {Severity::info,

@@ -172,6 +172,7 @@ Unseen unseenOver(const Prepared& prepared,
     const double size = typicalSize(left[i]);
     const double noise = change[i].empty() ? 0.0 : typicalSize(change[i]) / std::sqrt(6.0);
     // What is less than the noise does not show beside it.
+    out.noise(c) = noise;
     const double beyond = size * size - noise * noise;
     out.left(c) = beyond > noise * noise ? std::sqrt(beyond) : 0.0;
     const Eigen::Map<const VectorXd> made(load[i].data(), static_cast<Eigen::Index>(load[i].size()));

@@ -30,11 +30,16 @@ double shareAlongOneDirection(const Eigen::MatrixXd& power) {
 
 void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,
                          const Eigen::Ref<const Eigen::VectorXd>& weights) {
-  const Eigen::VectorXd weighted = noise.cwiseProduct(weights);
-  const Eigen::Index n = noise.size();
+  addTaken(noise, weights);
+  count_ += weights.sum();
+}
+
+void AutoCovariance::addTaken(const Eigen::Ref<const Eigen::VectorXd>& taken,
+                              const Eigen::Ref<const Eigen::VectorXd>& weights) {
+  const Eigen::VectorXd weighted = taken.cwiseProduct(weights);
+  const Eigen::Index n = taken.size();
   for (Eigen::Index lag = 0; lag < std::min<Eigen::Index>(sums_.size(), n); ++lag)
     sums_(lag) += weighted.head(n - lag).dot(weighted.tail(n - lag));
-  count_ += weights.sum();
 }
 
 ArModel AutoCovariance::fit(int beyond) const {
