@@ -54,6 +54,9 @@ std::vector<std::string> RunningEstimate::news() {
   for (const auto& finding : impl_->estimator.state().findings)
     if ((finding.code == "tool_changed" || finding.code == "tool_back") && impl_->told.insert(finding.text).second)
       out.push_back(finding.text);
+    else if ((finding.code == "stamps_jitter" || finding.code == "no_agreement") &&
+             impl_->told.insert(finding.code).second)
+      out.push_back(finding.text + " " + finding.remedy);
   return out;
 }
 

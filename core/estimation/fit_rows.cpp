@@ -23,7 +23,7 @@ constexpr double kAgree = 3.0;
 constexpr double kMostNoise = 0.3;
 /// Share of the noise that the motion's may be: it grows with the fourth power of frequency, and an autoregressive model
 /// of noise that it rules tells little of the slow noise below, against which a weight is told.
-constexpr double kMostShare = 0.3;
+constexpr double kMostShare = 0.1;
 constexpr double kHopeless = 1e3;  // Score of a band that is noise
 constexpr int kFewestEquations = 4 * kColumns;
 

@@ -69,8 +69,7 @@ ArModel AutoCovariance::fit(int beyond) const {
       best = static_cast<std::size_t>(p);
     }
   }
-  if (best > 0) best = std::min(best + static_cast<std::size_t>(beyond), models.size() - 1);
-  return models[best];
+  return models[std::min(best + static_cast<std::size_t>(beyond), models.size() - 1)];
 }
 
 }  // namespace heft

@@ -34,9 +34,8 @@ class AutoCovariance {
   /// Adds to the products what a fit has taken from the noise that was added: no samples of its own.
   void addTaken(const Eigen::Ref<const Eigen::VectorXd>& taken, const Eigen::Ref<const Eigen::VectorXd>& weights);
   double count() const { return count_; }
-  /// Yule-Walker fit by Levinson-Durbin; the order up to the maximum that minimises BIC. Always stable. Where there is
-  /// any memory, `beyond` more orders are taken than BIC asks for: it leaves out what it cannot prove, and slow noise
-  /// comes out too weak.
+  /// Yule-Walker fit by Levinson-Durbin; the order up to the maximum that minimises BIC. Always stable. `beyond` more
+  /// orders are taken than BIC asks for: it leaves out what it cannot prove, and slow noise comes out too weak.
   ArModel fit(int beyond = 0) const;
 
  private:

@@ -2479,10 +2479,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Markieren Sie sie von Hand, wenn das falsch ist.</translation>
     </message>
     <message>
-        <source>On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the sensor&apos;s own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
-        <translation>Auf Abschnitten, die nicht zum Anpassen dienten, verfehlt das Modell die gemessene Kraft um {:.2g} N, wo der Sensor selbst um {:.2g} N streut: Etwas anderes als ein starres Werkzeug wirkt mit (Kontakt, Drift, Verspätung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
-    </message>
-    <message>
         <source>Trust is low: the true values may lie outside the intervals. Look at where the difference is large.</source>
         <translation>Das Vertrauen ist gering: Die wahren Werte können außerhalb der Bereiche liegen. Sehen Sie nach, wo die Differenz groß ist.</translation>
     </message>
@@ -2601,10 +2597,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Tilt it into several directions: at rest its weight and the sensor&apos;s bias look alike.</source>
         <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
-    </message>
-    <message>
-        <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz.</source>
-        <translation>Die aufgenommene Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet.</translation>
     </message>
     <message>
         <source>The search for the shape&apos;s material did not settle.</source>
@@ -3701,14 +3693,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>To estimate the other payload, mark its part as free.</source>
         <translation>Um die andere Last zu bestimmen, markieren Sie ihren Teil als frei.</translation>
-    </message>
-    <message>
-        <source>{:.2f} to {:.2f} s: {}</source>
-        <translation>{:.2f} bis {:.2f} s: {}</translation>
-    </message>
-    <message>
-        <source>That stretch is left out.</source>
-        <translation>Dieser Abschnitt wird ausgelassen.</translation>
     </message>
     <message>
         <source>Marked by you.</source>
@@ -7377,6 +7361,74 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
+    </message>
+    <message>
+        <source>{} by {:.2g} N (the sensor&apos;s own scatter is {:.2g} N)</source>
+        <translation>{} um {:.2g} N (der Sensor selbst streut um {:.2g} N)</translation>
+    </message>
+    <message>
+        <source>{} by {:.2g} N m (the sensor&apos;s own scatter is {:.2g} N m)</source>
+        <translation>{} um {:.2g} N m (der Sensor selbst streut um {:.2g} N m)</translation>
+    </message>
+    <message>
+        <source>On stretches that were not used for fitting, the model misses {}: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
+        <translation>Auf Strecken, die nicht zur Anpassung dienten, verfehlt das Modell {}: Etwas anderes als ein starres Werkzeug wirkt mit (Berührung, Drift, Verzögerung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
+    </message>
+    <message>
+        <source>More than half of the readings of {} are cut off at the end of the sensor&apos;s range, so it is not used.</source>
+        <translation>Mehr als die Hälfte der Messwerte von {} ist am Ende des Messbereichs abgeschnitten; der Kanal wird deshalb nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Choose a larger measuring range of the sensor.</source>
+        <translation>Wählen Sie einen größeren Messbereich des Sensors.</translation>
+    </message>
+    <message>
+        <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz, and the wrench with it.</source>
+        <translation>Die aufgezeichnete Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet, Kraft und Moment ebenso.</translation>
+    </message>
+    <message>
+        <source>The samples&apos; time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had from such a motion.</source>
+        <translation>Die Zeitstempel der Messwerte schwanken um {:.2g} ms bei Schritten von {:.2g} ms: Aus einer solchen Bewegung lassen sich keine Beschleunigungen gewinnen.</translation>
+    </message>
+    <message>
+        <source>Let the source stamp its samples when they are measured, not when they are sent.</source>
+        <translation>Lassen Sie die Quelle ihre Werte beim Messen stempeln, nicht beim Senden.</translation>
+    </message>
+    <message>
+        <source>A rigid tool does not describe the readings yet, so no number is told.</source>
+        <translation>Ein starres Werkzeug beschreibt die Messwerte noch nicht; deshalb wird keine Zahl genannt.</translation>
+    </message>
+    <message>
+        <source>Check the time stamps, the wrench&apos;s sign and axes, and that nothing touches the tool.</source>
+        <translation>Prüfen Sie die Zeitstempel, Vorzeichen und Achsen von Kraft und Moment, und dass nichts das Werkzeug berührt.</translation>
+    </message>
+    <message>
+        <source>{:.2f} to {:.2f} s</source>
+        <translation>{:.2f} bis {:.2f} s</translation>
+    </message>
+    <message>
+        <source>{} and {} more stretches, {:.2g} s in all</source>
+        <translation>{} und {} weitere Strecken, zusammen {:.2g} s</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>What is there is left out; mark it as free to use it.</source>
+        <translation>Was dort steht, wird ausgelassen; markieren Sie es als frei, um es zu verwenden.</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded here.</source>
+        <translation>Hier wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>{} stands still here while others go on: it was not measured.</source>
+        <translation>{} steht hier still, während andere Kanäle weiterlaufen: Der Kanal wurde nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The posture stands still here and leaps afterwards: the robot sent nothing new.</source>
+        <translation>Die Haltung steht hier still und springt danach: Der Roboter hat nichts Neues gesendet.</translation>
     </message>
 </context>
 <context>
