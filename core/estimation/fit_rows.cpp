@@ -16,13 +16,13 @@ constexpr int kStrides[] = {1, 2, 4, 8};
 constexpr double kNoiseUnknown = 0.25;
 /// A bias, in standard deviations, that needs no narrower band: what of it is not known costs no coverage.
 constexpr double kSmallBias = 0.2;
-constexpr Eigen::Index kFewestRows = 4;  // Of a run
+constexpr Eigen::Index kFewestRows = kMaxArOrder + 4;  // Of a run: some more than start values
 /// Bands that agree to so many standard deviations of the narrower one are believed alike.
 constexpr double kAgree = 3.0;
 /// Share of the information in any direction that may come from the motion's noise and be taken off again.
 constexpr double kMostNoise = 0.3;
-/// Share of the noise that the motion's may be: it grows with the fourth power of frequency, and an autoregressive model
-/// of noise that it rules tells little of the slow noise below, against which a weight is told.
+/// Share of the noise that the motion's may be: it grows with the fourth power of frequency, and an autoregressive
+/// model of noise that it rules tells little of the slow noise below, against which a weight is told.
 constexpr double kMostShare = 0.1;
 constexpr double kHopeless = 1e3;  // Score of a band that is noise
 constexpr int kFewestEquations = 4 * kColumns;
@@ -100,9 +100,9 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.stride = stride;
   out.runs = of.runs;
   out.rows = narrowed(of.blocks, stride, out.runs);
-  LearnedNoise learned = withTaken(
-      stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.silent, of.standing), out.rows,
-      out.runs, of.silent, of.standing);
+  LearnedNoise learned =
+      withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.silent, of.standing),
+                out.rows, out.runs, of.silent, of.standing);
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);
@@ -127,8 +127,7 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
 
 /// Whether what the motion's noise adds to the information is small beside it in every direction.
 bool mostlyMotion(const FitRows& band) {
-  const Triangle plain =
-      merged(whitenedTriangles(band.rows, band.weighting, band.weights, band.runs, 1));
+  const Triangle plain = merged(whitenedTriangles(band.rows, band.weighting, band.weights, band.runs, 1));
   const Matrix10d R = plain.block<10, 10>(kBiasColumns, kBiasColumns);
   Matrix10d H = transposedProduct(R, R);
   H.diagonal() += usualSizes().cwiseAbs2().cwiseInverse();
@@ -138,17 +137,22 @@ bool mostlyMotion(const FitRows& band) {
 }  // namespace
 
 FitRows fitRowsOf(const FitRowsQuestion& of) {
-  if (!of.noisier || of.noisier->size() != of.blocks.size()) return rowsAt(of.predicts, of, std::nullopt);
+  const auto enough = [&](int stride) {
+    std::vector<Run> left = of.runs;
+    return stride == 1 || 6 * narrowed(of.blocks, stride, left).size() >= kFewestEquations;
+  };
+  int predicts = of.predicts;
+  while (!enough(predicts)) predicts = std::max(1, predicts / 2);
+  if (!of.noisier || of.noisier->size() != of.blocks.size()) return rowsAt(predicts, of, std::nullopt);
   WrenchRows difference = of.blocks;
   for (std::size_t k = 0; k < difference.Y.size(); ++k) difference.Y[k] = of.noisier->Y[k] - of.blocks.Y[k];
   difference.wrench.setZero();
-  if (of.fixed) return rowsAt(of.predicts, of, difference);
+  if (of.fixed) return rowsAt(predicts, of, difference);
   std::vector<FitRows> bands;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const int stride : kStrides) {
-    std::vector<Run> left = of.runs;
-    if (stride > 1 && 6 * narrowed(of.blocks, stride, left).size() < kFewestEquations) break;
+    if (!enough(stride)) break;
     bands.push_back(rowsAt(stride, of, difference));
     const FitRows& band = bands.back();
     const bool believed = band.share < kMostShare && mostlyMotion(band);
@@ -157,12 +161,12 @@ FitRows fitRowsOf(const FitRowsQuestion& of) {
       least = score;
       best = bands.size() - 1;
     }
-    if (band.bias < kSmallBias && stride >= of.predicts) break;
+    if (believed && band.bias < kSmallBias && stride >= predicts) break;
   }
   // Noise of another kind than white may be there: then a narrower band predicts better, and finds something else.
   const Fit chosen = fitOf(bands[best].whitened);
   for (std::size_t i = best + 1; i < bands.size(); ++i) {
-    if (bands[i].stride != of.predicts) continue;
+    if (bands[i].stride != predicts) continue;
     const Fit other = fitOf(bands[i].whitened);
     if ((chosen.phi - other.phi).cwiseQuotient(other.std).cwiseAbs().maxCoeff() > kAgree) best = i;
   }

@@ -14,7 +14,7 @@ namespace heft {
 
 namespace {
 
-constexpr double kSlowestTold = 99.0;                   // [Hz]
+constexpr double kSlowestTold = 99.0;                    // [Hz]
 constexpr Eigen::Index kFirstLine = 30, kLastLine = 45;  // A line each hertz
 constexpr Eigen::Index kMostWindows = 8;                 // Of a second each, spread over the recording
 constexpr int kTimesDifferenced = 3;                     // Slow motion must not leak into the lines
@@ -46,9 +46,9 @@ std::optional<VectorXd> whiteNoiseOf(const Channels& signal, double rateHz) {
     for (int d = 0; d < kTimesDifferenced; ++d) x = Channels(x.bottomRows(x.rows() - 1) - x.topRows(x.rows() - 1));
     const MatrixXd found = taperedPower(x.transpose(), kLastLine);
     for (Eigen::Index k = kFirstLine; k < kLastLine; ++k) {
-      const double white = std::pow(
-          2.0 * std::sin(std::numbers::pi * static_cast<double>(k + 1) / static_cast<double>(length)),
-          2 * kTimesDifferenced);
+      const double white =
+          std::pow(2.0 * std::sin(std::numbers::pi * static_cast<double>(k + 1) / static_cast<double>(length)),
+                   2 * kTimesDifferenced);
       for (Eigen::Index c = 0; c < signal.cols(); ++c)
         power[static_cast<std::size_t>(c)].push_back(found(c, k) / white);
     }

@@ -277,8 +277,8 @@ void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBloc
   const double half = 0.5 / rows.rateHz;
   std::vector<std::pair<std::string, std::vector<Trouble>>> byReason;
   for (const auto& trouble : sensorTrouble(recording)) {
-    const auto known =
-        std::find_if(byReason.begin(), byReason.end(), [&](const auto& other) { return other.first == trouble.reason; });
+    const auto known = std::find_if(byReason.begin(), byReason.end(),
+                                    [&](const auto& other) { return other.first == trouble.reason; });
     (known == byReason.end() ? byReason.emplace_back(trouble.reason, std::vector<Trouble>{}) : *known)
         .second.push_back(trouble);
   }
@@ -287,16 +287,16 @@ void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBloc
     std::vector<std::string> where;
     double lasts = 0.0;
     for (const auto& trouble : stretches) {
-      const auto first = static_cast<Eigen::Index>(std::floor((trouble.from - half - rows.startTime) * rows.rateHz)) + 1;
+      const auto first =
+          static_cast<Eigen::Index>(std::floor((trouble.from - half - rows.startTime) * rows.rateHz)) + 1;
       for (Eigen::Index k = std::max<Eigen::Index>(0, first); k < rows.size() && rows.time(k) - half < trouble.to; ++k)
         blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
       lasts += trouble.to - trouble.from;
       if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", trouble.from, trouble.to));
     }
-    const std::string all =
-        stretches.size() > kListed
-            ? heft::say("{} and {} more stretches, {:.2g} s in all", joined(where), stretches.size() - kListed, lasts)
-            : joined(where);
+    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more stretches, {:.2g} s in all",
+                                                                   joined(where), stretches.size() - kListed, lasts)
+                                                       : joined(where);
     findings.push_back({Severity::warning,
                         "sensor_trouble",
                         heft::say("{}: {}", all, reason),

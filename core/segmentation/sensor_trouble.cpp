@@ -76,9 +76,8 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
     add(hung, heft::say("The posture stands still here and leaps afterwards: the robot sent nothing new."));
   for (const FlatTop& flat : tops) {
     if (cut[static_cast<std::size_t>(flat.channel)]) continue;
-    const std::string reason =
-        heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.", nameOf(flat.channel),
-                  flat.level, flat.channel < 3 ? "N" : "N m");
+    const std::string reason = heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",
+                                         nameOf(flat.channel), flat.level, flat.channel < 3 ? "N" : "N m");
     for (const FrozenStretch& stretch : cutStretches(flat, time)) add(stretch, reason);
   }
   addGaps(time, out);

@@ -1,7 +1,7 @@
 // Prints how often Heft's 95 % intervals hold the truth where data are few, loud or of coarse encoders:
 //   interval_study [RECORDINGS=300] [SEED=1] [CLASS]
-// RECORDINGS of each class, of four motions in turn; the coloured noise beside the white is 0.03 N in every second one and
-// in proportion to it in the others. CLASS: only those whose name contains it.
+// RECORDINGS of each class, of four motions in turn; the coloured noise beside the white is 0.03 N in every second one
+// and in proportion to it in the others. CLASS: only those whose name contains it.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -18,8 +18,8 @@ struct StudyMotion {
   MotionKind kind;
   double speed;
 };
-constexpr StudyMotion kMotions[] = {{MotionKind::excitation, 1.0}, {MotionKind::free, 1.0}, {MotionKind::free, 0.3},
-                               {MotionKind::pickAndPlace, 1.0}};
+constexpr StudyMotion kMotions[] = {
+    {MotionKind::excitation, 1.0}, {MotionKind::free, 1.0}, {MotionKind::free, 0.3}, {MotionKind::pickAndPlace, 1.0}};
 
 struct Encoder {
   const char* name;
@@ -44,10 +44,12 @@ void printClass(const std::string& name, const test::CoverageOptions& options, i
     kinds.back().seed += static_cast<unsigned>(1000 * i);
   }
   const auto r = test::measureCoverage(kinds, threads);
-  fmt::print("{:<26} {:.3f} {:.3f} {:.3f} {:.3f}   {:5.2f} {:5.2f} {:5.2f}   {:6.3f} {:6.3f} {:6.2f}   {:5} {:.3f} {:4} {:4} {:4}\n",
-             name, r.mass.inside, r.com.inside, r.inertia.inside, r.joint, r.mass.ratio, r.com.ratio, r.inertia.ratio,
-             100.0 * r.mass.width, r.com.width, 100.0 * r.inertia.width, r.claims, r.coverageOfClaims, r.beyond4,
-             r.beyond5, r.failed);
+  fmt::print(
+      "{:<26} {:.3f} {:.3f} {:.3f} {:.3f}   {:5.2f} {:5.2f} {:5.2f}   {:6.3f} {:6.3f} {:6.2f}   {:5} {:.3f} {:4} {:4} "
+      "{:4}\n",
+      name, r.mass.inside, r.com.inside, r.inertia.inside, r.joint, r.mass.ratio, r.com.ratio, r.inertia.ratio,
+      100.0 * r.mass.width, r.com.width, 100.0 * r.inertia.width, r.claims, r.coverageOfClaims, r.beyond4, r.beyond5,
+      r.failed);
   std::fflush(stdout);
 }
 
@@ -60,8 +62,12 @@ int main(int argc, char** argv) {
   const std::string only = argc > 3 ? argv[3] : "";
   const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   fmt::print("{} recordings a class, seed {}\n\n", recordings, options.seed);
-  fmt::print("                           inside 95 %               error/std (rms)     median half width      numbers called measured\n");
-  fmt::print("class                      mass  com   inert joint    mass  com inertia   mass %  mm   inertia %  count inside >4sd >5sd fails\n");
+  fmt::print(
+      "                           inside 95 %               error/std (rms)     median half width      numbers called "
+      "measured\n");
+  fmt::print(
+      "class                      mass  com   inert joint    mass  com inertia   mass %  mm   inertia %  count inside "
+      ">4sd >5sd fails\n");
   for (const double duration : {1.5, 3.0, 5.0, 10.0, 20.0})
     for (const double noise : {0.02, 0.1, 0.5})
       for (const Encoder& encoder : kEncoders) {

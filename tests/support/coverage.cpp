@@ -28,7 +28,7 @@ struct Trial {
 std::array<bool, 10> claimed(const Identifiability& id) {
   const auto isData = [](Source source) { return source == Source::data; };
   const auto& I = id.inertia;
-  return {isData(id.mass),  isData(id.com[0]), isData(id.com[1]), isData(id.com[2]), isData(I[0][0]),
+  return {isData(id.mass), isData(id.com[0]), isData(id.com[1]), isData(id.com[2]), isData(I[0][0]),
           isData(I[0][1]), isData(I[0][2]),   isData(I[1][1]),   isData(I[1][2]),   isData(I[2][2])};
 }
 

@@ -38,8 +38,8 @@ struct CoverageOf {
 struct CoverageResult {
   int recordings = 0, failed = 0, unphysical = 0;
   CoverageOf mass, com, inertia;
-  double joint = 0;  ///< Share of joint 95 % regions of all ten parameters that hold the truth.
-  int claims = 0;    ///< Numbers that are labelled "data".
+  double joint = 0;              ///< Share of joint 95 % regions of all ten parameters that hold the truth.
+  int claims = 0;                ///< Numbers that are labelled "data".
   int beyond4 = 0, beyond5 = 0;  ///< Of those, more than so many standard deviations off.
   double coverageOfClaims = 0;   ///< Share of their intervals that hold.
   /// Medians of the relative errors (seed paper's equation; inertia about the sensor's origin and the centre of mass).

@@ -21,8 +21,9 @@ TEST(FitRows, APayloadFitsEveryBandAlike) {
   blocks.wrench.resize(6, 400);
   for (Eigen::Index k = 0; k < 400; ++k) {
     const double t = static_cast<double>(k) / 50.0, tremor = std::sin(2.0 * std::numbers::pi * 10.0 * t);
-    blocks.Y.push_back(regressor({Vector3d(std::sin(t), std::cos(t), 9.0 + tremor), Vector3d(tremor, std::cos(2 * t), t),
-                                  Vector3d(30.0 * tremor, std::sin(3 * t), std::cos(t))}));
+    blocks.Y.push_back(
+        regressor({Vector3d(std::sin(t), std::cos(t), 9.0 + tremor), Vector3d(tremor, std::cos(2 * t), t),
+                   Vector3d(30.0 * tremor, std::sin(3 * t), std::cos(t))}));
     blocks.wrench.col(k) = blocks.Y.back() * phi + Vector6d::Ones();
   }
   for (const int stride : {2, 4, 8}) {

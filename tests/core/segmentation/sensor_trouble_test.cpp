@@ -25,7 +25,9 @@ Recording aRecording(std::uint64_t seed) {
 void cutBothEnds(Recording& recording, Eigen::Index channel, double share) {
   std::vector<double> values(recording.wrench.col(channel).begin(), recording.wrench.col(channel).end());
   std::sort(values.begin(), values.end());
-  const auto at = [&](double p) { return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1))]; };
+  const auto at = [&](double p) {
+    return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1))];
+  };
   recording.wrench.col(channel) = recording.wrench.col(channel).cwiseMax(at(share)).cwiseMin(at(1.0 - share)).eval();
 }
 
