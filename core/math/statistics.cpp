@@ -69,6 +69,8 @@ ArModel AutoCovariance::fit(int beyond) const {
       best = static_cast<std::size_t>(p);
     }
   }
+  // Samples without neighbours, as standing poses are, have no memory to be told.
+  if (models.size() < 2 || sums_(1) == 0.0) return white;
   return models[std::min(best + static_cast<std::size_t>(beyond), models.size() - 1)];
 }
 

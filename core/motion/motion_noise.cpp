@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSlowestTold = 99.0;                    // [Hz]
 constexpr Eigen::Index kFirstLine = 30, kLastLine = 45;  // A line each hertz
-constexpr Eigen::Index kMostWindows = 8;                 // Of a second each, spread over the recording
+constexpr Eigen::Index kMostWindows = 3;                 // Of a second each, spread over the recording
 constexpr int kTimesDifferenced = 3;                     // Slow motion must not leak into the lines
 
 /// Adds white noise; false where it cannot be told how much.
