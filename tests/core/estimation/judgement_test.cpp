@@ -55,10 +55,12 @@ TEST(Judgement, DeadTorquesAreNeitherCountedNorTrusted) {
     EXPECT_EQ(found(*report, "misfit"), nullptr);
     const Matrix3d truth = test::boxPayload(2.0, {0.08, 0.1, 0.06}, {0.01, 0.0, 0.05}).inertiaCom;
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c)
-        if (report->identifiability.inertia[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] == Source::data)
-          EXPECT_LT(std::abs(report->payload.inertiaCom(r, c) - truth(r, c)), 4.0 * report->std.inertiaCom(r, c))
-              << seed << " " << r << c;
+      for (int c = 0; c < 3; ++c) {
+        if (report->identifiability.inertia[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] != Source::data)
+          continue;
+        EXPECT_LT(std::abs(report->payload.inertiaCom(r, c) - truth(r, c)), 4.0 * report->std.inertiaCom(r, c))
+            << seed << " " << r << c;
+      }
   }
 }
 
