@@ -134,7 +134,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   MapSolution map = unbounded;
   std::optional<ShapeCone> cone;
   std::function<Vector10d(const Vector10d&)> bound;
-  if (options.insideShape) {
+  if (options.insideShape && boundPoints.cols() > 0) {
     cone.emplace(boundPoints);
     const InsideSolution inside = solveInside(whitened, prior, options.bias, unbounded, *cone);
     map = inside.map;
@@ -241,7 +241,6 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   const Residuals inSample = residualsOver(prepared, [&](Eigen::Index) -> const SolverSolution& { return solution; });
   report.forceRms = inSample.force;
   report.torqueRms = inSample.torque;
-  report.noiseStd = inSample.channels;
 
   // Held out: every fifth of the used time predicted by a fit to the other four.
   Residuals heldout = inSample;
@@ -271,6 +270,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   if (!known.empty()) report.relativeError = relativeErrors(report.payload, known);
   fillSeries(prepared, solution.phi, solution.bias, report.series);
+  report.noiseStd = scatterOf((report.series.measured - report.series.simulated).transpose());
   judgeFit(prepared, heldout, report);
   addFindings(report);
   judgeTrust(unseen, report);

@@ -31,6 +31,17 @@ Residuals residualsOver(const Prepared& prepared,
   return {std::sqrt(sum.head<3>().mean()), std::sqrt(sum.tail<3>().mean()), sum.cwiseSqrt()};
 }
 
+Vector6d scatterOf(const Eigen::Matrix<double, 6, Eigen::Dynamic>& samples) {
+  Vector6d out = Vector6d::Zero();
+  for (int c = 0; c < 6; ++c) {
+    std::vector<double> steps;
+    for (Eigen::Index k = 1; k < samples.cols(); ++k)
+      if (const double d = samples(c, k) - samples(c, k - 1); d != 0.0) steps.push_back(d);
+    out(c) = robustStd(steps) / std::sqrt(2.0);
+  }
+  return out;
+}
+
 void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report) {
   double contact = 0.0;
   std::vector<std::string> stretches;
@@ -58,15 +69,7 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
   double memory = 0.0;
   for (const auto& channel : prepared.noise.channels)
     memory = std::max(memory, channel.gain() > 0.0 ? channel.gain() : 1e3);
-  std::array<double, 6> floor{};
-  for (int c = 0; c < 6; ++c) {
-    std::vector<double> steps;
-    for (Eigen::Index k = 1; k < prepared.motion.size(); ++k)
-      if (const double d = prepared.motion.wrench(c, k) - prepared.motion.wrench(c, k - 1); d != 0.0)
-        steps.push_back(d);
-    floor[static_cast<std::size_t>(c)] = robustStd(steps) / std::sqrt(2.0);
-  }
-  const double forceFloor = std::sqrt((floor[0] * floor[0] + floor[1] * floor[1] + floor[2] * floor[2]) / 3.0);
+  const double forceFloor = std::sqrt(scatterOf(prepared.motion.wrench).head<3>().squaredNorm() / 3.0);
   const bool strong = heldout.force > 3.0 * forceFloor && heldout.force > 0.01 * report.payload.mass * 9.81;
   const bool slow = memory > 8.0 && heldout.force > 1.3 * forceFloor;
   if (prepared.usedDuration > 0.0 && (strong || slow))

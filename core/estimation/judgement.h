@@ -19,6 +19,10 @@ struct Residuals {
 Residuals residualsOver(const Prepared& prepared,
                         const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
 
+/// Scatter from one sample to the next, one a channel: a robust standard deviation of the steps (6 x N). What is slow,
+/// such as a misfit, does not count.
+Vector6d scatterOf(const Eigen::Matrix<double, 6, Eigen::Dynamic>& samples);
+
 /// How far an estimate stays from readings that it has not seen, beside what the motion made of the payload.
 struct Unseen {
   Vector6d left = Vector6d::Zero();  ///< Beyond noise, root mean square [N], [N m]

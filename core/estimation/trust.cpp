@@ -1,7 +1,9 @@
 // Whether an estimate may be relied on.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/doubts.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/judgement.h"
@@ -196,7 +198,9 @@ void loseTrust(EstimateReport& report, const NoTrust& why) {
 
 void addReadingFindings(const Findings& read, EstimateReport& report) {
   report.findings.insert(report.findings.begin(), read.begin(), read.end());
-  if (report.trust == Trust::good && warned(read, {"robot_assumed"})) report.trust = Trust::low;
+  if (report.trust == Trust::good &&
+      std::ranges::any_of(read, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
+    report.trust = Trust::low;
 }
 
 void judgeTrust(const Unseen& unseen, EstimateReport& report) {
@@ -232,9 +236,7 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          heft::say(
              "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
          {}});
-  if (warned(report.findings, {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data",
-                               "held_inside_shape", "contact_left_out", "not_physical", "payload_change",
-                               "conventions_tie", "centre_behind_sensor", "centre_far", "weight_large"}))
+  if (std::ranges::any_of(report.findings, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
     report.trust = Trust::low;
 }
 
