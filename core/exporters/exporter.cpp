@@ -70,8 +70,7 @@ void addFormatFindings(const ExportFormat& format, const ExportInput& input, Fin
       addWarning(findings, "products_of_inertia_lost",
                  heft::say("This format has no products of inertia; up to {:.3g} kg m2 are left out.", lost), {});
   }
-  const bool carriesTool = format.write == writeFrankaDesk || format.write == writeFrankaProfile;
-  if (carriesTool && input.X_FE.matrix().isIdentity(1e-12))
+  if (carriesTool(format) && input.X_FE.matrix().isIdentity(1e-12))
     findings.push_back({Severity::info,
                         "tool_centre_unset",
                         heft::say("The tool centre point is written at the flange."),
@@ -110,6 +109,10 @@ const std::vector<ExportFormat>& exportFormats() {
       {"json", "Heft payload (JSON)", ".json", writeJson},
   };
   return formats;
+}
+
+bool carriesTool(const ExportFormat& format) {
+  return format.write == writeFrankaDesk || format.write == writeFrankaProfile;
 }
 
 const ExportFormat* findExportFormat(std::string_view id) {

@@ -17,6 +17,7 @@ struct ExportInput {
   std::string name = "tool";  ///< For formats that carry a name
   std::string provenance;     ///< One line: program, version, recording; written as a comment where there are comments
   std::string uncertainty;    ///< One line with intervals; likewise
+  std::vector<std::string> cautions;  ///< Why these numbers may be wrong, a line each; likewise, before all others
   Isometry3d X_FE = Isometry3d::Identity();  ///< Pose of the tool centre point; only Franka's tool files carry it
 };
 
@@ -28,6 +29,9 @@ struct ExportFormat {
   std::string_view unverified = {};  ///< What about this format Heft's authors could not check; empty: all checked
   double heaviest = 0.0;             ///< Largest mass that its controller is made for [kg]; 0: not known
 };
+
+/// The format states a tool centre point, which a controller takes over with the payload.
+bool carriesTool(const ExportFormat& format);
 
 /// Every format that this build writes, in the order shown to a user.
 const std::vector<ExportFormat>& exportFormats();

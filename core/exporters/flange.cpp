@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/doubts.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/payload/inertial_parameters.h"
@@ -15,6 +16,8 @@ namespace heft {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kLongestSentence = 600;  ///< [bytes] From a file that anybody may have written
 
 const json* member(const json& object, const char* key) {
   if (!object.is_object()) return nullptr;
@@ -104,6 +107,29 @@ void reportSources(const json& identifiability, Findings& findings) {
                         heft::say("From the shape or values you gave, not measured: {}.", joined(fromPrior)),
                         heft::say("Check them before the robot relies on them."),
                         {}});
+}
+
+/// What the estimate itself says against its numbers.
+void reportDoubts(const json& result, FlangePayload& out) {
+  const json* findings = member(result, "findings");
+  if (!findings || !findings->is_array()) return;
+  for (const json& finding : *findings) {
+    const json *severity = member(finding, "severity"), *code = member(finding, "code"),
+               *text = member(finding, "text");
+    if (!severity || !code || !text || !severity->is_string() || !code->is_string() || !text->is_string()) continue;
+    const Severity grave = *severity == toString(Severity::info) ? Severity::info : Severity::warning;
+    if (!doubtsNumbers(grave, code->get_ref<const std::string&>())) continue;
+    const std::string sentence = printable(text->get<std::string>(), kLongestSentence);
+    out.input.cautions.push_back(sentence);
+    if (*code == "no_trust") continue;  // Said by toFlange() itself
+    const json* remedy = member(finding, "remedy");
+    out.findings.push_back(
+        {Severity::warning,
+         "doubtful",
+         sentence,
+         remedy && remedy->is_string() ? printable(remedy->get<std::string>(), kLongestSentence) : std::string(),
+         {}});
+  }
 }
 
 std::string intervalText(const json* pair, double scale, const char* unit) {
@@ -213,6 +239,11 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
                             heft::say("The estimate itself says that it is not physically possible."),
                             heft::say("Use the method map, or a longer recording that turns the tool faster."),
                             {}});
+  reportDoubts(result, out);
+  for (const std::string& caution : options.cautions) {
+    out.findings.push_back({Severity::warning, "doubtful", caution, {}, {}});
+    out.input.cautions.push_back(caution);
+  }
   out.input.X_FE = options.X_FE;
   out.input.name = options.name;
   out.input.provenance = provenanceOf(result, where, options);

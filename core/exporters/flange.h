@@ -19,6 +19,7 @@ struct FlangeOptions {
   Isometry3d X_FE = Isometry3d::Identity();  ///< Tool centre point
   std::vector<Payload> add;                  ///< In F: what else is mounted (sensor's tool side, adapter)
   std::vector<std::string> addNames;         ///< Their names for the provenance, as many as `add`
+  std::vector<std::string> cautions;         ///< What else may be wrong with the numbers, a sentence each
   bool force = false;                        ///< Even a result that says of itself that nothing in it can be trusted.
   std::string name = "tool";
   std::string program = "Heft";  ///< Writes: "heft 0.1.0"

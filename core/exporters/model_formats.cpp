@@ -81,6 +81,9 @@ std::string writeMjcf(const ExportInput& input) {
 std::string writeJson(const ExportInput& input) {
   const Payload& payload = input.payload;
   const Matrix3d& I = payload.inertiaCom;
+  std::string cautions;
+  for (const std::string& caution : input.cautions) cautions += (cautions.empty() ? "" : ", ") + jsonString(caution);
+  if (!cautions.empty()) cautions = ",\n  \"cautions\": [" + cautions + "]";
   return fmt::format(
       "{{\n"
       "  \"schema\": \"heft.payload/1\",\n"
@@ -90,10 +93,11 @@ std::string writeJson(const ExportInput& input) {
       "  \"com_m\": [{}],\n"
       "  \"inertia_com_kgm2\": [[{}], [{}], [{}]],\n"
       "  \"provenance\": {},\n"
-      "  \"uncertainty\": {}\n"
+      "  \"uncertainty\": {}{}\n"
       "}}\n",
       jsonString(input.name), number(payload.mass), list(payload.com), list(Vector3d(I.row(0))),
-      list(Vector3d(I.row(1))), list(Vector3d(I.row(2))), jsonString(input.provenance), jsonString(input.uncertainty));
+      list(Vector3d(I.row(1))), list(Vector3d(I.row(2))), jsonString(input.provenance), jsonString(input.uncertainty),
+      cautions);
 }
 
 }  // namespace heft

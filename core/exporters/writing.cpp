@@ -117,6 +117,7 @@ std::string jsonString(std::string_view text) { return nlohmann::json(printable(
 
 std::vector<std::string> remarksOf(const ExportInput& input, const std::vector<std::string>& more) {
   std::vector<std::string> remarks;
+  for (const std::string& caution : input.cautions) remarks.push_back("CAUTION: " + caution);
   if (!input.provenance.empty()) remarks.push_back(input.provenance);
   if (!input.uncertainty.empty()) remarks.push_back(input.uncertainty);
   remarks.insert(remarks.end(), more.begin(), more.end());

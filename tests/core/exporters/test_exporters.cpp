@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <limits>
 #include <locale>
+#include <nlohmann/json.hpp>
 
+#include "core/exporters/flange.h"
 #include "tests/core/exporters/readers.h"
 
 namespace heft {
@@ -31,6 +33,39 @@ TEST(Exporters, EveryFormatOfTheContractIsThere) {
   }
   EXPECT_EQ(findExportFormat("doosan"), nullptr);
   EXPECT_EQ(findExportFormat(""), nullptr);
+}
+
+TEST(Exporters, WhatSpeaksAgainstTheNumbersStandsInTheFile) {
+  const nlohmann::json result = {
+      {"schema", "heft.estimate/1"},
+      {"trust", "low"},
+      {"payload",
+       {{"mass_kg", 0.8}, {"com_m", {0, 0, 0.06}}, {"inertia_com_kgm2", {{2e-3, 0, 0}, {0, 2e-3, 0}, {0, 0, 1e-3}}}}},
+      {"sensor_mount", {{"parent", "panda_link8"}, {"xyz_m", {0, 0, 0.04}}, {"rpy_rad", {0, 0, 0}}}},
+      {"findings",
+       {{{"severity", "warning"}, {"code", "misfit"}, {"text", "The model misses 0.9 N."}, {"remedy", "Look at it."}},
+        {{"severity", "info"}, {"code", "contact_left_out"}, {"text", "1 s was left out."}},
+        {{"severity", "warning"}, {"code", "weak_direction"}, {"text", "Turn it faster."}}}}};
+  FlangeOptions options;
+  options.cautions = {"A hose pulls."};
+  auto payload = toFlange(result, "r.json", options);
+  ASSERT_TRUE(payload.ok()) << payload.error().message;
+  EXPECT_EQ(std::count_if(payload->findings.begin(), payload->findings.end(),
+                          [](const Finding& f) { return f.code == "doubtful"; }),
+            2);
+  for (const char* id : {"kuka", "urdf", "libfranka", "json"}) {
+    const auto text = exportPayload(*findExportFormat(id), payload->input, payload->findings);
+    ASSERT_TRUE(text.ok()) << id;
+    EXPECT_THAT(*text, HasSubstr("The model misses 0.9 N.")) << id;
+    EXPECT_THAT(*text, HasSubstr("A hose pulls.")) << id;
+    EXPECT_THAT(*text, Not(HasSubstr("left out"))) << id;
+  }
+  options.cautions.clear();
+  nlohmann::json well = result;
+  well["findings"] = nlohmann::json::array();
+  payload = toFlange(well, "r.json", options);
+  ASSERT_TRUE(payload.ok());
+  EXPECT_THAT(*exportPayload(*findExportFormat("kuka"), payload->input, payload->findings), Not(HasSubstr("CAUTION")));
 }
 
 TEST(Exporters, UnphysicalPayloadsAreRefusedWithTheReason) {
