@@ -124,9 +124,9 @@ std::string toText(const DiagnosisReport& report);
 /// What is left unknown, in one sentence; empty where nothing is.
 std::string unknownText(const DiagnosisReport& report);
 
-/// By how many standard deviations, as before, the mass and the centre of mass (x, y, z) change where the causes are
-/// taken out; 0 where a deviation is unknown.
-Eigen::Vector4d payloadShift(const DiagnosisReport& report);
+/// By how many standard deviations, as before, the mass, the centre of mass (x, y, z) and the inertia about it (xx, xy,
+/// xz, yy, yz, zz) change where the causes are taken out; 0 where a deviation is unknown.
+Vector10d payloadShift(const DiagnosisReport& report);
 
 /// The extended model as it stands in toJson(report)["model"].
 nlohmann::json modelToJson(const diagnosis::Model& model);

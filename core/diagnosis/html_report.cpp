@@ -223,8 +223,10 @@ std::string toHtml(const DiagnosisReport& report, std::span<const diagnosis::Wit
       "<th>Ixx [kg cm²]</th><th>Iyy [kg cm²]</th><th>Izz [kg cm²]</th></tr>\n";
   out += payloadRow("before", report.before) + payloadRow("after", report.after) + "</table>";
   if (const auto moved = payloadShift(report); moved.maxCoeff() > 0.0)
-    out += fmt::format("<p>In standard deviations before: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}.</p>",
-                       moved(0), moved(1), moved(2), moved(3));
+    out += fmt::format(
+        "<p>In standard deviations before: mass {:.1f}, centre of mass {:.1f}, {:.1f}, {:.1f}, inertia up to "
+        "{:.1f}.</p>",
+        moved(0), moved(1), moved(2), moved(3), moved.tail<6>().maxCoeff());
   out += "</section>\n";
   if (!report.smallest.empty()) {
     out += "<section><h2>Could not have been seen with this motion</h2><table>";

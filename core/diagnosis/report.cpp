@@ -123,7 +123,7 @@ nlohmann::json toJson(const DiagnosisReport& report) {
     if (!finding.remedy.empty()) f["remedy"] = finding.remedy;
     findings.push_back(f);
   }
-  const Eigen::Vector4d moved = payloadShift(report);
+  const Vector10d moved = payloadShift(report);
   json out = {{"schema", "heft.diagnose/1"},
               {"file", report.file},
               {"verdict", toString(report.verdict)},
@@ -142,7 +142,10 @@ nlohmann::json toJson(const DiagnosisReport& report) {
               {"surrogates", report.surrogates},
               {"payload_before", payloadJson(report.before)},
               {"payload_after", payloadJson(report.after)},
-              {"payload_shift_sigmas", {{"mass", moved(0)}, {"com", {moved(1), moved(2), moved(3)}}}},
+              {"payload_shift_sigmas",
+               {{"mass", moved(0)},
+                {"com", {moved(1), moved(2), moved(3)}},
+                {"inertia", {moved(4), moved(5), moved(6), moved(7), moved(8), moved(9)}}}},
               {"smallest_visible", smallest},
               {"meta_changes", report.metaChanges()},
               {"model", modelToJson(report.model)},
@@ -163,10 +166,9 @@ nlohmann::json toJson(const DiagnosisReport& report) {
   return out;
 }
 
-Eigen::Vector4d payloadShift(const DiagnosisReport& report) {
-  const auto of = [](const Payload& p) { return Eigen::Vector4d(p.mass, p.com.x(), p.com.y(), p.com.z()); };
-  const Eigen::Vector4d moved = (of(report.after.payload) - of(report.before.payload)).cwiseAbs(),
-                        std = of(report.before.std);
+Vector10d payloadShift(const DiagnosisReport& report) {
+  const Vector10d moved = (componentsOf(report.after.payload) - componentsOf(report.before.payload)).cwiseAbs(),
+                  std = componentsOf(report.before.std);
   return (std.array() > 0.0).select(moved.array() / std.array().max(1e-300), 0.0);
 }
 
@@ -205,11 +207,12 @@ std::string toText(const DiagnosisReport& report) {
   }
   if (const std::string unknown = unknownText(report); !unknown.empty()) out += fmt::format("\nUnknown: {}\n", unknown);
   if (!report.causes.empty()) {
-    const Eigen::Vector4d moved = payloadShift(report);
+    const Vector10d moved = payloadShift(report);
     out += fmt::format("\nPayload before  {}\nPayload after   {}\n", payloadLine(report.before),
                        payloadLine(report.after));
-    out += fmt::format("That is {:.1f} standard deviations of the mass, {:.1f} of the centre of mass.\n", moved(0),
-                       moved.tail<3>().maxCoeff());
+    out += fmt::format(
+        "That is {:.1f} standard deviations of the mass, {:.1f} of the centre of mass, {:.1f} of the inertia.\n",
+        moved(0), moved.segment<3>(1).maxCoeff(), moved.tail<6>().maxCoeff());
   }
   if (report.check)
     out += fmt::format("\nChecked on {}: {:.3f} -> {:.3f} N, {:.4f} -> {:.4f} N m\n{}\n", report.check->file,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/words.h"
 #include "core/math/periodogram.h"
 
 namespace heft::diagnosis {
@@ -33,13 +34,28 @@ double rateOf(const DiagnosisSeries& series) {
 
 }  // namespace
 
+TellingStretch tellingStretch(const DiagnosisSeries& series, const DiagnosedCause& cause) {
+  constexpr std::array<std::string_view, 3> kLags{"time_offset", "low_pass_lag", "motion_lag"};
+  constexpr std::array<std::string_view, 6> kForces{"constant_pull", "cable_pull", "viscous_drag",
+                                                    "contact",       "loose_mass", "payload_change"};
+  const double seconds = std::ranges::find(kLags, cause.id) != kLags.end() ? 0.5 : 4.0;
+  if (const auto channel = sentenceChannel(cause))
+    return tellingStretch(series, cause.before, cause.after, seconds, *channel, *channel + 1);
+  const bool ofForce = std::ranges::find(kForces, cause.id) != kForces.end() &&
+                       std::ranges::none_of(cause.parameters, [](const CauseParameter& p) {
+                         return p.unit.starts_with("N m") || p.name.starts_with("turning");
+                       });
+  return tellingStretch(series, cause.before, cause.after, seconds, 0, ofForce ? 3 : 6);
+}
+
 TellingStretch tellingStretch(const DiagnosisSeries& series, const Wrenches& before, const Wrenches& after,
-                              double seconds) {
+                              double seconds, int firstChannel, int endChannel) {
   TellingStretch out;
+  out.channel = firstChannel;
   const Eigen::Index n = std::min(before.cols(), after.cols());
   if (n < 2) return out;
   const Vector6d was = meanSquare(series, before), is = meanSquare(series, after);
-  for (int c = 1; c < 6; ++c)
+  for (int c = firstChannel + 1; c < endChannel; ++c)
     if (was(c) / std::max(1e-18, is(c)) > was(out.channel) / std::max(1e-18, is(out.channel))) out.channel = c;
   const auto length = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::lround(seconds * rateOf(series))), 1, n);
   double sum = 0.0, best = -1e300;

@@ -10,9 +10,14 @@ struct TellingStretch {
   double from = 0.0, to = 0.0;  ///< [s]
   Eigen::Index channel = 0;
 };
-/// `before`, `after`: 6 x N, left over without and with the cause; `seconds`: length wanted.
+/// `before`, `after`: 6 x N, left over without and with the cause; `seconds`: length wanted. The channel is one of
+/// [firstChannel, endChannel).
 TellingStretch tellingStretch(const DiagnosisSeries& series, const Wrenches& before, const Wrenches& after,
-                              double seconds = 4.0);
+                              double seconds = 4.0, int firstChannel = 0, int endChannel = 6);
+
+/// The same for a cause that was found: the channel that its sentence speaks of or, where it speaks of newtons, one of
+/// the forces; half a second for what only fast changes show.
+TellingStretch tellingStretch(const DiagnosisSeries& series, const DiagnosedCause& cause);
 
 /// Amplitude by frequency of what is left over, root mean square over the three channels of force or torque.
 struct Spectrum {

@@ -464,6 +464,24 @@ std::string causeSentence(const DiagnosedCause& cause, const std::optional<Frame
   return text.empty() ? cause.sentence : text;
 }
 
+std::string causeTitle(const DiagnosedCause& cause) {
+  const CauseParameter* delay = findParameter(cause.parameters, "delay");
+  if (cause.id == "time_offset" && delay && delay->value < 0.0) return heft::say("Motion late");
+  return causeTitle(cause.id);
+}
+
+std::optional<int> sentenceChannel(const DiagnosedCause& cause) {
+  const CauseParameter* p = Values{cause, {}}.strongest();
+  if (!p) return std::nullopt;
+  const std::string_view name = p->name;
+  if (cause.id == "bias_drift") return channelOf(name);
+  if (cause.id == "gain_error" && name.starts_with("gain_") && !name.starts_with("gain_force"))
+    return channelOf(name.substr(5));
+  if (const auto to = name.find("_to_"); cause.id == "crosstalk" && to != std::string_view::npos)
+    return channelOf(name.substr(to + 4));
+  return std::nullopt;
+}
+
 std::string goesWithWords(const std::string& goesWith) {
   double from = 0.0, to = 0.0;
   if (std::sscanf(goesWith.c_str(), "a rhythm of %lf Hz", &from) == 1)

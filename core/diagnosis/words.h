@@ -12,8 +12,12 @@ namespace heft {
 
 /// "Readings late"; the ID itself for a cause that this version does not know.
 std::string causeTitle(std::string_view id);
+/// The same where its numbers are known: a negative delay is one of the motion.
+std::string causeTitle(const DiagnosedCause& cause);
 /// "The force readings arrive 12.0 ± 0.1 ms late."; `mistake`: the report's.
 std::string causeSentence(const DiagnosedCause& cause, const std::optional<diagnosis::FrameMistake>& mistake);
+/// The channel that the sentence speaks of, 0 to 5; nothing where it names none.
+std::optional<int> sentenceChannel(const DiagnosedCause& cause);
 /// What to look at on the rig; with a mistake of frames or signs in `report`, which found the cause, what to correct.
 std::string causeCheck(const DiagnosedCause& cause, const DiagnosisReport& report);
 std::string causeCheck(std::string_view id);

@@ -80,7 +80,7 @@ TEST(DiagnosisReport, SaysByHowMuchThePayloadMoves) {
   report.before.std.mass = 0.01;
   report.after.payload.mass = 0.95;
   report.before.std.com.y() = 0.0;
-  const Eigen::Vector4d moved = payloadShift(report);
+  const Vector10d moved = payloadShift(report);
   EXPECT_NEAR(moved(0), 5.0, 1e-9);
   EXPECT_EQ(moved(2), 0.0) << "Of a deviation that is unknown";
   EXPECT_NEAR(toJson(report)["payload_shift_sigmas"]["mass"].get<double>(), 5.0, 1e-9);
