@@ -61,6 +61,9 @@ void list(const ConvertArguments& options) {
                        {"rate_hz", stream.rateHz()},
                        {"fields", std::move(fields)}});
   }
+  // Without a time nothing can be parted into streams: the columns are what --use needs all the same.
+  if (contents.streams.empty() && !contents.timeCandidates.empty())
+    text += fmt::format("\nColumns: {}\n", fmt::join(contents.timeCandidates, ", "));
   if (!options.json.empty())
     writeOutput(options.json,
                 fileText({{"schema", "heft.contents/1"},
