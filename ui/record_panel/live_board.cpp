@@ -164,7 +164,8 @@ void LiveBoard::refresh() {
   QStringList lines;
   for (const SourceStatus& source : status.sources) {
     QString line = tr("%1: %2").arg(QString::fromStdString(source.name), linkWord(source.state));
-    if (!source.text.empty()) line += QStringLiteral(". ") + QString::fromStdString(source.text);
+    if (!source.text.empty())
+      line += QStringLiteral("%1 ").arg(line.endsWith(QChar(0x2026)) ? "" : ".") + QString::fromStdString(source.text);
     lines << line;
   }
   lines << tr("%1 Hz, %2").arg(numberText(run_->view().rateHz, 0), countersText(status));

@@ -15,6 +15,7 @@
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/stepper.h"
 
 namespace heft {
 namespace {
@@ -86,6 +87,8 @@ void SourceForm::rebuild() {
   old->hide();
   old->deleteLater();
   jointsAddress_ = nullptr;
+  mounted_ = nullptr;
+  distance_ = nullptr;
   auto* column = new QVBoxLayout(fields_);
   column->setContentsMargins(0, 4, 0, 0);
   column->setSpacing(6);
@@ -140,10 +143,51 @@ void SourceForm::rebuild() {
                   tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
   rig_->setText(lastRig_);
   addWithChooser(rig_, tr("Choose a rig file"), tr("Rig files (*.json)"));
-  column->addWidget(wrappedLabel(
-      kind_ == Kind::replay ? tr("Without it the recording's own is used.")
-                            : tr("Without it the arm is taken for a Franka Panda with the sensor at its flange."),
-      "caption", fields_));
+  if (kind_ == Kind::replay) {
+    column->addWidget(wrappedLabel(tr("Without it the recording’s own is used."), "caption", fields_));
+    return;
+  }
+  column->addWidget(
+      wrappedLabel(tr("Without it Heft takes the arm for a Franka Panda, and asks:"), "caption", fields_));
+  addMount(column);
+}
+
+/// Where S sits on the flange decides the inertia and what is exported: asked, not assumed in small print.
+void SourceForm::addMount(QVBoxLayout* column) {
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("Where is the sensor’s measuring point?"), "sectionTitle", fields_));
+  mounted_ = new Segments({tr("At the flange"), tr("Below it"), tr("Not sure")},
+                          {"mountAtFlange", "mountBelow", "mountUnsure"}, fields_);
+  mounted_->setChosen(mountAnswer_);
+  column->addWidget(mounted_);
+  auto* below = new QWidget(fields_);
+  auto* row = new QHBoxLayout(below);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(styledLabel(tr("Distance along the flange’s axis"), "caption", below), 1);
+  distance_ = new Stepper(tr("Distance along the flange’s axis"), QStringLiteral("mm"), {0.0, 500.0, 1.0, 1}, below);
+  distance_->setObjectName("mountDistance");
+  distance_->setValue(lastDistance_);
+  connect(distance_, &Stepper::changed, this, [this](double millimetres) { lastDistance_ = millimetres; });
+  row->addWidget(distance_);
+  column->addWidget(below);
+  auto* note = wrappedLabel({}, "caption", fields_);
+  column->addWidget(note);
+  const auto show = [this, below, note] {
+    below->setVisible(mountAnswer_ == 1);
+    note->setText(mountAnswer_ == 2
+                      ? tr("Heft takes it for the flange’s own axes now and asks again after the recording.")
+                      : tr("Its axes are taken to lie as the flange’s; a rotated sensor needs a rig file."));
+  };
+  connect(mounted_, &Segments::picked, this, [this, show](int answer) {
+    mountAnswer_ = answer;
+    mounted_->setChosen(answer);
+    show();
+  });
+  show();
+}
+
+bool SourceForm::mountAssumed() const {
+  return kind_ != Kind::replay && rigFile().isEmpty() && mountAnswer_ != 0 && mountAnswer_ != 1;
 }
 
 QString SourceForm::rigFile() const { return rig_->text().trimmed(); }
@@ -190,6 +234,10 @@ Result<RecordingMeta> SourceForm::meta() const {
     auto read = readMeta(file, findings);
     if (!read) return read.error();
     meta = std::move(*read);
+  } else if (kind_ != Kind::replay) {
+    if (mountAnswer_ < 0)
+      return Error{tr("Say where the sensor’s measuring point is, or choose a rig file.").toStdString()};
+    if (mountAnswer_ == 1) meta.mount.xyz.z() = 1e-3 * lastDistance_;
   }
   if (meta.kind == RecordingKind::poses) return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
   // A replayed recording is brought to the plain form when it is read.
