@@ -19,6 +19,7 @@
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/difference_pane.h"
+#include "ui/reality_panel/difference_traces.h"
 #include "ui/reality_panel/practice.h"
 #include "ui/reality_panel/reality_page.h"
 #include "ui/reality_panel/reality_panel.h"
@@ -222,10 +223,12 @@ TEST_F(RealityPanelTest, TheDifferenceIsLookedAtFromThreeSides) {
   panel->diagnose();
   settle();
   auto* pane = static_cast<DifferencePane*>(panel->ownPane());
-  EXPECT_EQ(panel->below(), StepPanel::Below::plots);
+  EXPECT_EQ(panel->below(), StepPanel::Below::own) << "without a click";
+  EXPECT_GT(pane->traces()->curves().time.size(), 100);
+  EXPECT_NEAR(pane->traces()->curves().noise, 2.0 * panel->report()->noise.force, 1e-12);
   ASSERT_TRUE(panel->obey({"look", "motion", "position_x"})->ok());
-  EXPECT_EQ(panel->below(), StepPanel::Below::own);
   ASSERT_EQ(pane->charts().size(), 2u);
+  EXPECT_EQ(pane->charts()[0].yHigh, pane->charts()[1].yHigh) << "one scale for without and with";
   EXPECT_GT(pane->charts()[0].curves[0].points.size(), 50);
   ASSERT_TRUE(panel->obey({"look", "frequency"})->ok());
   EXPECT_GT(pane->charts()[0].band, 0.0);

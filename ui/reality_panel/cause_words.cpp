@@ -25,6 +25,7 @@ QString typeset(const std::string& words) {
 }  // namespace
 
 QString titleOf(const std::string& id) { return typeset(causeTitle(id)); }
+QString titleOf(const DiagnosedCause& cause) { return typeset(causeTitle(cause)); }
 QString sentenceOf(const DiagnosedCause& cause, const DiagnosisReport& report) {
   return typeset(causeSentence(cause, report.mistake));
 }

@@ -9,6 +9,8 @@
 namespace heft {
 
 QString titleOf(const std::string& id);
+/// With its numbers: of a negative delay, "Motion late".
+QString titleOf(const DiagnosedCause& cause);
 QString sentenceOf(const DiagnosedCause& cause, const DiagnosisReport& report);
 QString checkOf(const DiagnosedCause& cause, const DiagnosisReport& report);
 QString checkOf(const std::string& id);
