@@ -119,18 +119,6 @@
         <source>The readings themselves show it.</source>
         <translation>Die Messwerte selbst zeigen es.</translation>
     </message>
-    <message>
-        <source>very strong</source>
-        <translation>sehr stark</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>stark</translation>
-    </message>
-    <message>
-        <source>just visible</source>
-        <translation>eben sichtbar</translation>
-    </message>
     <message numerus="yes">
         <source>%n false alarm(s) in %1 simulated clean runs.</source>
         <translation>
@@ -185,10 +173,6 @@
     <message>
         <source>Check on the rig:</source>
         <translation>Am Aufbau prüfen:</translation>
-    </message>
-    <message>
-        <source>Show this stretch in the plots</source>
-        <translation>Diesen Abschnitt in den Kurven zeigen</translation>
     </message>
     <message>
         <source>Two causes possible</source>
@@ -318,6 +302,133 @@
         <source> Most of it lies between %1 and %2 Hz.</source>
         <translation> Das meiste davon liegt zwischen %1 und %2 Hz.</translation>
     </message>
+    <message>
+        <source>very strong evidence</source>
+        <translation>sehr starke Belege</translation>
+    </message>
+    <message>
+        <source>strong evidence</source>
+        <translation>starke Belege</translation>
+    </message>
+    <message>
+        <source>weak evidence</source>
+        <translation>schwache Belege</translation>
+    </message>
+    <message>
+        <source>large effect</source>
+        <translation>große Wirkung</translation>
+    </message>
+    <message>
+        <source>moderate effect</source>
+        <translation>mittlere Wirkung</translation>
+    </message>
+    <message>
+        <source>small effect</source>
+        <translation>kleine Wirkung</translation>
+    </message>
+    <message>
+        <source>I%1%2 %3 → %4 kg cm²</source>
+        <translation>I%1%2 %3 → %4 kg cm²</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>mass ± %1 → ± %2 kg</source>
+        <translation>Masse ± %1 → ± %2 kg</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Explains a part</source>
+        <translation>Erklärt einen Teil</translation>
+    </message>
+    <message>
+        <source>What is left is %1 times the noise: something else is at work, too, or instead.</source>
+        <translation>Übrig bleibt das %1-Fache des Rauschens: Noch etwas anderes wirkt mit, oder statt dessen.</translation>
+    </message>
+    <message>
+        <source>Show it below the arm</source>
+        <translation>Unter dem Arm zeigen</translation>
+    </message>
+    <message>
+        <source>Measured and simulated, without and with this cause, where it shows best</source>
+        <translation>Gemessen und simuliert, ohne und mit dieser Ursache, wo man sie am besten sieht</translation>
+    </message>
+    <message>
+        <source>“Apply” takes out the first, “%1”, which fits a little better.</source>
+        <translation>„Anwenden“ nimmt die erste heraus, „%1“, die etwas besser passt.</translation>
+    </message>
+</context>
+<context>
+    <name>CauseMarks</name>
+    <message>
+        <source>%1, drawn %2× larger</source>
+        <translation>%1, %2× größer gezeichnet</translation>
+    </message>
+    <message>
+        <source>Something touched the tool</source>
+        <translation>Etwas hat das Werkzeug berührt</translation>
+    </message>
+    <message>
+        <source>%1 N at %2 s</source>
+        <translation>%1 N bei %2 s</translation>
+    </message>
+    <message>
+        <source>The sensor’s true axes</source>
+        <translation>Wahre Achsen des Sensors</translation>
+    </message>
+    <message>
+        <source>rotated by %1°</source>
+        <translation>um %1° verdreht</translation>
+    </message>
+    <message>
+        <source>The sensor’s true origin</source>
+        <translation>Wahrer Ursprung des Sensors</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm entfernt</translation>
+    </message>
+    <message>
+        <source>True gravity</source>
+        <translation>Wahre Schwerkraft</translation>
+    </message>
+    <message>
+        <source>base tilted by %1°</source>
+        <translation>Sockel um %1° gekippt</translation>
+    </message>
+    <message>
+        <source>A steady pull</source>
+        <translation>Ein stetiger Zug</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>The load became heavier</source>
+        <translation>Die Last wurde schwerer</translation>
+    </message>
+    <message>
+        <source>The load became lighter</source>
+        <translation>Die Last wurde leichter</translation>
+    </message>
+    <message>
+        <source>%1 g from %2 s on</source>
+        <translation>%1 g ab %2 s</translation>
+    </message>
+    <message>
+        <source>Something loose swings</source>
+        <translation>Etwas Loses schwingt</translation>
+    </message>
+    <message>
+        <source>%1 g at %2 Hz</source>
+        <translation>%1 g mit %2 Hz</translation>
+    </message>
 </context>
 <context>
     <name>ExportText</name>
@@ -380,6 +491,10 @@
     <message>
         <source>body</source>
         <translation>Körper</translation>
+    </message>
+    <message>
+        <source>The tool centre point is written at the flange. Loading the file puts the controller’s TCP there: state it above if it is elsewhere.</source>
+        <translation>Der Werkzeugmittelpunkt steht am Flansch. Beim Laden setzt die Steuerung ihren TCP dorthin: Liegt er woanders, geben Sie ihn oben an.</translation>
     </message>
 </context>
 <context>
@@ -694,6 +809,10 @@
         <source>swing from the wrist</source>
         <translation>aus dem Handgelenk schwingen</translation>
     </message>
+    <message>
+        <source>%1 %2 kg</source>
+        <translation>%1 %2 kg</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -772,10 +891,6 @@
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Opened &amp;lately</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
         <source>&amp;Save the session</source>
         <translation>Sitzung &amp;speichern</translation>
     </message>
@@ -818,10 +933,6 @@
     <message>
         <source>Whole &amp;recording in the plots</source>
         <translation>Ganze &amp;Aufnahme in den Kurven</translation>
-    </message>
-    <message>
-        <source>&amp;Details</source>
-        <translation>&amp;Einzelheiten</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -890,6 +1001,14 @@
     <message>
         <source>Where the &amp;numbers come from …</source>
         <translation>&amp;Woher die Werte kommen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>D&amp;etails</source>
+        <translation>D&amp;etails</translation>
     </message>
 </context>
 <context>
@@ -1242,6 +1361,33 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+</context>
+<context>
     <name>RealityPage</name>
     <message>
         <source>This is where the simulation differs from your data.</source>
@@ -1272,10 +1418,6 @@ Bitte prüfen Sie den Namen.</translation>
             <numerusform>%n Berichtigung angewandt</numerusform>
             <numerusform>%n Berichtigungen angewandt</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Result, prediction and export use them.</source>
-        <translation>Ergebnis, Vorhersage und Ausgabe benutzen sie.</translation>
     </message>
     <message numerus="yes">
         <source>%n cause(s) found</source>
@@ -1314,24 +1456,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Ergebnis hat sich geändert:</translation>
     </message>
     <message>
-        <source>Your result changes:</source>
-        <translation>Ihr Ergebnis ändert sich:</translation>
-    </message>
-    <message>
         <source>That is %1 times the uncertainty it was stated with.</source>
         <translation>Das ist das %1-Fache der angegebenen Unsicherheit.</translation>
     </message>
     <message>
         <source>That is less than the uncertainty it was stated with.</source>
         <translation>Das ist weniger als die angegebene Unsicherheit.</translation>
-    </message>
-    <message>
-        <source>The meta file should say this instead</source>
-        <translation>Die Meta-Datei sollte stattdessen dies sagen</translation>
-    </message>
-    <message>
-        <source>Save the corrected meta file …</source>
-        <translation>Berichtigte Meta-Datei speichern …</translation>
     </message>
     <message>
         <source>Writes a copy of the meta file with these entries; later recordings then start out right.</source>
@@ -1373,20 +1503,72 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Ergebnis ist gleich geblieben.</translation>
     </message>
     <message>
-        <source>Your result stays the same.</source>
-        <translation>Ihr Ergebnis bleibt gleich.</translation>
-    </message>
-    <message>
-        <source>Mass and centre change by less than their last digit here.</source>
-        <translation>Masse und Schwerpunkt ändern sich um weniger als die letzte gezeigte Stelle.</translation>
-    </message>
-    <message>
         <source>Error there: %1 → %2.</source>
         <translation>Fehler dort: %1 → %2.</translation>
     </message>
     <message>
         <source>Also noticed</source>
         <translation>Außerdem bemerkt</translation>
+    </message>
+    <message>
+        <source>Included in result, simulation and export.</source>
+        <translation>In Ergebnis, Simulation und Export enthalten.</translation>
+    </message>
+    <message>
+        <source>With all causes applied your result stays the same.</source>
+        <translation>Mit allen Ursachen bleibt Ihr Ergebnis gleich.</translation>
+    </message>
+    <message>
+        <source>If you apply it, your result stays the same.</source>
+        <translation>Wenn Sie sie anwenden, bleibt Ihr Ergebnis gleich.</translation>
+    </message>
+    <message>
+        <source>Mass, centre and inertia change by less than their last digit here.</source>
+        <translation>Masse, Schwerpunkt und Trägheit ändern sich um weniger als ihre letzte Stelle hier.</translation>
+    </message>
+    <message>
+        <source>With all causes applied your result changes:</source>
+        <translation>Mit allen Ursachen ändert sich Ihr Ergebnis:</translation>
+    </message>
+    <message>
+        <source>If you apply it, your result changes:</source>
+        <translation>Wenn Sie sie anwenden, ändert sich Ihr Ergebnis:</translation>
+    </message>
+    <message>
+        <source>It becomes less certain: %1. Motion and cause are hard to tell apart here.</source>
+        <translation>Es wird unsicherer: %1. Bewegung und Ursache sind hier schwer zu trennen.</translation>
+    </message>
+    <message>
+        <source>Rotation of the sensor about x, y, z</source>
+        <translation>Drehung des Sensors um x, y, z</translation>
+    </message>
+    <message>
+        <source>Place of the sensor in x, y, z</source>
+        <translation>Lage des Sensors in x, y, z</translation>
+    </message>
+    <message>
+        <source>Gravity in x, y, z</source>
+        <translation>Schwerkraft in x, y, z</translation>
+    </message>
+    <message>
+        <source>Enter this under Robot and sensor</source>
+        <translation>Das gehört unter „Roboter und Sensor“</translation>
+    </message>
+    <message>
+        <source>Robot and sensor …</source>
+        <translation>Roboter und Sensor …</translation>
+    </message>
+    <message>
+        <source>Save as a meta file …</source>
+        <translation>Als Meta-Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Recording to check on</source>
+        <translation>Aufnahme zum Prüfen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
     </message>
 </context>
 <context>
@@ -1788,6 +1970,34 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Your tool seems to weigh %1 kg.</source>
         <translation>Ihr Werkzeug wiegt anscheinend %1 kg.</translation>
     </message>
+    <message>
+        <source>moved by your shape, %1 σ</source>
+        <translation>von Ihrer Form verschoben, %1 σ</translation>
+    </message>
+    <message>
+        <source>the recording says %1 kg, %2 % away</source>
+        <translation>die Aufnahme nennt %1 kg, %2 % entfernt</translation>
+    </message>
+    <message>
+        <source>%1 mm from the centre that the recording states</source>
+        <translation>%1 mm vom Schwerpunkt, den die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>%1 % from the inertia that the recording states</source>
+        <translation>%1 % von der Trägheit, die die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>The reality check found a cause that is not applied: %1</source>
+        <translation>Die Realitätsprüfung fand eine Ursache, die nicht angewendet ist: %1</translation>
+    </message>
+    <message>
+        <source>The reality check found %1 causes that are not applied: %2</source>
+        <translation>Die Realitätsprüfung fand %1 Ursachen, die nicht angewendet sind: %2</translation>
+    </message>
+    <message>
+        <source>With it: %1.</source>
+        <translation>Mit ihr: %1.</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -1798,6 +2008,21 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1 has no link “%2”: choose the link that carries the sensor under Tools, “Robot and sensor”.</source>
         <translation>%1 hat kein Glied „%2“: Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“.</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>A clean demonstration, 0.8 kg</source>
+        <translation>Eine saubere Vorführung, 0,8 kg</translation>
+    </message>
+    <message>
+        <source>A hose pulls at the tool</source>
+        <translation>Ein Schlauch zieht am Werkzeug</translation>
+    </message>
+    <message>
+        <source>The force readings come late</source>
+        <translation>Die Kraftmesswerte kommen zu spät</translation>
     </message>
 </context>
 <context>
@@ -7378,6 +7603,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
     </message>
+    <message>
+        <source>Motion late</source>
+        <translation>Bewegung verspätet</translation>
+    </message>
+    <message>
+        <source>The shape contradicts the measured motion by {:.0f} standard deviations, so it was left out: the numbers come from the motion alone.</source>
+        <translation>Die Form widerspricht der gemessenen Bewegung um {:.0f} Standardabweichungen und wurde deshalb weggelassen: Die Zahlen kommen allein aus der Bewegung.</translation>
+    </message>
+    <message>
+        <source>should be three numbers</source>
+        <translation>sollte drei Zahlen enthalten</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -7654,18 +7891,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung</translation>
     </message>
     <message>
-        <source>over time</source>
-        <translation>über der Zeit</translation>
-    </message>
-    <message>
-        <source>by frequency</source>
-        <translation>nach Frequenz</translation>
-    </message>
-    <message>
-        <source>against the motion</source>
-        <translation>gegen die Bewegung</translation>
-    </message>
-    <message>
         <source>Channel</source>
         <translation>Kanal</translation>
     </message>
@@ -7674,32 +7899,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gegen</translation>
     </message>
     <message>
-        <source>Back to the plots</source>
-        <translation>Zurück zu den Kurven</translation>
-    </message>
-    <message>
-        <source>Difference in %1 [%2]</source>
-        <translation>Abweichung in %1 [%2]</translation>
-    </message>
-    <message>
-        <source>Time [s]</source>
-        <translation>Zeit [s]</translation>
-    </message>
-    <message>
         <source>with the causes</source>
         <translation>mit den Ursachen</translation>
     </message>
     <message>
         <source>without</source>
         <translation>ohne</translation>
-    </message>
-    <message>
-        <source>Torque difference [N m/√Hz]</source>
-        <translation>Drehmomentabweichung [N m/√Hz]</translation>
-    </message>
-    <message>
-        <source>Force difference [N/√Hz]</source>
-        <translation>Kraftabweichung [N/√Hz]</translation>
     </message>
     <message>
         <source>Frequency [Hz]</source>
@@ -7722,16 +7927,135 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nichts zum Vergleichen.</translation>
     </message>
     <message>
-        <source>What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise.</source>
-        <translation>Was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde. Grau: das doppelte Rauschen des Sensors.</translation>
-    </message>
-    <message>
         <source>Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is none.</source>
         <translation>Grau: die Höhe des schnellen Sensorrauschens. Langsames Rauschen kann einige Male höher liegen; was weit darüber ragt, ist keines.</translation>
     </message>
     <message>
-        <source>A cloud that leans or bends goes with what is on the axis; a flat one does not.</source>
-        <translation>Eine Wolke, die sich neigt oder biegt, geht mit dem, was auf der Achse steht; eine flache nicht.</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Zusammenhang</translation>
+    </message>
+    <message>
+        <source>Measured and simulated over time</source>
+        <translation>Gemessen und simuliert über der Zeit</translation>
+    </message>
+    <message>
+        <source>What is left over, by frequency</source>
+        <translation>Was übrig bleibt, nach Frequenz</translation>
+    </message>
+    <message>
+        <source>What is left over, against what the robot did</source>
+        <translation>Was übrig bleibt, gegen das, was der Roboter tat</translation>
+    </message>
+    <message>
+        <source>Which causes</source>
+        <translation>Welche Ursachen</translation>
+    </message>
+    <message>
+        <source>Show the whole recording</source>
+        <translation>Die ganze Aufnahme zeigen</translation>
+    </message>
+    <message>
+        <source>Copy this picture</source>
+        <translation>Dieses Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save this picture</source>
+        <translation>Dieses Bild speichern</translation>
+    </message>
+    <message>
+        <source>Show force and torque instead</source>
+        <translation>Stattdessen Kraft und Moment zeigen</translation>
+    </message>
+    <message>
+        <source>all causes</source>
+        <translation>alle Ursachen</translation>
+    </message>
+    <message>
+        <source>rate of change of the load</source>
+        <translation>Änderungsrate der Last</translation>
+    </message>
+    <message>
+        <source>Torque left over [N m/√Hz]</source>
+        <translation>Moment, das übrig bleibt [N m/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force left over [N/√Hz]</source>
+        <translation>Kraft, die übrig bleibt [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>simulated as stated</source>
+        <translation>simuliert wie angegeben</translation>
+    </message>
+    <message>
+        <source>with the cause corrected</source>
+        <translation>mit der Ursache berichtigt</translation>
+    </message>
+    <message>
+        <source>· grey: the sensor’s noise, ±2 σ</source>
+        <translation>· grau: Rauschen des Sensors, ±2 σ</translation>
+    </message>
+    <message>
+        <source>A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; click on a dot to go to its time.</source>
+        <translation>Eine schräge oder krumme Wolke heißt, dass die Abweichung von dieser Größe abhängt. Beide Bilder haben einen Maßstab; ein Klick auf einen Punkt führt zu seiner Zeit.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::DifferenceTraces</name>
+    <message>
+        <source>Measured and simulated, without and with the causes, and what is left over</source>
+        <translation>Gemessen und simuliert, ohne und mit den Ursachen, und was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>with the causes</source>
+        <translation>mit den Ursachen</translation>
+    </message>
+    <message>
+        <source>left over without</source>
+        <translation>übrig ohne</translation>
+    </message>
+    <message>
+        <source>left over with</source>
+        <translation>übrig mit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Nothing to compare yet.</source>
+        <translation>Noch nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>left over</source>
+        <translation>übrig</translation>
     </message>
 </context>
 <context>
@@ -7921,6 +8245,46 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>one answer is missing</source>
         <translation>eine Antwort fehlt</translation>
+    </message>
+    <message>
+        <source>see the warnings</source>
+        <translation>siehe Warnungen</translation>
+    </message>
+    <message>
+        <source>Read the warnings above first.</source>
+        <translation>Lesen Sie erst die Warnungen oben.</translation>
+    </message>
+    <message>
+        <source>The reality check found a cause that is not applied: %1</source>
+        <translation>Die Realitätsprüfung fand eine Ursache, die nicht angewendet ist: %1</translation>
+    </message>
+    <message>
+        <source>With it the result changes: %1.</source>
+        <translation>Mit ihr ändert sich das Ergebnis: %1.</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>Werkzeugmittelpunkt</translation>
+    </message>
+    <message>
+        <source>from the flange, its axes</source>
+        <translation>vom Flansch, in dessen Achsen</translation>
+    </message>
+    <message>
+        <source>tool centre point</source>
+        <translation>Werkzeugmittelpunkt</translation>
+    </message>
+    <message>
+        <source>Save all the same</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>Back to the reality check</source>
+        <translation>Zurück zur Realitätsprüfung</translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation>Zurück zum Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -8411,10 +8775,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Von selbst gespeichert, %1</translation>
     </message>
     <message>
-        <source>Heft Studio ended without closing last time. What you had open was kept.</source>
-        <translation>Heft Studio wurde beim letzten Mal nicht normal beendet. Was Sie offen hatten, ist noch da.</translation>
-    </message>
-    <message>
         <source>Open it again</source>
         <translation>Wieder öffnen</translation>
     </message>
@@ -8451,10 +8811,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Heft Studio ended in the middle of a recording. What came until then was kept.</source>
-        <translation>Heft Studio endete mitten in einer Aufnahme. Was bis dahin kam, blieb erhalten.</translation>
-    </message>
-    <message>
         <source>Open the recording</source>
         <translation>Aufnahme öffnen</translation>
     </message>
@@ -8465,6 +8821,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Choose columns and units …</source>
         <translation>Spalten und Einheiten wählen …</translation>
+    </message>
+    <message>
+        <source>Your last session was not closed by hand. What you had open was kept.</source>
+        <translation>Ihre letzte Sitzung wurde nicht von Hand geschlossen. Was offen war, wurde aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The program ended in the middle of a recording. What came until then was kept.</source>
+        <translation>Das Programm endete mitten in einer Aufnahme. Was bis dahin kam, wurde aufgehoben.</translation>
     </message>
 </context>
 <context>
@@ -8487,10 +8851,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>all poses are used</source>
         <translation>alle Stellungen benutzt</translation>
-    </message>
-    <message>
-        <source>being looked at …</source>
-        <translation>wird angesehen …</translation>
     </message>
     <message numerus="yes">
         <source>%n suggestion(s) to check</source>
@@ -8666,6 +9026,30 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Drag an edge to move it · Ctrl+Z undoes</source>
         <translation>Eine Kante lässt sich verschieben · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>wird geprüft …</translation>
+    </message>
+    <message>
+        <source>nothing found</source>
+        <translation>nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Es wurde nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Also left out at each end, where arms are gripped and let go</source>
+        <translation>An beiden Enden auch weggelassen, wo man den Arm greift und loslässt</translation>
+    </message>
+    <message>
+        <source>Left out at each end</source>
+        <translation>An jedem Ende weggelassen</translation>
+    </message>
+    <message>
+        <source>left out at each end</source>
+        <translation>an jedem Ende weggelassen</translation>
     </message>
 </context>
 <context>
@@ -8951,6 +9335,34 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Pause (Space)</source>
         <translation>Anhalten (Leertaste)</translation>
     </message>
+    <message>
+        <source>Speed, loop and single steps</source>
+        <translation>Geschwindigkeit, Schleife und Einzelschritte</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>Loop what the plots show</source>
+        <translation>Wiederholen, was die Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>Ein Schritt zurück</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>Ein Schritt vor</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>heft::RealityPanel</name>
@@ -9003,10 +9415,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>check the rig</source>
         <translation>den Aufbau prüfen</translation>
-    </message>
-    <message>
-        <source>Apply a correction to see what it changes · Ctrl+Z takes it back</source>
-        <translation>Eine Berichtigung anwenden zeigt, was sie ändert · Strg+Z nimmt sie zurück</translation>
     </message>
     <message>
         <source>Looking for causes</source>
@@ -9108,10 +9516,6 @@ Bitte prüfen Sie den Namen.</translation>
         <source>One fault of the rig is hidden in it. Look, then guess.</source>
         <translation>Ein Fehler des Aufbaus ist darin versteckt. Ansehen, dann tippen.</translation>
     </message>
-    <message>
-        <source>Look at the difference more closely</source>
-        <translation>Die Abweichung genauer ansehen</translation>
-    </message>
     <message numerus="yes">
         <source>%n correction(s) of an earlier check are part of the result.</source>
         <translation>
@@ -9130,10 +9534,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The marks changed since Heft looked.</source>
         <translation>Die Marken haben sich seit der Suche geändert.</translation>
-    </message>
-    <message>
-        <source>By frequency over the sensor’s noise, and against what the robot did</source>
-        <translation>Nach Frequenz über dem Sensorrauschen und gegen das, was der Roboter tat</translation>
     </message>
     <message>
         <source>Look again</source>
@@ -9224,10 +9624,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Um über „%1“ zu entscheiden: %2</translation>
     </message>
     <message>
-        <source>unseen stretch</source>
-        <translation>ungesehener Abschnitt</translation>
-    </message>
-    <message>
         <source>needs a motion</source>
         <translation>braucht eine Bewegung</translation>
     </message>
@@ -9242,6 +9638,45 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Record a motion</source>
         <translation>Bewegung aufnehmen</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Look at the curves below the arm, then guess</source>
+        <translation>Sehen Sie sich die Kurven unter dem Arm an und raten Sie</translation>
+    </message>
+    <message>
+        <source>Apply a correction to see what it changes · Ctrl+Z to undo</source>
+        <translation>Eine Korrektur anwenden und sehen, was sie ändert · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Hält an …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) that Heft allows for</source>
+        <translation>
+            <numerusform>%n Befund, den Heft schon berücksichtigt</numerusform>
+            <numerusform>%n Befunde, die Heft schon berücksichtigt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show force and torque</source>
+        <translation>Kraft und Moment zeigen</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>Die Abweichung zeigen</translation>
+    </message>
+    <message>
+        <source>What stands below the arm</source>
+        <translation>Was unter dem Arm steht</translation>
+    </message>
+    <message>
+        <source>shows best here</source>
+        <translation>hier am besten zu sehen</translation>
     </message>
 </context>
 <context>
@@ -9292,10 +9727,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Open a recording …</source>
         <translation>Aufnahme öffnen …</translation>
-    </message>
-    <message>
-        <source>Opened lately</source>
-        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Open %1</source>
@@ -9457,10 +9888,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -9523,6 +9950,109 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1, recording</source>
         <translation>%1, Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>What was recorded so far was kept: %1</source>
+        <translation>Was bisher aufgenommen war, wurde aufgehoben: %1</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>Aufnahme gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Nobody said how the sensor sits on the flange, so Heft took its axes for the flange’s. A sensor that sits elsewhere makes the inertia and the exported numbers wrong.</source>
+        <translation>Niemand hat gesagt, wie der Sensor am Flansch sitzt; Heft hat seine Achsen für die des Flansches genommen. Sitzt er anders, werden Trägheit und exportierte Zahlen falsch.</translation>
+    </message>
+    <message>
+        <source>Say it now …</source>
+        <translation>Jetzt angeben …</translation>
+    </message>
+    <message>
+        <source>Heft Studio</source>
+        <translation>Heft Studio</translation>
+    </message>
+    <message>
+        <source>A recording is under way. Stop it?</source>
+        <translation>Eine Aufnahme läuft. Anhalten?</translation>
+    </message>
+    <message>
+        <source>What has come so far is kept in %1.</source>
+        <translation>Was bisher kam, wird aufgehoben in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Throw %n pose(s) away?</source>
+        <translation>
+            <numerusform>%n Stellung verwerfen?</numerusform>
+            <numerusform>%n Stellungen verwerfen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>Öffnen Sie erst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.%1)</source>
+        <translation>Aufnahmen (*.%1)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: check that the folder exists and may be written to.</source>
+        <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob der Ordner da ist und beschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save &amp;recording as …</source>
+        <translation>Auf&amp;nahme speichern unter …</translation>
+    </message>
+    <message>
+        <source>Open the recordings f&amp;older</source>
+        <translation>&amp;Ordner der Aufnahmen öffnen</translation>
+    </message>
+    <message>
+        <source>Go on recording</source>
+        <translation>Weiter aufnehmen</translation>
+    </message>
+    <message>
+        <source>No recording at hand?</source>
+        <translation>Keine Aufnahme zur Hand?</translation>
+    </message>
+    <message>
+        <source>Makes this recording with the simulation and opens it</source>
+        <translation>Erzeugt diese Aufnahme mit der Simulation und öffnet sie</translation>
+    </message>
+    <message>
+        <source>Making a sample recording</source>
+        <translation>Beispielaufnahme wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Or guide the virtual arm yourself (third tab above), or look for a hidden fault: menu Practice.</source>
+        <translation>Oder führen Sie selbst den virtuellen Arm (dritter Reiter oben), oder suchen Sie einen versteckten Fehler: Menü „Üben“.</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1   ·   %2, %3</source>
+        <translation>%1   ·   %2, %3</translation>
     </message>
 </context>
 <context>
@@ -9697,6 +10227,18 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Look for the cause</source>
         <translation>Ursache suchen</translation>
+    </message>
+    <message>
+        <source>Go to Record</source>
+        <translation>Zu „Aufnehmen“</translation>
+    </message>
+    <message>
+        <source>Check the shape</source>
+        <translation>Form prüfen</translation>
+    </message>
+    <message>
+        <source>Show the cause</source>
+        <translation>Ursache zeigen</translation>
     </message>
 </context>
 <context>
@@ -10313,6 +10855,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>&quot;%1&quot; is no length here: a number from %2 to %3 mm is.</source>
         <translation>„%1“ ist hier keine Länge: Gefragt ist eine Zahl von %2 bis %3 mm.</translation>
     </message>
+    <message>
+        <source>Choose a CAD file …</source>
+        <translation>CAD-Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Until a file is chosen, the result goes by: %1.</source>
+        <translation>Bis eine Datei gewählt ist, gilt im Ergebnis: %1.</translation>
+    </message>
+    <message>
+        <source>choose a CAD file</source>
+        <translation>CAD-Datei wählen</translation>
+    </message>
+    <message>
+        <source>does not fit, left out</source>
+        <translation>passt nicht, weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>heft::SourceForm</name>
@@ -10433,14 +10991,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Aufbaudateien (*.json)</translation>
     </message>
     <message>
-        <source>Without it the recording&apos;s own is used.</source>
-        <translation>Ohne sie gilt die der Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Without it the arm is taken for a Franka Panda with the sensor at its flange.</source>
-        <translation>Ohne sie gilt der Arm als Franka Panda mit dem Sensor am Flansch.</translation>
-    </message>
-    <message>
         <source>The sensor&apos;s address is missing.</source>
         <translation>Die Adresse des Sensors fehlt.</translation>
     </message>
@@ -10451,6 +11001,46 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Standing poses cannot be played as a motion.</source>
         <translation>Stehende Posen lassen sich nicht als Bewegung abspielen.</translation>
+    </message>
+    <message>
+        <source>Without it the recording’s own is used.</source>
+        <translation>Ohne sie gilt die der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Without it Heft takes the arm for a Franka Panda, and asks:</source>
+        <translation>Ohne sie hält Heft den Arm für einen Franka Panda und fragt:</translation>
+    </message>
+    <message>
+        <source>Where is the sensor’s measuring point?</source>
+        <translation>Wo ist der Messpunkt des Sensors?</translation>
+    </message>
+    <message>
+        <source>At the flange</source>
+        <translation>Am Flansch</translation>
+    </message>
+    <message>
+        <source>Below it</source>
+        <translation>Darunter</translation>
+    </message>
+    <message>
+        <source>Not sure</source>
+        <translation>Weiß nicht</translation>
+    </message>
+    <message>
+        <source>Distance along the flange’s axis</source>
+        <translation>Abstand entlang der Flanschachse</translation>
+    </message>
+    <message>
+        <source>Heft takes it for the flange’s own axes now and asks again after the recording.</source>
+        <translation>Heft nimmt jetzt die Achsen des Flansches an und fragt nach der Aufnahme noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its axes are taken to lie as the flange’s; a rotated sensor needs a rig file.</source>
+        <translation>Seine Achsen gelten als parallel zu denen des Flansches; ein verdrehter Sensor braucht eine Aufbaudatei.</translation>
+    </message>
+    <message>
+        <source>Say where the sensor’s measuring point is, or choose a rig file.</source>
+        <translation>Sagen Sie, wo der Messpunkt des Sensors ist, oder wählen Sie eine Aufbaudatei.</translation>
     </message>
 </context>
 <context>
@@ -10690,6 +11280,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Stop this</source>
         <translation>Das anhalten</translation>
     </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Hält an …</translation>
+    </message>
 </context>
 <context>
     <name>heft::StepBar</name>
@@ -10897,6 +11491,22 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>N m</source>
         <translation>N m</translation>
+    </message>
+    <message>
+        <source>Show the whole recording</source>
+        <translation>Die ganze Aufnahme zeigen</translation>
+    </message>
+    <message>
+        <source>Scale to the free parts</source>
+        <translation>Auf die freien Teile skalieren</translation>
+    </message>
+    <message>
+        <source>A contact may go out of the picture, so that the rest can be seen</source>
+        <translation>Ein Kontakt darf aus dem Bild laufen, damit man den Rest sieht</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
     </message>
 </context>
 </TS>
