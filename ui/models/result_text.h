@@ -1,6 +1,7 @@
 #pragma once
 // What the result panel says, as plain data: words, numbers and lights of an estimate, computed without widgets.
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 #include "core/estimation/estimate.h"

@@ -508,7 +508,8 @@ void RealityPanel::addCards(QVBoxLayout* column, const Found& found, bool& someN
     state.leftOut = !state.applied && leftOutAlready(cause, segments);
     state.applicable = canApply(report, cause) && !state.leftOut;
     state.details = details_ || open_.contains(QString::fromStdString(cause.id));
-    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause);
+    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause) &&
+                 !leavesMuch(report, cause);
     someNext = someNext || state.next;
     QWidget* card = (isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, does, content);
     if (state.applied || state.applicable || isTied(cause)) {

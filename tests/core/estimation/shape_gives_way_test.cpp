@@ -65,7 +65,8 @@ TEST(ShapeGivesWay, AnAbsurdRoughShapeDoesNotMoveTheResult) {
   const EstimateReport plain = reportOf(recording);
   EstimateOptions options;
   // A plate of steel's size and two thin fingers beside the tool.
-  options.shape = *parseShape("box:0.12,0.08,0.005@0.10,0.08,0.0025 + box:0.04,0.058,0.003@0.10,0.08,0.006");
+  options.shape = *parseShape("box:0.12,0.08,0.005@0.10,0.08,0.0025");
+  options.shape->bodies.push_back(parseShape("box:0.04,0.058,0.003@0.10,0.08,0.006")->bodies.front());
   options.shape->certainty = Certainty::rough;
   const EstimateReport report = reportOf(recording, options);
   ASSERT_TRUE(has(report, "shape_left_out"));
