@@ -121,6 +121,7 @@ TEST(MessageBar, ShowsTheSentenceAndCloses) {
   bar->showMessage(Severity::error, "rec.csv:3:4: text where a number belongs.");
   bar->showMessage(Severity::warning, "headonly.csv holds no rows.");
   EXPECT_EQ(bar->text(), "rec.csv:3:4: text where a number belongs.\nheadonly.csv holds no rows.");
+  QApplication::processEvents();
   for (int k = 0; k < 2; ++k)
     for (auto* close : bar->findChildren<QToolButton*>("messageClose"))
       if (close->isVisible()) {

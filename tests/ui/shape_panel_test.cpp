@@ -83,7 +83,7 @@ class ShapePanelTest : public testing::Test {
 };
 
 TEST_F(ShapePanelTest, APictureIsChosenMeasuredAndTakenBack) {
-  EXPECT_EQ(panel->state().progress, StepState::Progress::ready);
+  EXPECT_EQ(panel->state().progress, StepState::Progress::later) << "nothing is recorded yet";
   click("picture_box");
   ASSERT_EQ(choice().answer, Answer::given);
   ASSERT_EQ(shape().bodies.size(), 1u);
