@@ -105,12 +105,18 @@ TEST_F(HonestyTest, ACauseThatIsNotAppliedIsToldInResultAndExportAndHoldsTheFile
 }
 
 TEST_F(HonestyTest, TheBandInThePlotsIsTheSensorsNoiseNotTheMisfit) {
+  openWith({});
+  const double force = window.recordingPane()->plots()->traces()->noiseBand(0),
+               torque = window.recordingPane()->plots()->traces()->noiseBand(3);
+  const SensorModel usual;
+  // Samples are averaged for the estimate, and noise with a memory does not show from one to the next.
+  EXPECT_GT(force, 0.5 * usual.forceNoise);
+  EXPECT_LT(force, 2.0 * usual.forceNoise);
   openWith({{"cable_pull", "", 3.0}});
   const auto& traces = *window.recordingPane()->plots()->traces();
-  const SensorModel usual;
-  EXPECT_NEAR(traces.noiseBand(0), 2.0 * usual.forceNoise, 0.6 * usual.forceNoise);
-  EXPECT_NEAR(traces.noiseBand(3), 2.0 * usual.torqueNoise, 0.6 * usual.torqueNoise);
-  EXPECT_GT(traces.differenceLimit(0), 3.0 * traces.noiseBand(0)) << "the cable stands far out of it";
+  EXPECT_NEAR(traces.noiseBand(0), force, 0.15 * force) << "a cable is no noise";
+  EXPECT_NEAR(traces.noiseBand(3), torque, 0.15 * torque);
+  EXPECT_GT(traces.differenceLimit(0), 3.0 * traces.noiseBand(0)) << "it stands far out of the band";
 }
 
 TEST_F(HonestyTest, TheDifferenceStandsBelowTheArmAndIsAlive) {
