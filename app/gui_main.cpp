@@ -5,9 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QSettings>
+#include <QSocketNotifier>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <optional>
+
+#include <unistd.h>
 
 #include "core/base/json_file.h"
 #include "ui/main_window/main_window.h"
@@ -48,6 +52,23 @@ heft::Result<std::vector<heft::ScriptLine>> scriptOf(const Options& options) {
   if (options.time) lines.push_back({1, {"time", QString::number(*options.time, 'g', 17)}});
   lines.push_back({1, {"picture", QString::fromLocal8Bit(options.picture.c_str())}});
   return lines;
+}
+
+/// A signal writes a byte, and the window ends in its own time: nothing else is safe in a signal.
+int endingPipe[2] = {-1, -1};
+void askToEnd(int) {
+  const char byte = 1;
+  [[maybe_unused]] const auto written = ::write(endingPipe[1], &byte, 1);
+}
+
+void endWhenAsked(QApplication& application, heft::Studio& studio) {
+  if (::pipe(endingPipe) != 0) return;
+  auto* ending = new QSocketNotifier(endingPipe[0], QSocketNotifier::Read, &application);
+  QObject::connect(ending, &QSocketNotifier::activated, &application, [&studio, ending] {
+    ending->setEnabled(false);
+    studio.endBySystem();
+  });
+  for (const int signal : {SIGTERM, SIGHUP, SIGINT}) std::signal(signal, askToEnd);
 }
 
 int run(int argc, char** argv, const Options& options) {
@@ -92,6 +113,7 @@ int run(int argc, char** argv, const Options& options) {
   heft::Studio studio(application, studioOptions);
   studio.show();
   if (!options.offscreen) {
+    endWhenAsked(application, studio);
     if (options.details) studio.window().showDetails(true);
     if (!options.file.empty()) studio.workspace().open(QString::fromLocal8Bit(options.file.c_str()));
     return QApplication::exec();

@@ -1,11 +1,13 @@
 #!/bin/sh
 # Installs what building and testing Heft needs on Debian 12, and nothing if it is all there. Run by start.sh and check.sh.
+# libmujoco-dev and libsdformat-dev, 13 MB, read exported files back in the tests, which do without them, too.
 # HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot. (locales: a decimal comma for the tests;
 # groff-base and the last four: validate.sh; dpkg-dev and file: cpack.)
 set -eu
 
 core="g++ cmake ninja-build ccache mold pkg-config libeigen3-dev nlohmann-json3-dev libcli11-dev libfmt-dev libceres-dev
-      liburdfdom-dev libassimp-dev libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev libhdf5-dev libmimalloc-dev libboost-dev libgtest-dev libgmock-dev locales
+      liburdfdom-dev libassimp-dev libsqlite3-dev libzstd-dev liblz4-dev libbz2-dev zlib1g-dev libhdf5-dev libmatio-dev libmimalloc-dev libboost-dev libgtest-dev libgmock-dev
+      libmujoco-dev libsdformat-dev locales
       groff-base dpkg-dev file"
 gui="libvtk9-qt-dev qtbase5-dev qttools5-dev libqt5svg5-dev libqcustomplot-dev xvfb libgl1-mesa-dri fonts-inter
      desktop-file-utils appstream shared-mime-info libxml2-utils"

@@ -12,8 +12,10 @@
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 #include "core/coach/coach.h"
+#include "core/coach/deciding_pose.h"
 #include "core/coach/excitation.h"
 #include "core/coach/pose_guide.h"
+#include "core/motion/motion.h"
 
 namespace heft::cli {
 namespace {
@@ -83,6 +85,36 @@ GuidedTool toolOf(const Input& input) {
   return orFail(guidedTool(*input.model(), input.recording.meta.mount));
 }
 
+/// Where more than one reading of the numbers fits: what would decide, as text and as JSON (null where nothing is
+/// open). `tool` and `from`: where a pose of the arm may do so.
+std::pair<std::string, json> whatDecides(const Input& input, const std::optional<GuidedTool>& tool,
+                                         const VectorXd& from) {
+  const Recording& recording = input.recording;
+  const bool poses = recording.meta.kind == RecordingKind::poses;
+  const auto motion = poses ? standingPoses(recording, input.model()) : motionOf(recording, input.model(), {});
+  if (!motion) return {};
+  const conventions::Report report = conventions::check(conventions::questionOf(recording, *motion));
+  const auto tied = tiedReadings(report);
+  if (!tied) return {};
+  std::string text = fmt::format("Two readings of the numbers fit:\n  {}\n  {}\n", tied->firstSaid, tied->secondSaid);
+  json out{{"readings", {tied->firstSaid, tied->secondSaid}}, {"q_rad", nullptr}, {"text", report.decides}};
+  const auto pose = poses && tool ? decidingPose(recording, *tool, *tied, from) : std::nullopt;
+  if (pose) {
+    std::string joints;
+    for (const double q : pose->q) joints += fmt::format("{}{:.3f}", joints.empty() ? "" : ", ", q);
+    const std::string says =
+        fmt::format("In this pose they expect readings that are {:.0f} standard deviations apart.", pose->apart);
+    text += fmt::format("  Decide by one more pose, joints [{}] rad. {}\n{}", joints, says, kObstacles);
+    out["q_rad"] = list(pose->q);
+    out["apart_sd"] = pose->apart;
+    out["text"] = says;
+  } else {
+    text +=
+        fmt::format("  {}{}\n", poses && tool ? "No pose within the last joints' reach decides. " : "", report.decides);
+  }
+  return {text, out};
+}
+
 void coachPoses(const CoachArguments& options, const Input& input) {
   const Recording& recording = input.recording;
   std::optional<GuidedTool> tool;
@@ -129,7 +161,10 @@ void coachPoses(const CoachArguments& options, const Input& input) {
       out["next"] = {{"q_rad", list(next->q)}, {"text", next->words}, {"after", {{"mass_kg", mass}, {"com_m", com}}}};
     }
   }
-  writeResults(options, "heft.coach/1", out, text, nullptr);
+  const VectorXd last = tool ? VectorXd(recording.q.row(recording.rows() - 1).transpose()) : VectorXd();
+  const auto [deciding, decidingJson] = whatDecides(input, tool, last);
+  out["deciding"] = decidingJson;
+  writeResults(options, "heft.coach/1", out, text + deciding, nullptr);
 }
 
 void runCoach(CoachArguments options) {
@@ -172,7 +207,9 @@ void runCoach(CoachArguments options) {
                      {"target_q_rad", list(advice.target)},
                      {"path_q_rad", samples}};
   }
-  writeResults(options, "heft.coach/1", out, text, advice.needed ? &advice.motion : nullptr);
+  const auto [deciding, decidingJson] = whatDecides(input, tool, q);
+  out["deciding"] = decidingJson;
+  writeResults(options, "heft.coach/1", out, text + deciding, advice.needed ? &advice.motion : nullptr);
 }
 
 void runExcite(const CoachArguments& options) {

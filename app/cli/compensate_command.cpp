@@ -10,7 +10,7 @@
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
 #include "core/compensation/compensation.h"
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/correction/corrected.h"
 
 namespace heft::cli {
 namespace {
@@ -71,6 +71,7 @@ Command makeCompensateCommand(CLI::App& root) {
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   app->add_flag("--force", options->force, "Replace files that exist");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->footer(
       "Examples:\n"
       "  heft compensate rec.csv result.json\n"

@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/cli.h"
+#include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/text.h"
+#include "core/conventions/check.h"
+#include "core/motion/motion.h"
+#include "core/motion/mount_link.h"
 #include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
@@ -29,6 +34,40 @@ std::string motionForm(const Recording& recording) {
   return "orientation only";
 }
 
+/// What physics says that the numbers mean, where motion and wrench are there; else null.
+struct Meaning {
+  json conventions;
+  std::string text;
+};
+Meaning meaningOf(const ConvertArguments& options) {
+  Meaning out;
+  std::optional<Input> input;
+  try {
+    ProgressLine line;
+    input = readInput(options.input, options.import, {}, line.progress());
+  } catch (const Failed&) {
+    return out;  // Cannot be read as a whole: converting or estimating it says why.
+  }
+  const Recording& recording = input->recording;
+  const auto motion = recording.meta.kind == RecordingKind::poses ? standingPoses(recording, input->model())
+                                                                  : motionOf(recording, input->model(), {});
+  if (!motion) return out;
+  const auto question = conventions::questionOf(recording, *motion);
+  const conventions::Report report = conventions::check(question);
+  out.conventions = toJson(report, recording.meta.mount, !question.posesInFile);
+  if (!report.enough) {
+    out.text = "\nToo few numbers to tell what they mean.\n";
+    return out;
+  }
+  out.text = fmt::format("\n{}\n", report.sentence);
+  for (const auto& tie : report.ties) out.text += fmt::format("  fits as well: {}\n", tie.sentence);
+  if (!report.decides.empty()) out.text += fmt::format("  {}\n", report.decides);
+  if (const json& meta = out.conventions["meta"]; !meta.is_null())
+    out.text += fmt::format("  Write into the meta file: {}\n", meta.dump());
+  if (!report.check.empty()) out.text += fmt::format("  {}\n", report.check);
+  return out;
+}
+
 /// What there is to choose from, and what would be taken.
 void list(const ConvertArguments& options) {
   if (!options.output.empty()) throw WrongUsage("--list writes no recording; leave OUT away.");
@@ -38,16 +77,18 @@ void list(const ConvertArguments& options) {
   }();
   std::string text = fmt::format("{}: {}\n", options.input, toString(contents.kind));
   json streams = json::array();
+  const auto& taking = contents.chosen.empty() ? contents.proposed : contents.chosen;
   for (std::size_t s = 0; s < contents.streams.size(); ++s) {
     const Stream& stream = contents.streams[s];
-    text +=
-        fmt::format("\n{}{}{}\n  {} samples, {:.4g} Hz, {:.4g} s\n", stream.name.empty() ? stream.file : stream.name,
-                    stream.type.empty() ? "" : ", ", stream.type, stream.samples, stream.rateHz(), stream.duration());
+    text += fmt::format("\n{}{}{}\n  {} samples, {}\n", stream.name.empty() ? stream.file : stream.name,
+                        stream.type.empty() ? "" : ", ", stream.type, stream.samples,
+                        stream.clockless ? std::string("no clock")
+                                         : fmt::format("{:.4g} Hz, {:.4g} s", stream.rateHz(), stream.duration()));
     json fields = json::array();
     for (std::size_t f = 0; f < stream.fields.size(); ++f) {
-      const auto taken = std::find_if(contents.chosen.begin(), contents.chosen.end(),
-                                      [&](const auto& c) { return c.stream == s && c.field == f; });
-      const bool is = taken != contents.chosen.end();
+      const auto taken =
+          std::find_if(taking.begin(), taking.end(), [&](const auto& c) { return c.stream == s && c.field == f; });
+      const bool is = taken != taking.end();
       text +=
           fmt::format("    {}{}\n", stream.fields[f], is ? fmt::format("  -> {} ({})", taken->column, taken->why) : "");
       fields.push_back({{"name", stream.fields[f]},
@@ -61,6 +102,7 @@ void list(const ConvertArguments& options) {
                        {"rate_hz", stream.rateHz()},
                        {"fields", std::move(fields)}});
   }
+  const Meaning meaning = contents.missing.empty() ? meaningOf(options) : Meaning{};
   if (!options.json.empty())
     writeOutput(options.json,
                 fileText({{"schema", "heft.contents/1"},
@@ -68,11 +110,12 @@ void list(const ConvertArguments& options) {
                           {"kind", toString(contents.kind)},
                           {"streams", std::move(streams)},
                           {"missing", contents.missing.empty() ? json(nullptr) : json(contents.missing)},
+                          {"conventions", meaning.conventions},
                           {"findings", toJson(contents.findings)}}),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.contents/1"); }});
   if (options.json == "-") return;
   if (!contents.missing.empty()) text += fmt::format("\n{}\n", contents.missing);
-  print(text);
+  print(text + meaning.text);
   printFindings(contents.findings, true);
 }
 
@@ -94,6 +137,9 @@ void run(const ConvertArguments& options) {
     ProgressLine line;
     return orFail(openRecording(options.input, options.import, line.progress()));
   }();
+  if (read.recording.hasJoints() && read.recording.meta.robot)
+    if (const auto robot = robotFor(read.recording.meta, read.findings))
+      mountOnFlange(read.recording.meta, *robot, read.findings);
   orFail(toSensorAxes(read.recording));
   // One form in every file that Heft writes, and one sign: what the sensor exerts on the payload.
   const bool flipped = read.recording.meta.wrenchSign == WrenchSign::payloadOnSensor;
@@ -130,12 +176,14 @@ void run(const ConvertArguments& options) {
 Command makeConvertCommand(CLI::App& root) {
   auto options = std::make_shared<ConvertArguments>();
   CLI::App* app = root.add_subcommand("convert", "Check a recording and write it in the plain form");
-  app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5")
+  app->add_option("IN", options->input, "The recording: CSV, ROS 1 or ROS 2 bag, MCAP, JSON lines, HDF5, MATLAB, NumPy")
       ->type_name("")
       ->required();
   app->add_option("OUT", options->output, "CSV to write; its meta file is written beside it")->type_name("");
   app->add_flag("--list", options->list, "Show topics and columns and what would be taken from them; write nothing");
+  app->add_option("--robot", options->import.robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->add_option("--json", options->json, "Also write what was found as JSON; - is stdout")->type_name("FILE");
   app->add_flag("--force", options->force, "Replace files that exist");
   app->footer(

@@ -8,8 +8,12 @@
 #include "app/cli/cli.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
-#include "core/diagnosis/html_report.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/report/html_report.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/wording/words.h"
 #include "core/recording/meta_file.h"
 
 namespace heft::cli {
@@ -41,8 +45,10 @@ void run(const DiagnoseArguments& options) {
   settings.seed = options.seed;
   requireRange("--surrogates", options.surrogates, 0, 5000, "");
   for (const auto& id : options.hidden) {
-    std::vector<std::string> known{"saturation", "spikes", "dropouts", "jitter", "quantisation"};
-    for (const auto& cause : diagnosis::catalogue()) known.emplace_back(cause->id());
+    std::vector<std::string> known;
+    for (const auto* list : {&diagnosis::seenDirectly(), &diagnosis::catalogue()})
+      for (const auto& cause : *list)
+        if (cause->info().family != diagnosis::Family::convention) known.emplace_back(cause->id());
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }
   if (!options.segments.empty()) {
@@ -108,6 +114,7 @@ Command makeDiagnoseCommand(CLI::App& root) {
                   "Where a cause means that the meta file is wrong, write the corrected one")
       ->type_name("FILE");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   app->add_option("--segments", options->segments, "auto, marks or all, as for 'heft estimate'")->type_name("NAME");
   app->add_option("--without", options->hidden, "Leave a cause out of the catalogue; may be given several times")

@@ -56,8 +56,7 @@ EstimateOptions estimateOptions(const EstimateArguments& options) {
     constexpr std::array kEstimateModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
     out.segments = kEstimateModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
   }
-  constexpr std::array kChoices{ConventionChoice::asStated, ConventionChoice::suggested};
-  out.conventions = kChoices[chooseWord("--conventions", options.conventions, words(kChoices))];
+  out.conventions = conventionChoice(options.conventions);
   const std::size_t smoothing = chooseWord("--smoothing", options.smoothing, {"low-pass", "savitzky-golay"});
   out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
   out.bias = !options.noBias;
@@ -239,12 +238,8 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("N")
       ->group(kManyGroup);
   addRecordingOptions(*app, options->import);
-  app->add_option("--conventions", options->conventions,
-                  "as-stated: the numbers mean what the meta file says; suggested: what physics says\n"
-                  "they mean, where that is plain")
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group("Reading the recording");
+  addRateOption(*app, options->import);
+  addConventionChoice(*app, options->conventions);
   const char* const kMethodGroup = "Method";
   app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kAllMethods), ", ")))
       ->type_name("NAME")

@@ -9,12 +9,13 @@
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 #include "core/exporters/flange.h"
+#include "core/exporters/urdf_copy.h"
 
 namespace heft::cli {
 namespace {
 
 struct ExportArguments {
-  std::string result, format, output, json, xyz, rpy, tcp, mount;
+  std::string result, format, output, json, xyz, rpy, tcp, mount, into, link;
   std::vector<std::string> add;
   FlangeOptions flange;
   bool force = false;
@@ -22,14 +23,20 @@ struct ExportArguments {
 
 std::string formatList() {
   std::string text;
-  for (const auto& format : exportFormats()) text += fmt::format("  {:<16}{}\n", format.id, format.title);
+  for (const auto& format : exportFormats()) text += fmt::format("  {:<20}{}\n", format.id, format.title);
   return text;
 }
 
 void run(ExportArguments options) {
+  const bool copies = !options.into.empty();
+  if (copies && !options.format.empty()) throw WrongUsage("--into writes a copy of a URDF; it takes no --format.");
+  if (copies != !options.link.empty()) throw WrongUsage("--into ROBOT.urdf and --link NAME belong together.");
+  if (!copies && options.format.empty()) throw WrongUsage("Say which file to write: --format NAME, or --into a URDF.");
   std::vector<std::string> ids;
   for (const auto& format : exportFormats()) ids.emplace_back(format.id);
-  const ExportFormat& format = exportFormats()[chooseWord("--format", options.format, ids)];
+  const ExportFormat& format = exportFormats()[chooseWord("--format", copies ? "urdf" : options.format, ids)];
+  if (!options.flange.parentLink.empty() && (copies || format.id != "urdf"))
+    throw WrongUsage("--parent goes with --format urdf.");
   if (!options.xyz.empty()) options.flange.xyz = parseVector3("--xyz", options.xyz);
   if (!options.rpy.empty()) options.flange.rpy = parseVector3("--rpy", options.rpy);
   if (!options.tcp.empty()) options.flange.X_FE = parsePose("--tcp", options.tcp);
@@ -46,7 +53,9 @@ void run(ExportArguments options) {
   options.flange.program = programVersion();
   options.flange.force = options.force;
   FlangePayload payload = orFail(toFlange(orFail(readJsonFile(options.result)), options.result, options.flange));
-  const std::string text = orFail(exportPayload(format, payload.input, payload.findings));
+  const std::string text = copies ? orFail(payloadIntoUrdf(orFail(readTextFile(options.into)), options.into,
+                                                           options.link, payload, payload.findings))
+                                  : orFail(exportPayload(format, payload.input, payload.findings));
   writeOutput(toStdout ? "-" : options.output, text, {options.force, {}});
   printFindings(payload.findings, true);
 
@@ -54,6 +63,7 @@ void run(ExportArguments options) {
   if (!options.json.empty()) {
     const nlohmann::json summary{{"schema", "heft.export/1"},
                                  {"format", format.id},
+                                 {"into", copies ? nlohmann::json(options.into) : nlohmann::json()},
                                  {"file", toStdout ? nlohmann::json() : nlohmann::json(options.output)},
                                  {"payload", toJson(p)},
                                  {"findings", toJson(payload.findings)}};
@@ -73,11 +83,19 @@ Command makeExportCommand(CLI::App& root) {
   app->add_option("RESULT", options->result, "The --json file of 'heft estimate', or a payload in the flange frame")
       ->type_name("")
       ->required();
-  app->add_option("-f,--format", options->format, "Which file to write, see below")->type_name("NAME")->required();
+  app->add_option("-f,--format", options->format, "Which file to write, see below")->type_name("NAME");
+  app->add_option("--into", options->into, "Write a copy of this URDF with the payload in it instead, see --link")
+      ->type_name("URDF");
+  app->add_option("--link", options->link, "The link of --into that carries the payload")->type_name("NAME");
   app->add_option("-o,--output", options->output, "Where to; otherwise to stdout")->type_name("FILE");
   app->add_option("--name", options->flange.name, "Name of the tool in formats that carry one")
       ->type_name("NAME")
       ->capture_default_str();
+  app->add_option("--parent", options->flange.parentLink,
+                  "Put a massless link of this name and a fixed joint above the tool, for --format urdf")
+      ->type_name("NAME");
+  app->add_option("--frame", options->flange.sensorFrame, "Name of the sensor's frame in ROS, in formats that carry it")
+      ->type_name("NAME");
   app->add_option("--mount", options->mount, "Take the sensor's pose on the flange from this meta file")
       ->type_name("FILE");
   app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]")->type_name("X,Y,Z");
@@ -98,7 +116,8 @@ Command makeExportCommand(CLI::App& root) {
               "\nExamples:\n"
               "  heft export result.json --format franka-desk -o tool.json\n"
               "  heft export result.json --format urdf --add sensor.json\n"
-              "  heft export result.json --format libfranka --xyz 0,0,0.04 --rpy 0,0,-0.7854\n\n"
+              "  heft export result.json --format libfranka --xyz 0,0,0.04 --rpy 0,0,-0.7854\n"
+              "  heft export result.json --into robot.urdf --link tool0 -o robot_with_tool.urdf\n\n"
               "The numbers are turned from sensor axes into flange axes with the sensor mount of the recording's meta\n"
               "file. A payload that cannot exist is refused; numbers that nobody measured are warned about.");
   return {app, [options] { run(*options); }};

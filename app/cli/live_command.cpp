@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "app/cli/cli.h"
+#include "app/cli/recording_options.h"
 #include "app/cli/running_estimate.h"
 #include "core/base/text.h"
 #include "core/estimation/estimate.h"
@@ -21,6 +22,7 @@
 #include "core/live/session.h"
 #include "core/motion/motion.h"
 #include "core/motion/sensor_axes.h"
+#include "core/recording/robot_name.h"
 #include "core/recording/unwrap.h"
 #include "core/simulation/virtual_rig.h"
 
@@ -35,7 +37,7 @@ constexpr std::size_t kMostRows = 4'000'000;  ///< About an hour at 1 kHz is kep
 
 struct LiveArguments {
   std::vector<std::string> sources;
-  std::string record, meta, shape, shapeFile, json;
+  std::string record, meta, robot, shape, shapeFile, json, conventions = "as-stated";
   double duration = 0.0;
   bool force = false;
 };
@@ -124,6 +126,13 @@ std::string troubleLine(const SessionStatus& status) {
   return text;
 }
 
+std::string waitingFor(const SessionStatus& status) {
+  if (status.motions == 0 && status.wrenches == 0) return "waiting for motion and wrench";
+  if (status.motions == 0) return "the wrench arrives; waiting for joint angles or a pose";
+  if (status.wrenches == 0) return "the motion arrives; waiting for the wrench";
+  return "waiting for motion and wrench of the same time";
+}
+
 json statusJson(const SessionStatus& status) {
   json sources = json::array();
   for (const auto& source : status.sources)
@@ -135,11 +144,10 @@ json statusJson(const SessionStatus& status) {
                        {"malformed", source.malformed},
                        {"flagged", source.flagged},
                        {"disconnects", source.disconnects},
-                       {"topics", source.topics}});
-  return {{"sources", std::move(sources)},
-          {"samples", status.samples},
-          {"late", status.late},
-          {"unmatched", status.unmatched},
+                       {"topics", source.topics},
+                       {"notes", source.notes}});
+  return {{"sources", std::move(sources)}, {"samples", status.samples}, {"motions", status.motions},
+          {"wrenches", status.wrenches},   {"late", status.late},       {"unmatched", status.unmatched},
           {"recorded", status.recorded}};
 }
 
@@ -187,6 +195,7 @@ RecordingMeta metaOf(const LiveArguments& options, Findings& findings) {
   const auto isVirtual = [](const auto& s) { return s == "virtual" || s.starts_with("virtual:"); };
   if (file.empty() && std::ranges::all_of(options.sources, isVirtual)) meta = VirtualRig::metaFor(VirtualRigOptions());
   if (meta.kind == RecordingKind::poses) throw Failed("Live samples are of a motion, not of standing poses.");
+  if (!options.robot.empty()) meta.robot = orFail(robotNamed(options.robot, {}, "--robot"));
   // A replayed recording was brought to the plain form when it was read.
   if (replays) meta.numbersArePlain();
   return meta;
@@ -196,8 +205,9 @@ class LiveRun {
  public:
   LiveRun(const LiveArguments& options, EstimateOptions settings)
       : options_(options), settings_(std::move(settings)), meta_(metaOf(options, findings_)) {
+    const auto jointNames = jointNamesOf(meta_);
     for (const auto& address : options.sources) {
-      auto source = makeLiveSource(address, options.meta);
+      auto source = makeLiveSource(address, options.meta, jointNames);
       if (!source) throw WrongUsage(source.error().message);
       session_.addSource(std::move(*source));
     }
@@ -220,7 +230,7 @@ class LiveRun {
           if (source.state == LinkState::failed) throw Failed(source.text);
         if (running_)
           for (const auto& news : running_->news()) line.say(news);
-        line.show((running_ ? running_->line() : std::string("waiting for motion and wrench")) + troubleLine(status));
+        line.show((running_ ? running_->line() : waitingFor(status)) + troubleLine(status));
         if (finished) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
       }
@@ -234,9 +244,14 @@ class LiveRun {
   EstimateReport report() {
     if (kept_.empty()) {
       std::string why;
-      for (const auto& source : status_.sources)
+      for (const auto& source : status_.sources) {
         if (!source.text.empty()) why += " " + source.text;
-      throw Failed("No complete sample arrived: motion and wrench are both needed." + why);
+        for (const auto& note : source.notes) why += " " + note;
+      }
+      const auto missing = missingPart(status_);
+      throw Failed((missing.empty() ? "No complete sample arrived: motion and wrench never came at the same time."
+                                    : "No complete sample arrived. " + missing) +
+                   why);
     }
     if (kept_.full())
       findings_.push_back({Severity::warning,
@@ -247,6 +262,11 @@ class LiveRun {
                            {}});
     const auto name = options_.record.empty() ? "live" : options_.record;
     auto checked = orFail(checkRecording(kept_.toRecording(meta_, name)));
+    for (const auto& source : status_.sources) {
+      if (source.configured) checked.recording.configured = source.configured;
+      for (const auto& note : source.notes)
+        findings_.push_back({Severity::info, "live_note", fmt::format("{}: {}", source.name, note), {}, {}});
+    }
     std::optional<RobotModel> robot;
     if (checked.recording.hasJoints()) robot = orFail(robotFor(checked.recording.meta, findings_));
     orFail(toSensorAxes(checked.recording, robot ? &*robot : nullptr));
@@ -280,18 +300,18 @@ class LiveRun {
   void begin(const LiveSample& first) {
     if (first.q && !meta_.robot) {
       if (first.joints != 7)
-        throw Failed(fmt::format("There are {} joints but no robot is named: give --meta.", first.joints));
+        throw Failed(fmt::format("There are {} joints but no robot is named: give --robot or --meta.", first.joints));
       meta_.robot = "panda";
       findings_.push_back({Severity::warning,
                            "robot_assumed",
                            "No robot is named; with seven joints it is taken to be a Franka Panda, with the sensor at "
                            "its flange.",
-                           "Name it in a meta file: --meta FILE.",
+                           "Name it with --robot, or in a meta file: --meta FILE.",
                            {}});
     }
     std::optional<RobotModel> robot;
     if (first.q) robot = orFail(robotFor(meta_, findings_));
-    running_.emplace(meta_, robot ? &*robot : nullptr, settings_.shape);
+    running_.emplace(meta_, robot ? &*robot : nullptr, settings_.shape, settings_.conventions);
   }
 
   const LiveArguments& options_;
@@ -317,6 +337,7 @@ void run(const LiveArguments& options) {
     settings.shape = std::move(shape).value();
   }
   if (!options.shapeFile.empty()) settings.shape = orFail(readShapeFile(options.shapeFile));
+  settings.conventions = conventionChoice(options.conventions);
   if (!options.record.empty() && std::filesystem::path(options.record).extension() != ".csv")
     throw WrongUsage(fmt::format("--record expects a name that ends in .csv, not '{}'.", printable(options.record)));
   const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
@@ -342,6 +363,7 @@ Command makeLiveCommand(CLI::App& root) {
   CLI::App* app = root.add_subcommand("live", "Estimate while the hand moves, and record");
   app->add_option("SOURCE", options->sources,
                   "One source with motion and wrench, or one for each:\n"
+                  "rtde:HOST[:PORT]  Universal Robots: joints and the raw wrench of the flange's sensor\n"
                   "rdt:HOST[:PORT]  Net F/T sensor (ATI, Schunk)\n"
                   "foxglove:HOST[:PORT]  Foxglove WebSocket bridge\n"
                   "rosbridge:HOST[:PORT]  rosbridge\n"
@@ -352,7 +374,9 @@ Command makeLiveCommand(CLI::App& root) {
       ->required();
   app->add_option("--record", options->record, "Write the samples to this CSV as they arrive")->type_name("FILE");
   app->add_option("--meta", options->meta, "Meta file: robot, sensor mount, wrench sign, gravity")->type_name("FILE");
+  app->add_option("--robot", options->robot, "panda or a URDF, instead of the meta file's")->type_name("ROBOT");
   app->add_option("--duration", options->duration, "End after so many seconds; otherwise at Ctrl-C")->type_name("S");
+  addConventionChoice(*app, options->conventions);
   app->add_option("--shape", options->shape, "Shape of the tool, as in 'heft estimate'")->type_name("SHAPE");
   app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")->type_name("FILE");
   app->add_option("--json", options->json, "Write the final estimate as JSON; - is stdout")->type_name("FILE");
@@ -361,7 +385,8 @@ Command makeLiveCommand(CLI::App& root) {
       "Examples:\n"
       "  heft live replay:rec.csv --duration 5\n"
       "  heft live rdt:192.168.1.1 foxglove:localhost --record demo.csv --meta rig.meta.json\n"
-      "  heft live udp:9870 --json result.json\n\n"
+      "  heft live udp:9870 --json result.json\n"
+      "  heft live rtde:192.168.0.10 --robot ur5e.urdf --record demo.csv\n\n"
       "Lost, late and malformed packets are counted and shown. Nothing is sent to a sensor but the request for its\n"
       "data; in particular it is never tared. A recording never replaces a file.");
   return {app, [options] { run(*options); }};

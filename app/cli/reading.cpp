@@ -4,16 +4,18 @@
 
 #include "app/cli/cli.h"
 #include "core/motion/motion.h"
+#include "core/motion/mount_link.h"
 #include "core/motion/sensor_axes.h"
 
 namespace heft::cli {
 
 Input readInput(const std::string& file, const ImportOptions& options, const std::string& robot,
                 const Progress& progress) {
-  ReadRecording read = orFail(openRecording(file, options, progress));
+  ImportOptions known = options;
+  known.robot = robot;
+  ReadRecording read = orFail(openRecording(file, known, progress));
   Input input{std::move(read.recording), std::nullopt, std::move(read.findings)};
   Recording& recording = input.recording;
-  if (!robot.empty()) input.recording.meta.robot = robot == "panda" ? robot : std::filesystem::absolute(robot).string();
   if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) {
     orFail(toSensorAxes(recording, nullptr));
     return input;
@@ -24,6 +26,7 @@ Input readInput(const std::string& file, const ImportOptions& options, const std
                     "meta file.",
                     recording.file));
   input.robot = orFail(robotFor(recording.meta, input.findings));
+  mountOnFlange(recording.meta, *input.robot, input.findings);
   orFail(toSensorAxes(recording, input.model()));
   return input;
 }

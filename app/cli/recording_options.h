@@ -1,5 +1,8 @@
 #pragma once
 // How every command that reads a recording is told which topics and columns to take.
+#include <string>
+
+#include "core/estimation/options.h"
 #include "core/import/import.h"
 
 namespace CLI {
@@ -10,5 +13,13 @@ namespace heft::cli {
 
 /// Adds --meta, --map, --join and --use.
 void addRecordingOptions(CLI::App& app, ImportOptions& options);
+
+/// Adds --rate, the rate of files without a clock.
+void addRateOption(CLI::App& app, ImportOptions& options);
+
+/// Adds --conventions; `word` holds its default.
+void addConventionChoice(CLI::App& app, std::string& word);
+/// Throws WrongUsage.
+ConventionChoice conventionChoice(const std::string& word);
 
 }  // namespace heft::cli

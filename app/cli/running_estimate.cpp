@@ -2,45 +2,72 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/cli/cli.h"
 #include "core/live/plain_samples.h"
+#include "core/online/convention_watch.h"
 #include "core/online/online_estimator.h"
 
 namespace heft::cli {
 
 struct RunningEstimate::Impl {
+  RecordingMeta meta;
+  std::optional<RobotModel> robot;
+  OnlineOptions options;
+  ConventionChoice choice;
   PlainSamples plain;
-  std::optional<double> start;
   OnlineEstimator estimator;
-  std::set<std::string> told;
+  ConventionWatch watch;
+  Matrix3d turn = Matrix3d::Identity();  ///< Of the wrench, beside poses
+  bool readSo = false, fromJoints = false;
+  std::optional<double> start{};
+  std::set<std::string> told{};
+
+  const RobotModel* model() const { return robot ? &*robot : nullptr; }
+  void read(const conventions::Report& report);
 };
 
-RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* robot,
-                                 const std::optional<Shape>& shape) {
+/// From now on the samples mean what `report` suggests.
+void RunningEstimate::Impl::read(const conventions::Report& report) {
+  const RecordingMeta so = conventions::metaSo(meta, report.stated, *report.suggested, fromJoints);
+  if (!fromJoints) turn = report.suggested->turn * report.stated.turn.transpose();
+  plain = orFail(PlainSamples::create(so, model()));
+  estimator = orFail(OnlineEstimator::create(so, model(), options));
+  watch = ConventionWatch(so, nullptr);  // Asks no more
+  readSo = true;
+}
+
+RunningEstimate::RunningEstimate(const RecordingMeta& meta, const RobotModel* robot, const std::optional<Shape>& shape,
+                                 ConventionChoice choice) {
   OnlineOptions options;
   options.shape = shape;
-  impl_.reset(new Impl{orFail(PlainSamples::create(meta, robot)),
-                       std::nullopt,
-                       orFail(OnlineEstimator::create(meta, robot, options)),
-                       {}});
+  impl_.reset(new Impl{meta, robot ? std::optional(*robot) : std::nullopt, options, choice,
+                       orFail(PlainSamples::create(meta, robot)), orFail(OnlineEstimator::create(meta, robot, options)),
+                       ConventionWatch(meta, robot)});
 }
 
 void RunningEstimate::add(const LiveSample& read) {
   const LiveSample sample = orFail(impl_->plain.plain(read));
-  if (!impl_->start) impl_->start = sample.time;
+  if (!impl_->start) {
+    impl_->start = sample.time;
+    impl_->fromJoints = !sample.orientation;
+  }
   OnlineSample out;
   out.time = sample.time - *impl_->start;
   out.q = sample.q;
   out.dq = sample.dq;
   if (sample.orientation) out.pose = OnlineSample::Pose{sample.position, *sample.orientation};
-  out.wrench = *sample.wrench;
+  out.wrench << impl_->turn * sample.wrench->head<3>(), impl_->turn * sample.wrench->tail<3>();
   impl_->estimator.add(out);
+  if (!impl_->readSo) impl_->watch.add(out);
 }
 
 std::string RunningEstimate::line() const {
   const OnlineState& state = impl_->estimator.state();
+  if (const auto* out = impl_->watch.report())
+    return fmt::format("{:6.1f} s  no weight: {}", state.time, out->sentence);
   if (!state.estimated) return fmt::format("{:6.1f} s  moving and measuring ...", state.time);
   const auto& com = state.payload.com;
   const auto& mass = state.interval95.mass;
@@ -54,6 +81,26 @@ std::vector<std::string> RunningEstimate::news() {
   for (const auto& finding : impl_->estimator.state().findings)
     if ((finding.code == "tool_changed" || finding.code == "tool_back") && impl_->told.insert(finding.text).second)
       out.push_back(finding.text);
+    else if ((finding.code == "stamps_jitter" || finding.code == "no_agreement") &&
+             impl_->told.insert(finding.code).second)
+      out.push_back(finding.text + " " + finding.remedy);
+  if (impl_->readSo || !impl_->watch.news()) return out;
+  const conventions::Report* report = impl_->watch.report();
+  if (!report) {
+    out.push_back("The numbers mean what the meta file says after all.");
+  } else if (report->verdict == conventions::Verdict::suggested && impl_->choice == ConventionChoice::suggested) {
+    out.push_back(report->sentence + " The samples are read so from now on.");
+    impl_->read(conventions::Report(*report));
+  } else {
+    out.push_back(report->sentence);
+    const bool plain = report->verdict == conventions::Verdict::suggested;
+    const auto patch =
+        plain ? conventions::metaPatch(report->stated, *report->suggested, impl_->meta.mount, impl_->fromJoints)
+              : nlohmann::json(nullptr);
+    if (!patch.is_null())
+      out.push_back(
+          fmt::format("Write {} into the meta file, or add --conventions suggested. {}", patch.dump(), report->check));
+  }
   return out;
 }
 

@@ -61,6 +61,7 @@ Command makeSegmentCommand(CLI::App& root) {
       ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist");
   addRecordingOptions(*app, options->import);
+  addRateOption(*app, options->import);
   app->footer(
       "Examples:\n"
       "  heft segment rec.csv\n"

@@ -83,6 +83,8 @@ void run(SimulateArguments options) {
   requireRange("--speed", options.simulate.speed, 0.01, 2.0, "");
   requireRange("--force-noise", options.simulate.sensor.forceNoise, 0.0, 100.0, "N");
   requireRange("--torque-noise", options.simulate.sensor.torqueNoise, 0.0, 10.0, "N m");
+  requireRange("--joint-noise", options.simulate.positionNoise, 0.0, 0.1, "rad");
+  requireRange("--joint-step", options.simulate.positionStep, 0.0, 0.1, "rad");
   if (!options.xyz.empty()) options.simulate.mount.xyz = parseVector3("--xyz", options.xyz);
   if (!options.rpy.empty()) options.simulate.mount.rpy = parseVector3("--rpy", options.rpy);
   if (options.output == "-" || options.truth == "-")
@@ -164,6 +166,13 @@ Command makeSimulateCommand(CLI::App& root) {
       ->capture_default_str();
   app->add_option("--torque-noise", simulate.sensor.torqueNoise, "White noise of the torques [N m]")
       ->type_name("NM")
+      ->capture_default_str();
+  app->add_option("--joint-noise", simulate.positionNoise,
+                  "Noise of the joint angles, standard deviation [rad]")
+      ->type_name("RAD")
+      ->capture_default_str();
+  app->add_option("--joint-step", simulate.positionStep, "Step that an encoder rounds joint angles to [rad]; 0: exact")
+      ->type_name("RAD")
       ->capture_default_str();
   app->add_option("--xyz", options->xyz, "Sensor origin on the flange, x,y,z [m]; otherwise 0,0,0.04")
       ->type_name("X,Y,Z");

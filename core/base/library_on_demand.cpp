@@ -26,7 +26,9 @@ std::string LibraryOnDemand::problem() const {
 void* LibraryOnDemand::symbol(const char* name) const {
   void* library = handle();
   if (!library) throw std::runtime_error(problem());
-  void* found = dlsym(library, name);
+  // A variable that a program links to itself lives in the program, and the library uses it there.
+  void* found = dlsym(RTLD_DEFAULT, name);
+  if (!found) found = dlsym(library, name);
   if (!found) throw std::runtime_error(say("The library {} has no {}: it is of another version.", file_, name));
   return found;
 }

@@ -24,11 +24,12 @@ std::string onCommandLine(Remedy way, const std::string& subject) {
     case Remedy::chooseTime:
       return heft::say("Name it time (in seconds), or say which it is with --use time=NAME.");
     case Remedy::stateOffset:
-      return heft::say(
-          "State it in a map file, for instance {{\"offset_s\": {{\"{}\": 0.0}}}} (seconds added to its times).",
-          subject);
+      return heft::say("State it in a map file, for instance {{\"offset_s\": {{{}}}}} (seconds added to its times).",
+                       subject);
+    case Remedy::stateRate:
+      return heft::say("If the file has no clock, state its rate with --rate HZ.");
     case Remedy::nameRobot:
-      return heft::say("Name it in the meta file: \"robot\": \"panda\" or the path of a URDF.");
+      return heft::say("Name it with --robot, or in the meta file: \"robot\": \"panda\" or the path of a URDF.");
     case Remedy::mountSensor:
       return heft::say("Set sensor.mount.parent in the meta file to one of: {}.", subject);
     case Remedy::stateConvention:

@@ -12,7 +12,8 @@ enum class Remedy {
   takeSource,        ///< Take a topic that was passed over; subject: its name.
   addFile,           ///< Add the file of a part that is missing, or say which columns it has.
   chooseTime,        ///< Say which column or dataset is the time.
-  stateOffset,       ///< Say how much one clock is late; subject: the stream.
+  stateOffset,       ///< Say how much one clock is late; subject: the stream and by how much, "/ft": 0.25.
+  stateRate,         ///< Say at which rate a file without a clock was recorded.
   nameRobot,         ///< Say which robot was recorded.
   mountSensor,       ///< Say which link carries the sensor; subject: the links there are.
   stateConvention,   ///< Say which unit or form the numbers have; subject: as in a meta file, "angle_unit": "deg".

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/findings.h"
+#include "core/conventions/agreement.h"
 #include "core/conventions/reading.h"
 
 namespace heft::conventions {
@@ -20,11 +21,14 @@ struct Question {
   RecordingKind kind = RecordingKind::motion;
   Reading stated;
   bool posesInFile = false;  ///< The motion comes from poses in the file, not from joints.
-  SensorMount mount;         ///< As stated; for the meta keys.
   std::vector<bool> use;     ///< Empty, or one a sample of the motion: what the user marked as contact is not used.
   double heaviest = 50.0;    ///< Payload of the arm [kg]: what weighs more is not read rightly. Arms guided by hand
                              ///< carry 3 to 50 kg (FANUC CR-35iB).
 };
+
+/// What to ask of a recording whose motion, as stated, is `motion` (standing poses: of standingPoses()). Of a motion
+/// only what the user did not mark as contact, or as to be ignored, is used. `motion` must outlive it.
+Question questionOf(const Recording& recording, const Motion& motion);
 
 enum class Verdict {
   asStated,   ///< The stated conventions fit, or what is wrong is no convention.
@@ -59,14 +63,17 @@ struct Report {
   std::optional<Reading> suggested;  ///< With Verdict::suggested; with ambiguous, the likeliest.
   double evidence = 0.0;             ///< 2 ln L of the best over the next that is not the same thing
   double overStated = 0.0;           ///< 2 ln L of the best over the stated conventions
+  std::optional<Alternative> next;   ///< With a suggestion: the likeliest that is not the same thing
   std::vector<Alternative> ties;     ///< What fits as well as the best, likeliest first; the best itself is not in it.
   Misfit misfit;                     ///< Of what the verdict takes for right: as stated, or as suggested
   Misfit statedMisfit;
   Payload payload, statedPayload;
-  std::string sentence;  ///< "The force is given in the robot's base axes, not the sensor's."
-  std::string check;     ///< Where to look at the driver; empty for asStated
-  std::string decides;   ///< What would decide a tie; empty without one
-  Findings cautions;     ///< "centre_behind_sensor", "centre_far", "weight_large"
+  std::optional<Agreement> agreement;  ///< As stated, where that is the verdict; absent where it cannot be told
+  std::string sentence;                ///< "The force is given in the robot's base axes, not the sensor's."
+  std::string check;                   ///< Where to look at the driver; empty for asStated
+  std::string decides;                 ///< What would decide a tie; empty without one
+  Findings cautions;                   ///< "centre_behind_sensor", "centre_far", "weight_large", "nearly_tied",
+                                       ///< "sensor_turned", "force_and_torque"
 };
 
 /// As stated is not doubted where it leaves less than this share of the load beyond noise: a torque's sign, an axis or
@@ -74,6 +81,14 @@ struct Report {
 constexpr double kFits = 0.08;
 
 Report check(const Question& question);
+
+/// What a payload and a zero, fitted robustly, leave of the readings of `question.motion` as stated.
+struct LeftOver {
+  std::vector<double> time;  ///< [s], of blocks of some 80 ms; poses: their numbers, from 1
+  MatrixXd left;             ///< 6 x K, force [N] and torque [N m] in sensor axes
+  double mass = 0.0;         ///< Of the payload [kg]; below 0 where the sign is wrong
+};
+LeftOver leftOver(const Question& question);
 
 /// {"verdict", "stated", "suggested", "evidence", "over_stated", "meta", "ties", "sentence", "misfit": {...}}: the
 /// contract's keys of `conventions` and more.

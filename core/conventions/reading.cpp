@@ -23,7 +23,10 @@ namespace {
 
 constexpr const char* kAxisName[] = {"x", "y", "z"};
 
+constexpr double kSameAngle = 1e-6;  ///< [rad] Rounding
+
 double angleOf(const Matrix3d& R) { return vectorFromRotation(R).norm(); }
+double angleBetween(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 Matrix3d mirrorOf(const Conventions& c) {
   Matrix3d M = Matrix3d::Identity();
@@ -108,7 +111,6 @@ std::string_view toString(Change change) {
 }
 
 std::vector<Change> changes(const Reading& from, const Reading& to) {
-  constexpr double kSame = 1e-6;  // rad, and of gravity: rounding
   const Conventions &a = from.conventions, &b = to.conventions;
   std::vector<Change> out;
   const auto add = [&out](bool differs, Change change) {
@@ -121,10 +123,10 @@ std::vector<Change> changes(const Reading& from, const Reading& to) {
   add(from.sign != to.sign, Change::wrenchSign);
   add(a.torqueSign != b.torqueSign, Change::torqueSign);
   add(a.force.si != b.force.si || a.torque.si != b.torque.si, Change::unit);
-  add(angleOf(from.turn.transpose() * to.turn) > kSame, Change::turned);
-  const double turned = std::atan2(from.gravity.cross(to.gravity).norm(), from.gravity.dot(to.gravity));
-  add(turned > std::numbers::pi - kSame, Change::gravitySign);
-  add(turned > kSame && turned <= std::numbers::pi - kSame, Change::gravityTurned);
+  add(angleOf(from.turn.transpose() * to.turn) > kSameAngle, Change::turned);
+  const double turned = angleBetween(from.gravity, to.gravity);
+  add(turned > std::numbers::pi - kSameAngle, Change::gravitySign);
+  add(turned > kSameAngle && turned <= std::numbers::pi - kSameAngle, Change::gravityTurned);
   add(a.pose != b.pose, Change::poseInverted);
   add(a.quaternionOrder != b.quaternionOrder, Change::quaternionOrder);
   return out;
@@ -177,8 +179,7 @@ std::string changeSaid(Change change, const Reading& stated, const Reading& read
     case Change::gravityTurned:
       return heft::say(
           "Gravity points {:.0f} degrees away from what the setup file says: the base is mounted differently.",
-          std::atan2(stated.gravity.cross(reading.gravity).norm(), stated.gravity.dot(reading.gravity)) /
-              kRadPerDegree);
+          angleBetween(stated.gravity, reading.gravity) / kRadPerDegree);
     case Change::poseInverted:
       return c.pose == Pose::baseInSensor ? heft::say("The poses are those of the base in the sensor's frame.")
                                           : heft::say("The poses are those of the sensor in the base frame.");
@@ -233,27 +234,9 @@ std::string inTurn(const Reading& stated, const Reading& reading, const Said& sa
   return out;
 }
 
-json unitJson(const Conventions::Unit& unit, const char* plain) {
-  if (!unit.name.empty()) return unit.name;
-  return unit.si == 1.0 ? json(plain) : json(unit.si);
-}
-
-json pointJson(const Point& point) {
-  if (point.kind == Point::Kind::sensor) return "sensor";
-  if (point.kind == Point::Kind::base) return "base";
-  return {point.offset.x(), point.offset.y(), point.offset.z()};
-}
-
 json signJson(WrenchSign sign) {
   return sign == WrenchSign::sensorOnPayload ? "sensor_on_payload" : "payload_on_sensor";
 }
-json axesJson(Axes axes) { return axes == Axes::base ? "base" : "sensor"; }
-json torqueSignJson(Sign sign) { return sign == Sign::opposite ? "opposite" : "as_force"; }
-json orderJson(Order order) { return order == Order::torqueFirst ? "torque_first" : "force_first"; }
-json mirrorJson(const std::optional<int>& axis) { return axis ? json(kAxisName[*axis]) : json(nullptr); }
-json poseJson(Pose pose) { return pose == Pose::baseInSensor ? "base_in_sensor" : "sensor_in_base"; }
-json quaternionJson(Quaternion order) { return order == Quaternion::wxyz ? "wxyz" : "xyzw"; }
-
 }  // namespace
 
 Reading statedIn(const RecordingMeta& meta) {
@@ -270,74 +253,40 @@ std::string sentence(const Reading& stated, const Reading& reading) {
 
 std::string whatToCheck(const Reading& stated, const Reading& reading) { return inTurn(stated, reading, checkSaid); }
 
+RecordingMeta metaSo(RecordingMeta meta, const Reading& stated, const Reading& reading, bool fromJoints) {
+  meta.conventions = reading.conventions;
+  meta.wrenchSign = reading.sign;
+  meta.gravity = reading.gravity;
+  if (const Matrix3d turn = stated.turn.transpose() * reading.turn; fromJoints && angleOf(turn) > kSameAngle)
+    meta.mount.rpy = rpyFromRotation(rotationFromRpy(meta.mount.rpy) * turn);
+  return meta;
+}
+
 json metaPatch(const Reading& stated, const Reading& reading, const SensorMount& mount, bool fromJoints) {
-  json out = json::object();
-  const Conventions& c = reading.conventions;
-  for (const Change change : changes(stated, reading)) {
-    json& sensor = out["sensor"];
-    switch (change) {
-      case Change::wrenchSign:
-        sensor["wrench_sign"] = signJson(reading.sign);
-        break;
-      case Change::torqueSign:
-        sensor["torque_sign"] = torqueSignJson(c.torqueSign);
-        break;
-      case Change::torqueFirst:
-        sensor["wrench_order"] = orderJson(c.wrenchOrder);
-        break;
-      case Change::axes:
-        sensor["wrench_axes"] = axesJson(c.wrenchAxes);
-        break;
-      case Change::point:
-        sensor["wrench_point"] = pointJson(c.wrenchPoint);
-        break;
-      case Change::mirrored:
-        sensor["mirrored_axis"] = mirrorJson(c.mirroredAxis);
-        break;
-      case Change::unit:
-        sensor["force_unit"] = unitJson(c.force, "N");
-        sensor["torque_unit"] = unitJson(c.torque, "N m");
-        break;
-      case Change::turned: {
-        if (!fromJoints) break;
-        const Matrix3d R_LS = rotationFromRpy(mount.rpy) * stated.turn.transpose() * reading.turn;
-        const Vector3d rpy = rpyFromRotation(R_LS);
-        sensor["mount"] = {{"parent", mount.parent},
-                           {"xyz_m", {mount.xyz.x(), mount.xyz.y(), mount.xyz.z()}},
-                           {"rpy_rad", {rpy.x(), rpy.y(), rpy.z()}}};
-        break;
-      }
-      case Change::gravitySign:
-      case Change::gravityTurned:
-        out["gravity_m_s2"] = {reading.gravity.x(), reading.gravity.y(), reading.gravity.z()};
-        break;
-      case Change::poseInverted:
-        out["pose"] = poseJson(c.pose);
-        break;
-      case Change::quaternionOrder:
-        out["quaternion_order"] = quaternionJson(c.quaternionOrder);
-        break;
-    }
-    if (out["sensor"].is_null()) out.erase("sensor");
-  }
+  const auto vector = [](const Vector3d& v) { return json{v.x(), v.y(), v.z()}; };
+  RecordingMeta meta;
+  meta.mount = mount;
+  meta = metaSo(std::move(meta), stated, reading, fromJoints);
+  // In words even where it is the default: a person is to read it.
+  StatedConventions said{reading.conventions, {}};
+  const json differs = heft::metaPatch(stated.conventions, reading.conventions);
+  for (const auto& [key, value] : differs.items())
+    if (key != "sensor") said.keys.insert(key);
+  if (differs.contains("sensor"))
+    for (const auto& [key, value] : differs["sensor"].items()) said.keys.insert(key);
+  json out = heft::metaPatch(said);
+  if (stated.sign != reading.sign) out["sensor"]["wrench_sign"] = signJson(reading.sign);
+  if (meta.mount.rpy != mount.rpy)
+    out["sensor"]["mount"] = {
+        {"parent", mount.parent}, {"xyz_m", vector(mount.xyz)}, {"rpy_rad", vector(meta.mount.rpy)}};
+  if (angleBetween(stated.gravity, reading.gravity) > kSameAngle) out["gravity_m_s2"] = vector(reading.gravity);
   return out.empty() ? json(nullptr) : out;
 }
 
 json toJson(const Reading& reading) {
-  const Conventions& c = reading.conventions;
-  const Conventions plain;
-  json out = json::object();
+  json out = heft::toJson(reading.conventions);
   out["wrench_sign"] = signJson(reading.sign);
-  if (c.wrenchAxes != plain.wrenchAxes) out["wrench_axes"] = axesJson(c.wrenchAxes);
-  if (!(c.wrenchPoint == plain.wrenchPoint)) out["wrench_point"] = pointJson(c.wrenchPoint);
-  if (c.torqueSign != plain.torqueSign) out["torque_sign"] = torqueSignJson(c.torqueSign);
-  if (c.wrenchOrder != plain.wrenchOrder) out["wrench_order"] = orderJson(c.wrenchOrder);
-  if (c.mirroredAxis) out["mirrored_axis"] = mirrorJson(c.mirroredAxis);
-  if (!(c.force == plain.force)) out["force_unit"] = unitJson(c.force, "N");
-  if (!(c.torque == plain.torque)) out["torque_unit"] = unitJson(c.torque, "N m");
-  if (c.pose != plain.pose) out["pose"] = poseJson(c.pose);
-  if (c.quaternionOrder != plain.quaternionOrder) out["quaternion_order"] = quaternionJson(c.quaternionOrder);
-  if (angleOf(reading.turn) > 1e-6) {
+  if (angleOf(reading.turn) > kSameAngle) {
     const Vector3d rpy = rpyFromRotation(reading.turn);
     out["mount_turn_rpy_rad"] = {rpy.x(), rpy.y(), rpy.z()};
   }

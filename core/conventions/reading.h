@@ -49,8 +49,10 @@ std::string sentence(const Reading& stated, const Reading& reading);
 /// Where in driver or controller to look.
 std::string whatToCheck(const Reading& stated, const Reading& reading);
 
-/// The keys of a meta file that have to change, as a JSON merge patch; null where none does. `mount`: as stated; it is
-/// turned where the recording gets its motion from joints.
+/// The meta of a recording that is understood as `reading` instead of `stated`; its mount is turned where the motion
+/// comes from joints. Beside poses a turned sensor is no matter of the meta.
+RecordingMeta metaSo(RecordingMeta meta, const Reading& stated, const Reading& reading, bool fromJoints);
+/// The keys of a meta file that have to change, as a JSON merge patch; null where none does. `mount`: as stated.
 nlohmann::json metaPatch(const Reading& stated, const Reading& reading, const SensorMount& mount, bool fromJoints);
 /// The contract's keys of what `conventions` says that is not the plain form, and "wrench_sign".
 nlohmann::json toJson(const Reading& reading);

@@ -6,28 +6,34 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/diagnosis/artefacts/made_by_motion.h"
+#include "core/diagnosis/artefacts/noisy_motion.h"
+#include "core/diagnosis/artefacts/own_errors.h"
+#include "core/diagnosis/artefacts/sharp_motion.h"
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/confirmed.h"
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/dead_band.h"
-#include "core/diagnosis/held_rows.h"
-#include "core/diagnosis/made_by_motion.h"
-#include "core/diagnosis/named.h"
-#include "core/diagnosis/noisy_motion.h"
-#include "core/diagnosis/own_errors.h"
-#include "core/diagnosis/payload_after.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/change_detection/ringing.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/correction/re_estimate.h"
+#include "core/diagnosis/data_quality/dead_band.h"
+#include "core/diagnosis/data_quality/held_rows.h"
+#include "core/diagnosis/data_quality/reported_velocities.h"
+#include "core/diagnosis/data_quality/sample_tests.h"
+#include "core/diagnosis/data_quality/stuck_bit.h"
+#include "core/diagnosis/data_quality/time_stamps.h"
+#include "core/diagnosis/pipeline/hypothesis_search.h"
+#include "core/diagnosis/pipeline/set_aside.h"
 #include "core/diagnosis/poses.h"
-#include "core/diagnosis/ringing.h"
-#include "core/diagnosis/sharp_motion.h"
-#include "core/diagnosis/stuck_bit.h"
-#include "core/diagnosis/surrogates.h"
-#include "core/diagnosis/time_stamps.h"
-#include "core/diagnosis/two_threads.h"
-#include "core/diagnosis/unknown.h"
-#include "core/diagnosis/velocities.h"
-#include "core/diagnosis/verdict.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/search/evidence.h"
+#include "core/diagnosis/search/null_distribution.h"
+#include "core/diagnosis/verdict/confirmation.h"
+#include "core/diagnosis/verdict/description.h"
+#include "core/diagnosis/verdict/unknown.h"
+#include "core/diagnosis/verdict/verdict.h"
+#include "core/diagnosis/wording/words.h"
 
 namespace heft {
 
@@ -57,13 +63,13 @@ struct Readings {
 
 /// Marks the rows that dead bands leave nothing of as bad, unless hardly any others are left.
 void setAside(const std::vector<DeadBand>& bands, std::vector<bool>& bad, Eigen::Index rows) {
-  constexpr double kMost = 0.6;
+  constexpr double kMostRows = 0.6;  // Share of them
   if (bands.empty()) return;
   std::vector<bool> all = bad;
   all.resize(static_cast<std::size_t>(rows), false);
   for (const DeadBand& band : bands)
     for (const auto& [from, to] : band.runs) std::fill(all.begin() + from, all.begin() + to, true);
-  if (static_cast<double>(std::ranges::count(all, true)) < kMost * static_cast<double>(rows)) bad = std::move(all);
+  if (static_cast<double>(std::ranges::count(all, true)) < kMostRows * static_cast<double>(rows)) bad = std::move(all);
 }
 
 /// Undoes the mistake in the recordings, and learns what is told of it: how much it left over, and a mount's turn to a
@@ -75,7 +81,7 @@ std::optional<Error> putRight(Readings& readings, const RobotModel* robot, const
   smoothing.twicing = true;
   const Recording cleaned = readings.cleaned;
   const auto wayIn = [&](const Recording& recording) {
-    return wayOf(recording, recording, robot, smoothing, options, {});
+    return smoothingCandidateOf(recording, recording, robot, smoothing, options, {});
   };
   if (const auto stated = wayIn(cleaned)) {
     const auto stretches = stretchesOf(stated->signals.usable);
@@ -86,9 +92,9 @@ std::optional<Error> putRight(Readings& readings, const RobotModel* robot, const
   if (mistake.has(conventions::Change::turned) && !mirrored) {
     const auto right = undone(cleaned, robot, mistake);
     if (!right) return right.error();
-    if (auto way = wayIn(*right)) {
-      lookForContact(*way, *right, options);
-      refineTurn(mistake, way->signals, untouched(way->signals, *way));
+    if (auto candidate = wayIn(*right)) {
+      lookForContact(*candidate, *right, options);
+      refineTurn(mistake, candidate->signals, untouched(candidate->signals, *candidate));
     }
   }
   auto stated = undone(std::move(readings.stated), robot, mistake);
@@ -112,7 +118,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   Readings out;
   out.cleaned = recording;
   out.cleaned.wrench = std::move(facts.restored);
-  if (facts.stamps && !contains(options.hidden, "jitter")) out.cleaned.time = facts.stamps->even;
+  if (facts.stamps && !contains(options.hidden, ids::jitter)) out.cleaned.time = facts.stamps->even;
   refresh(out.cleaned, recording, facts.stale, facts.held);
   bridge(out.cleaned, facts.held, facts.motionHeld);
   MotionOptions smoothing;
@@ -120,7 +126,8 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   auto motion = motionOf(out.cleaned, robot, smoothing);
   if (!motion) return motion.error();
   out.stated = recording;
-  if (!asStated) out.mistake = frameMistake(out.cleaned, *motion, conventionsOf(out.cleaned, *motion));
+  if (!asStated)
+    out.mistake = frameMistake(out.cleaned, *motion, conventions::check(conventions::questionOf(out.cleaned, *motion)));
   if (out.mistake) {
     if (auto error = putRight(out, robot, options)) return *error;
     motion = motionOf(out.cleaned, robot, smoothing);
@@ -129,12 +136,13 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
   out.motion = std::move(*motion);
   out.directs = sampleTests(out.stated, out.motion, facts);
   out.stuckBits = stuckBits(out.stated);
-  if (out.stuckBits.empty() && std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == "spikes"; }))
+  if (out.stuckBits.empty() &&
+      std::ranges::none_of(out.directs, [](const Direct& d) { return d.cause == ids::spikes; }))
     out.leaps = facts.spikes;
   if (facts.deadBands.empty()) out.frozen = frozenChannel(recording, facts.tops, facts.coarse.steps);
   std::erase_if(out.directs, [&](const Direct& d) {
     // Where a bit of a converter is stuck, readings leap again and again.
-    return contains(options.hidden, d.cause) || (d.cause == "spikes" && !out.stuckBits.empty());
+    return contains(options.hidden, d.cause) || (d.cause == ids::spikes && !out.stuckBits.empty());
   });
   for (const auto& direct : out.directs) {
     // Velocities that disagree with the angles or poses are not used, here or for the payload.
@@ -142,7 +150,7 @@ Result<Readings> readingsOf(const Recording& recording, const RobotModel* robot,
     // Cut off flat for so long that nothing else would be left to judge: then those rows are better than none.
     constexpr double kLeast = 3.0;  // [s]
     const auto cut = std::ranges::count(direct.rows, true), judged = std::ssize(direct.rows) - cut;
-    if (direct.cause == "saturation" && judged < cut && static_cast<double>(judged) < kLeast * recording.rateHz()) {
+    if (direct.cause == ids::saturation && judged < cut && static_cast<double>(judged) < kLeast * recording.rateHz()) {
       out.cutsMost = true;
       continue;
     }
@@ -164,12 +172,12 @@ bool hasLongLines(const Direct& direct) {
 }
 
 bool wasHeld(const Readings& readings) {
-  return std::ranges::any_of(readings.directs, [](const Direct& direct) { return direct.cause == "dropouts"; });
+  return std::ranges::any_of(readings.directs, [](const Direct& direct) { return direct.cause == ids::dropouts; });
 }
 
 /// A search, and the chance of finding something where nothing is.
 struct Searched {
-  Work work;
+  Hypothesis hypothesis;
   double threshold = kThreshold;
   Surrogates chance;  ///< Empty where none were asked for, or nothing was found
   std::optional<NoisyMotion> noisy;
@@ -184,10 +192,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     return std::ranges::find(readings.directs, id, &Direct::cause) != readings.directs.end();
   };
   // Readings that are cut off flat are dealt with.
-  if (!readings.cutsMost && named("saturation")) options.hidden.emplace_back("saturation");
+  if (!readings.cutsMost && named(ids::saturation)) options.hidden.emplace_back(ids::saturation);
   // A motion of straight lines has no swings that are faster than these are long.
   if (std::ranges::any_of(readings.directs, hasLongLines))
-    for (const char* swings : {"loose_mass", "flexible_mount"}) options.hidden.emplace_back(swings);
+    for (const std::string_view swings : {ids::looseMass, ids::flexibleMount}) options.hidden.emplace_back(swings);
   struct Smoothing {
     double place;  ///< Among those that smooth less and those that smooth more
     MotionOptions options;
@@ -206,23 +214,24 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
   // Too noisy to judge anything on, but a knock at the arm is there as it was.
   constexpr MotionOptions kSharper{.cutoffHz = 110.0, .twicing = true};
   constexpr double kClearly = 30.0;  // Evidence for another way than this one
-  std::array<std::optional<Result<Way>>, kSmoothings.size() + 1> smoothed;
-  onTwoThreads(smoothed.size(), [&](std::size_t i) {
-    smoothed[i] = wayOf(recording, readings.cleaned, robot, i < kSmoothings.size() ? kSmoothings[i].options : kSharper,
-                        options, readings.bad);
+  std::array<std::optional<Result<SmoothingCandidate>>, kSmoothings.size() + 1> smoothed;
+  parallelFor(smoothed.size(), [&](std::size_t i) {
+    smoothed[i] =
+        smoothingCandidateOf(recording, readings.cleaned, robot,
+                             i < kSmoothings.size() ? kSmoothings[i].options : kSharper, options, readings.bad);
   });
-  std::vector<Way> ways;
-  for (auto& way : smoothed) {
-    if (!*way) return way->error();
-    ways.push_back(std::move(**way));
-    ways.back().turnTold = readings.mistake && readings.mistake->has(conventions::Change::turned);
+  std::vector<SmoothingCandidate> candidates;
+  for (auto& candidate : smoothed) {
+    if (!*candidate) return candidate->error();
+    candidates.push_back(std::move(**candidate));
+    candidates.back().mountTurnReported = readings.mistake && readings.mistake->has(conventions::Change::turned);
   }
-  const Way sharper = std::move(ways.back());
-  ways.pop_back();
-  Way& usual = ways[kUsualWay];
+  const SmoothingCandidate sharper = std::move(candidates.back());
+  candidates.pop_back();
+  SmoothingCandidate& usual = candidates[kUsualSmoothing];
   lookForContact(usual, readings.cleaned, options);
-  weighSharpMotion(ways, sharper, wasHeld(readings));
-  std::size_t at = kUsualWay;
+  weighSharpMotion(candidates, sharper, wasHeld(readings));
+  std::size_t at = kUsualSmoothing;
   // The way that leaves most of the motion among those that are next to best.
   const auto leastSmoothed = [&](const std::vector<double>& evidence) {
     constexpr double kSlightly = 10.0;
@@ -230,31 +239,31 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     return static_cast<std::size_t>(std::ranges::find_if(evidence, [&](double e) { return e > best - kSlightly; }) -
                                     evidence.begin());
   };
-  const std::vector<double> plain = nullEvidence(ways);
+  const std::vector<double> plain = nullEvidence(candidates);
   Searched out;
   if (*std::ranges::max_element(plain) > plain[at] + kClearly) {
     at = leastSmoothed(plain);
-    if (at > kUsualWay && !contains(options.hidden, "derivative_noise"))
-      out.noisy = noisyMotion(readings.cleaned, usual, ways[at], plain[at] - plain[kUsualWay]);
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-      ways[i].signals.noisyMotion = out.noisy.has_value();
-      if (i > kUsualWay) ways[i].signals.smoothedAway = std::max(0.0, plain[i] - plain[kUsualWay]);
+    if (at > kUsualSmoothing && !contains(options.hidden, ids::derivativeNoise))
+      out.noisy = noisyMotion(readings.cleaned, usual, candidates[at], plain[at] - plain[kUsualSmoothing]);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      candidates[i].signals.noisyMotion = out.noisy.has_value();
+      if (i > kUsualSmoothing) candidates[i].signals.smoothedAway = std::max(0.0, plain[i] - plain[kUsualSmoothing]);
     }
     if (out.noisy && !out.noisy->plain) out.noisy.reset();
-    if (out.noisy) options.hidden.emplace_back("derivative_noise");
+    if (out.noisy) options.hidden.emplace_back(ids::derivativeNoise);
   }
-  const auto searchedOn = [&](std::size_t i, double threshold, const GivesUp& givesUp = {}) {
-    lookForContact(ways[i], readings.cleaned, options);
-    return worked(ways[i], options, threshold, progress, givesUp);
+  const auto searchedOn = [&](std::size_t i, double threshold, const StopsEarly& stopsEarly = {}) {
+    lookForContact(candidates[i], readings.cleaned, options);
+    return hypothesisOn(candidates[i], options, threshold, progress, stopsEarly);
   };
   // Whether what was found speaks clearly for another way: then that one is next. Where neither neighbour is better,
   // none is.
   const auto betterBy = [&](const auto& evidenceOf) {
-    std::vector<double> gains(ways.size(), 0.0);
+    std::vector<double> gains(candidates.size(), 0.0);
     const auto ask = [&](bool neighbours) {
-      onTwoThreads(ways.size(), [&](std::size_t i) {
+      parallelFor(candidates.size(), [&](std::size_t i) {
         const bool beside = std::abs(kSmoothings[i].place - kSmoothings[at].place) <= 1.0;
-        if (i != at && beside == neighbours) gains[i] = evidenceOf(ways[i]);
+        if (i != at && beside == neighbours) gains[i] = evidenceOf(candidates[i]);
       });
       return *std::ranges::max_element(gains) > kClearly;
     };
@@ -263,15 +272,16 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     at = leastSmoothed(gains);
     return true;
   };
-  const auto betterElsewhere = [&](const Work& work) {
-    return betterBy([&](const Way& way) { return evidenceAt(way, work); });
+  const auto betterElsewhere = [&](const Hypothesis& hypothesis) {
+    return betterBy([&](const SmoothingCandidate& candidate) { return evidenceAt(candidate, hypothesis); });
   };
-  const bool smooth = at > kUsualWay;
-  auto found = searchedOn(at, kThreshold, [&](const Work& work, SoFar soFar) {
-    if (soFar == SoFar::anotherCause) return false;
-    return smooth && soFar == SoFar::firstCause
-               ? betterBy([&](const Way& way) { return evidenceAfresh(way, work, options); })
-               : betterElsewhere(work);
+  const bool smooth = at > kUsualSmoothing;
+  auto found = searchedOn(at, kThreshold, [&](const Hypothesis& hypothesis, SearchStage soFar) {
+    if (soFar == SearchStage::anotherCause) return false;
+    return smooth && soFar == SearchStage::firstCause ? betterBy([&](const SmoothingCandidate& candidate) {
+      return evidenceAfresh(candidate, hypothesis, options);
+    })
+                                                      : betterElsewhere(hypothesis);
   });
   if (found && found->search.givenUp) found = searchedOn(at, kThreshold);
   if (!found) return found.error();
@@ -294,10 +304,10 @@ Result<Searched> searched(const Recording& recording, const Readings& readings, 
     }
   }
   if (progress.cancelled()) return Error{"Stopped.", true};
-  out.work = std::move(*found);
-  out.cutoffHz = ways[at].cutoffHz;
-  out.work.madeByMotion = madeByMotion(out.work, ways, at);
-  if (!contains(options.hidden, "flexible_mount")) setRingingAside(out.work, usual);
+  out.hypothesis = std::move(*found);
+  out.cutoffHz = candidates[at].cutoffHz;
+  out.hypothesis.motionArtefacts = motionArtefacts(out.hypothesis, candidates, at);
+  if (!contains(options.hidden, ids::flexibleMount)) setRingingAside(out.hypothesis, usual);
   return out;
 }
 
@@ -312,9 +322,10 @@ void unlessCausesExplainMore(const Recording& recording, const RobotModel* robot
   if (!stated) return;
   const int surrogates = std::exchange(options.surrogates, 0);
   auto plain = searched(stated->stated, *stated, robot, options, progress);
-  if (!plain || !believable(plain->work.search.final)) return;
-  const auto perBlock = [](const Work& of) { return of.search.final.evidence / blocksIn(of.stretches); };
-  if ((perBlock(plain->work) - perBlock(found.work)) * blocksIn(found.work.stretches) < kClearly) return;
+  if (!plain || !believable(plain->hypothesis.search.final)) return;
+  const auto perBlock = [](const Hypothesis& of) { return of.search.final.evidence / blocksIn(of.stretches); };
+  if ((perBlock(plain->hypothesis) - perBlock(found.hypothesis)) * blocksIn(found.hypothesis.stretches) < kClearly)
+    return;
   if (surrogates > 0) {
     options.surrogates = surrogates;
     plain = searched(stated->stated, *stated, robot, options, progress);
@@ -326,16 +337,16 @@ void unlessCausesExplainMore(const Recording& recording, const RobotModel* robot
 
 /// Whether single readings that are wrong may be all that there is in stretches that were set aside: coarse steps are
 /// not where far more than a step is left.
-bool mayBeAllThatIsOdd(const Direct& direct, const Work& work) {
-  constexpr double kMost = 3.0;  // Steps
-  if (direct.cause != "quantisation") return true;
+bool mayBeAllThatIsOdd(const Direct& direct, const Hypothesis& hypothesis) {
+  constexpr double kMostSteps = 3.0;
+  if (direct.cause != ids::quantisation) return true;
   const auto stepOf = [&](std::string_view name) {
     const auto step = std::ranges::find_if(direct.parameters, [&](const auto& p) { return p.name == name; });
     return step == direct.parameters.end() ? 0.0 : step->value;
   };
-  const double force = kMost * stepOf("step_force"), torque = kMost * stepOf("step_torque");
-  return std::ranges::all_of(blocksOf(work.odd), [&](const Stretch& s) {
-    const auto left = work.search.final.residual.middleCols(s.from, s.to - s.from);
+  const double force = kMostSteps * stepOf("step_force"), torque = kMostSteps * stepOf("step_torque");
+  return std::ranges::all_of(blocksOf(hypothesis.unexplained), [&](const Stretch& s) {
+    const auto left = hypothesis.search.final.residual.middleCols(s.from, s.to - s.from);
     return left.topRows<3>().cwiseAbs().maxCoeff() < force || left.bottomRows<3>().cwiseAbs().maxCoeff() < torque;
   });
 }
@@ -349,7 +360,7 @@ bool isWithinSteps(const WrenchRms& left, const Vector6d& steps) {
 /// Whether hardly any reading is a spike: what knocks makes a few.
 bool hardlySpikes(const DiagnosedCause& cause) {
   constexpr double kFew = 0.05;  // [%]
-  const CauseParameter* share = cause.id == "spikes" ? findParameter(cause.parameters, "share") : nullptr;
+  const CauseParameter* share = cause.id == ids::spikes ? findParameter(cause.parameters, "share") : nullptr;
   return share != nullptr && share->value < kFew;
 }
 
@@ -358,23 +369,24 @@ bool hardlySpikes(const DiagnosedCause& cause) {
 /// than to the rig: it comes last.
 void sortByStrength(std::vector<DiagnosedCause>& causes) {
   const auto rank = [](const DiagnosedCause& c) {
-    return c.id == "contact"                           ? -1e300
-           : c.id == "quantisation" || hardlySpikes(c) ? 0.0
-           : c.direct && c.deltaBic == 0.0             ? 1e300
-                                                       : c.deltaBic;
+    return c.id == ids::contact                           ? -1e300
+           : c.id == ids::quantisation || hardlySpikes(c) ? 0.0
+           : c.direct && c.deltaBic == 0.0                ? 1e300
+                                                          : c.deltaBic;
   };
   std::ranges::stable_sort(causes, [&](const DiagnosedCause& a, const DiagnosedCause& b) { return rank(a) > rank(b); });
 }
 
 /// How large each cause that was not named would have to be, with this motion and noise.
-std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCause>& named, double threshold) {
+std::vector<Smallest> smallestVisible(Hypothesis& hypothesis, const std::vector<DiagnosedCause>& named,
+                                      double threshold) {
   std::vector<Smallest> out;
-  const auto bank = work.bank.around(work.signals, work.search.final.model);
-  const auto visible = leastVisible(work.signals, work.stretches, work.search.final, bank, threshold);
+  const auto bank = hypothesis.bank.around(hypothesis.signals, hypothesis.search.final.model);
+  const auto visible = leastVisible(hypothesis.signals, hypothesis.stretches, hypothesis.search.final, bank, threshold);
   for (std::size_t b = 0; b < bank.size(); ++b) {
     const Signature& signature = bank[b];
     const std::string id(signature.form.cause->id());
-    if (id == kWandering || std::ranges::any_of(named, [&](const auto& c) { return c.id == id; })) continue;
+    if (id == kRandomWalk || std::ranges::any_of(named, [&](const auto& c) { return c.id == id; })) continue;
     const VectorXd& size = visible[b];
     for (Eigen::Index i = 0; i < size.size(); ++i) {
       const Parameter& p =
@@ -393,20 +405,6 @@ std::vector<Smallest> smallestVisible(Work& work, const std::vector<DiagnosedCau
 
 }  // namespace
 
-std::string_view toString(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::clean:
-      return "clean";
-    case Verdict::explained:
-      return "explained";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::unexplained:
-      return "unexplained";
-  }
-  return "";
-}
-
 Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* robot, const DiagnoseOptions& options,
                                  const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
@@ -414,7 +412,7 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
-  out.ofPoses = recording.q.rows() == 0;
+  out.ofPoses = recording.hasOrientation();
   progress(0.02, heft::say("Looking at single readings"));
   auto readings = readingsOf(recording, robot, options);
   if (!readings) return readings.error();
@@ -422,30 +420,29 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   if (!found) return found.error();
   unlessCausesExplainMore(recording, robot, options, Progress{progress.stop, {}}, *readings, *found);
   if (progress.cancelled()) return Error{"Stopped.", true};
-  Work& work = found->work;
+  Hypothesis& hypothesis = found->hypothesis;
   out.threshold = found->threshold;
   out.surrogates = static_cast<int>(found->chance.best.size());
 
   progress(0.85, heft::say("Measuring the gain on unseen stretches"));
-  Confirmed fitted = confirmed(work, found->chance, readings->steps, wasHeld(*readings));
-  const Fit& final = work.search.final;
-  out.remaining = fitted.remaining;
-  out.baseline = rmsOf(work.stretches, work.search.null.residual);
-  out.noise = rmsOf(work.stretches, final.residual);
+  Confirmed fitted = confirmed(hypothesis, found->chance, readings->steps, wasHeld(*readings));
+  const Fit& final = hypothesis.search.final;
+  out.baseline = rmsOf(hypothesis.stretches, hypothesis.search.null.residual);
+  out.noise = rmsOf(hypothesis.stretches, final.residual);
   ByReadings by;
   by.withinSteps = isWithinSteps(out.noise, readings->steps);
-  if (by.withinSteps) out.remaining = {};
-  const double quiet =
-      std::sqrt(std::clamp(1.0 - (out.remaining.gain > kUnexplained ? out.remaining.share : 0.0), 0.05, 1.0));
+  const Structure structure = by.withinSteps ? Structure{} : fitted.remaining;
+  const double quiet = std::sqrt(std::clamp(1.0 - (structure.gain > kUnexplained ? structure.share : 0.0), 0.05, 1.0));
   out.noise.force *= quiet;
   out.noise.torque *= quiet;
-  by.known = std::ranges::any_of(readings->directs, [&](const Direct& d) { return mayBeAllThatIsOdd(d, work); });
-  sayWhatElse(work, readings->cleaned, by, out);
-  sayDeadBands(readings->deadBands, out);
-  sayStuckBits(readings->stuckBits, out);
-  sayLeaps(readings->leaps, out);
+  by.known = std::ranges::any_of(readings->directs, [&](const Direct& d) { return mayBeAllThatIsOdd(d, hypothesis); });
+  by.deadBands = readings->deadBands;
+  by.stuckBits = readings->stuckBits;
+  by.frozen = readings->frozen;
+  by.leaps = readings->leaps;
+  WhatRemains remains = whatRemains(hypothesis, readings->cleaned, by, structure);
+  out.findings = std::move(remains.findings);
   sayOwnErrors(fitted.own, out);
-  if (readings->frozen) sayFrozen(*readings->frozen, out);
 
   out.mistake = readings->mistake;
   if (out.mistake) {
@@ -456,40 +453,46 @@ Result<DiagnosisReport> diagnose(const Recording& recording, const RobotModel* r
   }
   // Coarse angles or poses say why their accelerations are noisy.
   const bool coarse = std::ranges::any_of(
-      readings->directs, [](const Direct& d) { return d.cause == "derivative_noise" && !d.ofVelocities; });
+      readings->directs, [](const Direct& d) { return d.cause == ids::derivativeNoise && !d.ofVelocities; });
   if (found->noisy && !coarse)
     out.causes.push_back(fromNoisyMotion(*found->noisy));
   else if (!coarse)
-    saySmoothing(found->cutoffHz, work.signals.smoothedAway, out);
+    saySmoothing(found->cutoffHz, hypothesis.signals.smoothedAway, out);
   const auto isFitted = [&](std::string_view id) {
     return std::ranges::find(fitted.causes, id, &DiagnosedCause::id) != fitted.causes.end();
   };
-  if (work.ringing && !isFitted("flexible_mount")) out.causes.push_back(fromRinging(*work.ringing));
-  if (work.carried) out.causes.push_back(fromCarried(*work.carried));
+  if (hypothesis.ringing && !isFitted(ids::flexibleMount)) out.causes.push_back(fromRinging(*hypothesis.ringing));
+  if (hypothesis.carriedLoad) out.causes.push_back(fromCarriedLoad(*hypothesis.carriedLoad));
   for (const auto& direct : readings->directs)
     if (!isFitted(direct.cause)) out.causes.push_back(fromDirect(direct));
-  if (!work.contacts.empty() && !sayFaintTouches(work, fitted.causes, out)) {
-    const bool named = contains(final.model, work.touchedOr);
-    out.causes.push_back(
-        fromContacts(work.contacts, final.residual, named ? std::string() : work.touchedOr, out.noise.force));
+  FaintTouches faint;
+  if (!hypothesis.contacts.empty()) faint = faintTouches(hypothesis, fitted.causes, remains.structure);
+  if (faint.areFaint) {
+    out.findings.push_back(std::move(faint.finding));
+  } else if (!hypothesis.contacts.empty()) {
+    const bool named = contains(final.model, hypothesis.contactAlternative);
+    out.causes.push_back(fromContacts(hypothesis.contacts, final.residual,
+                                      named ? std::string() : hypothesis.contactAlternative, out.noise.force));
   }
   for (auto& cause : fitted.causes) out.causes.push_back(std::move(cause));
   sortByStrength(out.causes);
-  giveVerdict(work, out);
+  out.findings.insert(out.findings.begin(), readings->motion.findings.begin(), readings->motion.findings.end());
+  giveVerdict(hypothesis, faint.remaining.value_or(remains.structure), out);
+  const bool compared = faint.remaining || !remains.seen;
+  if (out.verdict == Verdict::unexplained && compared) dropBesideUnknown(out);
 
   progress(0.93, heft::say("Estimating the payload again"));
-  if (auto error =
-          estimateAgain(out, recording, readings->cleaned, robot, work, options.estimate, Progress{progress.stop, {}}))
+  if (auto error = estimateAgain(out, recording, readings->cleaned, robot, hypothesis, options.estimate,
+                                 Progress{progress.stop, {}}))
     return *error;
   out.model = final.model;
-  out.smallest = smallestVisible(work, out.causes, std::max(kNamed, out.threshold));
-  out.series.time.resize(work.signals.blocks());
-  for (Eigen::Index n = 0; n < work.signals.blocks(); ++n) out.series.time(n) = work.signals.blockTime(n);
-  out.series.measured = work.signals.measured;
-  out.series.before = work.signals.measured - fitted.first;
-  out.series.after = work.signals.measured - fitted.last;
-  out.series.judged = work.signals.usable;
-  out.findings.insert(out.findings.begin(), readings->motion.findings.begin(), readings->motion.findings.end());
+  out.smallest = smallestVisible(hypothesis, out.causes, std::max(kNamed, out.threshold));
+  out.series.time.resize(hypothesis.signals.blocks());
+  for (Eigen::Index n = 0; n < hypothesis.signals.blocks(); ++n) out.series.time(n) = hypothesis.signals.blockTime(n);
+  out.series.measured = hypothesis.signals.measured;
+  out.series.before = hypothesis.signals.measured - fitted.first;
+  out.series.after = hypothesis.signals.measured - fitted.last;
+  out.series.judged = hypothesis.signals.usable;
   putIntoWords(out);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress(1.0, "Done");

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/say.h"
-#include "core/segmentation/user_marks.h"
+#include "core/diagnosis/causes/catalogue.h"
 
 namespace heft::diagnosis {
 
@@ -48,7 +48,7 @@ bool keepsPositions(const Recording& recording, const Motion& motion, const conv
     const auto i = static_cast<std::size_t>(k);
     other.specificForce.col(k) = other.R_BS[i].transpose() * (motion.R_BS[i] * motion.specificForce.col(k));
   }
-  const auto kept = conventionsOf(recording, other);
+  const auto kept = conventions::check(conventions::questionOf(recording, other));
   return kept.verdict == conventions::Verdict::asStated && kept.misfit.worst() < kBetter * report.misfit.worst();
 }
 
@@ -63,19 +63,6 @@ std::string FrameMistake::sentence() const {
 }
 
 std::string FrameMistake::check() const { return conventions::whatToCheck(stated, reading); }
-
-conventions::Report conventionsOf(const Recording& recording, const Motion& motion) {
-  conventions::Question question;
-  question.motion = &motion;
-  question.kind = recording.meta.kind;
-  question.stated = conventions::statedIn(recording.meta);
-  question.posesInFile = recording.hasOrientation();
-  question.mount = recording.meta.mount;
-  if (recording.meta.kind == RecordingKind::motion && !recording.meta.marks.empty())
-    for (Eigen::Index k = 0; k < motion.size(); ++k)
-      question.use.push_back(markedAt(recording, motion.time(k)).value_or(MarkLabel::free) == MarkLabel::free);
-  return conventions::check(question);
-}
 
 std::optional<FrameMistake> frameMistake(const Recording& recording, const Motion& motion,
                                          const conventions::Report& report) {

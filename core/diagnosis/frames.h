@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/conventions/check.h"
-#include "core/diagnosis/fit.h"
+#include "core/diagnosis/model/fit.h"
 
 namespace heft::diagnosis {
 
@@ -27,9 +27,6 @@ struct FrameMistake {
   std::string sentence() const;
   std::string check() const;
 };
-
-/// What core/conventions says of it: of `motion` as stated, standing poses or not. Marked stretches are not used.
-conventions::Report conventionsOf(const Recording& recording, const Motion& motion);
 
 /// The conventions that have to be put right; nothing if the recording is understood as stated, or nothing fits.
 std::optional<FrameMistake> frameMistake(const Recording& recording, const Motion& motion,

@@ -5,219 +5,24 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include "core/base/say.h"
-#include "core/diagnosis/corrected.h"
-#include "core/diagnosis/named.h"
-#include "core/diagnosis/search.h"
-#include "core/diagnosis/verdict.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/pose_fit.h"
+#include "core/diagnosis/search/search.h"
+#include "core/diagnosis/verdict/description.h"
+#include "core/diagnosis/verdict/verdict.h"
+#include "core/diagnosis/wording/words.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
 
 namespace {
-
-/// What goes by the order of the poses.
-enum class Course {
-  drift,  ///< The zero moves on by as much from each pose to the next: 6 numbers.
-  jump,   ///< The zero is another from some pose on: 6 numbers.
-  load    ///< The load is: mass and first moments.
-};
-
-struct InOrder {
-  Course course = Course::drift;
-  Eigen::Index from = 0;  ///< First pose after the change
-  VectorXd v;
-};
-
-/// One thing that may be wrong: a form of the catalogue, or what goes by the order.
-struct Suspect {
-  std::string cause;
-  std::shared_ptr<const Form> form;  ///< Null: in order
-  InOrder inOrder;
-  double price = 0.0;  ///< For how many of its kind were looked at
-
-  Eigen::Index size() const {
-    return form ? static_cast<Eigen::Index>(form->parameters.size()) : inOrder.course == Course::load ? 4 : 6;
-  }
-};
-
-/// The poses as the catalogue's causes see them: one instant each.
-struct PosesSeen {
-  Signals signals;
-  Eigen::Index count() const { return signals.size(); }
-};
-
-/// Everything that is fitted.
-struct PoseState {
-  Model model;  ///< Of its x: zero, mass, first moments
-  std::vector<std::pair<Suspect, VectorXd>> terms;
-
-  Eigen::Index size() const {
-    Eigen::Index out = 10;
-    for (const auto& [candidate, v] : terms) out += v.size();
-    return out;
-  }
-  VectorXd packed() const {
-    VectorXd out(size());
-    out.head<10>() = model.x.head<10>();
-    Eigen::Index at = 10;
-    for (const auto& [candidate, v] : terms) {
-      out.segment(at, v.size()) = v;
-      at += v.size();
-    }
-    return out;
-  }
-  void unpack(const VectorXd& all) {
-    model.x.head<10>() = all.head<10>();
-    Eigen::Index at = 10;
-    for (auto& [candidate, v] : terms) {
-      v = all.segment(at, v.size());
-      at += v.size();
-    }
-  }
-  void add(const Suspect& candidate) {
-    terms.emplace_back(candidate, candidate.form ? candidate.form->start : VectorXd(VectorXd::Zero(candidate.size())));
-  }
-  /// The catalogue's part of it.
-  Model modelled() const {
-    Model out = model;
-    for (const auto& [candidate, v] : terms)
-      if (candidate.form) out.terms.push_back({candidate.form, v, {}});
-    return out;
-  }
-};
-
-Wrenches valueOf(const PosesSeen& poses, const PoseState& state) {
-  Wrenches out = predicted(poses.signals, state.modelled());
-  for (const auto& [candidate, v] : state.terms) {
-    if (candidate.form) continue;
-    const InOrder& order = candidate.inOrder;
-    for (Eigen::Index k = 0; k < poses.count(); ++k) {
-      if (order.course == Course::drift) {
-        out.col(k) += (static_cast<double>(k) - 0.5 * static_cast<double>(poses.count() - 1)) * v;
-      } else if (k >= order.from && order.course == Course::jump) {
-        out.col(k) += v;
-      } else if (k >= order.from) {
-        const Vector3d s = poses.signals.kinematics.specificForce.col(k);
-        out.col(k).head<3>() += v(0) * s;
-        out.col(k).tail<3>() += Vector3d(v.tail<3>()).cross(s);
-      }
-    }
-  }
-  return out;
-}
-
-/// 6 K x size(), by differences.
-MatrixXd jacobianOf(const PosesSeen& poses, const PoseState& state) {
-  const VectorXd at = state.packed();
-  VectorXd step = VectorXd::Constant(at.size(), 1e-4);
-  Eigen::Index i = 10;
-  for (const auto& [candidate, v] : state.terms)
-    for (Eigen::Index p = 0; p < v.size(); ++p, ++i)
-      if (candidate.form) step(i) = 1e-3 * candidate.form->parameters[static_cast<std::size_t>(p)].size;
-  MatrixXd out(6 * poses.count(), at.size());
-  PoseState moved = state;
-  for (i = 0; i < at.size(); ++i) {
-    VectorXd x = at;
-    x(i) = at(i) + step(i);
-    moved.unpack(x);
-    const Wrenches up = valueOf(poses, moved);
-    x(i) = at(i) - step(i);
-    moved.unpack(x);
-    out.col(i) = flat(Wrenches((up - valueOf(poses, moved)) / (2.0 * step(i))));
-  }
-  return out;
-}
-
-struct PoseFit {
-  PoseState state;
-  VectorXd weights;  ///< One a pose
-  Wrenches residual;
-  MatrixXd jacobian;
-  double force = 0.0, torque = 0.0;  ///< Scale of what is left, a component [N], [N m]
-  double evidence = 0.0;             ///< 2 ln L less ln n for each parameter of a cause
-  MatrixXd covariance;
-  VectorXd untold;  ///< Share of each parameter that the poses do not tell apart from others
-};
-
-constexpr double kUntold = 0.01;  ///< More of PoseFit::untold is not told
-constexpr double kNu = 4.0;       ///< Degrees of freedom of the t-distribution
-
-VectorXd scalesOf(const PoseFit& fit) {
-  VectorXd out(fit.residual.size());
-  for (Eigen::Index k = 0; k < fit.residual.cols(); ++k) {
-    const double root = std::sqrt(fit.weights(k));
-    out.segment<3>(6 * k).setConstant(root / fit.force);
-    out.segment<3>(6 * k + 3).setConstant(root / fit.torque);
-  }
-  return out;
-}
-
-/// Solves by least squares; what the poses do not tell stays where it is.
-VectorXd solved(const MatrixXd& J, const VectorXd& r) {
-  const VectorXd norms = J.colwise().norm().transpose().cwiseMax(1e-12);
-  return norms.cwiseInverse().cwiseProduct(shortestLeastSquares(J * norms.cwiseInverse().asDiagonal(), r, 1e-7));
-}
-
-/// The maximum likelihood from `state` on. `used`: a weight of 1 or 0 a pose for plain least squares; empty: robust.
-PoseFit fitted(const PosesSeen& poses, PoseState state, const VectorXd& used = {}) {
-  constexpr int kRounds = 25;
-  constexpr double kLeast = 1e-6;  // [N], [N m]: simulated without noise
-  const Eigen::Index K = poses.count();
-  const auto rows = 3.0 * static_cast<double>(K);
-  PoseFit fit;
-  fit.weights = used.size() > 0 ? used : VectorXd(VectorXd::Ones(K));
-  double last = -1e300;
-  for (int round = 0;; ++round) {
-    fit.residual = poses.signals.measured - valueOf(poses, state);
-    double f = 0.0, t = 0.0;
-    for (Eigen::Index k = 0; k < K; ++k) {
-      f += fit.weights(k) * fit.residual.col(k).head<3>().squaredNorm();
-      t += fit.weights(k) * fit.residual.col(k).tail<3>().squaredNorm();
-    }
-    // Half of the parameters are told by the force, half by the torque.
-    const double judged =
-        used.size() > 0 ? std::max(1.0, 3.0 * used.sum() - 0.5 * static_cast<double>(state.size())) : rows;
-    fit.force = std::max(kLeast, std::sqrt(f / judged));
-    fit.torque = std::max(kLeast, std::sqrt(t / judged));
-    double likelihood = -rows * 2.0 * (std::log(fit.force) + std::log(fit.torque));
-    for (Eigen::Index k = 0; k < K; ++k) {
-      const double d = fit.residual.col(k).head<3>().squaredNorm() / (fit.force * fit.force) +
-                       fit.residual.col(k).tail<3>().squaredNorm() / (fit.torque * fit.torque);
-      likelihood -= (kNu + 6.0) * std::log1p(d / kNu);
-      if (used.size() == 0) fit.weights(k) = (kNu + 6.0) / (kNu + d);
-    }
-    fit.evidence = likelihood - static_cast<double>(state.size() - 10) * std::log(2.0 * rows);
-    fit.state = state;
-    if (round == kRounds || (round > 3 && std::abs(likelihood - last) < 1e-3)) break;
-    last = likelihood;
-    const VectorXd scale = scalesOf(fit);
-    fit.jacobian = jacobianOf(poses, state);
-    const VectorXd step = solved(scale.asDiagonal() * fit.jacobian, scale.cwiseProduct(flat(fit.residual)));
-    state.unpack(state.packed() + step);
-  }
-  const VectorXd scale = scalesOf(fit);
-  fit.jacobian = scale.asDiagonal() * jacobianOf(poses, fit.state);
-  const MatrixXd& J = fit.jacobian;
-  const VectorXd norms = J.colwise().norm().transpose().cwiseMax(1e-12);
-  MatrixXd N = norms.cwiseInverse().asDiagonal() * (J.transpose() * J) * norms.cwiseInverse().asDiagonal();
-  // A pull straight up is a smaller mass, exactly: of such pairs neither is told, and as little is made of it as can
-  // be.
-  constexpr double kTold = 1e-9;
-  const auto [values, V] = symmetricEigen(N);
-  const auto isTold = values.array() > kTold * values(values.size() - 1);
-  const VectorXd inverse = isTold.select(values.cwiseMax(1e-300).cwiseInverse(), 0.0),
-                 untold = isTold.select(VectorXd::Zero(values.size()), 1.0);
-  fit.covariance =
-      norms.cwiseInverse().asDiagonal() * V * inverse.asDiagonal() * V.transpose() * norms.cwiseInverse().asDiagonal();
-  fit.untold = V.cwiseAbs2() * untold;
-  return fit;
-}
 
 /// Everything that poses may show.
 std::vector<Suspect> suspectsFor(const PosesSeen& poses, const std::vector<std::string>& hidden) {
@@ -463,12 +268,12 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
   DiagnosisReport out;
   out.file = recording.file;
   out.meta = recording.meta;
-  out.ofPoses = !recording.hasJoints();
+  out.ofPoses = recording.hasOrientation();
   progress(0.05, heft::say("Looking at conventions"));
   auto motion = standingPoses(recording, robot);
   if (!motion) return motion.error();
   if (!recording.hasPosition() && recording.hasOrientation()) motion->originAccelerationKnown = false;
-  const conventions::Report told = conventionsOf(recording, *motion);
+  const conventions::Report told = conventions::check(conventions::questionOf(recording, *motion));
   out.mistake = frameMistake(recording, *motion, told);
   Recording stated = recording;
   const auto posesIn = [&](const Recording& of, Motion from) {
@@ -580,13 +385,13 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
     PoseState without = fit.state;
     without.terms.clear();
     Recording clean = stated;
-    clean.wrench -= (valueOf(poses, fit.state) - valueOf(poses, without)).transpose();
+    clean.wrench -= (expectedOf(poses, fit.state) - expectedOf(poses, without)).transpose();
     if (auto is = estimate(goodRows(clean, bad), robot, options.estimate, Progress{progress.stop, {}}))
       out.after = std::move(*is);
     widenBy(out.after, fit, wider);
     if (fit.untold(6) > kUntold) {
       // As much of the pull may go straight up as shows.
-      const Wrenches pull = valueOf(poses, fit.state) - valueOf(poses, without);
+      const Wrenches pull = expectedOf(poses, fit.state) - expectedOf(poses, without);
       const double size = std::sqrt(pull.topRows<3>().squaredNorm() / static_cast<double>(poses.count()));
       widenMass(out.after, size / std::max(1e-9, stated.meta.gravity.norm()));
       out.findings.push_back(
@@ -621,7 +426,9 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
                             seen > 1e-9 * C.col(0).norm() ? std::abs(parameter.scale) * std::sqrt(needed) / seen
                                                           : std::numeric_limits<double>::infinity()});
   }
-  out.findings.insert(out.findings.begin(), told.cautions.begin(), told.cautions.end());
+  // A turned sensor is among the causes.
+  std::ranges::copy_if(told.cautions, std::inserter(out.findings, out.findings.begin()),
+                       [](const Finding& caution) { return caution.code != "sensor_turned"; });
   if (out.mistake && !out.mistake->decides.empty())
     out.findings.push_back(
         {Severity::info, "conventions_tied", heft::say("Other conventions fit as well."), out.mistake->decides, {}});

@@ -5,7 +5,10 @@
 // Mass, centre and zero are fitted to all poses with residuals that follow a t-distribution of four degrees of freedom
 // (Lange, Little & Taylor 1989), so that a few bad poses count little. Causes are added one at a time by BIC. In the
 // end bad poses are left out, and intervals come from least squares on the others by Student's t.
-#include "core/diagnosis/diagnose.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/diagnosis/options.h"
+#include "core/diagnosis/result.h"
 
 namespace heft::diagnosis {
 

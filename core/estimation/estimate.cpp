@@ -7,6 +7,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/estimation/configured.h"
 #include "core/estimation/estimate_prepared.h"
 #include "core/estimation/inside_shape.h"
 #include "core/estimation/judgement.h"
@@ -100,6 +101,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   report.parameters = options.parameters;
   report.file = recording.file;
   report.mount = recording.meta.mount;
+  report.configured = recording.configured;
   report.samples = recording.rows();
   report.rateHz = poses ? 0.0 : recording.rateHz();
   report.duration = poses ? 0.0 : recording.duration();
@@ -108,7 +110,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   report.segments = prepared.segments;
   if (prepared.conventions) report.conventions = *prepared.conventions;
   report.readAsSuggested = prepared.readAsSuggested;
-  report.motionFromJoints = recording.hasJoints();
+  report.motionFromJoints = !recording.hasOrientation();
   report.findings = prepared.findings;
   report.findings.insert(report.findings.end(), prepared.motion.findings.begin(), prepared.motion.findings.end());
   const auto withOthers = [&](std::vector<Triangle> own) {
@@ -134,7 +136,7 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   MapSolution map = unbounded;
   std::optional<ShapeCone> cone;
   std::function<Vector10d(const Vector10d&)> bound;
-  if (options.insideShape) {
+  if (options.insideShape && boundPoints.cols() > 0) {
     cone.emplace(boundPoints);
     const InsideSolution inside = solveInside(whitened, prior, options.bias, unbounded, *cone);
     map = inside.map;
@@ -241,7 +243,6 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
   const Residuals inSample = residualsOver(prepared, [&](Eigen::Index) -> const SolverSolution& { return solution; });
   report.forceRms = inSample.force;
   report.torqueRms = inSample.torque;
-  report.noiseStd = inSample.channels;
 
   // Held out: every fifth of the used time predicted by a fit to the other four.
   Residuals heldout = inSample;
@@ -271,9 +272,11 @@ Result<EstimateReport> estimatePrepared(const Recording& recording, const Prepar
 
   if (!known.empty()) report.relativeError = relativeErrors(report.payload, known);
   fillSeries(prepared, solution.phi, solution.bias, report.series);
-  judgeFit(prepared, heldout, report);
+  report.noiseStd = scatterOf((report.series.measured - report.series.simulated).transpose());
+  judgeFit(prepared, heldout, unseen, report);
   addFindings(report);
   judgeTrust(unseen, report);
+  compareWithConfigured(report);
   progress(1.0, "Done");
   report.timing.total = prepareSeconds + secondsSince(begin);
   return report;

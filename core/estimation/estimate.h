@@ -59,7 +59,8 @@ struct EstimateReport {
   Evidence evidence;
   double forceRms = 0, torqueRms = 0, heldoutForceRms = 0, heldoutTorqueRms = 0;  ///< [N], [N m], over the used parts
   double unseenForceShare = 0, unseenTorqueShare = 0;  ///< Held-out error beyond noise over what the motion made
-  Vector6d noiseStd = Vector6d::Zero();  ///< Residual standard deviation per channel, for the plots' noise band
+  Vector6d noiseStd = Vector6d::Zero();  ///< The sensor's own scatter per channel, from one sample of `series` to the
+                                         ///< next; what is slow in the residual is not in it [N], [N m]
   std::vector<Segment> segments;
   struct Timing {
     double read = 0, prepare = 0, solve = 0, total = 0;
@@ -70,6 +71,7 @@ struct EstimateReport {
     int iterations = 0;
   } termination;
   std::optional<RelativeError> relativeError;
+  std::optional<ConfiguredPayload> configured;  ///< As in Recording.
   WrenchSeries series;
   Findings findings;
 };

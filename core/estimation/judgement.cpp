@@ -8,6 +8,7 @@
 #include "core/base/say.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"
+#include "core/recording/channels.h"
 
 namespace heft {
 
@@ -31,7 +32,54 @@ Residuals residualsOver(const Prepared& prepared,
   return {std::sqrt(sum.head<3>().mean()), std::sqrt(sum.tail<3>().mean()), sum.cwiseSqrt()};
 }
 
-void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report) {
+Vector6d scatterOf(const Eigen::Matrix<double, 6, Eigen::Dynamic>& samples) {
+  Vector6d out = Vector6d::Zero();
+  for (int c = 0; c < 6; ++c) {
+    std::vector<double> steps;
+    for (Eigen::Index k = 1; k < samples.cols(); ++k)
+      if (const double d = samples(c, k) - samples(c, k - 1); d != 0.0) steps.push_back(d);
+    out(c) = robustStd(steps) / std::sqrt(2.0);
+  }
+  return out;
+}
+
+namespace {
+
+/// What is slow and strong in a channel's residual is no sensor noise: long memory shows it, and so does a residual far
+/// above its own scatter. Every channel is judged by its own noise; those that are not used are not counted.
+void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report) {
+  constexpr double kStrong = 3.0;              // Times its scatter that a channel is missed
+  constexpr double kMemory = 8.0, kSlow = 1.3;  // Slow over fast noise, and times the scatter that this must be
+  std::vector<std::string> missed;
+  const Vector6d scatters = scatterOf(prepared.motion.wrench);
+  for (int c = 0; c < 6; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    if (prepared.silent[i] || prepared.usedDuration <= 0.0) continue;
+    const double scatter = scatters(c);
+    const double gain = prepared.noise.channels[i].gain();
+    const bool strong = unseen.left(c) > kStrong * unseen.noise(c) && heldout.channels(c) > kStrong * scatter;
+    const bool slow = !(gain > 0.0 && gain <= kMemory) && heldout.channels(c) > kSlow * scatter;
+    if (!strong && !slow) continue;
+    missed.push_back(c < 3 ? heft::say("{} by {:.2g} N (the sensor's own scatter is {:.2g} N)", channelName(c),
+                                       heldout.channels(c), scatter)
+                           : heft::say("{} by {:.2g} N m (the sensor's own scatter is {:.2g} N m)", channelName(c),
+                                       heldout.channels(c), scatter));
+  }
+  if (missed.empty()) return;
+  report.findings.push_back(
+      {Severity::warning,
+       "misfit",
+       heft::say("On stretches that were not used for fitting, the model misses {}: something besides a rigid tool is at "
+                 "work (contact, drift, delay, a cable, a poorly calibrated sensor).",
+                 joined(missed)),
+       heft::say(
+           "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
+       {}});
+}
+
+}  // namespace
+
+void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report) {
   double contact = 0.0;
   std::vector<std::string> stretches;
   int listed = 0;
@@ -53,34 +101,7 @@ void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport
              : heft::say("Mark them by hand if that is wrong."),
          {}});
 
-  // What is slow and strong in the residual is no sensor noise. Long memory of a channel shows it, and so does a
-  // residual far above the scatter between neighbouring samples.
-  double memory = 0.0;
-  for (const auto& channel : prepared.noise.channels)
-    memory = std::max(memory, channel.gain() > 0.0 ? channel.gain() : 1e3);
-  std::array<double, 6> floor{};
-  for (int c = 0; c < 6; ++c) {
-    std::vector<double> steps;
-    for (Eigen::Index k = 1; k < prepared.motion.size(); ++k)
-      if (const double d = prepared.motion.wrench(c, k) - prepared.motion.wrench(c, k - 1); d != 0.0)
-        steps.push_back(d);
-    floor[static_cast<std::size_t>(c)] = robustStd(steps) / std::sqrt(2.0);
-  }
-  const double forceFloor = std::sqrt((floor[0] * floor[0] + floor[1] * floor[1] + floor[2] * floor[2]) / 3.0);
-  const bool strong = heldout.force > 3.0 * forceFloor && heldout.force > 0.01 * report.payload.mass * 9.81;
-  const bool slow = memory > 8.0 && heldout.force > 1.3 * forceFloor;
-  if (prepared.usedDuration > 0.0 && (strong || slow))
-    report.findings.push_back(
-        {Severity::warning,
-         "misfit",
-         heft::say(
-             "On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the "
-             "sensor's own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a "
-             "cable, a poorly calibrated sensor).",
-             heldout.force, forceFloor),
-         heft::say(
-             "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
-         {}});
+  sayMisfit(prepared, heldout, unseen, report);
 
   // A clearly negative mass is the other sign of the wrench. Linear fits say it; the map estimate cannot.
   if (report.identifiability.mass == Source::data || report.payload.mass < 0.0) {

@@ -19,9 +19,14 @@ struct Residuals {
 Residuals residualsOver(const Prepared& prepared,
                         const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
 
+/// Scatter from one sample to the next, one a channel: a robust standard deviation of the steps (6 x N). What is slow,
+/// such as a misfit, does not count.
+Vector6d scatterOf(const Eigen::Matrix<double, 6, Eigen::Dynamic>& samples);
+
 /// How far an estimate stays from readings that it has not seen, beside what the motion made of the payload.
 struct Unseen {
   Vector6d left = Vector6d::Zero();  ///< Beyond noise, root mean square [N], [N m]
+  Vector6d noise = Vector6d::Zero();  ///< Of averages over 80 ms, from how they scatter [N], [N m]
   Vector6d load = Vector6d::Zero();  ///< Standard deviation of the predicted wrench [N], [N m]
   double force = 0.0, torque = 0.0;  ///< The worst channel's `left` over the load of a channel of its kind
   double worst() const { return std::max(force, torque); }
@@ -29,7 +34,7 @@ struct Unseen {
 Unseen unseenOver(const Prepared& prepared, const std::function<const SolverSolution&(Eigen::Index block)>& solutionOf);
 
 /// Says where a rigid tool does not explain the data, in numbers that need no statistics.
-void judgeFit(const Prepared& prepared, const Residuals& heldout, EstimateReport& report);
+void judgeFit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report);
 
 /// What is not known, not physical or not usable.
 void addFindings(EstimateReport& report);

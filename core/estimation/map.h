@@ -12,8 +12,6 @@
 
 namespace heft {
 
-using Matrix10d = Eigen::Matrix<double, 10, 10>;
-
 /// Upper-triangular U with P = U U^T. Throws std::invalid_argument unless P is positive definite.
 Matrix4d upperFactor(const Matrix4d& P);
 

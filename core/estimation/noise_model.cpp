@@ -23,16 +23,70 @@ auto predictionError(const ArModel& model, Eigen::Index k, const Row& at) {
   return error;
 }
 
+/// Standard deviations of [bias, phi] before the data, in N, N m, kg, kg m, kg m2: far above any tool's.
+VectorXd whisper() {
+  VectorXd sd(kColumns);
+  sd << VectorXd::Constant(6, 1e4), 30.0, VectorXd::Constant(3, 3.0), VectorXd::Constant(6, 1.0);
+  return sd;
+}
+
+/// What the fit of `whitened` takes from the noise of the rows.
+Taken takenBy(const Triangle& whitened, const WrenchRows& rows) {
+  const MatrixXd R = whitened.leftCols<kColumns>();
+  MatrixXd information = transposedProduct(R, R);
+  information.diagonal() += whisper().cwiseAbs2().cwiseInverse();
+  // information = L L^T, its inverse L^-T L^-1: rows x L^-T.
+  const MatrixXd L = choleskyFactor(information);
+  const MatrixXd back = L.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(kColumns, kColumns)).transpose();
+  Taken out;
+  for (int c = 0; c < 6; ++c) {
+    MatrixXd& z = out[static_cast<std::size_t>(c)];
+    z.resize(rows.size(), kColumns);
+    for (Eigen::Index k = 0; k < rows.size(); ++k)
+      z.row(k).noalias() = rows.Y[static_cast<std::size_t>(k)].row(c) * back.bottomRows<10>();
+    z.rowwise() += back.row(c);
+  }
+  return out;
+}
+
+/// The blocks' residual under a linear fit with a whisper of prior information: enough to keep what the motion does not
+/// excite near zero, far too little to bend what it does.
+Wrenches noiseResidualOf(const WrenchRows& blocks, const Triangle& whitened) {
+  MatrixXd A(2 * kColumns + 1, kColumns);
+  VectorXd y = VectorXd::Zero(2 * kColumns + 1);
+  A.topRows<kColumns + 1>() = whitened.leftCols<kColumns>();
+  y.head<kColumns + 1>() = whitened.col(kColumns);
+  A.bottomRows<kColumns>() = whisper().cwiseInverse().asDiagonal();
+  const VectorXd x = leastSquares(A, y).x;
+  Wrenches residual(6, blocks.size());
+  for (Eigen::Index k = 0; k < blocks.size(); ++k)
+    residual.col(k) = blocks.wrench.col(k) - x.head<6>() - blocks.Y[static_cast<std::size_t>(k)] * x.tail<10>();
+  return residual;
+}
+
+/// A noise model to begin with: white, with forces a hundred times noisier than torques in SI units.
+NoiseModel firstGuess() {
+  NoiseModel noise;
+  Vector6d whitener;
+  whitener << Vector3d::Constant(10.0), Vector3d::Constant(500.0);
+  noise.whitener = whitener.asDiagonal();
+  return noise;
+}
+
 }  // namespace
 
-NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters) {
+NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters,
+                    const Taken* taken) {
   NoiseModel noise;
-  double used = 0.0, independent = 0.0, estimated = parameters;
+  double used = 0.0, independent = 0.0, estimated = taken ? 0.0 : parameters;
   for (int c = 0; c < 6; ++c) {
     AutoCovariance sums(kMaxArOrder);
-    for (const auto& run : runs)
-      sums.add(residual.row(c).segment(run.from, run.to - run.from).transpose(),
-               weights.row(c).segment(run.from, run.to - run.from).transpose());
+    for (const auto& run : runs) {
+      const VectorXd weight = weights.row(c).segment(run.from, run.to - run.from).transpose();
+      sums.add(residual.row(c).segment(run.from, run.to - run.from).transpose(), weight);
+      for (Eigen::Index i = 0; taken && i < kColumns; ++i)
+        sums.addTaken((*taken)[static_cast<std::size_t>(c)].col(i).segment(run.from, run.to - run.from), weight);
+    }
     noise.channels[static_cast<std::size_t>(c)] = sums.fit(kBeyondBic);
     noise.order = std::max(noise.order, noise.channels[static_cast<std::size_t>(c)].order());
     const ArModel& channel = noise.channels[static_cast<std::size_t>(c)];
@@ -58,6 +112,17 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
                                [&](Eigen::Index j) { return residual(c, j); }) *
                weights(c, k);
       covariance += e * e.transpose();
+      if (taken) {
+        Eigen::Matrix<double, 6, kColumns> part;
+        for (int c = 0; c < 6; ++c) {
+          const MatrixXd& z = (*taken)[static_cast<std::size_t>(c)];
+          const ArModel& model = noise.channels[static_cast<std::size_t>(c)];
+          part.row(c) = z.row(k);
+          for (int i = 0; i < model.order(); ++i) part.row(c) -= model.coefficients(i) * z.row(k - 1 - i);
+          part.row(c) *= weights(c, k);
+        }
+        covariance += part * part.transpose();
+      }
       count += 1.0;
     }
   }
@@ -69,6 +134,49 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   for (int c = 0; c < 6; ++c) noise.channels[static_cast<std::size_t>(c)].sigma = std::sqrt(variance(c));
   noise.whitener = whitenerOf(covariance);
   return noise;
+}
+
+namespace {
+
+/// One round of fitting payload, noise and weights; the rows that `keep` zero are left out of the noise.
+void learnRound(LearnedNoise& out, Wrenches& keep, const WrenchRows& rows, const std::vector<Run>& runs,
+                const std::array<bool, 6>& silent, bool keepAll, bool withTaken) {
+  // The bounded model weights the fit from which the next noise model is learned, as it will weight the last one.
+  const auto whitened = merged(whitenedTriangles(rows, bounded(out.noise), out.weights, runs, 1));
+  out.residual = noiseResidualOf(rows, whitened);
+  if (withTaken) {
+    const Taken taken = takenBy(whitened, rows);
+    out.noise = fitNoise(out.residual, keep, runs, kColumns, &taken);
+  } else {
+    out.noise = fitNoise(out.residual, keep, runs, kColumns);
+  }
+  if (std::ranges::find(silent, true) != silent.end()) out.noise = without(out.noise, silent);
+  const Wrenches u = innovations(out.noise, out.residual, runs);
+  // Huber weights: beyond three standard deviations an innovation counts with its sign only. What lies beyond five is
+  // no part of the noise and leaves the noise model.
+  out.weights = u.unaryExpr([](double e) { return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0; });
+  if (!keepAll) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
+}
+
+}  // namespace
+
+LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
+                          bool keepAll) {
+  constexpr int kRounds = 4;
+  LearnedNoise out;
+  out.noise = firstGuess();
+  out.weights = Wrenches::Ones(6, rows.size());
+  Wrenches keep = out.weights;
+  for (int round = 0; round < kRounds; ++round) learnRound(out, keep, rows, runs, silent, keepAll, false);
+  return out;
+}
+
+LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
+                       const std::array<bool, 6>& silent, bool keepAll) {
+  constexpr int kRounds = 2;
+  Wrenches keep = learned.weights.unaryExpr([&](double w) { return !keepAll && w < 3.0 / 5.0 ? 0.0 : 1.0; });
+  for (int round = 0; round < kRounds; ++round) learnRound(learned, keep, rows, runs, silent, keepAll, true);
+  return learned;
 }
 
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent) {
@@ -151,7 +259,8 @@ NoiseModel bounded(const NoiseModel& noise) {
 }
 
 Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
-                        const Wrenches& weights, const std::vector<Run>& runs) {
+                        const Wrenches& weights, const std::vector<Run>& runs, const Matrix10d& motionNoise,
+                        const Matrix10d& more) {
   const Triangle plain = merged(whitenedTriangles(rows, weighting, weights, runs, 1));
   // With z = Wt Fb F^-1 L u (u white; F, Fb the autoregressive filters of noise and weighting, Wt = L^-1 the whitener)
   // the scores are sum_k A_k^T w z_k, so their covariance is that of the rows sent backwards through the same filters.
@@ -195,6 +304,7 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
       M.noalias() += v.transpose() * v;
     }
   }
+  M.bottomRightCorner<10, 10>() += more;
   const Eigen::Matrix<double, kColumns, kColumns> A = plain.topLeftCorner<kColumns, kColumns>();
   const VectorXd scale = A.colwise().norm().transpose().cwiseMax(1e-12).cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
@@ -204,7 +314,9 @@ Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const N
       [top = values.maxCoeff()](double value) { return value > 1e-11 * top ? 1.0 / std::sqrt(value) : 0.0; });
   const MatrixXd left = inverseRoot.asDiagonal() * vectors.transpose() * scale.asDiagonal();
   TriangleBuilder builder;
-  const MatrixXd system = product(left, transposedProduct(A, plain.topRows<kColumns>()));
+  MatrixXd scores = transposedProduct(A, plain.topRows<kColumns>());
+  scores.block<10, 10>(kBiasColumns, kBiasColumns) -= motionNoise;
+  const MatrixXd system = product(left, scores);
   builder.add(system);
   return builder.finish();
 }

@@ -23,11 +23,32 @@ struct NoiseModel {
 /// Longest autoregressive memory that is tried [blocks].
 constexpr int kMaxArOrder = 8;
 
+/// What a fit has taken from the noise of each channel: 16 independent parts (columns), a row each block; their products
+/// are the covariance of what the fitted parameters make of the rows.
+using Taken = std::array<MatrixXd, 6>;
+
 /// Fits to residuals (6 x K); `weights` (6 x K in 0..1) leave spikes out. `parameters` is the number of parameters that
-/// the residual was fitted with, for the degrees of freedom.
+/// the residual was fitted with, for the degrees of freedom; with `taken` the noise is that of the residual and of what
+/// the fit took together, and they need not be counted.
 NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
-                    int parameters);
+                    int parameters, const Taken* taken = nullptr);
+
+/// A noise model with the robust weights of the innovations that it was learned with.
+struct LearnedNoise {
+  NoiseModel noise;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> weights;   ///< 0..1
+  Eigen::Matrix<double, 6, Eigen::Dynamic> residual;  ///< That it was fitted to
+};
+/// Fits payload, noise and weights in turn. `keepAll`: however far off, no row is left out of the noise model.
+LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
+                          bool keepAll);
+
+/// Further rounds in which each channel gets back what the fit has taken from its noise, where in the spectrum it was
+/// taken (the expectation step of Dempster, Laird and Rubin 1977; its fixed point is Patterson and Thompson's restricted
+/// likelihood, 1971): a short recording's fit eats most of the slow noise, and what is left looks too quiet.
+LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
+                       const std::array<bool, 6>& silent, bool keepAll);
 
 /// The same with next to no weight on the channels that are `silent`.
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent);
@@ -52,9 +73,11 @@ NoiseModel bounded(const NoiseModel& noise);
 
 /// Least squares of rows whitened by `weighting`, judged by the noise that was found: score equations H x = g whose
 /// error has the covariance M. Returned as a triangle R with R^T R = H M^-1 H, so that a fit to R has honest variances;
-/// where both models agree it is the merged whitened triangle itself.
+/// where both models agree it is the merged whitened triangle itself. `motionNoise` is taken off the payload's part of H,
+/// and `more` is added to M.
 Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
-                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs);
+                        const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
+                        const Matrix10d& motionNoise = Matrix10d::Zero(), const Matrix10d& more = Matrix10d::Zero());
 
 /// Covariance of A^T W e for the found noise e, when A are the unwhitened rows of the runs (16 x 16) and W the
 /// channels' row weights: the middle of the sandwich for estimators that ignore the noise's colour.

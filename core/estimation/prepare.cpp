@@ -11,42 +11,12 @@
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
 #include "core/math/linear_algebra.h"
+#include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
 #include "core/recording/frozen.h"
+#include "core/segmentation/flat_tops.h"
 
 namespace heft {
-
-namespace {
-
-using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
-
-/// The blocks' residual under a linear fit with a whisper of prior information: enough to keep what the motion does not
-/// excite near zero, far too little to bend what it does.
-Wrenches residualOf(const WrenchRows& blocks, const Triangle& whitened) {
-  MatrixXd A(2 * kColumns + 1, kColumns);
-  VectorXd y = VectorXd::Zero(2 * kColumns + 1);
-  A.topRows<kColumns + 1>() = whitened.leftCols<kColumns>();
-  y.head<kColumns + 1>() = whitened.col(kColumns);
-  VectorXd sd(kColumns);
-  sd << VectorXd::Constant(6, 1e4), 30.0, VectorXd::Constant(3, 3.0), VectorXd::Constant(6, 1.0);
-  A.bottomRows<kColumns>() = sd.cwiseInverse().asDiagonal();
-  const VectorXd x = leastSquares(A, y).x;
-  Wrenches residual(6, blocks.size());
-  for (Eigen::Index k = 0; k < blocks.size(); ++k)
-    residual.col(k) = blocks.wrench.col(k) - x.head<6>() - blocks.Y[static_cast<std::size_t>(k)] * x.tail<10>();
-  return residual;
-}
-
-/// A noise model to begin with: white, with forces a hundred times noisier than torques in SI units.
-NoiseModel firstGuess() {
-  NoiseModel noise;
-  Vector6d whitener;
-  whitener << Vector3d::Constant(10.0), Vector3d::Constant(500.0);
-  noise.whitener = whitener.asDiagonal();
-  return noise;
-}
-
-}  // namespace
 
 std::vector<Run> runsOf(const std::vector<MarkLabel>& labels, Eigen::Index from, Eigen::Index to,
                         Eigen::Index shortest) {
@@ -69,25 +39,12 @@ void calm(Prepared& out) {
 }
 
 void learnNoise(Prepared& out, bool poses) {
-  out.noise = firstGuess();
-  out.weights = Wrenches::Ones(6, out.blocks.size());
-  Wrenches keep = out.weights;
-  Wrenches residual;
-  for (int round = 0; round < 4; ++round) {
-    // The bounded model weights the fit from which the next noise model is learned, as it will weight the last one.
-    const auto whitened = merged(whitenedTriangles(out.blocks, bounded(out.noise), out.weights, out.runs, 1));
-    residual = residualOf(out.blocks, whitened);
-    out.noise = fitNoise(residual, keep, out.runs, kColumns);
-    if (std::ranges::find(out.silent, true) != out.silent.end()) out.noise = without(out.noise, out.silent);
-    const Wrenches u = innovations(out.noise, residual, out.runs);
-    // Huber weights: beyond three standard deviations an innovation counts with its sign only. What lies beyond five is
-    // no part of the noise and leaves the noise model.
-    out.weights = u.unaryExpr([](double e) { return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0; });
-    if (!poses) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
-  }
+  LearnedNoise learned = learnedNoise(out.blocks, out.runs, out.silent, poses);
+  out.noise = std::move(learned.noise);
+  out.weights = std::move(learned.weights);
   NoiseModel plain = out.noise;
   plain.whitener.setIdentity();
-  out.unwhitened = innovations(plain, residual, {{0, out.blocks.size()}});
+  out.unwhitened = innovations(plain, learned.residual, {{0, out.blocks.size()}});
 }
 
 double advantage(const Prepared& first, const Prepared& second) {
@@ -113,18 +70,38 @@ double advantage(const Prepared& first, const Prepared& second) {
 
 namespace {
 
-void saySilent(const std::array<bool, 6>& silent, Findings& findings) {
-  std::vector<std::string> names;
+/// `cut`: those of the silent channels that are cut off at the ends of their range.
+void saySilent(const std::array<bool, 6>& silent, const std::array<bool, 6>& cut, Findings& findings) {
+  std::vector<std::string> still, limited;
   for (std::size_t c = 0; c < silent.size(); ++c)
-    if (silent[c]) names.emplace_back(channelName(static_cast<Eigen::Index>(c)));
-  if (names.empty()) return;
-  findings.push_back(
-      {Severity::warning,
-       "channel_unused",
-       heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
-                 joined(names)),
-       heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
-       {}});
+    if (silent[c]) (cut[c] ? limited : still).emplace_back(channelName(static_cast<Eigen::Index>(c)));
+  if (!still.empty())
+    findings.push_back(
+        {Severity::warning,
+         "channel_unused",
+         heft::say("Hardly any reading of {} leaves one value: that says nothing of the payload, so it is not used.",
+                   joined(still)),
+         heft::say("Check that it was logged, or choose a finer measuring range of the sensor."),
+         {}});
+  if (!limited.empty())
+    findings.push_back(
+        {Severity::warning,
+         "channel_unused",
+         heft::say("More than half of the readings of {} are cut off at the end of the sensor's range, so it is not "
+                   "used.",
+                   joined(limited)),
+         heft::say("Choose a larger measuring range of the sensor."),
+         {}});
+}
+
+/// The blocks with nothing in the channels that are not used: neither load nor reading.
+WrenchRows heard(WrenchRows blocks, const std::array<bool, 6>& silent) {
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    if (!silent[static_cast<std::size_t>(c)]) continue;
+    blocks.wrench.row(c).setZero();
+    for (auto& Y : blocks.Y) Y.row(c).setZero();
+  }
+  return blocks;
 }
 
 /// What the file's numbers mean as stated, and how they are to be understood instead.
@@ -138,20 +115,14 @@ struct Understanding {
 Understanding asStated(const Recording& recording) {
   Understanding out;
   out.stated = conventions::statedIn(recording.meta);
-  out.posesInFile = !recording.hasJoints();
+  out.posesInFile = recording.hasOrientation();
   return out;
 }
 
 /// Asks physics what the numbers mean; `as` obeys from now on if the options say so.
 conventions::Report checkConventionsOf(const Recording& recording, const Motion& motion, ConventionChoice choice,
                                        Understanding& as) {
-  conventions::Question question;
-  question.motion = &motion;
-  question.kind = recording.meta.kind;
-  question.stated = as.stated;
-  question.posesInFile = as.posesInFile;
-  question.mount = recording.meta.mount;
-  conventions::Report report = conventions::check(question);
+  conventions::Report report = conventions::check(conventions::questionOf(recording, motion));
   const bool told = report.verdict == conventions::Verdict::suggested;
   if (told && choice == ConventionChoice::suggested) as.reading = report.suggested;
   as.doubtful = report.verdict != conventions::Verdict::asStated && !as.reading;
@@ -173,12 +144,17 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
   out.blocks = rowsOf(out.motion, kBlockRate);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
-  Segmentation segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
+  const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
+  const auto segmented = [&] {
+    return deaf ? segmentRows(recording, heard(out.blocks, options.silent), mode, options.firstEstimate)
+                : segmentRows(recording, out.blocks, mode, options.firstEstimate);
+  };
+  Segmentation segmentation = segmented();
   if (!out.motion.originAccelerationKnown) {
     if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
       addSwing(*point, out.motion);
       out.blocks = rowsOf(out.motion, kBlockRate);
-      segmentation = segmentRows(recording, out.blocks, mode, options.firstEstimate);
+      segmentation = segmented();
       out.findings.push_back({Severity::info,
                               "swing_assumed",
                               heft::say("The forces fit a sensor that swings about a point {:.2g} m away, so its "
@@ -241,7 +217,6 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
   out.silent = options.silent;
-  saySilent(out.silent, out.findings);
   learnNoise(out, false);
   return out;
 }
@@ -267,6 +242,42 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   return out;
 }
 
+/// The blocks of the same motion with as much noise again as it has; nothing where that cannot be told.
+std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotModel* robot, MotionOptions options,
+                                        const Understanding& as) {
+  const auto noisier = noisierMotion(recording);
+  if (!noisier) return std::nullopt;
+  options.outputRateHz = MotionOptions{}.outputRateHz;
+  auto motion = motionOf(*noisier, robot, options);
+  if (!motion) return std::nullopt;
+  return rowsOf(understood(std::move(*motion), as), kBlockRate);
+}
+
+/// `widest`: the blocks of the motion at the widest band, if that was not told. Smoothing of another kind, and a tool
+/// that stands still, are taken as they are.
+FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
+                   const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest) {
+  const LearnedNoise learned{prepared.noise, prepared.weights, {}};
+  FitRowsQuestion question{prepared.blocks, prepared.runs, prepared.silent, {}, &learned};
+  if (prepared.cutoffHz <= 0.0 || prepared.still) return fitRowsOf(question);
+  const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
+  MotionOptions wide = options.motion;
+  wide.cutoffHz = std::max(kDefaultCutoffHz, prepared.cutoffHz);
+  const bool fixed = !widest;
+  if (fixed && stride > 1) {
+    auto motion = motionOf(recording, robot, wide);
+    if (motion) widest = rowsOf(understood(std::move(*motion), as), kBlockRate);
+  }
+  if (!prepared.motion.originAccelerationKnown || (widest && widest->size() != prepared.blocks.size()))
+    return fitRowsOf(question);
+  const bool own = stride == 1;
+  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, prepared.silent,
+                        noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr};
+  about.predicts = stride;
+  about.fixed = fixed;
+  return fitRowsOf(about);
+}
+
 }  // namespace
 
 bool Prepared::used(Eigen::Index block) const {
@@ -288,17 +299,18 @@ int Prepared::foldOf(Eigen::Index block) const {
 Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                          const Progress& progress, bool checkConventions) {
   progress(0.1, heft::say("Working out how the tool moved"));
-  const auto finish = [&](Prepared prepared) {
-    progress(0.6, heft::say("Learning the sensor's noise"));
-    const NoiseModel weighting = bounded(prepared.noise);
-    prepared.folds = whitenedTriangles(prepared.blocks, weighting, prepared.weights, prepared.runs, kFolds);
-    prepared.whitened = honestTriangle(prepared.blocks, prepared.noise, weighting, prepared.weights, prepared.runs);
+  const auto finish = [&](Prepared prepared, const FitRows& fit) {
+    prepared.stride = fit.stride;
+    prepared.folds = whitenedTriangles(fit.rows, fit.weighting, fit.weights, fit.runs, kFolds);
+    prepared.whitened = fit.whitened;
     return prepared;
   };
   if (recording.meta.kind == RecordingKind::poses) {
     auto poses = preparePoses(recording, robot, options.conventions, checkConventions);
     if (!poses) return poses.error();
-    return finish(std::move(*poses));
+    const LearnedNoise learned{poses->noise, poses->weights, {}};
+    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, poses->silent, {}, &learned, true});
+    return finish(std::move(*poses), fit);
   }
 
   Eigen::Index spikes = 0;
@@ -306,8 +318,10 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   cleaned.wrench = withoutSpikes(recording.wrench, spikes);
   EstimateOptions trial = options;
   const auto silent = silentChannels(cleaned.wrench);
-  for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c];
-  const bool choose = options.motion.smoothing == SmoothingKind::lowPass && options.motion.cutoffHz <= 0.0;
+  const auto cut = mostlyCutOff(flatTops(cleaned.wrench), cleaned.rows());
+  for (std::size_t c = 0; c < silent.size(); ++c) trial.silent[c] = trial.silent[c] || silent[c] || cut[c];
+  const bool lowPass = options.motion.smoothing == SmoothingKind::lowPass;
+  const bool choose = lowPass && options.motion.cutoffHz <= 0.0;
   if (choose) {
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
@@ -346,7 +360,10 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     for (const double cutoff : {12.0, 6.0, 3.0}) others.push_back(std::async(std::launch::async, prepareAt, cutoff));
   auto best = prepareMotion(cleaned, robot, trial, as, std::move(first));
   if (!best) return best.error();
+  // Of the motion that lost least: what is smoothed further, is smoothed together with the wrench.
+  std::optional<WrenchRows> widest;
   if (choose) {
+    widest = best->blocks;
     for (auto& other : others) {
       auto next = other.get();
       if (progress.cancelled()) return Error{"Stopped.", true};
@@ -362,6 +379,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
   if (progress.cancelled()) return Error{"Stopped.", true};
   best->conventions = std::move(report);
   best->readAsSuggested = as.reading.has_value();
+  saySilent(best->silent, cut, best->findings);
   if (spikes > 0)
     best->findings.push_back(
         {Severity::info,
@@ -370,13 +388,17 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
                    spikes, 100.0 * static_cast<double>(spikes) / static_cast<double>(recording.rows())),
          {},
          {}});
-  if (best->cutoffHz > 0.0 && best->cutoffHz < kDefaultCutoffHz && choose)
-    best->findings.push_back({Severity::info,
-                              "motion_smoothed",
-                              heft::say("The recorded motion is noisy; it was smoothed to {:.0f} Hz.", best->cutoffHz),
-                              {},
-                              {}});
-  return finish(std::move(*best));
+  progress(0.6, heft::say("Learning the sensor's noise"));
+  const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));
+  if (choose && fit.stride > 1)
+    best->findings.push_back(
+        {Severity::info,
+         "motion_smoothed",
+         heft::say("The recorded motion is noisy; it was smoothed to {:.0f} Hz, and the wrench with it.",
+                   kDefaultCutoffHz / fit.stride),
+         {},
+         {}});
+  return finish(std::move(*best), fit);
 }
 
 }  // namespace heft

@@ -2,6 +2,7 @@
 // Everything that comes before solving: motion, blocks, labels, runs, spikes, noise.
 #include "core/base/progress.h"
 #include "core/conventions/check.h"
+#include "core/estimation/fit_rows.h"
 #include "core/estimation/noise_model.h"
 #include "core/estimation/options.h"
 #include "core/recording/recording.h"
@@ -25,6 +26,7 @@ struct Prepared {
   std::array<bool, 6> silent{};  ///< Channels that say nothing: their noise is taken to be huge
   NoiseModel noise;
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;     ///< Robust weights of the innovations, 0..1
+  int stride = 1;                                       ///< FitRows::stride of what was fitted
   std::vector<Triangle> folds;                          ///< Whitened rows, one triangle a fold
   Triangle whitened = Triangle::Zero();                 ///< The whole problem with honest variances
   std::optional<Vector3d> still;                        ///< Specific force, if nothing moves in the runs

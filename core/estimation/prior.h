@@ -22,7 +22,7 @@ struct ChosenPrior {
   MapPrior prior;
   Vector10d start = Vector10d::Zero();  ///< Where the solver begins.
   ToldParts told;
-  std::optional<PriorAlone> alone;  ///< If anything was told.
+  std::optional<PriorAlone> alone;  ///< If anything was told, and not left out as contradicting the motion.
   Eigen::Matrix3Xd bound;           ///< Points that bound the shape, if the mass is to be held inside it.
 };
 

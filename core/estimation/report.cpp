@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/say.h"
+#include "core/estimation/configured.h"
 #include "core/estimation/estimate.h"
 
 namespace heft {
@@ -213,6 +214,7 @@ json toJson(const EstimateReport& report) {
     }
     out["relative_error"] = error;
   }
+  if (report.configured && report.configured->payload.mass) out["configured"] = configuredJson(report);
   return out;
 }
 

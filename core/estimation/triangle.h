@@ -13,6 +13,7 @@ namespace heft {
 constexpr int kBiasColumns = 6;
 constexpr int kColumns = 16;
 
+using Matrix10d = Eigen::Matrix<double, 10, 10>;
 using Triangle = Eigen::Matrix<double, kColumns + 1, kColumns + 1>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, kColumns + 1, Eigen::RowMajor>;
 

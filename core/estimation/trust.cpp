@@ -1,7 +1,9 @@
 // Whether an estimate may be relied on.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/doubts.h"
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/estimation/judgement.h"
@@ -172,6 +174,7 @@ Unseen unseenOver(const Prepared& prepared,
     const double size = typicalSize(left[i]);
     const double noise = change[i].empty() ? 0.0 : typicalSize(change[i]) / std::sqrt(6.0);
     // What is less than the noise does not show beside it.
+    out.noise(c) = noise;
     const double beyond = size * size - noise * noise;
     out.left(c) = beyond > noise * noise ? std::sqrt(beyond) : 0.0;
     const Eigen::Map<const VectorXd> made(load[i].data(), static_cast<Eigen::Index>(load[i].size()));
@@ -196,7 +199,9 @@ void loseTrust(EstimateReport& report, const NoTrust& why) {
 
 void addReadingFindings(const Findings& read, EstimateReport& report) {
   report.findings.insert(report.findings.begin(), read.begin(), read.end());
-  if (report.trust == Trust::good && warned(read, {"robot_assumed"})) report.trust = Trust::low;
+  if (report.trust == Trust::good &&
+      std::ranges::any_of(read, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
+    report.trust = Trust::low;
 }
 
 void judgeTrust(const Unseen& unseen, EstimateReport& report) {
@@ -214,11 +219,20 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
     loseTrust(report, why);
     return;
   }
-  if (!said.ties.empty())
+  // Another name for the same payload is no reason for doubt.
+  constexpr double kSameMass = 0.02, kSameCentre = 0.003;  // relative, [m]
+  const bool tied = std::ranges::any_of(said.ties, [&](const conventions::Alternative& tie) {
+    return std::abs(tie.payload.mass - said.payload.mass) > kSameMass * std::abs(said.payload.mass) ||
+           (tie.payload.com - said.payload.com).norm() > kSameCentre;
+  });
+  if (tied)
     report.findings.push_back(
         {Severity::warning,
          "conventions_tie",
-         inOneLine({heft::say("This recording cannot tell the stated conventions from others."), tiesOf(report)}),
+         inOneLine({report.readAsSuggested
+                        ? heft::say("This recording cannot tell this reading from others.")
+                        : heft::say("This recording cannot tell the stated conventions from others."),
+                    tiesOf(report)}),
          said.decides,
          {}});
   report.findings.insert(report.findings.end(), said.cautions.begin(), said.cautions.end());
@@ -232,9 +246,7 @@ void judgeTrust(const Unseen& unseen, EstimateReport& report) {
          heft::say(
              "Trust is low: the true values may lie outside the intervals. Look at where the difference is large."),
          {}});
-  if (warned(report.findings, {"misfit", "known_disagrees", "prior_contradicts_data", "shape_contradicts_data",
-                               "held_inside_shape", "contact_left_out", "not_physical", "payload_change",
-                               "conventions_tie", "centre_behind_sensor", "centre_far", "weight_large"}))
+  if (std::ranges::any_of(report.findings, [](const Finding& f) { return doubtsNumbers(f.severity, f.code); }))
     report.trust = Trust::low;
 }
 

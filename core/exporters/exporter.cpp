@@ -15,17 +15,15 @@ namespace {
 constexpr double kPandaPayload = 3.0;      // [kg], the Panda's rated payload
 constexpr double kUrInertiaLimit = 133.0;  // [kg m2], of each entry of set_target_payload
 
-/// Possible without any tolerance, so that a reader that allows none takes it too.
+/// Possible without any tolerance, so that a reader that allows none (MuJoCo) takes it too.
 bool strictlyPhysical(const Matrix3d& I) {
   Vector3d moments = I.diagonal();
   const bool diagonal = I(0, 1) == 0.0 && I(0, 2) == 0.0 && I(1, 2) == 0.0;
-  double slack = -1e-15;  // decimals such as 0.1 + 0.7 may come out one bit short of 0.8
-  if (!diagonal) {
-    moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
-    slack = 1e-12;
-  }
-  const double largest = moments.maxCoeff();
-  return moments.minCoeff() > 0.0 && moments.sum() - largest >= largest * (1.0 + slack);
+  // Readers of a diagonal tensor add two of these very numbers; others turn it first, which costs some bits.
+  const double slack = diagonal ? 0.0 : 1e-11;
+  if (!diagonal) moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues();
+  std::sort(moments.begin(), moments.end());
+  return moments(0) > 0.0 && moments(0) + moments(1) >= moments(2) * (1.0 + slack);
 }
 
 Matrix3d roundedInertia(const Matrix3d& inertia) {
@@ -51,6 +49,24 @@ void addWarning(Findings& findings, std::string code, std::string text, std::str
   findings.push_back({Severity::warning, std::move(code), std::move(text), std::move(remedy), {}});
 }
 
+/// What files for a sensor's driver leave out, or cannot know.
+void addSensorFindings(const ExportFormat& format, const ExportInput& input, Findings& findings) {
+  const bool named = format.write == writeRos2Control || format.write == writeForceTorqueTools;
+  const bool biased = format.write == writeForceTorqueTools || format.write == writeMcRtc;
+  if (named || biased || format.write == writeXarm)
+    findings.push_back(
+        {Severity::info, "inertia_left_out", heft::say("This format has no inertia: it is left out."), {}, {}});
+  if (named && (!input.sensor || input.sensor->frame.empty()))
+    findings.push_back({Severity::info,
+                        "sensor_frame_unset",
+                        heft::say("The sensor's frame is called ft_sensor."),
+                        heft::say("Write the name that it has on your robot."),
+                        {}});
+  if (biased && (!input.sensor || !input.sensor->bias))
+    addWarning(findings, "bias_unknown", heft::say("A payload without an estimate has no bias; zeros are written."),
+               heft::say("Zero the sensor with the tool off."));
+}
+
 /// What this format does to this payload that the user would not expect.
 void addFormatFindings(const ExportFormat& format, const ExportInput& input, Findings& findings) {
   const Payload& payload = input.payload;
@@ -70,8 +86,8 @@ void addFormatFindings(const ExportFormat& format, const ExportInput& input, Fin
       addWarning(findings, "products_of_inertia_lost",
                  heft::say("This format has no products of inertia; up to {:.3g} kg m2 are left out.", lost), {});
   }
-  const bool carriesTool = format.write == writeFrankaDesk || format.write == writeFrankaProfile;
-  if (carriesTool && input.X_FE.matrix().isIdentity(1e-12))
+  addSensorFindings(format, input, findings);
+  if (carriesTool(format) && input.X_FE.matrix().isIdentity(1e-12))
     findings.push_back({Severity::info,
                         "tool_centre_unset",
                         heft::say("The tool centre point is written at the flange."),
@@ -99,7 +115,7 @@ const std::vector<ExportFormat>& exportFormats() {
       {"franka-ros2", "franka_ros2 set_load request (YAML)", ".yaml", writeFrankaRos2,
        heft::toSay("the name of the service, /service_server/set_load"), kPandaPayload},
       {"urdf", "URDF link", ".urdf", writeUrdf},
-      {"sdf", "SDFormat model, principal axes", ".sdf", writeSdf},
+      {"sdf", "SDFormat model", ".sdf", writeSdf},
       {"mjcf", "MuJoCo body", ".xml", writeMjcf},
       {"ur", "Universal Robots set_target_payload (URScript)", ".script", writeUr},
       {"kuka", "KUKA LOAD_DATA (KRL)", ".dat", writeKuka,
@@ -107,9 +123,18 @@ const std::vector<ExportFormat>& exportFormats() {
       {"abb", "ABB loaddata (RAPID)", ".mod", writeAbb},
       {"fanuc", "FANUC payload schedule, to type in", ".txt", writeFanuc,
        heft::toSay("the unit of the inertia, kgf cm s2")},
+      {"xarm", "UFACTORY xArm set_tcp_load (Python)", ".py", writeXarm,
+       heft::toSay("that the centre of mass counts from the flange")},
+      {"ros2-control", "ros2_control gravity compensation filter (YAML)", ".yaml", writeRos2Control},
+      {"force-torque-tools", "force_torque_tools calibration (YAML)", ".yaml", writeForceTorqueTools},
+      {"mc-rtc", "mc_rtc force sensor calibration", ".calib", writeMcRtc},
       {"json", "Heft payload (JSON)", ".json", writeJson},
   };
   return formats;
+}
+
+bool carriesTool(const ExportFormat& format) {
+  return format.write == writeFrankaDesk || format.write == writeFrankaProfile;
 }
 
 const ExportFormat* findExportFormat(std::string_view id) {
@@ -136,6 +161,7 @@ Result<std::string> exportPayload(const ExportFormat& format, const ExportInput&
     return Error{heft::say("The tool centre point is not a pose: its rotation must be orthonormal and right-handed.")};
   ExportInput rounded = input;
   rounded.payload = roundedForExport(input.payload);
+  if (rounded.sensor) rounded.sensor->payload = roundedForExport(rounded.sensor->payload);
   if (const Consistency after = checkPhysical(rounded.payload); !after.physical)
     return Error{heft::say("This payload is too small to be written: {}", after.reason)};
   addFormatFindings(format, rounded, findings);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/doubts.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/payload/inertial_parameters.h"
@@ -15,6 +16,8 @@ namespace heft {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t kLongestSentence = 600;  ///< [bytes] From a file that anybody may have written
 
 const json* member(const json& object, const char* key) {
   if (!object.is_object()) return nullptr;
@@ -40,13 +43,9 @@ Result<SensorMount> readMount(const json& object, const std::string& where) {
   return mount;
 }
 
-bool isFlange(const std::string& link) {
-  return link.empty() || link.ends_with("link8") || link.ends_with("flange") || link == "tool0" || link == "tcp_flange";
-}
-
 /// Pose of the mount's parent link in the flange frame; identity with a finding where it cannot be told.
 Result<Isometry3d> parentInFlange(const std::string& parent, Findings& findings) {
-  if (isFlange(parent)) return Isometry3d(Isometry3d::Identity());
+  if (isFlangeName(parent)) return Isometry3d(Isometry3d::Identity());
   const RobotModel& panda = RobotModel::panda();
   const auto flange = panda.findLink("panda_link8");
   const auto link = panda.findLink(parent);
@@ -104,6 +103,42 @@ void reportSources(const json& identifiability, Findings& findings) {
                         heft::say("From the shape or values you gave, not measured: {}.", joined(fromPrior)),
                         heft::say("Check them before the robot relies on them."),
                         {}});
+}
+
+std::optional<Vector6d> biasOf(const json& result) {
+  const json* bias = member(result, "bias");
+  const json* force = bias ? member(*bias, "force_n") : nullptr;
+  const json* torque = bias ? member(*bias, "torque_nm") : nullptr;
+  if (!force || !torque || !isVector3(*force) || !isVector3(*torque)) return std::nullopt;
+  Vector6d out;
+  for (int i = 0; i < 3; ++i) {
+    out(i) = (*force)[static_cast<std::size_t>(i)].get<double>();
+    out(3 + i) = (*torque)[static_cast<std::size_t>(i)].get<double>();
+  }
+  return out;
+}
+
+/// What the estimate itself says against its numbers.
+void reportDoubts(const json& result, FlangePayload& out) {
+  const json* findings = member(result, "findings");
+  if (!findings || !findings->is_array()) return;
+  for (const json& finding : *findings) {
+    const json *severity = member(finding, "severity"), *code = member(finding, "code"),
+               *text = member(finding, "text");
+    if (!severity || !code || !text || !severity->is_string() || !code->is_string() || !text->is_string()) continue;
+    const Severity grave = *severity == toString(Severity::info) ? Severity::info : Severity::warning;
+    if (!doubtsNumbers(grave, code->get_ref<const std::string&>())) continue;
+    const std::string sentence = printable(text->get<std::string>(), kLongestSentence);
+    out.input.cautions.push_back(sentence);
+    if (*code == "no_trust") continue;  // Said by toFlange() itself
+    const json* remedy = member(finding, "remedy");
+    out.findings.push_back(
+        {Severity::warning,
+         "doubtful",
+         sentence,
+         remedy && remedy->is_string() ? printable(remedy->get<std::string>(), kLongestSentence) : std::string(),
+         {}});
+  }
 }
 
 std::string intervalText(const json* pair, double scale, const char* unit) {
@@ -193,6 +228,7 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
     const auto X_FL = parentInFlange(mount.parent, out.findings);
     if (!X_FL) return X_FL.error();
     out.X_FS = *X_FL * poseFromXyzRpy(mount.xyz, mount.rpy);
+    if (!options.xyz && !options.rpy && !mount.parent.empty()) out.mount = mount;
   }
   if (options.xyz) out.X_FS.translation() = *options.xyz;
   if (options.rpy) out.X_FS.linear() = rotationFromRpy(*options.rpy);
@@ -213,7 +249,14 @@ Result<FlangePayload> toFlange(const json& result, const std::string& where, con
                             heft::say("The estimate itself says that it is not physically possible."),
                             heft::say("Use the method map, or a longer recording that turns the tool faster."),
                             {}});
+  reportDoubts(result, out);
+  for (const std::string& caution : options.cautions) {
+    out.findings.push_back({Severity::warning, "doubtful", caution, {}, {}});
+    out.input.cautions.push_back(caution);
+  }
   out.input.X_FE = options.X_FE;
+  out.input.parentLink = options.parentLink;
+  out.input.sensor = SensorSide{*payload, out.X_FS, biasOf(result), options.sensorFrame};
   out.input.name = options.name;
   out.input.provenance = provenanceOf(result, where, options);
   out.input.uncertainty = uncertaintyOf(result);

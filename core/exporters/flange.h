@@ -19,15 +19,19 @@ struct FlangeOptions {
   Isometry3d X_FE = Isometry3d::Identity();  ///< Tool centre point
   std::vector<Payload> add;                  ///< In F: what else is mounted (sensor's tool side, adapter)
   std::vector<std::string> addNames;         ///< Their names for the provenance, as many as `add`
+  std::vector<std::string> cautions;         ///< What else may be wrong with the numbers, a sentence each
   bool force = false;                        ///< Even a result that says of itself that nothing in it can be trusted.
   std::string name = "tool";
+  std::string sensorFrame;       ///< Its name in ROS, for formats that carry it
+  std::string parentLink;        ///< See ExportInput
   std::string program = "Heft";  ///< Writes: "heft 0.1.0"
 };
 
 struct FlangePayload {
   ExportInput input;  ///< In F, the added bodies included.
   Isometry3d X_FS = Isometry3d::Identity();
-  Findings findings;  ///< Which numbers nobody measured, and what was assumed about the mount.
+  std::optional<SensorMount> mount;  ///< Whose pose X_FS is; nothing where the pose was stated, or is not known
+  Findings findings;                 ///< Which numbers nobody measured, and what was assumed about the mount.
 };
 
 /// `result` is a heft.estimate/1 (toJson(EstimateReport); payload in S, "sensor_mount" says where S sits) or a bare

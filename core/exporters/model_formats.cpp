@@ -11,54 +11,75 @@ const std::string kFlangeFrame = "The link's frame is the robot's flange; inerti
 
 }  // namespace
 
-std::string writeUrdf(const ExportInput& input) {
-  const Payload& payload = input.payload;
+std::string urdfInertial(const Payload& payload, const std::string& indent, const std::string& newline) {
   const Matrix3d& I = payload.inertiaCom;
+  return fmt::format(
+      "{0}<inertial>{1}"
+      "{0}  <origin xyz=\"{2}\" rpy=\"0 0 0\"/>{1}"
+      "{0}  <mass value=\"{3}\"/>{1}"
+      "{0}  <inertia ixx=\"{4}\" ixy=\"{5}\" ixz=\"{6}\" iyy=\"{7}\" iyz=\"{8}\" izz=\"{9}\"/>{1}"
+      "{0}</inertial>{1}",
+      indent, newline, list(payload.com, " "), number(payload.mass), number(I(0, 0)), number(I(0, 1)), number(I(0, 2)),
+      number(I(1, 1)), number(I(1, 2)), number(I(2, 2)));
+}
+
+std::string writeUrdf(const ExportInput& input) {
   const std::string name = xmlEscaped(input.name);
-  return "<?xml version=\"1.0\"?>\n" + xmlComment(remarksOf(input, {kFlangeFrame})) +
-         fmt::format(
-             "<robot name=\"{}\">\n"
-             "  <link name=\"{}\">\n"
-             "    <inertial>\n"
-             "      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n"
-             "      <mass value=\"{}\"/>\n"
-             "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n"
-             "    </inertial>\n"
-             "  </link>\n"
-             "</robot>\n",
-             name, name, list(payload.com, " "), number(payload.mass), number(I(0, 0)), number(I(0, 1)),
-             number(I(0, 2)), number(I(1, 1)), number(I(1, 2)), number(I(2, 2)));
+  const std::string tool =
+      fmt::format("  <link name=\"{}\">\n{}  </link>\n", name, urdfInertial(input.payload, "    ", "\n"));
+  std::vector<std::string> remarks{kFlangeFrame};
+  std::string above;
+  if (input.parentLink.empty()) {
+    remarks.push_back(
+        "KDL and MuJoCo give a root link no weight: there, fix this link to your arm's flange, or write it with a "
+        "parent.");
+  } else {
+    const std::string parent = xmlEscaped(input.parentLink);
+    remarks.push_back(
+        "The joint is fixed and the link above it has no mass. MuJoCo would merge both into the world "
+        "and lose the mass, which its own element forbids; other readers pass over that element.");
+    above = fmt::format(
+        "  <mujoco>\n"
+        "    <compiler fusestatic=\"false\"/>\n"
+        "  </mujoco>\n"
+        "  <link name=\"{0}\"/>\n"
+        "  <joint name=\"{0}_to_{1}\" type=\"fixed\">\n"
+        "    <parent link=\"{0}\"/>\n"
+        "    <child link=\"{1}\"/>\n"
+        "  </joint>\n",
+        parent, name);
+  }
+  return "<?xml version=\"1.0\"?>\n" + xmlComment(remarksOf(input, remarks)) +
+         fmt::format("<robot name=\"{}\">\n{}{}</robot>\n", name, above, tool);
 }
 
 std::string writeSdf(const ExportInput& input) {
   const Payload& payload = input.payload;
-  // Principal axes leave no product of inertia, about whose sign readers disagree.
-  const PrincipalAxes axes = principalAxes(payload.inertiaCom);
-  const Vector3d rpy = rpyFromRotation(axes.R_FA).unaryExpr([](double v) { return roundedTo(v, 9); });
+  const Matrix3d& I = payload.inertiaCom;
   const std::string name = xmlEscaped(input.name);
-  return "<?xml version=\"1.0\"?>\n" +
-         xmlComment(remarksOf(input, {kFlangeFrame, "The pose turns the flange's axes into the principal axes."})) +
+  // DART leaves out a rotation of the inertial's pose, so that the inertia stands in the link's axes.
+  return "<?xml version=\"1.0\"?>\n" + xmlComment(remarksOf(input, {kFlangeFrame})) +
          fmt::format(
              "<sdf version=\"1.6\">\n"
              "  <model name=\"{}\">\n"
              "    <link name=\"{}\">\n"
              "      <inertial>\n"
-             "        <pose>{} {}</pose>\n"
+             "        <pose>{} 0 0 0</pose>\n"
              "        <mass>{}</mass>\n"
              "        <inertia>\n"
              "          <ixx>{}</ixx>\n"
-             "          <ixy>0</ixy>\n"
-             "          <ixz>0</ixz>\n"
+             "          <ixy>{}</ixy>\n"
+             "          <ixz>{}</ixz>\n"
              "          <iyy>{}</iyy>\n"
-             "          <iyz>0</iyz>\n"
+             "          <iyz>{}</iyz>\n"
              "          <izz>{}</izz>\n"
              "        </inertia>\n"
              "      </inertial>\n"
              "    </link>\n"
              "  </model>\n"
              "</sdf>\n",
-             name, name, list(payload.com, " "), list(rpy, " "), number(payload.mass), number(axes.moments.x()),
-             number(axes.moments.y()), number(axes.moments.z()));
+             name, name, list(payload.com, " "), number(payload.mass), number(I(0, 0)), number(I(0, 1)),
+             number(I(0, 2)), number(I(1, 1)), number(I(1, 2)), number(I(2, 2)));
 }
 
 std::string writeMjcf(const ExportInput& input) {
@@ -81,6 +102,9 @@ std::string writeMjcf(const ExportInput& input) {
 std::string writeJson(const ExportInput& input) {
   const Payload& payload = input.payload;
   const Matrix3d& I = payload.inertiaCom;
+  std::string cautions;
+  for (const std::string& caution : input.cautions) cautions += (cautions.empty() ? "" : ", ") + jsonString(caution);
+  if (!cautions.empty()) cautions = ",\n  \"cautions\": [" + cautions + "]";
   return fmt::format(
       "{{\n"
       "  \"schema\": \"heft.payload/1\",\n"
@@ -90,10 +114,11 @@ std::string writeJson(const ExportInput& input) {
       "  \"com_m\": [{}],\n"
       "  \"inertia_com_kgm2\": [[{}], [{}], [{}]],\n"
       "  \"provenance\": {},\n"
-      "  \"uncertainty\": {}\n"
+      "  \"uncertainty\": {}{}\n"
       "}}\n",
       jsonString(input.name), number(payload.mass), list(payload.com), list(Vector3d(I.row(0))),
-      list(Vector3d(I.row(1))), list(Vector3d(I.row(2))), jsonString(input.provenance), jsonString(input.uncertainty));
+      list(Vector3d(I.row(1))), list(Vector3d(I.row(2))), jsonString(input.provenance), jsonString(input.uncertainty),
+      cautions);
 }
 
 }  // namespace heft

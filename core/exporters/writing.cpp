@@ -113,10 +113,20 @@ std::string xmlEscaped(std::string_view text) {
   return out;
 }
 
+std::string frameName(const std::string& frame) {
+  std::string out;
+  for (const char c : frame) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    out += plain || c == '_' || c == '/' || c == '-' ? c : '_';
+  }
+  return out;
+}
+
 std::string jsonString(std::string_view text) { return nlohmann::json(printable(text, 1000)).dump(); }
 
 std::vector<std::string> remarksOf(const ExportInput& input, const std::vector<std::string>& more) {
   std::vector<std::string> remarks;
+  for (const std::string& caution : input.cautions) remarks.push_back("CAUTION: " + caution);
   if (!input.provenance.empty()) remarks.push_back(input.provenance);
   if (!input.uncertainty.empty()) remarks.push_back(input.uncertainty);
   remarks.insert(remarks.end(), more.begin(), more.end());

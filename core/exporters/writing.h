@@ -33,6 +33,8 @@ std::string comment(const std::vector<std::string>& remarks, std::string_view pr
 std::string xmlComment(const std::vector<std::string>& remarks);
 /// For attribute values and text.
 std::string xmlEscaped(std::string_view text);
+/// Letters, digits, '_', '-' and '/'; others become '_': fit for a frame's name in ROS and in YAML.
+std::string frameName(const std::string& frame);
 /// A JSON string with its quotes.
 std::string jsonString(std::string_view text);
 
@@ -45,6 +47,9 @@ struct PrincipalAxes {
   Vector3d moments = Vector3d::Zero();  ///< Rounded, and still those of a possible body [kg m2]
 };
 PrincipalAxes principalAxes(const Matrix3d& inertia);
+
+/// The element <inertial> of a URDF, each line after `indent`, ending in `newline`.
+std::string urdfInertial(const Payload& payload, const std::string& indent, const std::string& newline);
 
 // The formats.
 std::string writeFrankaDesk(const ExportInput& input);
@@ -60,5 +65,9 @@ std::string writeUr(const ExportInput& input);
 std::string writeKuka(const ExportInput& input);
 std::string writeAbb(const ExportInput& input);
 std::string writeFanuc(const ExportInput& input);
+std::string writeRos2Control(const ExportInput& input);
+std::string writeForceTorqueTools(const ExportInput& input);
+std::string writeMcRtc(const ExportInput& input);
+std::string writeXarm(const ExportInput& input);
 
 }  // namespace heft

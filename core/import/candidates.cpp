@@ -3,155 +3,224 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <set>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <span>
 
 #include "core/base/say.h"
+#include "core/import/field_name.h"
 #include "core/import/mapping.h"
-#include "core/import/time_column.h"
 
 namespace heft {
 
 namespace {
 
-using Tokens = std::vector<std::string>;
-
-/// "position[panda_joint1]" gives position, panda, joint, 1.
-Tokens tokensOf(std::string_view name) {
-  Tokens out;
-  std::string current;
-  int kind = 0;  // 1 letters, 2 digits
-  for (const char c : lowerCase(name)) {
-    const int now = c >= '0' && c <= '9' ? 2 : (c >= 'a' && c <= 'z') ? 1 : 0;
-    if (now != kind && !current.empty()) {
-      out.push_back(current);
-      current.clear();
-    }
-    if (now != 0) current += c;
-    kind = now;
-  }
-  if (!current.empty()) out.push_back(current);
-  return out;
+bool isOne(const std::string& word, std::span<const char* const> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
-
-template <std::size_t N>
-bool isOne(const std::string& token, const std::array<const char*, N>& words) {
-  return std::find(words.begin(), words.end(), token) != words.end();
-}
-template <std::size_t N>
-bool anyIs(const Tokens& tokens, const std::array<const char*, N>& words) {
+bool anyIs(const Words& tokens, std::span<const char* const> words) {
   return std::any_of(tokens.begin(), tokens.end(), [&](const std::string& t) { return isOne(t, words); });
 }
 
 /// Words of values that nobody measured.
-constexpr std::array kCommanded = {"d",       "c",     "cmd",   "command",  "commanded", "desired",   "des",
-                                   "target",  "ref",   "goal",  "setpoint", "limit",     "error",     "errors",
-                                   "motor",   "theta", "ddq",   "dtau",     "dp",        "ddp",       "collision",
-                                   "contact", "std",   "stdev", "finger",   "gripper",   "covariance"};
+constexpr std::array kCommanded = {
+    "d",          "cmd",      "command",   "commanded", "desired",     "des",    "target",    "ref",     "reference",
+    "goal",       "setpoint", "limit",     "limits",    "error",       "errors", "ddq",       "qdd",     "dtau",
+    "dp",         "ddp",      "collision", "contact",   "std",         "stdev",  "finger",    "gripper", "covariance",
+    "inaccuracy", "accuracy", "variance",  "tolerance", "uncertainty", "soll",   "increment", "inc"};
 /// Words of wrenches from which something was taken away, or that no sensor measured.
 constexpr std::array kProcessed = {"compensated", "comp",     "bias", "unbiased", "zeroed",   "tared",
                                    "ext",         "external", "hat",  "estimate", "estimated"};
 
-std::optional<int> axis(const std::string& token) {
-  if (token == "x") return 0;
-  if (token == "y") return 1;
-  if (token == "z") return 2;
+/// What speaks against one of several sources that are otherwise alike: raw comes before what was made of it, and the
+/// sensor's own axes before others.
+struct Doubt {
+  int cost;
+  std::vector<const char*> words;
+};
+int doubtOf(const Words& words) {
+  static const std::array kDoubts = {
+      Doubt{4, {"filtered", "filter", "filt", "lowpass", "lp", "smoothed", "smooth", "butter", "kalman"}},
+      Doubt{4, {"average", "averaged", "avg", "mean", "median", "downsampled", "decimated"}},
+      Doubt{5, {"thresholded", "threshold", "deadband", "clipped", "saturated", "limited"}},
+      Doubt{6, {"transformed", "tf", "rotated", "corrected", "calibrated", "scaled", "normalized"}},
+      Doubt{8, {"world", "base", "global", "map", "odom", "robot_base"}},
+      Doubt{8, {"tcp", "ee", "eef", "tool", "user", "cartesian"}},
+      Doubt{6, {"estimated", "estimate", "est", "hat", "simulated", "sim", "virtual", "model", "predicted"}},
+      Doubt{6, {"motor", "theta", "rotor"}}};
+  int cost = 0;
+  for (const auto& doubt : kDoubts)
+    if (anyIs(words, doubt.words)) cost += doubt.cost;
+  return cost;
+}
+
+std::optional<int> axis(const std::string& word) {
+  if (word == "x") return 0;
+  if (word == "y") return 1;
+  if (word == "z") return 2;
   return std::nullopt;
 }
 
-/// What a field seems to be: 0..5 of a wrench, and which letters make its name's family.
-struct WrenchField {
+bool isDigits(const std::string& word) { return !word.empty() && word[0] >= '0' && word[0] <= '9'; }
+
+Words without(const Words& words, std::size_t from, std::size_t count) {
+  Words out(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(from));
+  out.insert(out.end(), words.begin() + static_cast<std::ptrdiff_t>(from + count), words.end());
+  return out;
+}
+
+/// What a field seems to be: an index among its kin, and which words make its name's family.
+struct Member {
   int index = 0;
-  Tokens family;
+  Words family;
 };
 
-std::optional<WrenchField> asWrench(const Tokens& tokens) {
-  static constexpr std::array kForces = {"force", "forces", "f"};
-  static constexpr std::array kTorques = {"torque", "torques", "moment", "t", "m", "tau"};
-  static constexpr std::array kBoth = {"wrench", "ft", "netft"};
-  if (tokens.empty()) return std::nullopt;
-  const auto& last = tokens.back();
-  // fx, ty, mz
-  if (last.size() == 2 && (last[0] == 'f' || last[0] == 't' || last[0] == 'm')) {
-    if (const auto a = axis(last.substr(1)))
-      return WrenchField{*a + (last[0] == 'f' ? 0 : 3), Tokens(tokens.begin(), tokens.end() - 1)};
+constexpr std::array kForceWords = {"force", "forces", "f", "kraft"};
+constexpr std::array kTorqueWords = {"torque", "torques", "moment", "moments", "t", "m", "tau", "drehmoment"};
+
+/// 0..5 of a wrench: "fx", "force x", "wrench.torque.z", "ft[3]", "Fx_raw".
+std::optional<Member> asWrench(const Words& words) {
+  static constexpr std::array kOther = {"pose",     "twist",        "position", "translation",
+                                        "velocity", "acceleration", "joint"};
+  if (anyIs(words, kOther)) return std::nullopt;
+  for (std::size_t i = words.size(); i-- > 0;) {
+    const auto& word = words[i];
+    if (word.size() == 2 && (word[0] == 'f' || word[0] == 't' || word[0] == 'm'))
+      if (const auto a = axis(word.substr(1))) return Member{*a + (word[0] == 'f' ? 0 : 3), without(words, i, 1)};
+    if (i == 0) break;
+    const auto& before = words[i - 1];
+    std::optional<int> index = axis(word);
+    const bool number = word.size() == 1 && word[0] >= '0' && word[0] <= '5';
+    if (!index && number && i + 1 == words.size()) index = word[0] - '0';
+    if (!index) continue;
+    if (isOne(before, kForceWords) && *index < 3 && (before.size() > 1 || !number || i < 2 || !isDigits(words[i - 2])))
+      return Member{*index, without(words, i - 1, 2)};
+    if (isOne(before, kTorqueWords) && *index < 3) return Member{*index + 3, without(words, i - 1, 2)};
   }
-  if (tokens.size() < 2) return std::nullopt;
-  const auto& before = tokens[tokens.size() - 2];
-  const Tokens family(tokens.begin(), tokens.end() - 2);
-  std::optional<int> index = axis(last);
-  const bool number = last.size() == 1 && last[0] >= '0' && last[0] <= '5';
-  if (!index && number) index = last[0] - '0';
-  if (!index) return std::nullopt;
-  if (isOne(before, kForces) && *index < 3) return WrenchField{*index, family};
-  if (isOne(before, kTorques) && *index < 3) return WrenchField{*index + 3, family};
-  if (isOne(before, kBoth) && number) return WrenchField{*index, family};
   return std::nullopt;
 }
 
-struct PoseField {
+/// An element of an array of six: "ft_raw_wrench_0", "fts_reading_1", "actual_TCP_force_5", "forceTorque[3]".
+std::optional<Member> asWrenchArray(const Words& words) {
+  if (words.size() < 2 || words.back().size() != 1 || !isDigits(words.back())) return std::nullopt;
+  Words family(words.begin(), words.end() - 1);
+  static constexpr std::array kLong = {"force", "forces", "wrench", "ft", "fts", "netft", "forcetorque", "loadcell"};
+  static constexpr std::array kJoint = {"joint", "joints", "effort", "current", "motor", "stiffness"};
+  if (!anyIs(family, kLong) || anyIs(family, kJoint)) return std::nullopt;
+  return Member{words.back()[0] - '0', std::move(family)};
+}
+
+struct PoseMember : Member {
   bool quaternion = false;
-  int index = 0;
-  Tokens family;
 };
 
-std::optional<PoseField> asPose(const Tokens& tokens) {
-  if (tokens.empty()) return std::nullopt;
-  const auto& last = tokens.back();
-  if (last.size() == 2 && (last[0] == 'p' || last[0] == 'q')) {
-    const auto a = last[1] == 'w' ? std::optional<int>(3) : axis(last.substr(1));
-    if (a && (last[0] == 'q' || *a < 3)) return PoseField{last[0] == 'q', *a, Tokens(tokens.begin(), tokens.end() - 1)};
+std::optional<PoseMember> asPose(const Words& words) {
+  static constexpr std::array kPlaces = {"position", "translation", "pos", "xyz", "p"};
+  static constexpr std::array kTurns = {"orientation", "quaternion", "rotation", "quat", "ori", "q"};
+  static constexpr std::array kRates = {"velocity", "vel", "twist",   "speed", "acceleration",
+                                        "accel",    "acc", "angular", "linear"};
+  if (words.empty() || anyIs(words, kRates)) return std::nullopt;
+  for (std::size_t i = words.size(); i-- > 0;) {
+    const auto& word = words[i];
+    if (word.size() == 2 && (word[0] == 'p' || word[0] == 'q')) {
+      const auto a = word[1] == 'w' ? std::optional<int>(3) : axis(word.substr(1));
+      if (a && (word[0] == 'q' || *a < 3)) return PoseMember{{*a, without(words, i, 1)}, word[0] == 'q'};
+    }
+    // "pose_tx" beside "pose_qx"
+    if (word.size() == 2 && word[0] == 't' && anyIs(words, std::array{"pose"}))
+      if (const auto a = axis(word.substr(1))) return PoseMember{{*a, without(words, i, 1)}, false};
+    if (i == 0) break;
+    const auto a = word == "w" ? std::optional<int>(3) : axis(word);
+    if (!a) continue;
+    const auto& before = words[i - 1];
+    if (isOne(before, kTurns)) return PoseMember{{*a, without(words, i - 1, 2)}, true};
+    if (isOne(before, kPlaces) && *a < 3) return PoseMember{{*a, without(words, i - 1, 2)}, false};
   }
-  if (tokens.size() < 2) return std::nullopt;
-  const auto& before = tokens[tokens.size() - 2];
-  const Tokens family(tokens.begin(), tokens.end() - 2);
-  const auto a = last == "w" ? std::optional<int>(3) : axis(last);
-  if (!a) return std::nullopt;
-  if ((before == "position" || before == "translation") && *a < 3) return PoseField{false, *a, family};
-  if (before == "orientation" || before == "quaternion" || before == "rotation" || before == "quat")
-    return PoseField{true, *a, family};
   return std::nullopt;
 }
 
-struct JointField {
+/// Elements of a rotation matrix by rows, "r11" to "r33" or "R[0][2]".
+std::optional<Member> asMatrix(const Words& words) {
+  static constexpr std::array kNames = {"r", "rot", "rotation", "matrix"};
+  const auto digit = [](char c) { return c - '0'; };
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (!isOne(words[i - 1], kNames)) continue;
+    if (words[i].size() == 2 && isDigits(words[i])) {
+      const int row = digit(words[i][0]) - 1, column = digit(words[i][1]) - 1;
+      if (row >= 0 && row < 3 && column >= 0 && column < 3) return Member{3 * row + column, without(words, i, 1)};
+    }
+    if (i + 1 < words.size() && words[i].size() == 1 && isDigits(words[i]) && words[i + 1].size() == 1 &&
+        isDigits(words[i + 1])) {
+      const int row = digit(words[i][0]), column = digit(words[i + 1][0]);
+      if (row < 3 && column < 3) return Member{3 * row + column, without(words, i, 2)};
+    }
+  }
+  return std::nullopt;
+}
+
+struct JointMember : Member {
   bool velocity = false;
-  int number = 0;
-  Tokens family;
 };
 
-std::optional<JointField> asJoint(const Tokens& tokens) {
-  static constexpr std::array kPositions = {"position", "positions", "pos", "q", "angle", "angles"};
-  static constexpr std::array kVelocities = {"velocity", "velocities", "vel", "dq", "qd", "qdot", "speed"};
-  static constexpr std::array kOther = {"effort", "torque", "tau", "current", "temperature", "is", "force", "wrench"};
-  static constexpr std::array kFillers = {"joint", "joints", "state", "states", "robot", "arm", "panda", "fr", "fer"};
-  if (tokens.empty() || anyIs(tokens, kOther)) return std::nullopt;
+std::optional<JointMember> asJoint(const Words& words) {
+  static constexpr std::array kPositions = {"position", "positions", "pos", "q", "angle", "angles", "theta", "winkel"};
+  static constexpr std::array kVelocities = {"velocity", "velocities", "vel", "dq", "qd", "qdot", "speed", "speeds"};
+  static constexpr std::array kOther = {
+      "effort",        "efforts",      "torque",  "torques", "tau",    "current", "currents",  "temperature",
+      "temp",          "temperatures", "is",      "force",   "wrench", "voltage", "power",     "acceleration",
+      "accelerations", "acc",          "jerk",    "mode",    "status", "moment",  "stiffness", "load",
+      "tcp",           "pose",         "encoder", "ticks",   "fts",    "ft",      "column"};
+  static constexpr std::array kJoints = {"joint", "joints", "j", "axis", "a", "jnt"};
+  if (words.empty() || anyIs(words, kOther)) return std::nullopt;
   // The number that tells the joint: the last one ("fr3_joint1" has another before it).
-  const auto number = std::find_if(tokens.rbegin(), tokens.rend(), [](const std::string& t) {
-    return t.size() <= 2 && std::isdigit(static_cast<unsigned char>(t[0])) != 0;
-  });
-  if (number == tokens.rend()) return std::nullopt;
-  const auto at = static_cast<std::size_t>(tokens.rend() - number) - 1;
-  JointField out;
-  out.number = std::stoi(tokens[at]);
-  out.family = tokens;
+  const auto number =
+      std::find_if(words.rbegin(), words.rend(), [](const std::string& t) { return t.size() <= 2 && isDigits(t); });
+  if (number == words.rend()) return std::nullopt;
+  const auto at = static_cast<std::size_t>(words.rend() - number) - 1;
+  JointMember out;
+  out.index = std::stoi(words[at]);
+  out.family = words;
   out.family[at] = "#";
-  out.velocity = anyIs(tokens, kVelocities);
-  if (out.velocity || anyIs(tokens, kPositions)) return out;
-  const bool bare = std::all_of(tokens.begin(), tokens.end(), [&](const std::string& t) {
-    return isOne(t, kFillers) || std::isdigit(static_cast<unsigned char>(t[0])) != 0;
-  });
-  if (bare && (std::find(tokens.begin(), tokens.end(), "joint") != tokens.end() ||
-               std::find(tokens.begin(), tokens.end(), "joints") != tokens.end()))
-    return out;
+  // "dQ1" and "q_d1" are spelt alike but for the order.
+  out.velocity = anyIs(words, kVelocities);
+  if (out.velocity || anyIs(words, kPositions)) return out;
+  if (at > 0 && isOne(words[at - 1], kJoints)) return out;
+  if (anyIs(words, std::array{"joint", "joints"})) return out;
   return std::nullopt;
+}
+
+/// UR's controller takes the configured payload off this force, and turns it into its base's axes.
+bool isTcpForce(const Words& words) {
+  return anyIs(words, std::array{"tcp"}) && anyIs(words, std::array{"force"}) && anyIs(words, std::array{"actual"});
+}
+
+Quantity quantityOf(const std::string& column) {
+  if (column[0] == 'f') return Quantity::force;
+  if (column[0] == 't') return Quantity::torque;
+  if (column[0] == 'p' && column.size() == 2) return Quantity::length;
+  return column.starts_with("dq") ? Quantity::angularRate : Quantity::angle;
+}
+
+/// What the name says of the column's unit [SI]; nothing if it says none.
+std::optional<double> scaleInName(const std::string& column, const FieldName& name) {
+  const bool quaternion = column[0] == 'q' && column.size() == 2 && column[1] >= 'w';
+  const bool matrix = column[0] == 'r' && isDigits(column.substr(1));
+  if (name.unit.empty() || quaternion || matrix) return std::nullopt;
+  return unitSi(name.unit, quantityOf(column));
 }
 
 const std::array<const char*, 6> kWrenchColumns = {"fx", "fy", "fz", "tx", "ty", "tz"};
 const std::array<const char*, 3> kPositionColumns = {"px", "py", "pz"};
 const std::array<const char*, 4> kQuaternionColumns = {"qx", "qy", "qz", "qw"};
+const std::array<const char*, 3> kVectorColumns = {"rvx", "rvy", "rvz"};
+const std::array<const char*, 3> kAbcColumns = {"kuka_a", "kuka_b", "kuka_c"};
+const std::array<const char*, 3> kRpyColumns = {"roll", "pitch", "yaw"};
+const std::array<const char*, 9> kMatrixColumns = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 
 /// Fields of one family by their index; the first one with an index counts.
 using Family = std::map<int, std::size_t>;
+using Families = std::map<Words, Family>;
 
 class StreamGuess {
  public:
@@ -159,27 +228,42 @@ class StreamGuess {
       : stream_(streams[index]), index_(index), out_(out) {}
 
   void run(const std::vector<std::string>& jointNames) {
-    std::map<Tokens, Family> wrenches, positions, quaternions, joints, velocities;
-    for (std::size_t f = 0; f < stream_.fields.size(); ++f) {
-      const Tokens tokens = tokensOf(stream_.fields[f]);
-      if (anyIs(tokens, kCommanded)) continue;
-      if (const auto wrench = asWrench(tokens)) wrenches[wrench->family].try_emplace(wrench->index, f);
-      if (const auto pose = asPose(tokens))
-        (pose->quaternion ? quaternions : positions)[pose->family].try_emplace(pose->index, f);
-      if (const auto joint = asJoint(tokens))
-        (joint->velocity ? velocities : joints)[joint->family].try_emplace(joint->number, f);
+    Families wrenches, arrays, positions, quaternions, matrices, joints, velocities;
+    for (const auto& field : stream_.fields) names_.push_back(readFieldName(field));
+    for (std::size_t f = 0; f < names_.size(); ++f) {
+      const Words& words = names_[f].words;
+      if (anyIs(words, kCommanded)) continue;
+      const auto put = [&](Families& families, const Member& member) {
+        families[member.family].try_emplace(member.index, f);
+      };
+      if (const auto wrench = asWrench(words)) put(wrenches, *wrench);
+      if (const auto array = asWrenchArray(words)) put(arrays, *array);
+      if (const auto pose = asPose(words)) put(pose->quaternion ? quaternions : positions, *pose);
+      if (const auto matrix = asMatrix(words)) put(matrices, *matrix);
+      if (const auto joint = asJoint(words)) put(joint->velocity ? velocities : joints, *joint);
     }
+    mergeWrenches(wrenches);
     for (const auto& [family, fields] : wrenches)
-      if (fields.size() == 6) addWrench(family, fields);
+      if (fields.size() == 6) addWrench(family, fields, 0);
+    for (const auto& [family, fields] : arrays)
+      if (fields.size() == 6 && fields.rbegin()->first - fields.begin()->first == 5 && fields.begin()->first <= 1)
+        addWrench(family, fields, fields.begin()->first);
     for (const auto& [family, fields] : quaternions)
-      if (fields.size() == 4) add("quaternion", fields, 0, kQuaternionColumns, poseScore(), why());
+      if (fields.size() == 4)
+        add("quaternion", fields, 0, kQuaternionColumns, poseScore() - doubtOfPose(family), why());
     for (const auto& [family, fields] : positions)
-      if (fields.size() == 3) add("position", fields, 0, kPositionColumns, poseScore(), why());
+      if (fields.size() == 3) add("position", fields, 0, kPositionColumns, poseScore() - doubtOfPose(family), why());
+    for (const auto& [family, fields] : matrices)
+      if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
+    addOtherPoses();
     for (const auto& [family, fields] : joints) addJoints("joints", "q", family, fields);
     for (const auto& [family, fields] : velocities) addJoints("velocities", "dq", family, fields);
     if (!jointNames.empty()) {
       addNamed("joints", "q", "position", jointNames);
       addNamed("velocities", "dq", "velocity", jointNames);
+    } else if (stream_.type == "sensor_msgs/JointState") {
+      addInOrder("joints", "q", "position");
+      addInOrder("velocities", "dq", "velocity");
     }
   }
 
@@ -188,33 +272,109 @@ class StreamGuess {
     return stream_.type.empty() ? heft::say("names of the columns") : heft::say("type {}", stream_.type);
   }
   int poseScore() const { return stream_.type.starts_with("geometry_msgs/Pose") ? 30 : 10; }
+  int doubtOfPose(const Words& family) const { return anyIs(family, std::array{"camera", "object", "marker"}) ? 5 : 0; }
+
+  ColumnSource source(const std::string& column, std::size_t field, const std::string& reason) const {
+    ColumnSource out{column, index_, field, 1.0, reason, false, false};
+    if (const auto si = scaleInName(column, names_[field])) {
+      out.scale = *si;
+      out.unitNamed = true;
+    }
+    return out;
+  }
 
   template <class Names>
   void add(const char* part, const Family& fields, int first, const Names& names, int score, std::string reason) {
     ColumnCandidate candidate{part, {}, score, std::move(reason)};
     for (const auto& [index, field] : fields)
-      candidate.columns.push_back({names[static_cast<std::size_t>(index - first)], index_, field, 1.0, candidate.why});
+      candidate.columns.push_back(source(names[static_cast<std::size_t>(index - first)], field, candidate.why));
     out_.push_back(std::move(candidate));
   }
 
-  void addWrench(const Tokens& family, const Family& fields) {
+  /// Forces and torques whose names differ in more than that word ("wrench__fts_fx" beside "wrench_fts_mx" are alike,
+  /// "Force1.x" beside "Torque1.x" too): what has three of one kind joins the only one with three of the other.
+  static void mergeWrenches(Families& wrenches) {
+    std::vector<const Words*> forces, torques;
+    for (const auto& [family, fields] : wrenches) {
+      if (fields.size() != 3) continue;
+      if (fields.rbegin()->first == 2) forces.push_back(&family);
+      if (fields.begin()->first == 3) torques.push_back(&family);
+    }
+    if (forces.size() != 1 || torques.size() != 1) return;
+    const Words from = *torques[0];
+    const Words to = *forces[0];
+    for (const auto& [index, field] : wrenches[from]) wrenches[to].try_emplace(index, field);
+    wrenches.erase(from);
+  }
+
+  void addWrench(const Words& family, const Family& fields, int first) {
     int score = 10;
     std::string reason = why();
     if (stream_.type == "geometry_msgs/WrenchStamped") score = 30;
     if (stream_.type == "geometry_msgs/Wrench") score = 25;
-    Tokens all = tokensOf(stream_.name);
+    Words all = wordsOf(stream_.name);
     all.insert(all.end(), family.begin(), family.end());
-    static constexpr std::array kSensors = {"ft", "netft", "sensor", "ati", "raw", "axia", "gamma"};
+    static constexpr std::array kSensors = {"ft", "fts", "netft", "sensor", "ati", "raw", "axia", "gamma"};
     if (anyIs(all, kSensors)) score += 5;
+    if (anyIs(all, std::array{"raw", "reading", "readings", "measured"})) score += 2;
+    const bool ur = isTcpForce(family);
+    score -= ur ? 5 : std::min(doubtOf(all), 20);
     const bool franka = stream_.type.starts_with("franka_msgs/");
     if (anyIs(all, kProcessed) || franka) {
       score -= 100;
       reason = heft::say("an estimate or a compensated wrench: the tool's own weight may be taken out of it");
     }
-    add("wrench", fields, 0, kWrenchColumns, score, reason);
+    add("wrench", fields, first, kWrenchColumns, score, reason);
+    for (auto& column : out_.back().columns) column.inBaseAxes = ur;
   }
 
-  void addJoints(const char* part, const char* prefix, const Tokens& family, const Family& fields) {
+  /// Poses whose rotation is no quaternion: UR's rotation vector, KUKA's A, B, C, and roll, pitch, yaw.
+  void addOtherPoses() {
+    std::map<Words, Family> vectors;
+    std::map<std::string, std::size_t> single, turns;
+    for (std::size_t f = 0; f < names_.size(); ++f) {
+      const Words& words = names_[f].words;
+      if (words.empty() || anyIs(words, kCommanded)) continue;
+      if (words.size() == 1 && words[0].size() <= 2) single.try_emplace(words[0], f);
+      if (words.back() == "roll" || words.back() == "pitch" || words.back() == "yaw")
+        turns.try_emplace(words.back(), f);
+      if (words.size() >= 3 && isDigits(words.back()) && anyIs(words, std::array{"tcp"}) &&
+          anyIs(words, std::array{"pose"}))
+        vectors[Words(words.begin(), words.end() - 1)].try_emplace(std::stoi(words.back()), f);
+    }
+    for (const auto& [family, fields] : vectors) {
+      if (fields.size() != 6 || fields.begin()->first != 0 || fields.rbegin()->first != 5) continue;
+      Family place, turn;
+      for (const auto& [index, field] : fields) (index < 3 ? place : turn)[index % 3] = field;
+      const std::string reason = heft::say("pose of a UR with a rotation vector");
+      add("position", place, 0, kPositionColumns, 8, reason);
+      add("rotation", turn, 0, kVectorColumns, 8, reason);
+    }
+    const auto three = [&](const std::map<std::string, std::size_t>& from, const char* a, const char* b,
+                           const char* c) -> Family {
+      if (!from.contains(a) || !from.contains(b) || !from.contains(c)) return {};
+      return {{0, from.at(a)}, {1, from.at(b)}, {2, from.at(c)}};
+    };
+    const auto place = three(single, "x", "y", "z");
+    if (const auto abc = three(single, "a", "b", "c"); !abc.empty() && !place.empty()) {
+      const std::string reason = heft::say("pose of a KUKA: mm, and A, B, C in degrees");
+      add("position", place, 0, kPositionColumns, 8, reason);
+      add("rotation", abc, 0, kAbcColumns, 8, reason);
+      for (std::size_t c = out_.size() - 2; c < out_.size(); ++c)
+        for (auto& column : out_[c].columns) {
+          if (!column.unitNamed) column.scale = column.column[0] == 'p' ? 0.001 : std::numbers::pi / 180.0;
+          column.unitNamed = true;
+        }
+    } else if (!place.empty()) {
+      add("position", place, 0, kPositionColumns, 7, why());
+    }
+    if (const auto rv = three(single, "rx", "ry", "rz"); !rv.empty())
+      add("rotation", rv, 0, kVectorColumns, 7, heft::say("rotation vector"));
+    if (const auto rpy = three(turns, "roll", "pitch", "yaw"); !rpy.empty())
+      add("rotation", rpy, 0, kRpyColumns, 7, why());
+  }
+
+  void addJoints(const char* part, const char* prefix, const Words& family, const Family& fields) {
     const int first = fields.begin()->first;
     const int last = fields.rbegin()->first;
     // Joints are numbered without holes, from 0 or 1.
@@ -223,11 +383,69 @@ class StreamGuess {
     int score = 10;
     if (stream_.type == "sensor_msgs/JointState") score = 30;
     if (stream_.type.starts_with("franka_msgs/")) score = 30;
-    if (std::find(family.begin(), family.end(), "measured") != family.end()) score += 3;
+    static constexpr std::array kMeasured = {"measured", "actual", "act", "meas", "msr", "ist"};
+    if (anyIs(family, kMeasured)) score += 3;
     if (fields.size() == 7) score += 2;
+    score -= std::min(doubtOf(family), 9);
+    // An arm has not also joints without a number: "wrist_1" to "wrist_3" are half of a UR.
+    if (stream_.type == "sensor_msgs/JointState" && inOrder("position").size() > fields.size() && fields.size() < 6)
+      return;
     std::vector<std::string> names;
     for (std::size_t j = 1; j <= fields.size(); ++j) names.push_back(fmt::format("{}{}", prefix, j));
     add(part, fields, first, names, score, why());
+  }
+
+  /// Fields "position[NAME]" in the file's order, without a gripper's; UR's own names in the order of its chain.
+  std::vector<std::size_t> inOrder(const std::string& quantity) const {
+    static constexpr std::array kUr = {"shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
+    std::vector<std::size_t> found, chain;
+    for (std::size_t f = 0; f < stream_.fields.size(); ++f) {
+      const auto& field = stream_.fields[f];
+      static constexpr std::array kHands = {"finger", "gripper", "knuckle", "hand", "jaw", "wheel"};
+      if (field.starts_with(quantity + "[") && !anyIs(names_[f].words, kHands)) found.push_back(f);
+    }
+    for (const char* const name : kUr)
+      for (const auto f : found)
+        if (stream_.fields[f].find(name) != std::string::npos) chain.push_back(f);
+    return chain.size() == kUr.size() && found.size() == kUr.size() ? chain : found;
+  }
+
+  void addInOrder(const char* part, const char* prefix, const std::string& quantity) {
+    const auto fields = inOrder(quantity);
+    if (fields.size() < 2 || fields.size() > 32) return;
+    ColumnCandidate candidate{part, {}, 20, why()};
+    for (std::size_t j = 0; j < fields.size(); ++j)
+      candidate.columns.push_back(source(fmt::format("{}{}", prefix, j + 1), fields[j], candidate.why));
+    out_.push_back(std::move(candidate));
+  }
+
+  /// The field of joint `name`: exactly, or with a prefix before it on either side ("left_" of one of two arms), where
+  /// only one fits.
+  std::size_t fieldOfJoint(const std::string& quantity, const std::string& name) const {
+    const auto none = stream_.fields.size();
+    const std::array<std::string, 3> forms = {fmt::format("{}[{}]", quantity, name),
+                                              fmt::format("measured_joint_state.{}[{}]", quantity, name),
+                                              fmt::format("field.{}[{}]", quantity, name)};
+    const std::string path = fmt::format("/{}/{}", name, quantity);
+    for (std::size_t f = 0; f < none; ++f)
+      if (std::find(forms.begin(), forms.end(), stream_.fields[f]) != forms.end() || stream_.fields[f].ends_with(path))
+        return f;
+    std::size_t found = none;
+    for (std::size_t f = 0; f < none; ++f) {
+      const auto& field = stream_.fields[f];
+      const auto open = field.rfind(quantity + "[");
+      if (open == std::string::npos || field.back() != ']') continue;
+      const auto label = field.substr(open + quantity.size() + 1, field.size() - open - quantity.size() - 2);
+      const auto endsWith = [](const std::string& longer, const std::string& shorter) {
+        if (longer.size() <= shorter.size() || !longer.ends_with(shorter)) return false;
+        const char mark = longer[longer.size() - shorter.size() - 1];
+        return mark == '_' || mark == '/' || mark == '-' || mark == '.';
+      };
+      if (!endsWith(label, name) && !endsWith(name, label)) continue;
+      if (found != none) return none;
+      found = f;
+    }
+    return found;
   }
 
   /// Joints of a known arm by their names.
@@ -235,17 +453,9 @@ class StreamGuess {
                 const std::vector<std::string>& jointNames) {
     ColumnCandidate candidate{part, {}, 60, heft::say("names of the arm's joints")};
     for (std::size_t j = 0; j < jointNames.size(); ++j) {
-      const std::array<std::string, 4> forms = {fmt::format("{}[{}]", quantity, jointNames[j]),
-                                                fmt::format("measured_joint_state.{}[{}]", quantity, jointNames[j]),
-                                                fmt::format("field.{}[{}]", quantity, jointNames[j]),
-                                                fmt::format("/{}/{}", jointNames[j], quantity)};
-      std::size_t found = stream_.fields.size();
-      for (std::size_t f = 0; f < stream_.fields.size() && found == stream_.fields.size(); ++f)
-        if (stream_.fields[f] == forms[0] || stream_.fields[f] == forms[1] || stream_.fields[f] == forms[2] ||
-            stream_.fields[f].ends_with(forms[3]))
-          found = f;
+      const auto found = fieldOfJoint(quantity, jointNames[j]);
       if (found == stream_.fields.size()) return;
-      candidate.columns.push_back({fmt::format("{}{}", prefix, j + 1), index_, found, 1.0, candidate.why});
+      candidate.columns.push_back(source(fmt::format("{}{}", prefix, j + 1), found, candidate.why));
     }
     out_.push_back(std::move(candidate));
   }
@@ -253,15 +463,30 @@ class StreamGuess {
   const Stream& stream_;
   const std::size_t index_;
   std::vector<ColumnCandidate>& out_;
+  std::vector<FieldName> names_;
 };
 
 }  // namespace
+
+ColumnSource columnFrom(const std::vector<Stream>& streams, std::size_t stream, std::size_t field,
+                        const std::string& column, const std::string& why) {
+  ColumnSource out{column, stream, field, 1.0, why, false, false};
+  const auto name = readFieldName(streams[stream].fields[field]);
+  if (const auto si = scaleInName(column, name)) {
+    out.scale = *si;
+    out.unitNamed = true;
+  }
+  out.inBaseAxes = (column[0] == 'f' || column[0] == 't') && isTcpForce(name.words);
+  return out;
+}
 
 std::vector<ColumnCandidate> findCandidates(const std::vector<Stream>& streams,
                                             const std::vector<std::string>& jointNames) {
   std::vector<ColumnCandidate> out;
   for (std::size_t s = 0; s < streams.size(); ++s) StreamGuess(streams, s, out).run(jointNames);
   std::stable_sort(out.begin(), out.end(), [&](const ColumnCandidate& a, const ColumnCandidate& b) {
+    const bool clockA = !streams[a.columns[0].stream].clockless, clockB = !streams[b.columns[0].stream].clockless;
+    if (clockA != clockB) return clockA;
     if (a.score != b.score) return a.score > b.score;
     return streams[a.columns[0].stream].samples > streams[b.columns[0].stream].samples;
   });

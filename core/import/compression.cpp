@@ -8,20 +8,22 @@
 #include <limits>
 #include <memory>
 
+#include "core/base/say.h"
+
 namespace heft {
 
 namespace {
 
 constexpr std::size_t kBlock = 256u << 10;
 
-Unpacked unpackBz2(std::string_view packed, std::size_t maxBytes) {
+Unpacked unpackBz2(std::string_view packed, std::size_t maxBytes, const Progress& progress) {
   Unpacked out;
   bz_stream stream{};
   if (packed.size() > std::numeric_limits<unsigned>::max() || BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return out;
   std::string block(kBlock, '\0');
   stream.next_in = const_cast<char*>(packed.data());  // the library does not write to it
   stream.avail_in = static_cast<unsigned>(packed.size());
-  for (;;) {
+  while (!progress.cancelled()) {
     stream.next_out = block.data();
     stream.avail_out = static_cast<unsigned>(block.size());
     const int state = BZ2_bzDecompress(&stream);
@@ -35,12 +37,12 @@ Unpacked unpackBz2(std::string_view packed, std::size_t maxBytes) {
   return out;
 }
 
-Unpacked unpackLz4(std::string_view packed, std::size_t maxBytes) {
+Unpacked unpackLz4(std::string_view packed, std::size_t maxBytes, const Progress& progress) {
   Unpacked out;
   LZ4F_dctx* context = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) return out;
   std::string block(kBlock, '\0');
-  while (!packed.empty()) {
+  while (!packed.empty() && !progress.cancelled()) {
     std::size_t got = block.size();
     std::size_t used = packed.size();
     const std::size_t state = LZ4F_decompress(context, block.data(), &got, packed.data(), &used, nullptr);
@@ -54,13 +56,13 @@ Unpacked unpackLz4(std::string_view packed, std::size_t maxBytes) {
   return out;
 }
 
-Unpacked unpackZstd(std::string_view packed, std::size_t maxBytes) {
+Unpacked unpackZstd(std::string_view packed, std::size_t maxBytes, const Progress& progress) {
   Unpacked out;
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
   if (!context) return out;
   std::string block(kBlock, '\0');
   ZSTD_inBuffer input{packed.data(), packed.size(), 0};
-  for (;;) {
+  while (!progress.cancelled()) {
     ZSTD_outBuffer output{block.data(), block.size(), 0};
     const std::size_t state = ZSTD_decompressStream(context.get(), &output, &input);
     if (ZSTD_isError(state) != 0 || out.bytes.size() + output.pos > maxBytes) {
@@ -77,16 +79,21 @@ Unpacked unpackZstd(std::string_view packed, std::size_t maxBytes) {
 
 }  // namespace
 
-Unpacked unpack(std::string_view packed, Compression compression, std::size_t maxBytes) {
+std::string budgetText(std::uint64_t fileSize) {
+  return heft::say("The file of {} kB unpacks to more than 64 times its size and 1 GB; the rest was not read.",
+                   (fileSize + 1023) >> 10);
+}
+
+Unpacked unpack(std::string_view packed, Compression compression, std::size_t maxBytes, const Progress& progress) {
   switch (compression) {
     case Compression::none:
       return {std::string(packed), true};
     case Compression::bz2:
-      return unpackBz2(packed, maxBytes);
+      return unpackBz2(packed, maxBytes, progress);
     case Compression::lz4:
-      return unpackLz4(packed, maxBytes);
+      return unpackLz4(packed, maxBytes, progress);
     case Compression::zstd:
-      return unpackZstd(packed, maxBytes);
+      return unpackZstd(packed, maxBytes, progress);
   }
   return {};
 }

@@ -20,6 +20,10 @@ struct TopicInfo {
   std::string type;        ///< "geometry_msgs/WrenchStamped"
   std::string definition;  ///< As the file has it; empty if it has none.
   PayloadEncoding encoding = PayloadEncoding::other;
+  std::string encodingName;    ///< As the file has it: "protobuf".
+  std::string schemaEncoding;  ///< Of the definition, where the file says it: "ros2idl". `definition` is then empty if
+                               ///< it is none of ROS's .msg texts.
+  std::string publisher;       ///< The node that sends, where the file knows it; else empty.
 };
 
 class MessageListener {

@@ -4,23 +4,74 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 
-#include "core/base/remedy.h"
+#include "core/base/library_on_demand.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/array_streams.h"
 #include "core/import/streams.h"
-#include "core/import/time_column.h"
 
 namespace heft {
 
 namespace {
 
-constexpr hsize_t kMostChannels = 64;  ///< A second dimension that is longer is no set of channels.
+// HDF5's functions, which hide the declarations of its header (core/base/library_on_demand.h).
+const LibraryOnDemand hdf5Library{HEFT_HDF5_LIBRARY, HEFT_HDF5_PACKAGE};
+#define HEFT_AS_NAMED(name) \
+  const FunctionOnDemand<decltype(::name)> name { hdf5Library, #name }
+#define HEFT_OF_HDF5(name) HEFT_AS_NAMED(name)  // Some names are macros for one of their versions.
+HEFT_OF_HDF5(H5Aclose);
+HEFT_OF_HDF5(H5Aexists);
+HEFT_OF_HDF5(H5Aget_type);
+HEFT_OF_HDF5(H5Aopen);
+HEFT_OF_HDF5(H5Aread);
+HEFT_OF_HDF5(H5Dclose);
+HEFT_OF_HDF5(H5Dget_create_plist);
+HEFT_OF_HDF5(H5Dget_space);
+HEFT_OF_HDF5(H5Dget_type);
+HEFT_OF_HDF5(H5Dopen2);
+HEFT_OF_HDF5(H5Dread);
+HEFT_OF_HDF5(H5Eset_auto2);
+HEFT_OF_HDF5(H5Fclose);
+HEFT_OF_HDF5(H5Fopen);
+HEFT_OF_HDF5(H5Gclose);
+HEFT_OF_HDF5(H5Gopen2);
+HEFT_OF_HDF5(H5Literate);
+HEFT_OF_HDF5(H5Oget_info_by_name);
+HEFT_OF_HDF5(H5Pclose);
+HEFT_OF_HDF5(H5Pget_filter2);
+HEFT_OF_HDF5(H5Pget_nfilters);
+HEFT_OF_HDF5(H5Sclose);
+HEFT_OF_HDF5(H5Screate_simple);
+HEFT_OF_HDF5(H5Sget_simple_extent_dims);
+HEFT_OF_HDF5(H5Sget_simple_extent_ndims);
+HEFT_OF_HDF5(H5Sselect_hyperslab);
+HEFT_OF_HDF5(H5Tarray_create2);
+HEFT_OF_HDF5(H5Tclose);
+HEFT_OF_HDF5(H5Tcopy);
+HEFT_OF_HDF5(H5Tcreate);
+HEFT_OF_HDF5(H5Tget_array_dims2);
+HEFT_OF_HDF5(H5Tget_array_ndims);
+HEFT_OF_HDF5(H5Tget_class);
+HEFT_OF_HDF5(H5Tget_member_name);
+HEFT_OF_HDF5(H5Tget_member_type);
+HEFT_OF_HDF5(H5Tget_nmembers);
+HEFT_OF_HDF5(H5Tget_size);
+HEFT_OF_HDF5(H5Tget_super);
+HEFT_OF_HDF5(H5Tinsert);
+HEFT_OF_HDF5(H5Tis_variable_str);
+HEFT_OF_HDF5(H5Zfilter_avail);
+HEFT_OF_HDF5(H5check_version);
+HEFT_OF_HDF5(H5free_memory);
+HEFT_OF_HDF5(H5open);
+#undef HEFT_OF_HDF5
+#undef HEFT_AS_NAMED
+const VariableOnDemand<hid_t> H5T_NATIVE_DOUBLE_g{hdf5Library, "H5T_NATIVE_DOUBLE_g"};
+
 constexpr std::size_t kMostDatasets = 4096;
 
 /// Closes whatever an HDF5 call opened.
@@ -41,20 +92,74 @@ class Handle {
 };
 
 struct Dataset {
-  std::string path;   ///< "robot/q"
-  std::string group;  ///< "robot"; empty for the root
-  std::string name;   ///< "q"
-  hsize_t rows = 0;
-  hsize_t channels = 1;
+  NumberArray array;
   int rank = 1;
   bool rowsLast = false;  ///< channels x rows, as MATLAB writes
+  hsize_t sizes[3] = {0, 1, 1};
+  std::vector<std::string> members;  ///< Of a compound type: the member of each channel ...
+  std::vector<hsize_t> elements;     ///< ... and the element in it, where the member is an array.
 };
 
-herr_t collectPath(hid_t, const char* name, const H5O_info_t* info, void* data) {
-  auto& paths = *static_cast<std::vector<std::string>*>(data);
-  if (info->type == H5O_TYPE_DATASET) paths.emplace_back(name);
-  return paths.size() < kMostDatasets ? 0 : 1;
-}
+/// Paths of all datasets, through hard, soft and external links. A group is not entered inside itself.
+class LinkWalk {
+ public:
+  explicit LinkWalk(hid_t file) { group(file, "", 0); }
+  const std::vector<std::string>& paths() const { return paths_; }
+  const std::vector<std::string>& broken() const { return broken_; }
+  bool damaged() const { return damaged_; }
+
+ private:
+  static constexpr int kDeepestGroup = 16;
+  static constexpr std::size_t kMostLinks = 16384;
+
+  struct Level {
+    LinkWalk* walk;
+    std::string path;
+    int depth;
+  };
+
+  static herr_t visit(hid_t parent, const char* name, const H5L_info_t* link, void* data) {
+    auto& level = *static_cast<Level*>(data);
+    level.walk->link(parent, name, *link, level.path, level.depth);
+    return level.walk->paths_.size() < kMostDatasets && level.walk->links_ < kMostLinks ? 0 : 1;
+  }
+
+  void link(hid_t parent, const char* name, const H5L_info_t& info, const std::string& folder, int depth) {
+    ++links_;
+    const std::string path = folder.empty() ? name : folder + "/" + name;
+    H5O_info_t object;
+    if (H5Oget_info_by_name(parent, name, &object, H5P_DEFAULT) < 0) {
+      if (info.type == H5L_TYPE_HARD)
+        damaged_ = true;
+      else if (broken_.size() < 20)
+        broken_.push_back(path);
+      return;
+    }
+    if (object.type == H5O_TYPE_DATASET) paths_.push_back(path);
+    if (object.type != H5O_TYPE_GROUP || depth >= kDeepestGroup) return;
+    const std::pair key(object.fileno, object.addr);
+    if (std::find(inside_.begin(), inside_.end(), key) != inside_.end()) return;
+    const Handle inner(H5Gopen2(parent, name, H5P_DEFAULT), H5Gclose);
+    if (!inner) {
+      damaged_ = true;
+      return;
+    }
+    inside_.push_back(key);
+    group(inner.id(), path, depth + 1);
+    inside_.pop_back();
+  }
+
+  void group(hid_t id, const std::string& path, int depth) {
+    Level level{this, path, depth};
+    hsize_t at = 0;
+    if (H5Literate(id, H5_INDEX_NAME, H5_ITER_NATIVE, &at, &visit, &level) < 0) damaged_ = true;
+  }
+
+  std::vector<std::string> paths_, broken_;
+  std::vector<std::pair<unsigned long, haddr_t>> inside_;
+  std::size_t links_ = 0;
+  bool damaged_ = false;
+};
 
 /// What a dataset holds instead of plain numbers, in words; empty for numbers.
 std::string oddType(H5T_class_t kind) {
@@ -77,78 +182,215 @@ std::string oddType(H5T_class_t kind) {
   }
 }
 
+bool isNumber(H5T_class_t kind) { return kind == H5T_INTEGER || kind == H5T_FLOAT; }
+
+/// The members of a compound type that are numbers, or short arrays of them, as channels.
+void describeMembers(hid_t type, Dataset& out) {
+  const int count = H5Tget_nmembers(type);
+  for (int m = 0; m < count && out.members.size() <= kMostArrayChannels; ++m) {
+    const std::unique_ptr<char, herr_t (*)(void*)> name(H5Tget_member_name(type, static_cast<unsigned>(m)),
+                                                        H5free_memory);
+    const Handle member(H5Tget_member_type(type, static_cast<unsigned>(m)), H5Tclose);
+    if (!name || !member) continue;
+    const auto kind = H5Tget_class(member.id());
+    if (isNumber(kind)) {
+      out.members.emplace_back(name.get());
+      out.elements.push_back(0);
+      out.array.columns.emplace_back(name.get());
+    } else if (kind == H5T_ARRAY) {
+      const Handle base(H5Tget_super(member.id()), H5Tclose);
+      hsize_t size = 0;
+      if (!base || !isNumber(H5Tget_class(base.id())) || H5Tget_array_ndims(member.id()) != 1 ||
+          H5Tget_array_dims2(member.id(), &size) != 1)
+        continue;
+      for (hsize_t e = 0; e < size && out.members.size() <= kMostArrayChannels; ++e) {
+        out.members.emplace_back(name.get());
+        out.elements.push_back(e);
+        out.array.columns.push_back(fmt::format("{}[{}]", name.get(), e));
+      }
+    }
+  }
+}
+
+/// Texts of fixed length, or of any, of a dataset with one dimension.
+std::vector<std::string> readTexts(hid_t file, const std::string& path) {
+  const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!dataset) return {};
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  hsize_t count = 0;
+  if (!type || !space || H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 ||
+      H5Sget_simple_extent_ndims(space.id()) != 1 || H5Sget_simple_extent_dims(space.id(), &count, nullptr) != 1)
+    return {};
+  const auto size = H5Tget_size(type.id());
+  if (size == 0 || size > 1024 || count > kMostArrayChannels) return {};
+  std::string bytes(size * count, '\0');
+  if (H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) return {};
+  std::vector<std::string> out;
+  for (hsize_t i = 0; i < count; ++i) {
+    const auto text = std::string_view(bytes).substr(i * size, size);
+    out.emplace_back(text.substr(0, text.find('\0')));
+  }
+  return out;
+}
+
+/// The lines "V..." of a list of texts as Python 2 and PyTables pickle it (protocol 0), from an attribute.
+std::vector<std::string> pickledTexts(hid_t dataset, const std::string& name) {
+  if (H5Aexists(dataset, name.c_str()) <= 0) return {};
+  const Handle attribute(H5Aopen(dataset, name.c_str(), H5P_DEFAULT), H5Aclose);
+  if (!attribute) return {};
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  if (!type || H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0) return {};
+  const auto size = H5Tget_size(type.id());
+  if (size == 0 || size > (1u << 20)) return {};
+  std::string bytes(size, '\0');
+  if (H5Aread(attribute.id(), type.id(), bytes.data()) < 0) return {};
+  std::vector<std::string> out;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const auto stop = std::min(bytes.find('\n', at), bytes.size());
+    auto line = std::string_view(bytes).substr(at, stop - at);
+    // A line may begin with marks of the list before the text's own.
+    const auto mark = line.find_first_not_of("(lpa");
+    if (mark != std::string_view::npos && line[mark] == 'V') out.emplace_back(line.substr(mark + 1));
+    at = stop + 1;
+  }
+  return out;
+}
+
+/// Names of columns that pandas keeps beside its blocks of numbers.
+void nameBlocks(hid_t file, Dataset& dataset) {
+  auto& array = dataset.array;
+  if (array.name.starts_with("block") && array.name.ends_with("_values")) {
+    auto names = readTexts(file, array.path.substr(0, array.path.size() - 6) + "items");
+    if (names.size() == array.channels) array.columns = std::move(names);
+    return;
+  }
+  if (dataset.members.empty() || array.name != "table") return;
+  const Handle opened(H5Dopen2(file, array.path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!opened) return;
+  for (std::size_t c = 0; c < array.columns.size(); ++c) {
+    if (!dataset.members[c].starts_with("values_block_")) continue;
+    const auto names = pickledTexts(opened.id(), dataset.members[c] + "_kind");
+    if (dataset.elements[c] < names.size()) array.columns[c] = names[dataset.elements[c]];
+  }
+}
+
+/// Filters that HDF5 itself does not have: what they are called, and the Debian package with them.
+std::string missingFilter(hid_t dataset) {
+  struct Known {
+    H5Z_filter_t id;
+    const char* name;
+    const char* package;
+  };
+  static constexpr std::array<Known, 9> kKnown = {{{307, "bzip2", "hdf5-filter-plugin"},
+                                                   {32000, "LZF", "hdf5-plugin-lzf"},
+                                                   {32001, "Blosc", "hdf5-filter-plugin-blosc-serial"},
+                                                   {32004, "LZ4", "hdf5-filter-plugin"},
+                                                   {32008, "bitshuffle", "hdf5-filter-plugin"},
+                                                   {32013, "ZFP", "hdf5-filter-plugin-zfp-serial"},
+                                                   {32015, "Zstandard", "hdf5-filter-plugin"},
+                                                   {32026, "Blosc 2", ""},
+                                                   {4, "SZIP", "libsz2"}}};
+  const Handle plan(H5Dget_create_plist(dataset), H5Pclose);
+  if (!plan) return {};
+  const int count = H5Pget_nfilters(plan.id());
+  for (int f = 0; f < count; ++f) {
+    unsigned flags = 0;
+    std::size_t values = 0;
+    const auto id = H5Pget_filter2(plan.id(), static_cast<unsigned>(f), &flags, &values, nullptr, 0, nullptr, nullptr);
+    if (id < 0 || H5Zfilter_avail(id) > 0) continue;
+    const auto known = std::find_if(kKnown.begin(), kKnown.end(), [&](const Known& each) { return each.id == id; });
+    if (known == kKnown.end()) return heft::say("filter {} of HDF5, which this machine does not have", id);
+    if (*known->package == '\0') return heft::say("{}, which this machine cannot unpack", known->name);
+    return heft::say("{}, which this machine cannot unpack (Debian: {})", known->name, known->package);
+  }
+  return {};
+}
+
 /// Nothing for what is no table of numbers; `odd` says then what it is, unless the file is damaged there.
 std::optional<Dataset> describe(hid_t file, const std::string& path, double mostBytes, std::string& odd) {
-  const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), &H5Dclose);
+  const Handle dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
   if (!dataset) return std::nullopt;
-  const Handle type(H5Dget_type(dataset.id()), &H5Tclose);
-  const Handle space(H5Dget_space(dataset.id()), &H5Sclose);
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   if (!type || !space) return std::nullopt;
-  odd = oddType(H5Tget_class(type.id()));
+  Dataset out;
+  const auto kind = H5Tget_class(type.id());
+  if (kind == H5T_COMPOUND) describeMembers(type.id(), out);
+  if (out.members.empty()) odd = oddType(kind);
   if (!odd.empty()) return std::nullopt;
   const int rank = H5Sget_simple_extent_ndims(space.id());
-  if (rank > 2) odd = heft::say("{} dimensions", rank);
-  if (rank != 1 && rank != 2) return std::nullopt;
-  hsize_t sizes[2] = {0, 1};
-  if (H5Sget_simple_extent_dims(space.id(), sizes, nullptr) != rank) return std::nullopt;
-  Dataset out;
-  out.path = path;
-  const auto slash = path.rfind('/');
-  out.group = slash == std::string::npos ? "" : path.substr(0, slash);
-  out.name = slash == std::string::npos ? path : path.substr(slash + 1);
+  if (rank > 3 || (rank > 1 && !out.members.empty())) odd = heft::say("{} dimensions", rank);
+  if (rank < 1 || rank > 3 || !odd.empty()) return std::nullopt;
+  if (H5Sget_simple_extent_dims(space.id(), out.sizes, nullptr) != rank) return std::nullopt;
+  placeArray(out.array, path);
   out.rank = rank;
-  out.rows = sizes[0];
+  out.array.vector = rank == 1;
+  out.array.rows = out.sizes[0];
+  out.array.channels = std::max<std::size_t>(out.members.size(), 1);
   if (rank == 2) {
-    out.rowsLast = sizes[0] < sizes[1] && sizes[0] <= kMostChannels;
-    out.channels = out.rowsLast ? sizes[0] : sizes[1];
-    out.rows = out.rowsLast ? sizes[1] : sizes[0];
+    out.rowsLast = out.sizes[0] < out.sizes[1] && out.sizes[0] <= kMostArrayChannels;
+    out.array.channels = out.rowsLast ? out.sizes[0] : out.sizes[1];
+    out.array.rows = out.rowsLast ? out.sizes[1] : out.sizes[0];
+  } else if (rank == 3) {
+    if (out.sizes[1] > kMostArrayChannels || out.sizes[2] > kMostArrayChannels) return std::nullopt;
+    out.array.channels = out.sizes[1] * out.sizes[2];
   }
-  if (static_cast<double>(out.rows) * static_cast<double>(out.channels) * static_cast<double>(H5Tget_size(type.id())) >
-      mostBytes)
+  const auto rows = out.array.rows;
+  if (static_cast<double>(rows) * static_cast<double>(out.array.channels) *
+          static_cast<double>(H5Tget_size(type.id())) >
+      mostBytes * static_cast<double>(out.members.empty() ? 1 : out.array.channels))
     return std::nullopt;
-  if (out.rows < 2 || out.rows > kMaxStreamNumbers || out.channels == 0 || out.channels > kMostChannels)
+  if (rows < 2 || rows > kMaxStreamNumbers || out.array.channels == 0 || out.array.channels > kMostArrayChannels)
     return std::nullopt;
+  nameBlocks(file, out);
   return out;
 }
 
-/// One channel of a dataset, or nothing if it is damaged.
-std::vector<double> readChannel(hid_t file, const Dataset& what, hsize_t channel) {
-  const Handle dataset(H5Dopen2(file, what.path.c_str(), H5P_DEFAULT), &H5Dclose);
+/// One channel of a dataset, or nothing if it is damaged; `filter` then says which filter is missing, if any is.
+std::vector<double> readChannel(hid_t file, const Dataset& what, hsize_t channel, std::string& filter) {
+  const Handle dataset(H5Dopen2(file, what.array.path.c_str(), H5P_DEFAULT), H5Dclose);
   if (!dataset) return {};
-  const Handle space(H5Dget_space(dataset.id()), &H5Sclose);
-  const Handle memory(H5Screate_simple(1, &what.rows, nullptr), &H5Sclose);
+  const hsize_t rows = what.array.rows;
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const Handle memory(H5Screate_simple(1, &rows, nullptr), H5Sclose);
   if (!space || !memory) return {};
-  if (what.rank == 2) {
-    const hsize_t start[2] = {what.rowsLast ? channel : 0, what.rowsLast ? 0 : channel};
-    const hsize_t count[2] = {what.rowsLast ? 1 : what.rows, what.rowsLast ? what.rows : 1};
+  if (what.rank > 1) {
+    hsize_t start[3] = {0, 0, 0};
+    hsize_t count[3] = {rows, 1, 1};
+    if (what.rowsLast) {
+      start[0] = channel;
+      count[0] = 1;
+      count[1] = rows;
+    } else if (what.rank == 2) {
+      start[1] = channel;
+    } else {
+      start[1] = channel / what.sizes[2];
+      start[2] = channel % what.sizes[2];
+    }
     if (H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0) return {};
   }
-  std::vector<double> out(static_cast<std::size_t>(what.rows));
-  if (H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT, out.data()) < 0) return {};
-  return out;
-}
-
-/// The dataset of times for those of `group` with `rows`: in the group itself or the nearest one around it.
-const Dataset* findTimes(const std::vector<Dataset>& all, std::string group, hsize_t rows, const TimeChoice& choice,
-                         double& unit, bool& unitKnown) {
-  for (;;) {
-    std::vector<std::string> names;
-    std::vector<const Dataset*> candidates;
-    for (const auto& each : all) {
-      const bool chosen = !choice.column.empty() && (each.path == choice.column || "/" + each.path == choice.column);
-      if (each.rows != rows || each.channels != 1 || (each.group != group && !chosen)) continue;
-      names.push_back(chosen ? choice.column : each.name);
-      candidates.push_back(&each);
-    }
-    if (const auto found = findTime(names, choice)) {
-      unit = found->unit;
-      unitKnown = found->unitKnown;
-      return candidates[found->index];
-    }
-    if (group.empty()) return nullptr;
-    const auto slash = group.rfind('/');
-    group = slash == std::string::npos ? "" : group.substr(0, slash);
+  std::vector<double> out(static_cast<std::size_t>(rows));
+  herr_t done = -1;
+  if (what.members.empty()) {
+    done = H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT, out.data());
+  } else {
+    // A member by itself, converted by the library; of an array member, all elements at once.
+    const auto& name = what.members[channel];
+    const auto wide = static_cast<hsize_t>(std::count(what.members.begin(), what.members.end(), name));
+    const bool array = wide > 1 || what.array.columns[channel] == fmt::format("{}[0]", name);
+    const Handle element(array ? H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &wide) : H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose);
+    const Handle type(H5Tcreate(H5T_COMPOUND, wide * sizeof(double)), H5Tclose);
+    if (!element || !type || H5Tinsert(type.id(), name.c_str(), 0, element.id()) < 0) return {};
+    std::vector<double> all(out.size() * wide);
+    done = H5Dread(dataset.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT, all.data());
+    for (std::size_t r = 0; r < out.size(); ++r) out[r] = all[r * wide + what.elements[channel]];
   }
+  if (done < 0) {
+    if (filter.empty()) filter = missingFilter(dataset.id());
+    return {};
+  }
+  return out;
 }
 
 }  // namespace
@@ -157,28 +399,35 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
                                   const TimeChoice& choice, const Progress& progress) {
   static std::mutex mutex;  // the library is not made for several threads
   const std::lock_guard lock(mutex);
+  if (const std::string problem = hdf5Library.problem(); !problem.empty()) return Error{problem};
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are told in findings, not on stderr
   StreamSet set;
   set.file = displayName(path);
   set.kind = FileKind::hdf5;
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), &H5Fclose);
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file)
     return errorAt(
         {set.file, 0, 0}, heft::say("this HDF5 file cannot be opened: it is cut off or damaged."),
         heft::say("Close the file in the recording program before copying it; \"h5clear -s FILE\" may mend it."));
-  std::vector<std::string> paths;
-  if (H5Ovisit(file.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &collectPath, &paths) < 0)
+  const LinkWalk walk(file.id());
+  if (walk.damaged())
     set.findings.push_back({Severity::warning,
                             "file_cut_off",
                             heft::say("The HDF5 file is damaged; the datasets that can be reached were read."),
                             {},
+                            {set.file, 0, 0}});
+  for (const auto& each : walk.broken())
+    set.findings.push_back({Severity::warning,
+                            "link_broken",
+                            heft::say("The link /{} leads nowhere.", printable(each, 100)),
+                            heft::say("Copy the file that it names beside this one."),
                             {set.file, 0, 0}});
   // No filter packs numbers to less than a thousandth: larger sizes are damage.
   std::error_code code;
   const double mostBytes = 1e3 * static_cast<double>(std::filesystem::file_size(path, code)) + 1e6;
   std::vector<Dataset> all;
   std::vector<std::string> odd;
-  for (const auto& each : paths) {
+  for (const auto& each : walk.paths()) {
     std::string what;
     if (auto dataset = describe(file.id(), each, mostBytes, what))
       all.push_back(std::move(*dataset));
@@ -203,79 +452,22 @@ Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const Field
                             {set.file, 0, 0}});
   }
 
-  for (const auto& each : all)
-    if (each.channels == 1) set.timeCandidates.push_back("/" + each.path);
-  std::map<std::pair<std::string, hsize_t>, std::vector<const Dataset*>> groups;
-  for (const auto& each : all) groups[{each.group, each.rows}].push_back(&each);
-  std::size_t numbers = 0;
-  std::set<std::string> damaged;
-  for (const auto& [key, members] : groups) {
-    if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
-    double unit = 1.0;
-    bool unitKnown = false;
-    const Dataset* const times = findTimes(all, key.first, key.second, choice, unit, unitKnown);
-    if (times == nullptr) {
-      set.findings.push_back({Severity::info,
-                              "no_time",
-                              heft::say("The datasets of {} rows in /{} have no dataset of times beside them and "
-                                        "were left out.",
-                                        key.second, printable(key.first)),
-                              remedy(Remedy::chooseTime),
-                              {set.file, 0, 0}});
-      continue;
-    }
-    Stream stream;
-    stream.name = "/" + printable(key.first, 200);
-    stream.file = set.file;
-    stream.samples = static_cast<std::size_t>(key.second);
-    for (const auto* each : members) {
-      if (each == times) continue;
-      for (hsize_t c = 0; c < each->channels; ++c)
-        stream.fields.push_back(each->rank == 1 ? printable(each->name, 100)
-                                                : fmt::format("{}[{}]", printable(each->name, 100), c));
-    }
-    if (stream.fields.empty()) continue;
-    numbers += stream.samples;
-    if (numbers > kMaxStreamNumbers) break;
-    const auto clock = readChannel(file.id(), *times, 0);
-    if (clock.empty()) {
-      damaged.insert(times->path);
-      continue;
-    }
-    if (!unitKnown) unit = unitOfTimes(clock);
-    stream.received.reserve(clock.size());
-    for (const double t : clock) stream.received.push_back(nanoseconds(t * unit));
-    const auto [low, high] = std::minmax_element(stream.received.begin(), stream.received.end());
-    stream.first = *low;
-    stream.last = *high;
-    stream.stamps.assign(stream.received.size(), 0);
-    stream.values.resize(stream.fields.size());
-    std::size_t field = 0;
-    for (const auto* each : members) {
-      if (each == times) continue;
-      for (hsize_t c = 0; c < each->channels; ++c, ++field) {
-        if (!filter || !filter(stream, field)) continue;
-        numbers += stream.samples;
-        if (numbers > kMaxStreamNumbers) break;
-        stream.values[field] = readChannel(file.id(), *each, c);
-        if (stream.values[field].empty()) damaged.insert(each->path);
-      }
-    }
-    set.streams.push_back(std::move(stream));
-  }
-  if (numbers > kMaxStreamNumbers)
-    set.findings.push_back({Severity::warning,
-                            "file_too_large",
-                            heft::say("The selected datasets hold more than {} million numbers; the rest was not "
-                                      "read.",
-                                      kMaxStreamNumbers / 1'000'000),
-                            {},
-                            {set.file, 0, 0}});
-  for (const auto& each : damaged)
-    set.findings.push_back({Severity::warning,
-                            "dataset_damaged",
-                            heft::say("The dataset /{} is damaged or cut off.", printable(each)),
-                            {},
+  std::vector<NumberArray> arrays;
+  for (const auto& each : all) arrays.push_back(each.array);
+  std::string filterMissing;
+  const auto added = addArrayStreams(
+      arrays,
+      [&](std::size_t index, std::size_t channel) {
+        return readChannel(file.id(), all[index], channel, filterMissing);
+      },
+      filter, choice, progress, set);
+  if (!added) return added.error();
+  if (!filterMissing.empty())
+    set.findings.push_back({Severity::error,
+                            "filter_missing",
+                            heft::say("datasets of the file are packed with {}.", filterMissing),
+                            heft::say("Install that package, or rewrite the file with \"h5repack -f GZIP=4 IN OUT\" "
+                                      "where the filter is at hand."),
                             {set.file, 0, 0}});
   return set;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // One way into every kind of recording: CSV in contract form, tables of PlotJuggler, rostopic and libfranka, JSON
-// lines, ROS 1 and ROS 2 bags, MCAP, HDF5. The kind is told by the content, never by the name.
+// lines, ROS 1 and ROS 2 bags, MCAP, HDF5, MATLAB, NumPy. The kind is told by the content, never by the name.
 //
 // Streams of different rates are joined on the times of the slower one of motion and wrench; the faster is averaged
 // over its steps. Streams of one file share a clock (message headers' where they are sound, else the recorder's).
@@ -26,8 +26,11 @@ struct ImportOptions {
   std::optional<MappingWishes> wishes;      ///< Instead of any map file.
   std::vector<std::filesystem::path> join;  ///< Further files, for instance of the wrench.
   std::vector<std::string> use;             ///< "wrench=/ft/raw", "q1=/arm:position[j1]"; stronger than the map file.
+  double rateHz = 0.0;                      ///< Of files without a clock; above 0 it holds before any time in the file.
+  std::string robot;                        ///< "panda" or a URDF, instead of the meta file's; empty: the meta file's.
 
-  bool empty() const { return mapFile.empty() && !wishes && join.empty() && use.empty(); }
+  /// True if nothing says where columns come from.
+  bool empty() const { return mapFile.empty() && !wishes && join.empty() && use.empty() && rateHz <= 0.0; }
 };
 
 /// What a recording holds and what Heft would take from it: for a dialog of topics and columns.
@@ -36,6 +39,7 @@ struct RecordingContents {
   std::vector<Stream> streams;              ///< Of the recording and of joined files; their fields are names only.
   std::vector<ColumnCandidate> candidates;  ///< Best first; `why` is for the user to read.
   std::vector<ColumnSource> chosen;         ///< Empty if a part is missing; `missing` says which.
+  std::vector<ColumnSource> proposed;       ///< Then: what would be taken of the parts that are there.
   std::string missing;                      ///< The sentence with which openRecording would fail.
   std::vector<std::string> timeCandidates;  ///< What may be chosen as the time ("use": {"time": ...}).
   MappingWishes wishes;                     ///< What was said, by a map file or the options.
@@ -50,7 +54,8 @@ Result<RecordingContents> inspectRecording(const std::filesystem::path& path, co
 Result<ReadRecording> openRecording(const std::filesystem::path& path, const ImportOptions& options = {},
                                     const Progress& progress = {});
 
-/// True for names that a file dialog should offer: .csv .bag .mcap .db3 .zstd .h5 .hdf5 .jsonl .json .txt .log
+/// True for names that a file dialog should offer: .csv .bag .mcap .db3 .zstd .h5 .hdf5 .mat .npy
+/// .npz .jsonl .json .txt .log
 bool looksLikeRecording(const std::filesystem::path& name);
 
 }  // namespace heft

@@ -1,5 +1,6 @@
 #pragma once
 // Streams of different clocks and rates become one recording.
+#include <optional>
 #include <vector>
 
 #include "core/base/findings.h"
@@ -16,5 +17,10 @@ namespace heft {
 /// thinned is in the findings.
 Result<Recording> joinStreams(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns,
                               const MappingWishes& wishes, RecordingMeta meta, Findings& findings);
+
+/// Share of the force's variance that the motion explains, with any payload, mount and sign; nothing where the motion
+/// cannot be told (no robot, too short).
+std::optional<double> explainedByMotion(const std::vector<Stream>& streams, const std::vector<ColumnSource>& columns,
+                                        const MappingWishes& wishes, RecordingMeta meta);
 
 }  // namespace heft

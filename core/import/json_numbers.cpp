@@ -48,6 +48,31 @@ bool flatten(const json& node, const std::string& path, std::size_t depth, Named
 
 }  // namespace
 
+std::string withoutBareNaN(std::string_view text) {
+  std::string out(text);
+  if (text.find("NaN") == std::string_view::npos && text.find("Infinity") == std::string_view::npos) return out;
+  out.clear();
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto rest = text.substr(i);
+    std::size_t length = 0;
+    if (!quoted)
+      for (const std::string_view word : {"NaN", "-NaN", "Infinity", "-Infinity"})
+        if (rest.starts_with(word)) length = word.size();
+    if (length > 0) {
+      out += "null";
+      i += length - 1;
+      continue;
+    }
+    if (quoted && text[i] == '\\' && i + 1 < text.size())
+      out += text[i++];
+    else if (text[i] == '"')
+      quoted = !quoted;
+    out += text[i];
+  }
+  return out;
+}
+
 bool flattenJson(std::string_view text, NamedNumbers& out) {
   out.clear();
   // Deep nesting would exhaust the parser's own stack of brackets before flatten() sees it.
@@ -68,7 +93,7 @@ bool flattenJson(std::string_view text, NamedNumbers& out) {
       --depth;
     }
   }
-  const json object = json::parse(text, nullptr, false);
+  const json object = json::parse(withoutBareNaN(text), nullptr, false);
   return object.is_object() && flatten(object, {}, 0, out);
 }
 

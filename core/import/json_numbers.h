@@ -9,9 +9,12 @@ namespace heft {
 
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-/// {"a": {"b": [1, 2]}} gives a.b[0] and a.b[1]; true and false are 1 and 0; text is left out; null is NaN. An array
-/// beside an array `name` of as many texts is named by it, as in a JointState: position[panda_joint1]. False if
-/// the text is no JSON object, nests deeper than 32, or holds more than 4096 numbers.
+/// {"a": {"b": [1, 2]}} gives a.b[0] and a.b[1]; true and false are 1 and 0; text is left out; null, NaN and Infinity
+/// are NaN. An array beside an array `name` of as many texts is named by it, as in a JointState:
+/// position[panda_joint1]. False if the text is no JSON object, nests deeper than 32, or holds more than 4096 numbers.
 bool flattenJson(std::string_view text, NamedNumbers& out);
+
+/// JSON's text with null for the words NaN, Infinity and -Infinity, which Python writes and JSON does not have.
+std::string withoutBareNaN(std::string_view text);
 
 }  // namespace heft

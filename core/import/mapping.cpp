@@ -19,22 +19,33 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kParts = {"joints", "velocities", "position", "quaternion", "wrench"};
+constexpr std::array kParts = {"joints", "velocities", "position", "quaternion", "rotation", "wrench"};
+/// A target of "use" that names a part of the file: a demonstration of several.
+constexpr const char* kDemonstration = "demo";
 
+constexpr int kNearlyAsGood = 2;  ///< Scores that differ by less say nothing.
 constexpr const char* kSaidByUser = "said by the user";
+constexpr double kLargestOffset = 2e9;  ///< [s] An epoch's clock beside one that counts from power-on.
 
 std::string partName(std::string_view part) {
-  static constexpr const char* kNames[] = {heft::toSay("joints"), heft::toSay("velocities"), heft::toSay("position"),
-                                           heft::toSay("quaternion"), heft::toSay("wrench")};
+  static constexpr const char* kNames[] = {heft::toSay("joints"),   heft::toSay("velocities"),
+                                           heft::toSay("position"), heft::toSay("quaternion"),
+                                           heft::toSay("rotation"), heft::toSay("wrench")};
   for (const char* const name : kNames)
     if (part == name) return heft::say(fmt::runtime(name));
   return std::string(part);
 }
 
+bool isRotation(const std::string& column) {
+  const auto& forms = rotationForms();
+  return std::any_of(forms.begin(), forms.end(),
+                     [&](const auto& form) { return std::find(form.begin(), form.end(), column) != form.end(); });
+}
+
 bool isColumn(const std::string& name) {
   static const std::set<std::string> kFixed = {"px", "py", "pz", "qx", "qy", "qz", "qw",
                                                "fx", "fy", "fz", "tx", "ty", "tz", "time"};
-  if (kFixed.contains(name)) return true;
+  if (kFixed.contains(name) || isRotation(name)) return true;
   const auto digits = name.starts_with("dq") ? name.substr(2) : name.starts_with("q") ? name.substr(1) : std::string();
   return !digits.empty() && digits.size() <= 2 && digits[0] != '0' &&
          digits.find_first_not_of("0123456789") == std::string::npos;
@@ -43,6 +54,7 @@ bool isColumn(const std::string& name) {
 std::string partOf(const std::string& column) {
   static const std::set<std::string> kQuaternion = {"qx", "qy", "qz", "qw"};
   if (kQuaternion.contains(column)) return "quaternion";
+  if (isRotation(column)) return "rotation";
   if (column[0] == 'p') return "position";
   if (column[0] == 'd') return "velocities";
   if (column[0] == 'q') return "joints";
@@ -51,11 +63,11 @@ std::string partOf(const std::string& column) {
 
 std::optional<Error> checkTarget(const std::string& name, const std::string& where) {
   const bool part = std::find(kParts.begin(), kParts.end(), name) != kParts.end();
-  if (part || isColumn(name)) return std::nullopt;
+  if (part || isColumn(name) || name == kDemonstration) return std::nullopt;
   return errorAt(
       {where, 0, 0}, heft::say("\"{}\" is no column of a recording.", printable(name)),
       heft::say("Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the "
-                "groups joints, velocities, position, quaternion, wrench."));
+                "groups joints, velocities, position, quaternion, rotation, wrench, and demo."));
 }
 
 std::string shown(const Stream& stream) {
@@ -63,6 +75,26 @@ std::string shown(const Stream& stream) {
   return stream.name;
 }
 
+/// The path of a stream up to the first part in which it differs from `other` by a number alone: "/data/demo_1" of
+/// several demonstrations. Empty if they differ otherwise.
+std::string differsByNumber(const std::string& name, const std::string& other) {
+  const auto withoutDigits = [](std::string_view text) {
+    std::string out;
+    for (const char c : text)
+      if (c < '0' || c > '9') out += c;
+    return out;
+  };
+  std::size_t a = 0, b = 0;
+  while (a < name.size() && b < other.size()) {
+    const auto endA = std::min(name.find('/', a + 1), name.size());
+    const auto endB = std::min(other.find('/', b + 1), other.size());
+    const auto mine = name.substr(a, endA - a), theirs = other.substr(b, endB - b);
+    if (mine != theirs) return withoutDigits(mine) == withoutDigits(theirs) ? name.substr(0, endA) : std::string();
+    a = endA;
+    b = endB;
+  }
+  return {};
+}
 class Chooser {
  public:
   Chooser(const std::vector<Stream>& streams, const MappingWishes& wishes, const std::vector<std::string>& jointNames,
@@ -70,17 +102,18 @@ class Chooser {
       : streams_(streams), wishes_(wishes), findings_(findings), candidates_(findCandidates(streams, jointNames)) {}
 
   Result<std::vector<ColumnSource>> run() {
+    if (auto failure = keepDemonstration()) return *failure;
     for (const auto& [target, source] : wishes_.use) {
-      if (target == "time") continue;
+      if (target == "time" || target == kDemonstration) continue;
       if (auto failure = grant(target, source)) return *failure;
     }
     // What the user names in part is completed from the same stream.
-    for (const char* const part : {"wrench", "joints", "quaternion"})
+    for (const char* const part : {"wrench", "joints", "quaternion", "rotation"})
       if (has(part)) takeFrom(part, streamOf(part));
     if (!has("wrench")) take("wrench");
-    if (!has("joints") && !has("quaternion")) {
-      if (!take("joints") && take("quaternion")) takeFrom("position", streamOf("quaternion"));
-    }
+    if (!hasMotion() && !take("joints") && !take("quaternion")) take("rotation");
+    for (const char* const part : {"quaternion", "rotation"})
+      if (has(part) && !has("joints") && !has("position")) takeFrom("position", streamOf(part));
     if (has("joints") && !has("velocities")) takeFrom("velocities", streamOf("joints"));
     if (auto failure = requireAll()) return *failure;
     scale();
@@ -92,6 +125,7 @@ class Chooser {
   bool has(const std::string& part) const {
     return std::any_of(chosen_.begin(), chosen_.end(), [&](const auto& c) { return partOf(c.column) == part; });
   }
+  bool hasMotion() const { return has("joints") || has("quaternion") || has("rotation"); }
   std::size_t streamOf(const std::string& part) const {
     for (const auto& column : chosen_)
       if (partOf(column.column) == part) return column.stream;
@@ -106,13 +140,44 @@ class Chooser {
     }
   }
 
+  /// Two parts of one demonstration belong together, whatever the others score. Topics are no demonstrations.
+  bool ofAnotherDemonstration(std::size_t stream) const {
+    if (chosen_.empty() || !streams_[stream].type.empty()) return false;
+    const auto& mine = streams_[chosen_[0].stream];
+    return mine.type.empty() && mine.file == streams_[stream].file &&
+           !differsByNumber(streams_[stream].name, mine.name).empty();
+  }
+
   bool take(const std::string& part) {
+    const ColumnCandidate* best = nullptr;
     for (const auto& candidate : candidates_) {
       if (candidate.part != part || candidate.score < 0) continue;
-      use(candidate);
-      return true;
+      if (best == nullptr) best = &candidate;
+      if (ofAnotherDemonstration(candidate.columns[0].stream)) continue;
+      best = &candidate;
+      break;
     }
-    return false;
+    if (best == nullptr) return false;
+    use(*best);
+    return true;
+  }
+
+  /// --use demo=/data/demo_1: only what lies there.
+  std::optional<Error> keepDemonstration() {
+    const auto wished = wishes_.use.find(kDemonstration);
+    if (wished == wishes_.use.end()) return std::nullopt;
+    std::string name = wished->second;
+    if (!name.starts_with('/')) name = "/" + name;
+    const auto within = [&](std::size_t stream) {
+      const auto& other = streams_[stream].name;
+      return other == name || other.starts_with(name + "/") || other.find(name + "/") != std::string::npos ||
+             other.ends_with(name);
+    };
+    std::erase_if(candidates_, [&](const auto& candidate) { return !within(candidate.columns[0].stream); });
+    if (!candidates_.empty()) return std::nullopt;
+    return errorAt({streams_.empty() ? "" : streams_[0].file, 0, 0},
+                   heft::say("there is no demonstration \"{}\".", printable(wished->second)),
+                   remedy(Remedy::showContents));
   }
 
   /// Velocities belong to the joints' own stream, and are as many.
@@ -148,7 +213,7 @@ class Chooser {
         const auto& field = streams_[s].fields[f];
         if (field != source && streams_[s].name + ":" + field != source && streams_[s].file + ":" + field != source)
           continue;
-        chosen_.push_back({target, s, f, 1.0, kSaidByUser});
+        chosen_.push_back(columnFrom(streams_, s, f, target, kSaidByUser));
         return std::nullopt;
       }
     }
@@ -175,7 +240,7 @@ class Chooser {
                                          : heft::say("of the wrench {} is missing.", fmt::join(missing, ", ")),
                      remedy(Remedy::addFile) + other);
     }
-    if (!has("joints") && !has("quaternion"))
+    if (!hasMotion())
       return errorAt({file, 0, 0}, heft::say("no motion was found: neither joint positions nor a pose of the sensor."),
                      remedy(Remedy::addFile));
     for (const auto& part : kParts) {
@@ -195,10 +260,12 @@ class Chooser {
 
   void scale() {
     for (auto& column : chosen_) {
-      if (const auto found = wishes_.scale.find(partOf(column.column)); found != wishes_.scale.end())
+      for (const auto& target : {partOf(column.column), column.column}) {
+        const auto found = wishes_.scale.find(target);
+        if (found == wishes_.scale.end()) continue;
         column.scale = found->second;
-      if (const auto found = wishes_.scale.find(column.column); found != wishes_.scale.end())
-        column.scale = found->second;
+        column.unitNamed = false;
+      }
     }
   }
 
@@ -216,7 +283,7 @@ class Chooser {
       for (const auto& candidate : candidates_) {
         const auto other = candidate.columns[0].stream;
         if (candidate.part == part && candidate.score >= 0 && other != first->stream && others.size() < 4 &&
-            candidate.score + 10 >= 30)
+            candidate.score + 10 >= 30 && !ofAnotherDemonstration(other))
           others.push_back(shown(streams_[other]));
       }
       if (!others.empty() && !said)
@@ -227,10 +294,32 @@ class Chooser {
              remedy(Remedy::chooseSource, part),
              {stream.file, 0, 0}});
     }
+    sayDemonstrations();
     findings_.push_back({Severity::info,
                          "sources",
                          heft::say("Read {}.", fmt::join(texts, ", ")),
                          "",
+                         {streams_[chosen_[0].stream].file, 0, 0}});
+  }
+
+  void sayDemonstrations() {
+    std::vector<std::string> others;
+    const auto& chosen = streams_[chosen_[0].stream];
+    std::string mine;
+    for (std::size_t s = 0; s < streams_.size(); ++s) {
+      if (!ofAnotherDemonstration(s)) continue;
+      mine = differsByNumber(chosen.name, streams_[s].name);
+      const auto name = differsByNumber(streams_[s].name, chosen.name);
+      if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
+    }
+    if (others.empty() || wishes_.use.contains(kDemonstration)) return;
+    const auto count = others.size();
+    if (count > 4) others.resize(4);
+    findings_.push_back({Severity::warning,
+                         "several_demonstrations",
+                         heft::say("The file holds {} demonstrations; {} was read, not {}{}.", count + 1, mine,
+                                   fmt::join(others, ", "), count > 4 ? ", ..." : ""),
+                         remedy(Remedy::chooseSource, kDemonstration),
                          {streams_[chosen_[0].stream].file, 0, 0}});
   }
 
@@ -242,9 +331,10 @@ class Chooser {
 };
 
 Error badMap(const std::string& name, const std::string& what) {
-  return errorAt({name, 0, 0}, what,
-                 heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, sensor, {}.",
-                           fmt::join(conventionKeys(false), ", ")));
+  return errorAt(
+      {name, 0, 0}, what,
+      heft::say("A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.",
+                fmt::join(conventionKeys(false), ", ")));
 }
 
 }  // namespace
@@ -287,6 +377,17 @@ Result<MappingWishes> readMapFile(const std::filesystem::path& file) {
       }
     } else if (key == "offset_s") {
       if (!numbers(value, wishes.offset)) return badMap(name, heft::say("\"offset_s\" is no object of numbers."));
+      for (const auto& [target, seconds] : wishes.offset)
+        if (std::abs(seconds) > kLargestOffset)
+          return errorAt({name, 0, 0},
+                         heft::say("the offset of {} is {:g} s, more than the {:g} s (63 years) by which clocks can "
+                                   "differ.",
+                                   printable(target), seconds, kLargestOffset),
+                         heft::say("Offsets are in seconds, also where the file counts in ms or ns."));
+    } else if (key == "rate_hz") {
+      if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > 1e6)
+        return badMap(name, heft::say("\"rate_hz\" is no rate above 0."));
+      wishes.rateHz = value.get<double>();
     } else if (key == "join") {
       if (!value.is_array()) return badMap(name, heft::say("\"join\" is no list of files."));
       for (const auto& each : value) {
@@ -333,6 +434,7 @@ std::string mapText(const MappingWishes& wishes, const std::filesystem::path& fo
   }
   if (wishes.poseOfFlange) out["pose_of"] = "flange";
   if (!wishes.clock.empty()) out["clock"] = wishes.clock;
+  if (wishes.rateHz > 0.0) out["rate_hz"] = wishes.rateHz;
   return out.dump(2) + "\n";
 }
 
@@ -344,6 +446,39 @@ Result<bool> addWish(MappingWishes& wishes, const std::string& text) {
   if (auto failure = checkTarget(target, "--use")) return *failure;
   wishes.use[target] = text.substr(sign + 1);
   return true;
+}
+
+std::vector<ColumnCandidate> rivalWrenches(const std::vector<Stream>& streams, const MappingWishes& wishes,
+                                           const std::vector<ColumnSource>& chosen) {
+  constexpr std::size_t kMost = 4;
+  std::vector<ColumnCandidate> out;
+  const auto column = std::find_if(chosen.begin(), chosen.end(), [](const auto& c) { return c.column == "fx"; });
+  if (column == chosen.end() || column->why == kSaidByUser || wishes.use.contains(kDemonstration)) return out;
+  const auto candidates = findCandidates(streams, {});
+  const auto is = [&](const ColumnCandidate& candidate) {
+    return candidate.columns[0].stream == column->stream && candidate.columns[0].field == column->field;
+  };
+  const auto mine = std::find_if(candidates.begin(), candidates.end(), is);
+  if (mine == candidates.end()) return out;
+  for (const auto& candidate : candidates) {
+    const auto& stream = streams[candidate.columns[0].stream];
+    if (candidate.part != "wrench" || is(candidate) || candidate.score + kNearlyAsGood < mine->score ||
+        stream.clockless != streams[column->stream].clockless || out.size() == kMost)
+      continue;
+    // Of several demonstrations the first one is read, whatever the others hold.
+    if (stream.type.empty() && !differsByNumber(stream.name, streams[column->stream].name).empty()) continue;
+    out.push_back(candidate);
+  }
+  return out;
+}
+
+const std::vector<std::vector<std::string>>& rotationForms() {
+  static const std::vector<std::vector<std::string>> kForms = {
+      {"rvx", "rvy", "rvz"},
+      {"kuka_a", "kuka_b", "kuka_c"},
+      {"roll", "pitch", "yaw"},
+      {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}};
+  return kForms;
 }
 
 Result<std::vector<ColumnSource>> chooseColumns(const std::vector<Stream>& streams, const MappingWishes& wishes,

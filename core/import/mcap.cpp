@@ -8,6 +8,7 @@
 #include "core/import/compression.h"
 #include "core/import/container.h"
 #include "core/import/message_definition.h"
+#include "core/import/streams.h"
 
 namespace heft {
 
@@ -58,7 +59,7 @@ class McapScan {
       if (wanted && length <= kLargestRecord) {
         const auto content = file_.read(at + 9, length);
         if (op == kMcapChunk)
-          chunk(content);
+          chunk(content, progress);
         else if (content.size() == length)
           record(op, content);
         if (content.size() < length) {
@@ -83,12 +84,17 @@ class McapScan {
     findings_.push_back({Severity::warning, code, std::move(text), std::move(remedy), {name_, 0, 0}});
   }
 
+  void stopAtBudget() {
+    stopped_ = true;
+    note("file_too_large", budgetText(file_.size()));
+  }
+
   void cutOff(std::uint64_t at) {
     note("file_cut_off",
          heft::say("The file is cut off or damaged at byte {} of {}; what stands before was read.", at, file_.size()));
   }
 
-  void chunk(std::string_view content) {
+  void chunk(std::string_view content, const Progress& progress) {
     ByteReader reader(content);
     reader.take(8 + 8);  // first and last time
     reader.read<std::uint64_t>();
@@ -105,8 +111,9 @@ class McapScan {
     if (compression.empty()) {
       complete = records(packed) && complete;
     } else if (compression == "zstd" || compression == "lz4") {
-      const auto unpacked =
-          unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4, kLargestMcapChunk);
+      const auto unpacked = unpack(packed, compression == "zstd" ? Compression::zstd : Compression::lz4,
+                                   budget_.most(kLargestMcapChunk), progress);
+      if (!budget_.spend(unpacked.bytes.size())) return stopAtBudget();
       complete = records(unpacked.bytes) && unpacked.complete && complete;
     } else {
       unknownCompression_ = printable(compression);
@@ -144,8 +151,10 @@ class McapScan {
       if (const auto found = schemas_.find(schemaId); found != schemas_.end()) {
         const auto& schema = found->second;
         info.type = printable(plainTypeName(schema.name), 200);
+        info.schemaEncoding = printable(schema.encoding, 40);
         if (schema.encoding == "ros1msg" || schema.encoding == "ros2msg") info.definition = schema.definition;
       }
+      info.encodingName = printable(encoding, 40);
       info.encoding = encoding == "cdr"    ? PayloadEncoding::cdr
                       : encoding == "ros1" ? PayloadEncoding::ros1
                       : encoding == "json" ? PayloadEncoding::json
@@ -156,8 +165,10 @@ class McapScan {
       reader.read<std::uint32_t>();  // sequence
       const auto logged = reader.read<std::uint64_t>();
       reader.read<std::uint64_t>();  // published
-      if (reader.ok())
-        stopped_ = !listener_.message(channel, static_cast<std::int64_t>(logged), content.substr(reader.position()));
+      // Later than 2262 is no time; the listener drops it as such.
+      const auto time =
+          logged < static_cast<std::uint64_t>(kLargestStamp) ? static_cast<std::int64_t>(logged) : kLargestStamp;
+      if (reader.ok()) stopped_ = !listener_.message(channel, time, content.substr(reader.position()));
     }
   }
 
@@ -167,6 +178,7 @@ class McapScan {
   Findings& findings_;
   std::map<std::uint16_t, Schema> schemas_;
   std::string unknownCompression_;
+  UnpackBudget budget_{file_.size()};
   std::size_t badChunks_ = 0;
   bool stopped_ = false;
 };

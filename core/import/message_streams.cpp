@@ -2,6 +2,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 #include "core/base/say.h"
@@ -16,6 +17,7 @@ namespace heft {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kAlwaysLookedAt = 16u << 10;  ///< [bytes]
 
 /// One topic's messages on their way to a stream.
 class TopicReader {
@@ -25,13 +27,19 @@ class TopicReader {
     stream_.type = plainTypeName(info.type);
     stream_.file = file;
     if (encoding_ == PayloadEncoding::other) {
-      problem_ = heft::say("its encoding is not known");
+      problem_ =
+          info.encodingName.empty()
+              ? heft::say("its encoding is not known")
+              : heft::say("its encoding \"{}\" is none of those that Heft reads (ros1, cdr, json)", info.encodingName);
       return;
     }
     if (encoding_ == PayloadEncoding::json) return;
     const auto definition = info.definition.empty() ? builtInDefinition(info.type) : info.definition;
     if (definition.empty()) {
-      problem_ = heft::say("the file does not define its type");
+      problem_ =
+          info.schemaEncoding.empty() || info.schemaEncoding == "ros1msg" || info.schemaEncoding == "ros2msg"
+              ? heft::say("the file does not define its type")
+              : heft::say("its schema is in \"{}\", and Heft does not know the type by itself", info.schemaEncoding);
       return;
     }
     auto decoder = MessageDecoder::make(
@@ -43,24 +51,35 @@ class TopicReader {
   }
 
   /// How many numbers it added.
-  std::size_t add(std::int64_t received, std::string_view bytes, const FieldFilter& filter) {
+  std::size_t add(std::int64_t received, std::string_view bytes, const FieldFilter& filter, std::uint64_t connection) {
+    if (!isSoundStamp(received)) {
+      ++timeless_;
+      return 0;
+    }
     if (stream_.samples++ == 0) stream_.first = stream_.last = received;
     stream_.first = std::min(stream_.first, received);
     stream_.last = std::max(stream_.last, received);
-    if (!problem_.empty() || (!filter && decoded_)) return 0;
+    if (!problem_.empty()) return 0;
+    // A list needs the fields of all messages: names and lengths vary where several nodes send. Large messages are
+    // pictures and the like; those are looked at where their size is new.
+    if (!filter && decoded_ && bytes.size() > kAlwaysLookedAt && !sizes_.insert(bytes.size()).second) return 0;
     const bool sound = decoder_ ? decoder_->decode(bytes) : decodeJson(bytes);
     if (!sound) {
+      if (encoding_ == PayloadEncoding::cdr && bytes.size() >= 4 && bytes[0] == 0 && bytes[1] > 1) ++otherCdr_;
       ++malformed_;
       return 0;
     }
     const auto& names = decoder_ ? decoder_->names() : jsonNames_;
     const auto& values = decoder_ ? decoder_->values() : jsonValues_;
     const bool renamed = decoder_ ? decoder_->namesChanged() : jsonChanged_;
-    if (!decoded_ || renamed) learn(names, filter);
+    const bool fresh = !decoded_ || renamed;
+    if (fresh) learn(names, filter);
     decoded_ = true;
     if (!filter || selected_ == 0) return 0;
     stream_.received.push_back(received);
-    stream_.stamps.push_back(decoder_ ? decoder_->stamp() : jsonStamp_);
+    stream_.stamps.push_back(soundStamp(decoder_ ? decoder_->stamp() : jsonStamp_));
+    if (fresh || connection != connection_ || sender_ < 0) sender_ = senderOf(names, connection);
+    stream_.sender.push_back(static_cast<std::uint16_t>(sender_));
     const std::size_t row = stream_.received.size();
     for (std::size_t i = 0; i < slots_.size(); ++i)
       if (slots_[i] && stream_.values[*slots_[i]].size() < row) stream_.values[*slots_[i]].push_back(values[i]);
@@ -72,8 +91,29 @@ class TopicReader {
   Stream& stream() { return stream_; }
   const std::string& problem() const { return problem_; }
   std::size_t malformed() const { return malformed_; }
+  std::size_t otherCdr() const { return otherCdr_; }
+  std::size_t timeless() const { return timeless_; }
+  /// Over which connections messages come, by the node that sends.
+  void connect(std::uint64_t connection, const std::string& publisher) { publishers_[connection] = publisher; }
 
  private:
+  int senderOf(const std::vector<std::string>& names, std::uint64_t connection) {
+    connection_ = connection;
+    const auto [entry, fresh] = senders_.try_emplace({connection, names}, static_cast<int>(senders_.size()));
+    if (fresh) {
+      if (senders_.size() > 1000) {  // names that change with every message are no senders
+        senders_.erase(entry);
+        return 0;
+      }
+      const auto& node = publishers_[connection];
+      std::string fields;
+      for (std::size_t i = 0; i < names.size() && fields.size() < 80; ++i)
+        if (!names[i].starts_with("header.")) fields += (fields.empty() ? "" : ", ") + names[i];
+      stream_.senders.push_back(node.empty() ? fields : node);
+    }
+    return entry->second;
+  }
+
   void learn(const std::vector<std::string>& names, const FieldFilter& filter) {
     slots_.assign(names.size(), std::nullopt);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -108,7 +148,7 @@ class TopicReader {
       if (jsonNames_[i].starts_with("header.stamp.nsec") || jsonNames_[i] == "header.stamp.nanosec")
         nanos = jsonValues_[i];
     }
-    jsonStamp_ = seconds ? nanoseconds(*seconds) + nanoseconds(1e-9 * nanos) : 0;
+    jsonStamp_ = seconds ? soundStamp(nanoseconds(*seconds) + nanoseconds(1e-9 * nanos)) : 0;
     return true;
   }
 
@@ -118,6 +158,13 @@ class TopicReader {
   std::optional<MessageDecoder> decoder_;
   bool decoded_ = false;
   std::size_t malformed_ = 0;
+  std::size_t otherCdr_ = 0;
+  std::size_t timeless_ = 0;
+  std::uint64_t connection_ = 0;
+  int sender_ = -1;
+  std::map<std::uint64_t, std::string> publishers_;
+  std::map<std::pair<std::uint64_t, std::vector<std::string>>, int> senders_;
+  std::set<std::size_t> sizes_;  ///< Of large messages that were looked at.
   std::size_t selected_ = 0;
   std::unordered_map<std::string, std::size_t> byName_;
   std::vector<bool> wanted_;
@@ -138,6 +185,7 @@ class Collector : public MessageListener {
     const auto [entry, fresh] = byTopic_.try_emplace({info.name, info.type}, readers_.size());
     if (fresh) readers_.emplace_back(info, file_);
     byId_[id] = entry->second;
+    readers_[entry->second].connect(id, info.publisher);
   }
 
   bool message(std::uint64_t id, std::int64_t received, std::string_view bytes) override {
@@ -146,21 +194,33 @@ class Collector : public MessageListener {
       ++homeless_;
       return true;
     }
-    numbers_ += readers_[found->second].add(received, bytes, filter_);
+    numbers_ += readers_[found->second].add(received, bytes, filter_, id);
     return numbers_ <= kMaxStreamNumbers;
   }
 
   void finish(StreamSet& set) {
     for (auto& reader : readers_) {
       auto& stream = reader.stream();
+      if (reader.timeless() > 0)
+        note(set, Severity::warning, "time_impossible",
+             heft::say("{} messages on {} have times before 1897 or after 2043 and were left out.", reader.timeless(),
+                       stream.name));
       if (stream.samples == 0) continue;
-      if (reader.malformed() > 0)
+      if (stream.senders.size() < 2) stream.sender.clear();
+      if (reader.otherCdr() > 0)
+        note(set, Severity::warning, "message_damaged",
+             heft::say("{} of {} messages on {} are in XCDR 2 or as parameter lists, not in plain CDR, and were left "
+                       "out.",
+                       reader.otherCdr(), stream.samples, stream.name));
+      else if (reader.malformed() > 0)
         note(set, Severity::warning, "message_damaged",
              heft::say("{} of {} messages on {} do not fit their definition and were left out.", reader.malformed(),
                        stream.samples, stream.name));
       if (!reader.problem().empty())
         note(set, Severity::info, "topic_unreadable",
-             heft::say("Topic {} of type {} cannot be read: {}.", stream.name, stream.type, reader.problem()));
+             stream.type.empty()
+                 ? heft::say("Topic {} cannot be read: {}.", stream.name, reader.problem())
+                 : heft::say("Topic {} of type {} cannot be read: {}.", stream.name, stream.type, reader.problem()));
       set.streams.push_back(std::move(stream));
     }
     if (homeless_ > 0)

@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t kLargestDatabase = std::size_t{2} << 30;  ///< Unpacked into memory.
 constexpr std::size_t kLargestMessage = 64u << 20;
+constexpr std::size_t kMostFill = 16;  ///< A database that is cut off is filled up to at most so many times its size.
 
 using Database = std::unique_ptr<sqlite3, int (*)(sqlite3*)>;
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
@@ -40,8 +41,8 @@ std::string_view blob(sqlite3_stmt* statement, int column) {
 
 class SqliteScan {
  public:
-  SqliteScan(std::string name, MessageListener& listener, Findings& findings)
-      : name_(std::move(name)), listener_(listener), findings_(findings) {}
+  SqliteScan(std::string name, std::uint64_t fileSize, MessageListener& listener, Findings& findings)
+      : name_(std::move(name)), fileSize_(fileSize), listener_(listener), findings_(findings) {}
 
   Result<bool> run(sqlite3* database, const Progress& progress) {
     sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -76,7 +77,11 @@ class SqliteScan {
         const auto data = blob(messages.get(), 2);
         bool more = true;
         if (looksLikeZstd(data)) {
-          const auto unpacked = unpack(data, Compression::zstd, kLargestMessage);
+          const auto unpacked = unpack(data, Compression::zstd, budget_.most(kLargestMessage), progress);
+          if (!budget_.spend(unpacked.bytes.size())) {
+            findings_.push_back({Severity::warning, "file_too_large", budgetText(fileSize_), {}, {name_, 0, 0}});
+            return true;
+          }
           if (unpacked.complete)
             more = listener_.message(id, time, unpacked.bytes);
           else
@@ -116,8 +121,10 @@ class SqliteScan {
   }
 
   const std::string name_;
+  const std::uint64_t fileSize_;
   MessageListener& listener_;
   Findings& findings_;
+  UnpackBudget budget_{fileSize_};
   std::map<std::string, std::string> definitions_;
 };
 
@@ -148,7 +155,9 @@ Database databaseIn(std::string& bytes) {
   if (pageSize == 1) pageSize = 65536;
   header.take(10);
   const std::uint64_t stated = pageSize * header.read<std::uint32_t>();
-  if (stated > bytes.size() && stated <= kLargestDatabase) bytes.resize(static_cast<std::size_t>(stated), '\0');
+  // A recorder that was killed leaves most of what the header states; a head alone is no database.
+  if (stated > bytes.size() && stated <= kLargestDatabase && stated <= kMostFill * bytes.size() + (1u << 20))
+    bytes.resize(static_cast<std::size_t>(stated), '\0');
   // A write-ahead log cannot belong to a database in memory.
   if (bytes[18] == 2) bytes[18] = bytes[19] = 1;
   sqlite3* raw = nullptr;
@@ -228,11 +237,13 @@ Result<bool> scanSqliteBag(const std::filesystem::path& file, MessageListener& l
   const bool compressed = looksLikeZstd(bytes->read(0, 4));
   if (!compressed) {
     if (const auto database = openDatabase(file))
-      return SqliteScan(name, listener, findings).run(database.get(), progress);
+      return SqliteScan(name, bytes->size(), listener, findings).run(database.get(), progress);
   }
   // Compressed, or cut off so that SQLite does not open the file itself.
   Unpacked content{bytes->read(0, kLargestDatabase), true};
-  if (compressed) content = unpack(content.bytes, Compression::zstd, kLargestDatabase);
+  const std::size_t most = UnpackBudget(bytes->size()).most(kLargestDatabase);
+  if (compressed) content = unpack(content.bytes, Compression::zstd, most, progress);
+  if (progress.cancelled()) return Error{heft::say("Reading was stopped."), true};
   if (!content.complete)
     findings.push_back({Severity::warning,
                         "file_cut_off",
@@ -243,7 +254,7 @@ Result<bool> scanSqliteBag(const std::filesystem::path& file, MessageListener& l
   if (!database)
     return errorAt({name, 0, 0}, heft::say("this database cannot be opened."),
                    heft::say("It is damaged at its beginning; \"sqlite3 BAG .recover\" may save its rows."));
-  return SqliteScan(name, listener, findings).run(database.get(), progress);
+  return SqliteScan(name, bytes->size(), listener, findings).run(database.get(), progress);
 }
 
 Result<bool> scanRos2Folder(const std::filesystem::path& folder, MessageListener& listener, Findings& findings,

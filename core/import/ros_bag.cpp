@@ -76,7 +76,7 @@ class BagScan {
         if (dataLength > kLargestChunk) return cutOff(dataAt);
         const auto data = file_.read(dataAt, dataLength);
         if (*op == kChunk)
-          chunk(fields, data);
+          chunk(fields, data, progress);
         else
           record(*op, fields, data);
       }
@@ -106,7 +106,7 @@ class BagScan {
     return true;
   }
 
-  void chunk(const RecordFields& fields, std::string_view data) {
+  void chunk(const RecordFields& fields, std::string_view data, const Progress& progress) {
     const auto compression = fields.text("compression");
     if (compression == "none") {
       if (!records(data)) ++badChunks_;
@@ -117,7 +117,13 @@ class BagScan {
       ++badChunks_;
       return;
     }
-    const auto unpacked = unpack(data, bz2 ? Compression::bz2 : Compression::lz4, kLargestChunk);
+    const auto unpacked =
+        unpack(data, bz2 ? Compression::bz2 : Compression::lz4, budget_.most(kLargestChunk), progress);
+    if (!budget_.spend(unpacked.bytes.size())) {
+      stopped_ = true;
+      findings_.push_back({Severity::warning, "file_too_large", budgetText(file_.size()), {}, {name_, 0, 0}});
+      return;
+    }
     if (!records(unpacked.bytes) || !unpacked.complete) ++badChunks_;
   }
 
@@ -146,6 +152,7 @@ class BagScan {
       info.type = printable(inner.text("type"), 200);
       info.definition = inner.text("message_definition");
       info.encoding = PayloadEncoding::ros1;
+      info.publisher = printable(inner.text("callerid"), 100);
       listener_.topic(*connection, info);
     } else if (op == kMessage) {
       const auto time = fields.text("time");
@@ -161,6 +168,7 @@ class BagScan {
   const std::string name_;
   MessageListener& listener_;
   Findings& findings_;
+  UnpackBudget budget_{file_.size()};
   std::size_t badChunks_ = 0;
   bool stopped_ = false;
 };

@@ -14,7 +14,7 @@
 namespace heft {
 
 /// Kinds of files, told by their content.
-enum class FileKind { contractCsv, table, jsonLines, rosBag, mcap, sqliteBag, ros2Folder, hdf5 };
+enum class FileKind { contractCsv, table, jsonLines, rosBag, mcap, sqliteBag, ros2Folder, hdf5, matlab, numpy };
 
 /// "ROS 1 bag", "table (CSV)" and so on.
 std::string_view toString(FileKind kind);
@@ -28,11 +28,16 @@ struct Stream {
   std::int64_t first = 0;           ///< Received [ns], on the recorder's clock.
   std::int64_t last = 0;            ///< Received [ns].
   std::vector<std::string> fields;  ///< "wrench.force.x"; a table's columns as they are called there.
+  bool clockless = false;           ///< Nothing tells its times: they are the numbers of the rows.
 
   // Filled for selected fields only:
   std::vector<std::int64_t> received;       ///< [ns] One a sample; for tables the column of time.
   std::vector<std::int64_t> stamps;         ///< [ns] Of the messages' own headers; 0 where there is none.
   std::vector<std::vector<double>> values;  ///< By field; empty for a field that was not selected. NaN: missing.
+  /// Who sent each sample, an index into `senders`: messages of one topic that come over different connections or hold
+  /// other fields. Empty where all are alike.
+  std::vector<std::uint16_t> sender;
+  std::vector<std::string> senders;  ///< In words: "/gripper_driver", or the fields that its messages hold.
 
   double duration() const { return 1e-9 * static_cast<double>(last - first); }
   /// Mean rate [Hz]; 0 if it cannot be told.
@@ -48,7 +53,7 @@ struct StreamSet {
   FileKind kind = FileKind::table;
   std::vector<Stream> streams;
   std::vector<std::string> timeCandidates;  ///< Columns or datasets that may be chosen as the time; empty for messages.
-  Findings findings;                        ///< With an error among them (no_time) there are no streams.
+  Findings findings;                        ///< With an error among them the streams are good for a list only.
 };
 
 /// Which fields to read: called with a stream (name, type, fields known) and a field's index. An empty function lists
@@ -60,8 +65,10 @@ inline constexpr std::size_t kMaxStreamNumbers = 200'000'000;
 
 /// Which column of a table is the time, where the user says so.
 struct TimeChoice {
-  std::string column;  ///< Empty: found by its name.
-  double unit = 0.0;   ///< [s]; 0: by the name and the size of the numbers.
+  std::string column;       ///< Empty: found by its name.
+  double unit = 0.0;        ///< [s]; 0: by the name and the size of the numbers.
+  double rateHz = 0.0;      ///< Above 0: rows are this far apart, whatever the file says; for files without a clock.
+  bool clockNeeded = true;  ///< False for standing poses, whose rows are only counted.
 };
 
 /// Tells the kind from the first bytes; fails for what is no recording at all (a device, an empty file, an archive).
@@ -78,8 +85,20 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
 Result<StreamSet> readJsonLines(const std::filesystem::path& path, const TimeChoice& time, const Progress& progress);
 Result<StreamSet> readHdf5Streams(const std::filesystem::path& path, const FieldFilter& filter, const TimeChoice& time,
                                   const Progress& progress);
+/// MATLAB's files of versions 4 to 7 (7.3 is HDF5).
+Result<StreamSet> readMatlabStreams(const std::filesystem::path& path, const FieldFilter& filter,
+                                    const TimeChoice& time, const Progress& progress);
+/// NumPy's .npy and .npz.
+Result<StreamSet> readNumpyStreams(const std::filesystem::path& path, const FieldFilter& filter, const TimeChoice& time,
+                                   const Progress& progress);
 
-/// Seconds as nanoseconds; nothing sensible (NaN, beyond 290 years) becomes 0.
+/// [ns] Every stamp is smaller than this (73 years, until 2043 where it counts from 1970), so that sums and differences
+/// of a few of them stay within 64 bits. What enters from a file or a wire goes through one of the next three.
+inline constexpr std::int64_t kLargestStamp = std::int64_t{1} << 61;
+constexpr bool isSoundStamp(std::int64_t stamp) { return stamp > -kLargestStamp && stamp < kLargestStamp; }
+/// The stamp, or 0 (not stamped) for one that is no time.
+std::int64_t soundStamp(std::int64_t stamp);
+/// Seconds as nanoseconds; what is no time (NaN, beyond kLargestStamp) becomes 0.
 std::int64_t nanoseconds(double seconds);
 
 }  // namespace heft

@@ -12,8 +12,11 @@
 #include "core/base/remedy.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
+#include "core/import/array_streams.h"
+#include "core/import/date_time.h"
 #include "core/import/json_numbers.h"
 #include "core/import/streams.h"
+#include "core/import/table_text.h"
 #include "core/import/time_column.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/csv_table.h"
@@ -48,23 +51,35 @@ class Table {
 
   Result<bool> toStreams(StreamSet& set, const TimeChoice& choice) const {
     set.timeCandidates = names;
-    auto time = findTime(names, choice);
-    if (!time) {
+    const std::size_t rows = columns.empty() ? 0 : columns[0].size();
+    const auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
+    const bool lost = !time && choice.rateHz <= 0.0;
+    if (lost && (choice.clockNeeded || !choice.column.empty())) {
       set.findings.push_back({Severity::error,
                               "no_time",
                               choice.column.empty()
                                   ? heft::say("no column holds the time.")
                                   : heft::say("there is no column \"{}\" for the time.", printable(choice.column)),
-                              remedy(Remedy::chooseTime),
+                              remedy(Remedy::chooseTime) + " " + remedy(Remedy::stateRate),
                               {set.file, 0, 0}});
-      return true;
     }
-    const auto& clock = columns[time->index];
-    if (!time->unitKnown) time->unit = unitOfTimes(clock);
-    const std::size_t rows = clock.size();
+    std::vector<double> clock;
+    std::vector<std::int64_t> times;
+    if (time) {
+      clock = columns[time->index];
+      auto read = *time;
+      if (!read.unitKnown) read.unit = unitOfTimes(clock);
+      times = timesOf(clock, read.fraction ? columns[*read.fraction] : std::vector<double>(), read);
+    } else {
+      const double step = lost ? 1.0 : 1.0 / choice.rateHz;
+      for (std::size_t r = 0; r < rows; ++r) clock.push_back(static_cast<double>(r) * step);
+      times = timesOf(clock, {}, {});
+      if (!lost) noteRate(set, choice.rateHz);
+    }
+    const auto isTime = [&](std::size_t c) { return time && (c == time->index || c == time->fraction); };
     std::map<std::vector<bool>, std::vector<std::size_t>> groups;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (c == time->index) continue;
+      if (isTime(c)) continue;
       std::vector<bool> present(rows);
       std::size_t count = 0;
       for (std::size_t r = 0; r < rows; ++r) {
@@ -85,11 +100,11 @@ class Table {
       const auto& members = groups.at(*present);
       Stream stream;
       stream.file = set.file;
+      stream.clockless = lost && choice.clockNeeded;
       for (const auto c : members) stream.fields.push_back(names[c]);
       stream.name = prefixOf(stream.fields);
-      // Stamps in seconds are exact enough: 2^-52 of today's epoch is 0.3 us.
       for (std::size_t r = 0; r < rows; ++r)
-        if ((*present)[r]) stream.received.push_back(nanoseconds(clock[r] * time->unit));
+        if ((*present)[r]) stream.received.push_back(times[r]);
       stream.stamps.assign(stream.received.size(), 0);
       for (const auto c : members) {
         auto& values = stream.values.emplace_back();
@@ -114,7 +129,7 @@ class Table {
   }
 };
 
-/// Cells as numbers; text becomes NaN.
+/// Cells as numbers; text becomes NaN. Dates and times of the day count as seconds where hardly a cell is a number.
 std::vector<double> toNumbers(const std::vector<std::string>& cells) {
   std::vector<double> out;
   out.reserve(cells.size());
@@ -124,7 +139,16 @@ std::vector<double> toNumbers(const std::vector<std::string>& cells) {
     if (cell.empty() || csv::parseNumber(cell.data(), end, value) != end || !std::isfinite(value)) value = kNoNumber;
     out.push_back(value);
   }
-  return out;
+  const auto numbers = std::count_if(out.begin(), out.end(), [](double value) { return std::isfinite(value); });
+  if (static_cast<std::size_t>(numbers) * 20 > cells.size()) return out;
+  std::vector<double> dates;
+  dates.reserve(cells.size());
+  for (const auto& cell : cells) {
+    const auto seconds = secondsOfDate(cell);
+    if (!seconds && !cell.empty() && dates.size() < 3) return out;
+    dates.push_back(seconds.value_or(kNoNumber));
+  }
+  return dates;
 }
 
 /// The contract's column `label` as the numbers of MarkLabel; kNoLabel where a cell is empty or is no label.
@@ -162,23 +186,57 @@ void nameJoints(std::vector<std::string>& names, const std::vector<std::vector<s
           name = fmt::format("{}[{}]", quantity, printable(label->second));
 }
 
-/// A table separated by blanks becomes one separated by commas.
-std::string commasForBlanks(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  bool pending = false;
-  bool lineStart = true;
-  for (const char c : text) {
-    if (c == ' ') {
-      pending = !lineStart;
-      continue;
-    }
-    if (pending && c != '\n' && c != '\r') out += ',';
-    pending = false;
-    out += c;
-    lineStart = c == '\n';
+/// Whether columns c to c + 3 are unit quaternions in nearly all rows.
+bool isQuaternion(const std::vector<std::vector<double>>& columns, std::size_t c) {
+  std::size_t unit = 0;
+  const std::size_t rows = columns[c].size();
+  for (std::size_t r = 0; r < rows; ++r) {
+    double squares = 0.0;
+    for (std::size_t i = c; i < c + 4; ++i) squares += columns[i][r] * columns[i][r];
+    unit += std::abs(squares - 1.0) < 0.01 ? 1 : 0;
   }
-  return out;
+  return rows > 1 && 20 * unit >= 19 * rows;
+}
+
+/// Names for a table without any, where its numbers leave no doubt: a time that rises, a unit quaternion (after a
+/// position, if three columns stand before it) and six columns of a wrench account for all of it. Says what was named.
+std::string guessNames(std::vector<std::string>& names, const std::vector<std::vector<double>>& columns) {
+  std::size_t first = 0;
+  const auto rises = [](const std::vector<double>& values) {
+    for (std::size_t r = 1; r < values.size(); ++r)
+      if (!(values[r] > values[r - 1])) return false;
+    return values.size() > 8;
+  };
+  std::vector<std::string> out;
+  if (!columns.empty() && rises(columns[0])) {
+    out.emplace_back("time");
+    first = 1;
+  }
+  const std::vector<std::string> wrench = {"fx", "fy", "fz", "tx", "ty", "tz"};
+  const std::vector<std::string> quaternion = {"qx", "qy", "qz", "qw"};
+  const std::vector<std::string> place = {"px", "py", "pz"};
+  const auto append = [&](const std::vector<std::string>& more) { out.insert(out.end(), more.begin(), more.end()); };
+  for (std::size_t c = first; c < columns.size();) {
+    const std::size_t left = columns.size() - c;
+    const auto quaternionAt = [&](std::size_t at) { return at + 4 <= columns.size() && isQuaternion(columns, at); };
+    if (quaternionAt(c)) {
+      append(quaternion);
+      c += 4;
+    } else if (left >= 7 && quaternionAt(c + 3)) {
+      append(place);
+      c += 3;
+    } else if (left == 6 || (left >= 10 && (quaternionAt(c + 6) || quaternionAt(c + 9)))) {
+      append(wrench);
+      c += 6;
+    } else {
+      return {};
+    }
+  }
+  auto sorted = out;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() || out.size() != names.size()) return {};
+  names = out;
+  return fmt::format("{}", fmt::join(out, ", "));
 }
 
 }  // namespace
@@ -188,12 +246,10 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   StreamSet set;
   set.file = displayName(path);
   set.kind = FileKind::table;
-  auto text = readTextFile(path, kMaxRecordingBytes);
-  if (!text) return text.error();
-  const auto firstLine = std::string_view(*text).substr(0, text->find('\n'));
-  if (firstLine.find_first_of(",;\t") == std::string_view::npos && firstLine.find(' ') != std::string_view::npos)
-    *text = commasForBlanks(*text);
-  const auto header = csv::readHeader(*text, set.file);
+  auto bytes = readTextFile(path, kMaxRecordingBytes);
+  if (!bytes) return bytes.error();
+  const auto text = readTableText(std::move(*bytes), set.file, set.findings);
+  const auto header = csv::readHeader(text.text, set.file);
   if (!header) return header.error();
   const auto rowsAtMost = static_cast<std::size_t>(csv::countRows(*header));
   if (header->names.size() * rowsAtMost > kMaxStreamNumbers / 4)
@@ -215,6 +271,21 @@ Result<StreamSet> readTableStreams(const std::filesystem::path& path, const Time
   nameJoints(table.names, cells);
   for (std::size_t c = 0; c < cells.size(); ++c)
     table.columns.push_back(table.names[c] == kLabelField ? toLabels(cells[c], set) : toNumbers(cells[c]));
+  if (text.namesMissing) {
+    const auto guessed = guessNames(table.names, table.columns);
+    set.findings.push_back(
+        {Severity::warning,
+         "names_missing",
+         guessed.empty() ? heft::say("The first row looks like data, not like names; the columns are called column1 to "
+                                     "column{}.",
+                                     table.names.size())
+                         : heft::say("The first row looks like data, not like names; by the numbers the columns are "
+                                     "taken to be {}.",
+                                     guessed),
+         heft::say("Put a row of names above it, or name the columns by their numbers, for instance with "
+                   "--use fx=column2."),
+         {set.file, 1, 0}});
+  }
   const auto done = table.toStreams(set, time);
   if (!done) return done.error();
   return set;

@@ -4,24 +4,41 @@
 #include <array>
 #include <cmath>
 
+#include "core/import/field_name.h"
+
 namespace heft {
 
 namespace {
 
-struct TimeName {
-  const char* name;
-  int rank;
-  double unit;  ///< [s]; 0: not told by the name.
-};
+/// How much a name speaks for a column of times; 0: nothing.
+int rankOf(const FieldName& name, const std::string& lower) {
+  if (lower == "%time") return 6;
+  static constexpr std::array kOther = {"diff", "delta", "duration", "sync",  "execution", "cycle",
+                                        "step", "date",  "offset",   "delay", "received",  "interval"};
+  const auto is = [&](const char* word) {
+    return std::find(name.words.begin(), name.words.end(), word) != name.words.end();
+  };
+  for (const char* const word : kOther)
+    if (is(word)) return 0;
+  const auto& words = name.words;
+  const auto alone = [&](const char* word) { return words.size() == 1 && words[0] == word; };
+  if (alone("time")) return 5;
+  if (alone("timestamp") || alone("timestamps") || alone("stamp")) return 4;
+  if (words.size() == 2 && words[0] == "time" && words[1] == "stamp") return 4;
+  if (alone("t") || alone("zeit") || alone("zeitstempel") || alone("elapsed") || alone("clock")) return 3;
+  if (words.empty() && !name.unit.empty()) return 3;  // "secs", "ms"
+  if (words.size() > 4) return 0;
+  // "robot.timestamp", "header.stamp", "elapsed_time", "time_since_start"
+  if (is("timestamp") || is("timestamps") || is("stamp")) return 2;
+  if (!words.empty() && (words.front() == "time" || words.back() == "time" || words.back() == "t")) return 1;
+  return 0;
+}
 
-constexpr std::array<TimeName, 22> kTimeNames = {
-    {{"%time", 5, 1e-9},  // rostopic echo -p
-     {"time", 4, 0.0},          {"__time", 4, 0.0},        {"time_s", 4, 1.0},     {"time [s]", 4, 1.0},
-     {"time (s)", 4, 1.0},      {"time_ms", 4, 1e-3},      {"time_msec", 4, 1e-3}, {"time [ms]", 4, 1e-3},
-     {"time (ms)", 4, 1e-3},    {"time_us", 4, 1e-6},      {"time [us]", 4, 1e-6}, {"time_ns", 4, 1e-9},
-     {"time [ns]", 4, 1e-9},    {"timestamp", 3, 0.0},     {"timestamps", 3, 0.0}, {"timestamp_ns", 3, 1e-9},
-     {"timestamp_us", 3, 1e-6}, {"timestamp_ms", 3, 1e-3}, {"stamp", 3, 0.0},      {"t", 2, 0.0},
-     {"secs", 2, 1.0}}};
+bool isSeconds(const FieldName& name) { return unitSi(name.unit, Quantity::time) == 1.0; }
+bool isParts(const FieldName& name) {
+  const auto unit = unitSi(name.unit, Quantity::time);
+  return unit && *unit < 1.0;
+}
 
 }  // namespace
 
@@ -32,32 +49,55 @@ std::string lowerCase(std::string_view text) {
 }
 
 std::optional<TimeColumn> findTime(const std::vector<std::string>& names, const TimeChoice& choice) {
-  if (!choice.column.empty()) {
-    const auto found = std::find(names.begin(), names.end(), choice.column);
-    if (found == names.end()) return std::nullopt;
-    return TimeColumn{static_cast<std::size_t>(found - names.begin()), choice.unit > 0.0 ? choice.unit : 1.0,
-                      choice.unit > 0.0};
-  }
+  std::vector<FieldName> read;
+  read.reserve(names.size());
+  for (const auto& name : names) read.push_back(readFieldName(name));
+  const auto partsOf = [&](std::size_t i) -> std::optional<std::size_t> {
+    if (!isSeconds(read[i])) return std::nullopt;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (k != i && read[k].words == read[i].words && isParts(read[k])) return k;
+    return std::nullopt;
+  };
   // libfranka writes its robot's clock in milliseconds under the bare name.
   const bool libfranka = std::any_of(names.begin(), names.end(), [](const std::string& name) {
     return name == "O_T_EE[0]" || name == "success_rate" || name == "state.q[0]";
   });
-  std::optional<TimeColumn> best;
+  const auto columnAt = [&](std::size_t i) {
+    TimeColumn out;
+    out.index = i;
+    auto unit = unitSi(read[i].unit, Quantity::time);
+    const auto lower = lowerCase(names[i]);
+    if (lower == "%time") unit = 1e-9;
+    if (libfranka && lower == "time") unit = 1e-3;
+    if (choice.unit > 0.0) unit = choice.unit;
+    out.unit = unit.value_or(1.0);
+    out.unitKnown = unit.has_value();
+    out.fraction = partsOf(i);
+    if (out.fraction) out.fractionUnit = *unitSi(read[*out.fraction].unit, Quantity::time);
+    return out;
+  };
+  if (!choice.column.empty()) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == choice.column) return columnAt(i);
+    const auto wished = wordsOf(choice.column);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (partsOf(i) && read[i].words == wished) return columnAt(i);
+    return std::nullopt;
+  }
+  std::optional<std::size_t> best;
   int bestRank = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto name = lowerCase(names[i]);
-    const auto known =
-        std::find_if(kTimeNames.begin(), kTimeNames.end(), [&](const TimeName& each) { return name == each.name; });
-    if (known == kTimeNames.end() || known->rank <= bestRank) continue;
-    bestRank = known->rank;
-    best = TimeColumn{i, known->unit > 0.0 ? known->unit : 1.0, known->unit > 0.0};
-    if (libfranka && name == "time") *best = {i, 1e-3, true};
+    const int rank = rankOf(read[i], lowerCase(names[i]));
+    if (rank <= bestRank) continue;
+    // The parts of a second are no clock by themselves.
+    bool parts = false;
+    for (std::size_t k = 0; k < names.size() && isParts(read[i]); ++k) parts = parts || partsOf(k) == i;
+    if (parts) continue;
+    bestRank = rank;
+    best = i;
   }
-  if (best && choice.unit > 0.0) {
-    best->unit = choice.unit;
-    best->unitKnown = true;
-  }
-  return best;
+  if (!best) return std::nullopt;
+  return columnAt(*best);
 }
 
 double unitOfTimes(const std::vector<double>& times) {
@@ -69,8 +109,29 @@ double unitOfTimes(const std::vector<double>& times) {
   return 1.0;
 }
 
+std::vector<std::int64_t> timesOf(const std::vector<double>& clock, const std::vector<double>& parts,
+                                  const TimeColumn& column) {
+  bool split = parts.size() == clock.size() && !clock.empty();
+  for (std::size_t k = 0; k < clock.size() && split; ++k) {
+    if (!std::isfinite(clock[k]) || !std::isfinite(parts[k])) continue;
+    split = clock[k] == std::floor(clock[k]) && parts[k] >= 0.0 && parts[k] * column.fractionUnit < 1.0;
+  }
+  std::vector<std::int64_t> out;
+  out.reserve(clock.size());
+  for (std::size_t k = 0; k < clock.size(); ++k) {
+    // Stamps in seconds are exact enough: 2^-52 of today's epoch is 0.3 us.
+    const auto whole = nanoseconds(clock[k] * column.unit);
+    out.push_back(split && std::isfinite(parts[k]) ? soundStamp(whole + nanoseconds(parts[k] * column.fractionUnit))
+                                                   : whole);
+  }
+  return out;
+}
+
+std::int64_t soundStamp(std::int64_t stamp) { return isSoundStamp(stamp) ? stamp : 0; }
+
 std::int64_t nanoseconds(double seconds) {
-  return std::isfinite(seconds) && std::abs(seconds) < 9.2e9 ? std::llround(seconds * 1e9) : 0;
+  const double stamp = seconds * 1e9;
+  return std::isfinite(stamp) && std::abs(stamp) < static_cast<double>(kLargestStamp) ? std::llround(stamp) : 0;
 }
 
 }  // namespace heft

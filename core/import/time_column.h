@@ -1,5 +1,5 @@
 #pragma once
-// Which column of a table holds the time, and in which unit.
+// Which column of a table or dataset of a file holds the time, and in which unit.
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,16 +12,24 @@ struct TimeColumn {
   std::size_t index = 0;
   double unit = 1.0;  ///< [s]
   bool unitKnown = false;
+  std::optional<std::size_t> fraction;  ///< A second column that counts the parts of a second (sec and nanosec).
+  double fractionUnit = 0.0;            ///< [s]
 };
 
-/// By name: time, __time, t (s), %time (ns, rostopic), time of libfranka (ms), time_ms, timestamp_ns and so on; or the
-/// chosen one.
+/// By name: time, timestamp, stamp, t and so on with any unit that a name can state (time_ms, "Time [us]",
+/// timestamp_ns), %time (ns, rostopic), time of libfranka (ms); or seconds and their parts in two columns
+/// (header.stamp.sec and header.stamp.nanosec, secs and nsecs). Or the one that the user chose: by its name, or by what
+/// two halves have in common ("header.stamp").
 std::optional<TimeColumn> findTime(const std::vector<std::string>& names, const TimeChoice& choice);
 
-/// Unit that makes absolute times lie in this century: 1, 1e-3, 1e-6 or 1e-9 s; 1 for times that count from a start.
+/// Seconds, milliseconds, microseconds or nanoseconds, by the size of the first finite time: today's epoch in each.
 double unitOfTimes(const std::vector<double>& times);
 
-/// Lower case (ASCII).
+/// The times [ns] of a column; 0 where there is none. With `parts` (empty otherwise) whole seconds and their parts are
+/// put together, unless the parts are none: not from 0 to 1 s.
+std::vector<std::int64_t> timesOf(const std::vector<double>& clock, const std::vector<double>& parts,
+                                  const TimeColumn& column);
+
 std::string lowerCase(std::string_view text);
 
 }  // namespace heft

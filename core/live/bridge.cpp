@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/import/configured.h"
 #include "core/import/streams.h"
 
 namespace heft {
@@ -16,20 +18,23 @@ constexpr double kSilence = 2.0;   ///< [s] without a sample, after which the us
 
 }  // namespace
 
-BridgeSource::BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols)
+BridgeSource::BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols,
+                           std::vector<std::string> jointNames)
     : ThreadedSource(fmt::format("{} {}:{}", what, host, port)),
       host_(std::move(host)),
       port_(port),
-      protocols_(std::move(protocols)) {}
+      protocols_(std::move(protocols)),
+      jointNames_(std::move(jointNames)) {}
 
 void BridgeSource::run(const std::stop_token& stopping) {
   while (!stopping.stop_requested()) {
     auto made = WebSocketClient::connect(host_, port_, protocols_, kPatience);
     if (made) {
       client_.emplace(std::move(*made));
-      mapper_ = {};
+      mapper_ = FieldMapper(jointNames_);
       clock_ = {};
       lastStamp_.clear();
+      configuredTold_ = false;
       connected();
       talk(stopping);
       client_.reset();
@@ -67,12 +72,31 @@ bool BridgeSource::talk(const std::stop_token& stopping) {
   return true;
 }
 
+void BridgeSource::note(const std::string& sentence) {
+  count([&](SourceStatus& status) {
+    if (std::find(status.notes.begin(), status.notes.end(), sentence) == status.notes.end())
+      status.notes.push_back(sentence);
+  });
+}
+
+void BridgeSource::tellConfigured(const std::string& type, const std::vector<std::string>& names,
+                                  const std::vector<double>& values) {
+  if (configuredTold_ || !type.starts_with("franka_msgs/")) return;
+  configuredTold_ = true;
+  std::vector<Stream> state(1);
+  state[0].fields = names;
+  for (const double value : values) state[0].values.push_back({value});
+  if (auto told = configuredPayload(state)) count([&](SourceStatus& status) { status.configured = std::move(told); });
+}
+
 bool BridgeSource::send(const std::string& text) { return client_ && client_->send(text); }
 
 void BridgeSource::take(const std::string& topic, const std::string& type, const std::vector<std::string>& names,
                         const std::vector<double>& values, std::int64_t stamp) {
+  tellConfigured(type, names, values);
   auto sample = mapper_.map(topic, type, names, values);
   const double now = hostNow();
+  stamp = soundStamp(stamp);
   if (stamp != 0) {
     auto& last = lastStamp_[topic];
     // Seconds back is a sender that began anew; less is a message that came late.
@@ -88,6 +112,7 @@ void BridgeSource::take(const std::string& topic, const std::string& type, const
   count([&](SourceStatus& status) {
     if (status.topics != topics) status.topics = topics;
   });
+  for (const auto& sentence : mapper_.notes()) note(sentence);
   setState(LinkState::live);
   if (std::isfinite(sample->time)) passOn(*sample);
 }

@@ -14,7 +14,8 @@ namespace heft {
 
 class BridgeSource : public ThreadedSource {
  protected:
-  BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols);
+  BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols,
+               std::vector<std::string> jointNames);
 
   /// After each connection; may send().
   virtual void connected() = 0;
@@ -22,6 +23,8 @@ class BridgeSource : public ThreadedSource {
   virtual bool message(const WebSocketMessage& message) = 0;
 
   bool send(const std::string& text);
+  /// A sentence for the status, once.
+  void note(const std::string& sentence);
   /// Numbers of a message measured at `stamp` [ns] on the sender's clock.
   void take(const std::string& topic, const std::string& type, const std::vector<std::string>& names,
             const std::vector<double>& values, std::int64_t stamp);
@@ -30,15 +33,19 @@ class BridgeSource : public ThreadedSource {
 
  private:
   void run(const std::stop_token& stopping) final;
+  void tellConfigured(const std::string& type, const std::vector<std::string>& names,
+                      const std::vector<double>& values);
   bool talk(const std::stop_token& stopping);
 
   const std::string host_;
   const std::uint16_t port_;
   const std::string protocols_;
+  const std::vector<std::string> jointNames_;
   std::optional<WebSocketClient> client_;
   FieldMapper mapper_;
   StampClock clock_;
   std::map<std::string, std::int64_t> lastStamp_;
+  bool configuredTold_ = false;  ///< On this connection
   std::vector<std::string> names_;
   std::vector<double> values_;
 };

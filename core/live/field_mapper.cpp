@@ -1,9 +1,14 @@
 #include "core/live/field_mapper.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/say.h"
+#include "core/base/text.h"
 #include "core/import/mapping.h"
 
 namespace heft {
@@ -11,6 +16,7 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kMostTopics = 256;
+constexpr std::size_t kMostPublishers = 16;  ///< On one topic; a sender whose names never stay the same has no memory.
 
 /// The values at `places`, if all are finite.
 template <class Out>
@@ -26,19 +32,20 @@ bool pick(const std::vector<int>& places, const std::vector<double>& values, Out
 
 }  // namespace
 
-void FieldMapper::learn(Places& places, const std::string& topic, const std::string& type,
-                        const std::vector<std::string>& names) {
-  places = Places{};
+FieldMapper::Places FieldMapper::learn(const std::string& topic, const std::string& type,
+                                       const std::vector<std::string>& names) {
+  Places places;
   places.names = names;
   std::vector<Stream> streams(1);
   streams[0].name = topic;
   streams[0].type = type;
   streams[0].fields = names;
-  for (const auto& candidate : findCandidates(streams, {})) {
+  for (const auto& candidate : findCandidates(streams, jointNames_)) {
     if (candidate.score < 0) continue;
+    const bool wrongArm = !jointNames_.empty() && candidate.columns.size() != jointNames_.size();
     std::vector<int>* target = nullptr;
-    if (candidate.part == "joints" && candidate.columns.size() <= 7) target = &places.joints;
-    if (candidate.part == "velocities" && candidate.columns.size() <= 7) target = &places.velocities;
+    if (candidate.part == "joints" && candidate.columns.size() <= 7 && !wrongArm) target = &places.joints;
+    if (candidate.part == "velocities" && candidate.columns.size() <= 7 && !wrongArm) target = &places.velocities;
     if (candidate.part == "quaternion") target = &places.quaternion;
     if (candidate.part == "position") target = &places.position;
     if (candidate.part == "wrench") target = &places.wrench;
@@ -49,54 +56,88 @@ void FieldMapper::learn(Places& places, const std::string& topic, const std::str
     if (target == &places.wrench) places.wrenchScore = candidate.score;
   }
   if (places.velocities.size() != places.joints.size()) places.velocities.clear();
+  return places;
+}
+
+const FieldMapper::Places* FieldMapper::placesOf(const std::string& topic, const std::string& type,
+                                                 const std::vector<std::string>& names) {
+  if (!topics_.contains(topic) && topics_.size() >= kMostTopics) return nullptr;
+  auto& publishers = topics_[topic];
+  const auto found = std::ranges::find(publishers, names, &Places::names);
+  if (found != publishers.end()) return &*found;
+  if (publishers.size() >= kMostPublishers) publishers.erase(publishers.begin());
+  publishers.push_back(learn(topic, type, names));
+  noteOthers(topic);
+  return &publishers.back();
+}
+
+void FieldMapper::noteOnce(const std::string& sentence) {
+  if (std::ranges::find(notes_, sentence) == notes_.end()) notes_.push_back(sentence);
+}
+
+/// Says so where a topic has joints of more than one publisher.
+void FieldMapper::noteOthers(const std::string& topic) {
+  std::vector<std::vector<std::string>> sets;
+  for (const auto& places : topics_[topic]) {
+    std::vector<std::string> own;
+    for (const auto& name : places.names)
+      if (name.starts_with("position[")) own.push_back(name);
+    if (!own.empty() && std::ranges::find(sets, own) == sets.end()) sets.push_back(own);
+  }
+  if (sets.size() < 2) return;
+  std::string text;
+  for (const auto& set : sets)
+    text += (text.empty() ? "" : "; ") + printable(fmt::format("{}", fmt::join(set, ", ")), 200);
+  std::erase_if(notes_, [&](const std::string& note) { return note.starts_with(topic + ": "); });
+  noteOnce(heft::say("{}: several publishers send on this topic ({}); the arm's joints are taken.", topic, text));
+}
+
+void FieldMapper::takeMotion(const std::string& topic, const Places& places, const std::vector<double>& values,
+                             LiveSample& sample) {
+  std::array<double, 7> numbers{};
+  sample.joints = static_cast<int>(places.joints.size());
+  if (pick(places.joints, values, numbers)) sample.q = numbers;
+  if (sample.q && pick(places.velocities, values, numbers))
+    sample.dq = numbers;
+  else if (sample.q && !places.velocities.empty())
+    noteOnce(heft::say("The velocities of {} are no numbers; they were set aside and the joint angles differentiated.",
+                       topic.empty() ? heft::say("the objects") : topic));
+  std::array<double, 4> quaternion{};
+  if (sample.q || !pick(places.quaternion, values, quaternion)) return;
+  const Quaterniond q(quaternion[3], quaternion[0], quaternion[1], quaternion[2]);
+  if (std::abs(q.norm() - 1.0) >= 0.1) return;
+  sample.orientation = q.normalized();
+  std::array<double, 3> position{};
+  if (pick(places.position, values, position)) sample.position = Vector3d(position[0], position[1], position[2]);
 }
 
 std::optional<LiveSample> FieldMapper::map(const std::string& topic, const std::string& type,
                                            const std::vector<std::string>& names, const std::vector<double>& values) {
-  auto found = topics_.find(topic);
-  if (found == topics_.end()) {
-    if (topics_.size() >= kMostTopics) return std::nullopt;
-    found = topics_.try_emplace(topic).first;
-    learn(found->second, topic, type, names);
-  } else if (found->second.names != names) {
-    learn(found->second, topic, type, names);
-  }
-  const Places& places = found->second;
-  bool motion = places.motionScore >= 0;
-  bool wrench = places.wrenchScore >= 0;
-  for (const auto& [other, there] : topics_) {  // ties go to the topic that comes first in the alphabet
-    if (other == topic) continue;
-    if (there.motionScore > places.motionScore || (there.motionScore == places.motionScore && other < topic))
-      motion = false;
-    if (there.wrenchScore > places.wrenchScore || (there.wrenchScore == places.wrenchScore && other < topic))
-      wrench = false;
-  }
-  LiveSample sample;
-  if (motion) {
-    std::array<double, 7> numbers{};
-    if (pick(places.joints, values, numbers)) sample.q = numbers;
-    if (sample.q && pick(places.velocities, values, numbers)) sample.dq = numbers;
-    std::array<double, 4> quaternion{};
-    sample.joints = static_cast<int>(places.joints.size());
-    if (!sample.q && pick(places.quaternion, values, quaternion)) {
-      const Quaterniond q(quaternion[3], quaternion[0], quaternion[1], quaternion[2]);
-      if (std::abs(q.norm() - 1.0) < 0.1) {
-        sample.orientation = q.normalized();
-        std::array<double, 3> position{};
-        if (pick(places.position, values, position)) sample.position = Vector3d(position[0], position[1], position[2]);
-      }
+  const Places* places = placesOf(topic, type, names);
+  if (places == nullptr) return std::nullopt;
+  bool motion = places->motionScore >= 0;
+  bool wrench = places->wrenchScore >= 0;
+  for (const auto& [other, publishers] : topics_)
+    for (const auto& there : publishers) {  // ties go to the topic that comes first in the alphabet
+      const bool before = other < topic;
+      if (there.motionRank() > places->motionRank() || (there.motionRank() == places->motionRank() && before))
+        motion = false;
+      if (there.wrenchScore > places->wrenchScore || (there.wrenchScore == places->wrenchScore && before))
+        wrench = false;
     }
-  }
+  LiveSample sample;
+  if (motion) takeMotion(topic, *places, values, sample);
   Vector6d numbers;
-  if (wrench && pick(places.wrench, values, numbers)) sample.wrench = numbers;
+  if (wrench && pick(places->wrench, values, numbers)) sample.wrench = numbers;
   if (!sample.hasMotion() && !sample.wrench) return std::nullopt;
   return sample;
 }
 
 std::vector<std::string> FieldMapper::topics() const {
   std::vector<std::string> out;
-  for (const auto& [topic, places] : topics_)
-    if (places.motionScore >= 0 || places.wrenchScore >= 0) out.push_back(topic);
+  for (const auto& [topic, publishers] : topics_)
+    if (std::ranges::any_of(publishers, [](const Places& p) { return p.motionScore >= 0 || p.wrenchScore >= 0; }))
+      out.push_back(topic);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/live/source.h"
@@ -11,24 +12,39 @@ namespace heft {
 
 class FieldMapper {
  public:
+  /// `jointNames`: of the arm, from base to tip; joints are then found by name, whatever their order in a message.
+  explicit FieldMapper(std::vector<std::string> jointNames = {}) : jointNames_(std::move(jointNames)) {}
+
   /// Numbers of one message of a topic (empty for JSON over UDP). Nothing if the topic has neither motion nor wrench,
-  /// or another topic has the better ones. The sample's time is not set.
+  /// or another topic, or another publisher on the same one, has the better ones. Publishers are told apart by the
+  /// names of their numbers. The sample's time is not set.
   std::optional<LiveSample> map(const std::string& topic, const std::string& type,
                                 const std::vector<std::string>& names, const std::vector<double>& values);
 
   /// Topics that samples come from.
   std::vector<std::string> topics() const;
+  /// What was set aside so far, in sentences.
+  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  /// Where a topic's numbers are among a message's.
+  /// Where the numbers of one publisher are among a message's.
   struct Places {
     std::vector<std::string> names;
     std::vector<int> joints, velocities, quaternion, position, wrench;
     int motionScore = -1, wrenchScore = -1;
+    /// More joints are the arm's, fewer a gripper's.
+    std::pair<int, std::size_t> motionRank() const { return {motionScore, joints.size()}; }
   };
-  void learn(Places& places, const std::string& topic, const std::string& type, const std::vector<std::string>& names);
+  Places learn(const std::string& topic, const std::string& type, const std::vector<std::string>& names);
+  const Places* placesOf(const std::string& topic, const std::string& type, const std::vector<std::string>& names);
+  void noteOnce(const std::string& sentence);
+  void noteOthers(const std::string& topic);
+  void takeMotion(const std::string& topic, const Places& places, const std::vector<double>& values,
+                  LiveSample& sample);
 
-  std::map<std::string, Places> topics_;
+  std::vector<std::string> jointNames_;
+  std::map<std::string, std::vector<Places>> topics_;  ///< By topic; one a publisher.
+  std::vector<std::string> notes_;
 };
 
 /// True for message types that a live source should ask for.

@@ -5,10 +5,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/import/bytes.h"
 #include "core/import/json_numbers.h"
 #include "core/import/message_definition.h"
+#include "core/import/time_column.h"
 #include "core/live/bridge.h"
 #include "core/live/sources.h"
 
@@ -18,6 +20,13 @@ namespace {
 
 using nlohmann::json;
 
+/// True for names of messages that would be wanted if they could be read.
+bool soundsLive(const std::string& name) {
+  const auto lower = lowerCase(name);
+  return lower.find("wrench") != std::string::npos || lower.find("joint") != std::string::npos ||
+         lower.find("pose") != std::string::npos;
+}
+
 struct Channel {
   std::string topic, type;
   bool json = false;
@@ -26,8 +35,9 @@ struct Channel {
 
 class FoxgloveSource : public BridgeSource {
  public:
-  FoxgloveSource(std::string host, std::uint16_t port)
-      : BridgeSource("Foxglove bridge", std::move(host), port, "foxglove.sdk.v1, foxglove.websocket.v1") {}
+  FoxgloveSource(std::string host, std::uint16_t port, std::vector<std::string> jointNames)
+      : BridgeSource("Foxglove bridge", std::move(host), port, "foxglove.sdk.v1, foxglove.websocket.v1",
+                     std::move(jointNames)) {}
   ~FoxgloveSource() override { FoxgloveSource::stop(); }
 
  protected:
@@ -71,12 +81,26 @@ class FoxgloveSource : public BridgeSource {
     Channel made;
     made.topic = printable(text("topic"), 200);
     made.type = plainTypeName(text("schemaName"));
-    if (!isLiveType(made.type)) return 0;
     const auto encoding = text("encoding");
+    const auto schemaEncoding = text("schemaEncoding");
+    if (encoding != "json" && encoding != "cdr" && encoding != "ros1") {
+      if (soundsLive(made.type) || soundsLive(made.topic))
+        note(heft::say("{} comes as {}, which is not read: let the bridge send ROS messages (cdr, ros1) or JSON.",
+                       made.topic, printable(encoding, 40)));
+      return 0;
+    }
+    if (!isLiveType(made.type)) return 0;
     made.json = encoding == "json";
     if (!made.json) {
-      if (encoding != "cdr" && encoding != "ros1") return 0;
-      const auto definition = text("schema").empty() ? builtInDefinition(made.type) : text("schema");
+      // Only .msg texts are read; a type that every system has is known without its definition.
+      const bool readable = schemaEncoding.empty() || schemaEncoding == "ros2msg" || schemaEncoding == "ros1msg";
+      const bool stated = readable && !text("schema").empty();
+      const auto definition = stated ? text("schema") : builtInDefinition(made.type);
+      if (definition.empty()) {
+        note(heft::say("{} describes its messages as {}, which is not read: let the bridge send ros2msg or JSON.",
+                       made.topic, schemaEncoding.empty() ? heft::say("nothing") : printable(schemaEncoding, 40)));
+        return 0;
+      }
       auto decoder =
           MessageDecoder::make(made.type, definition, encoding == "cdr" ? MessageEncoding::cdr : MessageEncoding::ros1);
       if (!decoder) return std::nullopt;
@@ -116,8 +140,9 @@ class FoxgloveSource : public BridgeSource {
 
 }  // namespace
 
-std::unique_ptr<LiveSource> makeFoxgloveSource(const std::string& host, std::uint16_t port) {
-  return std::make_unique<FoxgloveSource>(host, port);
+std::unique_ptr<LiveSource> makeFoxgloveSource(const std::string& host, std::uint16_t port,
+                                               const std::vector<std::string>& jointNames) {
+  return std::make_unique<FoxgloveSource>(host, port, jointNames);
 }
 
 }  // namespace heft

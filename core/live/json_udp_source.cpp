@@ -19,8 +19,11 @@ constexpr double kSenderGone = 1.0;  ///< [s] after which the sender counts as g
 
 class JsonUdpSource : public ThreadedSource {
  public:
-  JsonUdpSource(std::string host, std::uint16_t port)
-      : ThreadedSource(fmt::format("JSON over UDP {}:{}", host, port)), host_(std::move(host)), port_(port) {}
+  JsonUdpSource(std::string host, std::uint16_t port, std::vector<std::string> jointNames)
+      : ThreadedSource(fmt::format("JSON over UDP {}:{}", host, port)),
+        host_(std::move(host)),
+        port_(port),
+        mapper_(std::move(jointNames)) {}
   ~JsonUdpSource() override { JsonUdpSource::stop(); }
 
  protected:
@@ -63,7 +66,7 @@ class JsonUdpSource : public ThreadedSource {
     if (!sample) {
       count([](SourceStatus& status) {
         ++status.malformed;
-        status.text = heft::say("The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.");
+        status.text = heft::say("The objects have neither joint angles or a pose, nor fx, fy, fz, tx, ty, tz.");
       });
       return;
     }
@@ -79,6 +82,7 @@ class JsonUdpSource : public ThreadedSource {
       lastStamp_ = stamp;
       sample->time = clock_.timeOf(stamp, now);
     }
+    if (const auto notes = mapper_.notes(); !notes.empty()) count([&](SourceStatus& status) { status.notes = notes; });
     setState(LinkState::live);
     if (std::isfinite(sample->time)) passOn(*sample);
   }
@@ -96,8 +100,9 @@ class JsonUdpSource : public ThreadedSource {
 
 }  // namespace
 
-std::unique_ptr<LiveSource> makeJsonUdpSource(const std::string& host, std::uint16_t port) {
-  return std::make_unique<JsonUdpSource>(host, port);
+std::unique_ptr<LiveSource> makeJsonUdpSource(const std::string& host, std::uint16_t port,
+                                              const std::vector<std::string>& jointNames) {
+  return std::make_unique<JsonUdpSource>(host, port, jointNames);
 }
 
 }  // namespace heft

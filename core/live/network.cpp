@@ -111,6 +111,54 @@ std::uint16_t UdpSocket::port() const {
   return ntohs(address.sin_port);
 }
 
+Result<TcpConnection> TcpConnection::connect(const std::string& host, std::uint16_t port, double seconds) {
+  const auto addresses = resolve(host, port, SOCK_STREAM);
+  if (!addresses) return unreachable(host, port, heft::say("cannot be found"));
+  TcpConnection out(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (out.number_ < 0) return unreachable(host, port, heft::say("cannot be reached"));
+  if (::connect(out.number_, addresses->ai_addr, addresses->ai_addrlen) == 0) return out;
+  int failure = errno;
+  socklen_t length = sizeof(failure);
+  if (failure == EINPROGRESS && waitFor(out.number_, POLLOUT, seconds))
+    ::getsockopt(out.number_, SOL_SOCKET, SO_ERROR, &failure, &length);
+  if (failure != 0) return unreachable(host, port, heft::say("cannot be reached"));
+  return out;
+}
+
+TcpConnection::TcpConnection(TcpConnection&& other) noexcept
+    : number_(std::exchange(other.number_, -1)), open_(std::exchange(other.open_, false)) {}
+TcpConnection& TcpConnection::operator=(TcpConnection&& other) noexcept {
+  std::swap(number_, other.number_);
+  std::swap(open_, other.open_);
+  return *this;
+}
+TcpConnection::~TcpConnection() {
+  if (number_ >= 0) ::close(number_);
+}
+
+std::string TcpConnection::receive(double seconds) {
+  if (!open_ || !waitFor(number_, POLLIN, seconds)) return {};
+  std::string bytes(65536, '\0');
+  const auto got = ::recv(number_, bytes.data(), bytes.size(), 0);
+  if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) open_ = false;
+  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return bytes;
+}
+
+bool TcpConnection::send(std::string_view bytes) {
+  while (open_ && !bytes.empty()) {
+    const auto sent = ::send(number_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent > 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(sent));
+    } else if (sent < 0 && errno == EAGAIN && waitFor(number_, POLLOUT, 1.0)) {
+      continue;
+    } else {
+      open_ = false;
+    }
+  }
+  return open_;
+}
+
 Result<std::string> httpGet(const std::string& host, std::uint16_t port, const std::string& path) {
   const double deadline = hostNow() + 2.0;
   const auto addresses = resolve(host, port, SOCK_STREAM);

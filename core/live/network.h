@@ -34,6 +34,27 @@ class UdpSocket {
   std::string sender_;  ///< Its socket address.
 };
 
+/// A connection over TCP and IPv4. Movable.
+class TcpConnection {
+ public:
+  /// Gives up after `seconds`.
+  static Result<TcpConnection> connect(const std::string& host, std::uint16_t port, double seconds);
+
+  TcpConnection(TcpConnection&& other) noexcept;
+  TcpConnection& operator=(TcpConnection&& other) noexcept;
+  ~TcpConnection();
+
+  /// What has come, at most 64 KB; empty after `seconds` or once the connection is gone: see open().
+  std::string receive(double seconds);
+  bool send(std::string_view bytes);
+  bool open() const { return open_; }
+
+ private:
+  explicit TcpConnection(int number) : number_(number) {}
+  int number_ = -1;
+  bool open_ = true;
+};
+
 /// The body of http://host:port/path, at most 1 MB, within two seconds.
 Result<std::string> httpGet(const std::string& host, std::uint16_t port, const std::string& path);
 

@@ -16,6 +16,7 @@ namespace heft {
 namespace {
 
 constexpr std::size_t kRecordBytes = 36;
+constexpr std::size_t kMostRecords = 40;     ///< In one packet, by the specification
 constexpr double kAskAgain = 1.0;            ///< [s] after which the stream is asked for again
 constexpr std::uint32_t kRemembered = 1000;  ///< Missing numbers that may still come late
 enum Command : unsigned char { kStop = 0, kRealTime = 2 };
@@ -101,11 +102,17 @@ class RdtSource : public ThreadedSource {
   }
 
   void take(const std::string& bytes, double now) {
-    if (bytes.size() != kRecordBytes) {
+    // Boxes that know buffered streaming alone send several records at once, whatever was asked for.
+    if (bytes.empty() || bytes.size() % kRecordBytes != 0 || bytes.size() > kMostRecords * kRecordBytes) {
       count([](SourceStatus& status) { ++status.malformed; });
       return;
     }
-    ByteReader reader(bytes, true);
+    for (std::size_t at = 0; at < bytes.size(); at += kRecordBytes)
+      takeRecord(std::string_view(bytes).substr(at, kRecordBytes), now);
+  }
+
+  void takeRecord(std::string_view record, double now) {
+    ByteReader reader(record, true);
     const auto number = reader.read<std::uint32_t>();
     reader.read<std::uint32_t>();  // the sensor's own sequence runs faster than the transfer
     const auto state = reader.read<std::uint32_t>();

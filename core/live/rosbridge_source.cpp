@@ -17,8 +17,8 @@ using nlohmann::json;
 
 class RosbridgeSource : public BridgeSource {
  public:
-  RosbridgeSource(std::string host, std::uint16_t port, RosbridgeTopics topics)
-      : BridgeSource("rosbridge", std::move(host), port, ""), wished_(std::move(topics)) {}
+  RosbridgeSource(std::string host, std::uint16_t port, RosbridgeTopics topics, std::vector<std::string> jointNames)
+      : BridgeSource("rosbridge", std::move(host), port, "", std::move(jointNames)), wished_(std::move(topics)) {}
   ~RosbridgeSource() override { RosbridgeSource::stop(); }
 
  protected:
@@ -31,7 +31,7 @@ class RosbridgeSource : public BridgeSource {
   }
 
   bool message(const WebSocketMessage& message) override {
-    const json object = json::parse(message.bytes, nullptr, false);
+    const json object = json::parse(withoutBareNaN(message.bytes), nullptr, false);
     if (!object.is_object()) return false;
     const auto text = [&](const char* key) {
       const auto found = object.find(key);
@@ -81,8 +81,9 @@ class RosbridgeSource : public BridgeSource {
 }  // namespace
 
 std::unique_ptr<LiveSource> makeRosbridgeSource(const std::string& host, std::uint16_t port,
-                                                const RosbridgeTopics& topics) {
-  return std::make_unique<RosbridgeSource>(host, port, topics);
+                                                const RosbridgeTopics& topics,
+                                                const std::vector<std::string>& jointNames) {
+  return std::make_unique<RosbridgeSource>(host, port, topics, jointNames);
 }
 
 }  // namespace heft

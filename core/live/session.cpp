@@ -3,7 +3,20 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/base/say.h"
+
 namespace heft {
+
+std::string missingPart(const SessionStatus& status) {
+  if (status.motions > 0 && status.wrenches > 0) return {};
+  if (status.motions == 0 && status.wrenches == 0)
+    return heft::say("Neither joint angles, a pose nor a wrench arrived: motion and wrench are both needed.");
+  if (status.motions == 0)
+    return heft::say(
+        "The wrench arrives, but no joint angles and no pose: add the robot as a second source, such as "
+        "foxglove:HOST, rosbridge:HOST or rtde:HOST.");
+  return heft::say("Joint angles or poses arrive, but no wrench: add the sensor as a second source, such as rdt:HOST.");
+}
 
 void SampleRing::push(const LiveSample& sample) {
   if (samples_.size() == capacity_) samples_.pop_front();
@@ -46,6 +59,8 @@ void LiveSession::stop() {
 
 void LiveSession::take(const LiveSample& part) {
   const std::lock_guard lock(mutex_);
+  if (part.hasMotion()) ++motions_;
+  if (part.wrench) ++wrenches_;
   complete_.clear();
   merger_.add(part, complete_);
   if (paused_) return;
@@ -81,6 +96,8 @@ SessionStatus LiveSession::status() const {
   for (const auto& source : sources_) out.sources.push_back(source->status());
   const std::lock_guard lock(mutex_);
   out.samples = ring_.total();
+  out.motions = motions_;
+  out.wrenches = wrenches_;
   out.late = merger_.late();
   out.unmatched = merger_.unmatched();
   out.recorded = recorder_ ? recorder_->rows() : 0;

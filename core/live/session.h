@@ -32,6 +32,8 @@ class SampleRing {
 struct SessionStatus {
   std::vector<SourceStatus> sources;
   std::uint64_t samples = 0;     ///< Complete ones
+  std::uint64_t motions = 0;     ///< Parts with joint angles or a pose
+  std::uint64_t wrenches = 0;    ///< Parts with a wrench
   std::uint64_t late = 0;        ///< Parts that came after their time
   std::uint64_t unmatched = 0;   ///< Parts without a partner
   std::uint64_t recorded = 0;    ///< Rows on disk or on their way
@@ -39,6 +41,9 @@ struct SessionStatus {
   double newest = 0.0;           ///< [s] hostNow() of the newest complete sample
   std::vector<int> wrapped;      ///< Joints, from 0, out of whose angles whole turns were taken
 };
+
+/// Which of motion and wrench has not come and what to do about it, in a sentence or two; empty where both have.
+std::string missingPart(const SessionStatus& status);
 
 /// All functions may be called from any thread.
 class LiveSession {
@@ -68,6 +73,7 @@ class LiveSession {
  private:
   void take(const LiveSample& part);
 
+  std::uint64_t motions_ = 0, wrenches_ = 0;
   std::vector<std::unique_ptr<LiveSource>> sources_;
   mutable std::mutex mutex_;
   StreamMerger merger_;

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/live/sources.h"
 #include "core/live/virtual_source.h"
+#include "core/motion/motion.h"
 
 namespace heft {
 
@@ -73,6 +74,16 @@ void ThreadedSource::setState(LinkState state, std::string text) {
   status_.text = std::move(text);
 }
 
+std::vector<std::string> jointNamesOf(const RecordingMeta& meta) {
+  std::vector<std::string> names;
+  Findings aside;
+  if (!meta.robot) return names;
+  if (const auto robot = robotFor(meta, aside))
+    for (const int joint : robot->movingJoints())
+      names.push_back(robot->joints()[static_cast<std::size_t>(joint)].name);
+  return names;
+}
+
 namespace {
 
 struct Address {
@@ -97,15 +108,15 @@ std::optional<double> positive(const std::string& text) {
 
 Error badAddress(const std::string& address) {
   return Error{
-      heft::say("\"{}\" is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], "
-                "udp:[HOST:]PORT, replay:FILE and virtual:SEED.",
+      heft::say("\"{}\" is no live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], "
+                "rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.",
                 printable(address, 100))};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
-                                                   const std::filesystem::path& replayMeta) {
+Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address, const std::filesystem::path& replayMeta,
+                                                   const std::vector<std::string>& jointNames) {
   Address parts;
   if (address == "virtual" || address.starts_with("virtual:")) {
     std::uint64_t seed = 1;
@@ -171,7 +182,7 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
   if (host.empty() && parts.kind != "udp") return badAddress(address);
   if (parts.kind == "udp") {
     if (auto failure = unknownParameter()) return *failure;
-    return makeJsonUdpSource(host.empty() ? "127.0.0.1" : host, *port);
+    return makeJsonUdpSource(host.empty() ? "127.0.0.1" : host, *port, jointNames);
   }
   if (parts.kind == "rdt") {
     RdtSettings settings;
@@ -190,16 +201,20 @@ Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
       return Error{heft::say("cpf and cpt, the counts per newton and per newton metre, belong together.")};
     return makeRdtSource(settings);
   }
+  if (parts.kind == "rtde") {
+    if (auto failure = unknownParameter()) return *failure;
+    return makeRtdeSource(host, port.value_or(30004));
+  }
   if (parts.kind == "foxglove") {
     if (auto failure = unknownParameter()) return *failure;
-    return makeFoxgloveSource(host, port.value_or(8765));
+    return makeFoxgloveSource(host, port.value_or(8765), jointNames);
   }
   if (parts.kind == "rosbridge") {
     RosbridgeTopics topics;
     topics.wrench = take("wrench");
     topics.joints = take("joints");
     if (auto failure = unknownParameter()) return *failure;
-    return makeRosbridgeSource(host, port.value_or(9090), topics);
+    return makeRosbridgeSource(host, port.value_or(9090), topics, jointNames);
   }
   return badAddress(address);
 }

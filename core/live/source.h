@@ -16,6 +16,7 @@
 
 #include "core/base/result.h"
 #include "core/math/rigid.h"
+#include "core/recording/recording.h"
 
 namespace heft {
 
@@ -46,7 +47,9 @@ struct SourceStatus {
   std::uint64_t malformed = 0;  ///< Not of the expected form; not used.
   std::uint64_t flagged = 0;    ///< Used, although the device reported an error or saturation with them.
   std::uint64_t disconnects = 0;
-  std::vector<std::string> topics;  ///< That samples come from.
+  std::vector<std::string> topics;              ///< That samples come from.
+  std::vector<std::string> notes;               ///< What was set aside, or cannot be read; whole sentences.
+  std::optional<ConfiguredPayload> configured;  ///< What the controller says that it carries
 };
 
 /// Called from the source's thread; must be quick.
@@ -97,6 +100,7 @@ class ThreadedSource : public LiveSource {
 };
 
 /// Sources by their address, as on the command line:
+///   rtde:HOST[:PORT]                 Universal Robots' controller: joints and the raw wrench of its sensor
 ///   rdt:HOST[:PORT][?cpf=N&cpt=N]    Net F/T; counts per N and N m are asked of the sensor over HTTP unless given
 ///   foxglove:HOST[:PORT]             Foxglove WebSocket bridge
 ///   rosbridge:HOST[:PORT]            rosbridge; ?wrench=TOPIC&joints=TOPIC where it cannot list topics
@@ -104,8 +108,13 @@ class ThreadedSource : public LiveSource {
 ///   replay:FILE[?speed=N]            a recording, in real time
 ///   virtual:[SEED]                   a simulated Panda with a tool that the seed chooses, moving by itself
 /// `replayMeta`: the meta file of a recording that is replayed; empty: its own, if it exists. A replay's samples are in
-/// the plain form. Fails with a sentence that lists these forms.
+/// the plain form. `jointNames`: of the arm, from base to tip, where it is known; joints are then found by name. Fails
+/// with a sentence that lists these forms.
 Result<std::unique_ptr<LiveSource>> makeLiveSource(const std::string& address,
-                                                   const std::filesystem::path& replayMeta = {});
+                                                   const std::filesystem::path& replayMeta = {},
+                                                   const std::vector<std::string>& jointNames = {});
+
+/// Names of the joints that move on the way to the sensor; none where no robot is named or it cannot be read.
+std::vector<std::string> jointNamesOf(const RecordingMeta& meta);
 
 }  // namespace heft

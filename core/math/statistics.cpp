@@ -30,11 +30,16 @@ double shareAlongOneDirection(const Eigen::MatrixXd& power) {
 
 void AutoCovariance::add(const Eigen::Ref<const Eigen::VectorXd>& noise,
                          const Eigen::Ref<const Eigen::VectorXd>& weights) {
-  const Eigen::VectorXd weighted = noise.cwiseProduct(weights);
-  const Eigen::Index n = noise.size();
+  addTaken(noise, weights);
+  count_ += weights.sum();
+}
+
+void AutoCovariance::addTaken(const Eigen::Ref<const Eigen::VectorXd>& taken,
+                              const Eigen::Ref<const Eigen::VectorXd>& weights) {
+  const Eigen::VectorXd weighted = taken.cwiseProduct(weights);
+  const Eigen::Index n = taken.size();
   for (Eigen::Index lag = 0; lag < std::min<Eigen::Index>(sums_.size(), n); ++lag)
     sums_(lag) += weighted.head(n - lag).dot(weighted.tail(n - lag));
-  count_ += weights.sum();
 }
 
 ArModel AutoCovariance::fit(int beyond) const {
@@ -64,8 +69,9 @@ ArModel AutoCovariance::fit(int beyond) const {
       best = static_cast<std::size_t>(p);
     }
   }
-  if (best > 0) best = std::min(best + static_cast<std::size_t>(beyond), models.size() - 1);
-  return models[best];
+  // Samples without neighbours, as standing poses are, have no memory to be told.
+  if (models.size() < 2 || sums_(1) == 0.0) return white;
+  return models[std::min(best + static_cast<std::size_t>(beyond), models.size() - 1)];
 }
 
 }  // namespace heft

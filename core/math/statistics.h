@@ -31,10 +31,11 @@ class AutoCovariance {
   explicit AutoCovariance(int maxOrder) : sums_(Eigen::VectorXd::Zero(maxOrder + 1)) {}
   /// Adds a contiguous stretch of zero-mean noise; weight 0 leaves a sample out of every product it takes part in.
   void add(const Eigen::Ref<const Eigen::VectorXd>& noise, const Eigen::Ref<const Eigen::VectorXd>& weights);
+  /// Adds to the products what a fit has taken from the noise that was added: no samples of its own.
+  void addTaken(const Eigen::Ref<const Eigen::VectorXd>& taken, const Eigen::Ref<const Eigen::VectorXd>& weights);
   double count() const { return count_; }
-  /// Yule-Walker fit by Levinson-Durbin; the order up to the maximum that minimises BIC. Always stable. Where there is
-  /// any memory, `beyond` more orders are taken than BIC asks for: it leaves out what it cannot prove, and slow noise
-  /// comes out too weak.
+  /// Yule-Walker fit by Levinson-Durbin; the order up to the maximum that minimises BIC. Always stable. `beyond` more
+  /// orders are taken than BIC asks for: it leaves out what it cannot prove, and slow noise comes out too weak.
   ArModel fit(int beyond = 0) const;
 
  private:

@@ -278,7 +278,7 @@ void requireSensorAxes(const Recording& recording) {
 Result<RobotModel> robotFor(const RecordingMeta& meta, Findings& findings) {
   if (!meta.robot) return Error{heft::say("The recording names no robot.")};
   if (*meta.robot == "panda") return RobotModel::panda();
-  return RobotModel::fromUrdfFile(*meta.robot, findings);
+  return RobotModel::fromUrdfFile(*meta.robot, findings, meta.mount.parent);
 }
 
 Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot) {

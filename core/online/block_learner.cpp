@@ -61,6 +61,9 @@ Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels) {
   }
   calm(out);
   learnNoise(out, false);
+  LearnedNoise learned = withTaken({out.noise, out.weights, {}}, out.blocks, out.runs, out.silent, false);
+  out.noise = std::move(learned.noise);
+  out.weights = std::move(learned.weights);
   return out;
 }
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <future>
 #include <numbers>
 #include <utility>
 
 #include "core/base/say.h"
 #include "core/estimation/prepare.h"
+#include "core/math/statistics.h"
 #include "core/motion/motion.h"
 #include "core/motion/mount_link.h"
 #include "core/online/block_learner.h"
@@ -29,6 +31,12 @@ constexpr Eigen::Index kFirstChoice = 100;
 constexpr Eigen::Index kAtOnce = 150;       // blocks that are learned from within a step,
 constexpr Eigen::Index kLearningTime = 10;  // and how many blocks later the result is taken over where there are more;
 constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the smoothing
+/// No number is told while the fit misses the force by more than half of what it does (standard deviations), and by more
+/// than so many times what the readings scatter by themselves: what is missed then is no noise.
+constexpr double kDescribes = 0.5, kAboveScatter = 5.0;
+constexpr std::size_t kFewestSteps = 200;  // Samples whose stamps tell the jitter
+constexpr double kJitterShare = 0.2;       // Of a step from which on it is told,
+constexpr double kJitter = 2e-4;           // and [s]
 constexpr Eigen::Index kSuspicious = 50;    // blocks of contact after which nothing is learned until it is over
 
 }  // namespace
@@ -68,6 +76,7 @@ struct OnlineEstimator::Impl {
   std::optional<double> toolChanged;
   Findings events;
   double newestTime = 0.0;
+  std::deque<double> steps;  ///< Between the newest samples [s]
   mutable OnlineState state;
   mutable bool stale = true;
 
@@ -122,6 +131,37 @@ struct OnlineEstimator::Impl {
     }
     stale = true;
     return news;
+  }
+
+  /// How far time stamps are from even steps [s]: a stamp that is off makes two steps wrong.
+  double jitter() const {
+    return steps.size() < kFewestSteps ? 0.0 : robustStd({steps.begin(), steps.end()}) / std::numbers::sqrt2;
+  }
+
+  /// Whether what the fit leaves over in the forces is anything like what the sensor scatters.
+  bool fitAgrees() const {
+    const LaneBlocks& all = lanes[chosen].blocks;
+    const auto& judged = learner.judged();
+    std::array<std::vector<double>, 3> left, bends, load;
+    for (std::size_t k = 2; k < std::min(judged.size(), all.wrench.size()); ++k) {
+      if (judged[k] != Judged::free || judged[k - 1] != Judged::free || judged[k - 2] != Judged::free) continue;
+      const Vector6d missed = all.wrench[k] - learner.solution().bias - all.Y[k] * learner.solution().phi;
+      const Vector6d bend = all.wrench[k] - 2.0 * all.wrench[k - 1] + all.wrench[k - 2];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto i = static_cast<Eigen::Index>(c);
+        left[c].push_back(missed(i));
+        bends[c].push_back(bend(i));
+        load[c].push_back(all.wrench[k](i));
+      }
+    }
+    if (left[0].size() < static_cast<std::size_t>(kFirst) / 2) return true;
+    double missed = 0.0, scatter = 0.0, made = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      missed += std::pow(robustStd(left[c]), 2);
+      scatter += std::pow(robustStd(bends[c]), 2) / 6.0;
+      made += std::pow(robustStd(load[c]), 2);
+    }
+    return missed < kDescribes * kDescribes * made || missed < kAboveScatter * kAboveScatter * scatter;
   }
 
   /// Contact for a while and still: it may be another tool, which must not become part of what is learned.
@@ -333,7 +373,23 @@ void OnlineEstimator::Impl::fillState() const {
          heft::say("Check the source."),
          {}});
   for (const auto& finding : lanes[chosen].findings) state.findings.push_back(finding);
-  state.estimated = learner.estimated();
+  if (const double off = jitter(); stream.ready() && off > std::max(kJitter, kJitterShare / stream.rateHz()))
+    state.findings.push_back(
+        {Severity::warning,
+         "stamps_jitter",
+         heft::say("The samples' time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had "
+                   "from such a motion.",
+                   1e3 * off, 1e3 / stream.rateHz()),
+         heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
+         {}});
+  state.estimated = learner.estimated() && fitAgrees();
+  if (learner.estimated() && !state.estimated)
+    state.findings.push_back(
+        {Severity::warning,
+         "no_agreement",
+         heft::say("A rigid tool does not describe the readings yet, so no number is told."),
+         heft::say("Check the time stamps, the wrench's sign and axes, and that nothing touches the tool."),
+         {}});
   if (state.estimated) {
     const double rate = all.rateHz > 0.0 ? all.rateHz : kBlockRate;
     state.usedDuration = static_cast<double>(learner.usedBlocks()) / rate;
@@ -403,6 +459,8 @@ bool OnlineEstimator::add(const OnlineSample& sample) {
     self.stale = true;
     return false;
   }
+  if (self.samples > 0) self.steps.push_back(sample.time - self.newestTime);
+  if (self.steps.size() > 5 * kFewestSteps) self.steps.pop_front();
   ++self.samples;
   self.newestTime = sample.time;
   ++self.sinceStep;
@@ -417,6 +475,7 @@ void OnlineEstimator::restart() {
   impl_->begin();
   impl_->samples = impl_->dropped = 0;
   impl_->gaps = 0;
+  impl_->steps.clear();
 }
 
 const OnlineState& OnlineEstimator::state() const {

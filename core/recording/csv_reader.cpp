@@ -10,6 +10,7 @@
 #include "core/recording/checks.h"
 #include "core/recording/columns.h"
 #include "core/recording/csv_table.h"
+#include "core/recording/number.h"
 
 namespace heft {
 
@@ -278,6 +279,46 @@ Result<ReadRecording> parseRecording(std::string_view csv, const std::string& na
   return RecordingParser(csv, name, std::move(meta)).parse(progress);
 }
 
+std::optional<Error> contractMisfit(std::string_view head, const std::string& name, const RecordingMeta& meta) {
+  const auto header = csv::readHeader(head, name);
+  if (!header) return header.error();
+  Findings aside;
+  const auto map = mapColumns(header->names, meta, {name, header->line, 0}, aside);
+  if (!map) return map.error();
+  if (map->time == 0) return std::nullopt;
+  // The time of the first row with any content.
+  std::string_view body = header->body;
+  while (!body.empty()) {
+    const auto line = body.substr(0, body.find(header->newline));
+    body.remove_prefix(std::min(body.size(), line.size() + 1));
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    std::string_view cell = line;
+    for (long f = 1; f < map->time; ++f) {
+      const auto stop = cell.find(header->separator);
+      if (stop == std::string_view::npos) return std::nullopt;
+      cell.remove_prefix(stop + 1);
+    }
+    cell = cell.substr(0, cell.find(header->separator));
+    // Seconds since 1970 are below 1e10 for another 260 years; a date or a decimal comma has digits and marks.
+    double time = 0.0;
+    const auto first = cell.find_first_not_of(" \t\"");
+    if (first == std::string_view::npos) return std::nullopt;
+    cell.remove_prefix(first);
+    const char* const end = csv::parseNumber(cell.data(), cell.data() + cell.size(), time);
+    const char next = end == cell.data() + cell.size() ? '\0' : *end;
+    const bool date = end != cell.data() && (next == '-' || next == ':' || next == '/' || next == '.' || next == 'T');
+    const bool commas = header->separator != ',' && line.find(',') != std::string_view::npos;
+    const bool epoch = time > 1e11;
+    // A row of units below the names has "s" or "[ms]" there.
+    const bool unit =
+        end == cell.data() && cell.size() <= 8 && cell.find_first_of("0123456789") == std::string_view::npos;
+    if (!date && !commas && !epoch && !unit) return std::nullopt;
+    return errorAt({name, header->line + 1, map->time},
+                   heft::say("\"{}\" in column time is no number of seconds.", printable(cell, 40)));
+  }
+  return std::nullopt;
+}
+
 Result<ReadRecording> checkRecording(Recording recording, NumberForm form) {
   ReadRecording read{std::move(recording), {}};
   Recording& checked = read.recording;
@@ -338,6 +379,7 @@ Result<ReadRecording> readRecording(const std::filesystem::path& csv, const Read
     if (!read) return read.error();
     meta = std::move(*read);
   }
+  if (!options.robot.empty()) meta.robot = options.robot;
   auto result = parseRecording(*text, name, std::move(meta), progress);
   if (result) result->findings.insert(result->findings.begin(), findings.begin(), findings.end());
   return result;

@@ -7,6 +7,8 @@
 // left out, quaternions brought to length 1 and one sign, turns taken out of angles that wrap, a line cut off at the
 // end dropped. Units, axes and signs are converted where the meta file states them (conventions.h), never by a guess.
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/base/progress.h"
@@ -20,6 +22,7 @@ inline constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
 
 struct ReadOptions {
   std::filesystem::path metaFile;  ///< Empty: NAME.meta.json beside NAME.csv if it exists.
+  std::string robot = {};          ///< Instead of the meta file's; empty: the meta file's.
 };
 
 struct ReadRecording {
@@ -29,6 +32,10 @@ struct ReadRecording {
 
 /// NAME.meta.json beside NAME.csv.
 std::filesystem::path metaFileOf(const std::filesystem::path& csv);
+
+/// Why a text is no recording in the contract's form, judged by its beginning `head`: its names, their units, and
+/// whether the first row's cells are numbers of such a size as the contract's seconds. Nothing where it is one.
+std::optional<Error> contractMisfit(std::string_view head, const std::string& name, const RecordingMeta& meta);
 
 /// The error holds the first fatal defect as one sentence with file:line:column and a remedy.
 Result<ReadRecording> readRecording(const std::filesystem::path& csv, const ReadOptions& options = {},

@@ -297,10 +297,11 @@ Result<Header> readHeader(std::string_view text, const std::string& file) {
   header.names = splitLine(line, header.separator);
   if (header.names.size() > kMaxColumns)
     return errorAt({file, header.line, 0}, heft::say("the header has more than {} columns.", kMaxColumns), remedy);
-  if (std::all_of(header.names.begin(), header.names.end(),
-                  [](const std::string& name) { return name.empty() || isNumber(name); }))
+  const auto numbers = static_cast<std::size_t>(std::count_if(header.names.begin(), header.names.end(), &isNumber));
+  const auto empty = static_cast<std::size_t>(std::count(header.names.begin(), header.names.end(), std::string()));
+  if (numbers + empty == header.names.size() || (numbers >= 3 && 2 * numbers >= header.names.size()))
     return errorAt(
-        {file, header.line, 0}, heft::say("the first row holds no column names."),
+        {file, header.line, 0}, heft::say("the first row looks like data, not like column names."),
         heft::say("Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz."));
   if (header.names.size() > 1 && header.names.back().empty()) header.names.pop_back();
   return header;

@@ -25,6 +25,31 @@ std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& 
   return stretches;
 }
 
+std::vector<FrozenStretch> frozenAlone(const VectorXd& time, const Changes& channel, const Changes& all) {
+  constexpr double kShortest = 0.25;  // [s]
+  std::vector<FrozenStretch> out;
+  for (const auto& stretch : frozenStretches(time, channel, kShortest))
+    if (4 * countIn(all, stretch.from + 1, stretch.to) > stretch.length()) out.push_back(stretch);
+  return out;
+}
+
+std::vector<FrozenStretch> hungPostures(const VectorXd& time, const Eigen::Ref<const MatrixXd>& postures) {
+  constexpr double kShortest = 0.1;  // [s]
+  constexpr double kLeap = 10.0;     // Over what nine of ten steps stay below
+  const Changes changes = changesOf(postures);
+  std::vector<double> steps;
+  for (Eigen::Index k = 1; k < postures.rows(); ++k)
+    if (changes[static_cast<std::size_t>(k)] != 0) steps.push_back((postures.row(k) - postures.row(k - 1)).norm());
+  std::vector<FrozenStretch> out;
+  if (steps.empty()) return out;
+  const auto ninth = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(steps.size() - 1));
+  std::nth_element(steps.begin(), ninth, steps.end());
+  for (const auto& stretch : frozenStretches(time, changes, kShortest))
+    if (stretch.to < postures.rows() && (postures.row(stretch.to) - postures.row(stretch.to - 1)).norm() > kLeap * *ninth)
+      out.push_back(stretch);
+  return out;
+}
+
 std::array<bool, 6> silentChannels(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench) {
   constexpr double kHardlyElse = 0.9;
   std::array<bool, 6> out{};

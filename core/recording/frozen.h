@@ -34,6 +34,14 @@ struct FrozenStretch {
 /// usual, so that slow or coarse sensors do not count. `time`: of each row [s].
 std::vector<FrozenStretch> frozenStretches(const VectorXd& time, const Changes& changes, double shortest);
 
+/// The stretches of 0.25 s and more in which one channel stands still while others go on: it was not measured there, or
+/// the sensor was saturated. `all`: changes of any channel.
+std::vector<FrozenStretch> frozenAlone(const VectorXd& time, const Changes& channel, const Changes& all);
+
+/// The stretches of 0.1 s and more in which a posture (a row each) stands still and from which it leaps: a logger that
+/// hung; an arm that stood starts gently.
+std::vector<FrozenStretch> hungPostures(const VectorXd& time, const Eigen::Ref<const MatrixXd>& postures);
+
 /// Which channels hardly ever read anything else than one value: they were not measured, or say nothing for their
 /// steps. `wrench`: a row each.
 std::array<bool, 6> silentChannels(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);

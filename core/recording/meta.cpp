@@ -10,6 +10,7 @@
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
+#include "core/recording/robot_name.h"
 
 namespace heft {
 
@@ -95,25 +96,12 @@ class MetaReader {
   Failure readRobot(const Json& root) {
     const auto* value = member(root, "robot");
     if (value == nullptr) return std::nullopt;
-    const std::string remedy = heft::say("Write \"panda\", the path of a URDF, or null.");
     if (!value->is_string() || value->get_ref<const std::string&>().empty())
-      return fail("robot", heft::say("must be a text, not {}", shown(*value)), remedy);
-    const auto& text = value->get_ref<const std::string&>();
-    if (text == "panda") {
-      meta_.robot = text;
-      return std::nullopt;
-    }
-    if (text.find('\0') != std::string::npos) return fail("robot", heft::say("holds a zero byte"), remedy);
-    const std::filesystem::path path(text);
-    if (path.extension() == ".xacro")
-      return fail("robot", heft::say("\"{}\" is a xacro file", printable(text)),
-                  heft::say("Expand it to a URDF first: xacro in.xacro > out.urdf."));
-    if (!path.has_extension() && path.filename() == path)
-      return fail("robot", heft::say("\"{}\" is no robot that Heft knows", printable(text)), remedy);
-    const auto full = path.is_absolute() ? path : folder_ / path;
-    std::error_code ec;
-    const auto absolute = std::filesystem::absolute(full, ec);
-    meta_.robot = (ec ? full : absolute).lexically_normal().string();
+      return fail("robot", heft::say("must be a text, not {}", shown(*value)),
+                  heft::say("Write \"panda\", the path of a URDF, or null."));
+    auto named = robotNamed(value->get_ref<const std::string&>(), folder_, name_ + ": robot");
+    if (!named) return named.error();
+    meta_.robot = std::move(*named);
     return std::nullopt;
   }
 

@@ -8,6 +8,7 @@
 #include "core/base/findings.h"
 #include "core/math/rigid.h"
 #include "core/payload/inertial_parameters.h"
+#include "core/recording/configured_payload.h"
 #include "core/recording/conventions.h"
 
 namespace heft {
@@ -71,6 +72,7 @@ struct Recording {
   bool wrenchNeedsPose = false;
   std::vector<std::optional<MarkLabel>> labels;  ///< From the column `label`; empty if there is none.
   std::vector<ExtraColumn> extra;                ///< Columns that Heft does not know, kept for writing back.
+  std::optional<ConfiguredPayload> configured;   ///< What the controller was told, where the file tells it.
 
   Eigen::Index rows() const { return time.size(); }
   bool hasJoints() const { return q.rows() > 0; }

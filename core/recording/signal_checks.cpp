@@ -135,11 +135,7 @@ class SignalChecker {
                     heft::say("The sensor's data stopped there; mark it as \"ignore\"."));
     for (const auto& channel : wrench_) {
       if (!everChanges(channel.changes)) continue;
-      std::vector<FrozenStretch> own;
-      for (const auto& stretch : frozenStretches(time_, channel.changes, 0.25)) {
-        const bool othersLive = 4 * countIn(wrenchChanges_, stretch.from + 1, stretch.to) > stretch.length();
-        if (othersLive) own.push_back(stretch);
-      }
+      const auto own = frozenAlone(time_, channel.changes, wrenchChanges_);
       if (!own.empty())
         noteStretches(
             channel.name(), channel.field, own,
@@ -169,17 +165,7 @@ class SignalChecker {
   }
   template <class Matrix>
   void noteHang(const Matrix& values, long field) {
-    const auto changes = changesOf(values);
-    if (!everChanges(changes)) return;
-    std::vector<double> steps;
-    for (Eigen::Index k = 1; k < rows_; ++k)
-      if (changes[static_cast<std::size_t>(k)] != 0) steps.push_back((values.row(k) - values.row(k - 1)).norm());
-    const auto ninth = steps.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(steps.size() - 1));
-    std::nth_element(steps.begin(), ninth, steps.end());
-    std::vector<FrozenStretch> hangs;
-    for (const auto& stretch : frozenStretches(time_, changes, 0.1))
-      if (stretch.to < rows_ && (values.row(stretch.to) - values.row(stretch.to - 1)).norm() > 10.0 * *ninth)
-        hangs.push_back(stretch);
+    const auto hangs = hungPostures(time_, values);
     if (!hangs.empty())
       noteStretches(heft::say("The posture"), field, hangs,
                     heft::say("It jumps afterwards: the robot's data stopped there; mark it as \"ignore\"."));

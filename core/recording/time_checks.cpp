@@ -76,8 +76,9 @@ std::optional<Error> checkSteps(const Examined& examined) {
   // Nobody guides an arm for hours at one sample a second: such times are milliseconds or nanoseconds.
   if (median > kSlowestMotion || (median > 0.2 && time.size() > 1000))
     return errorAt(examined.at(1, field), heft::say("the time rises by {:.6g} s from row to row (median).", median),
-                   (median >= 1e5 ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
-                                  : heft::say("Write time in seconds, not milliseconds.")) +
+                   (median >= 1e5   ? heft::say("Write time in seconds, not nanoseconds or microseconds.")
+                    : median >= 1e3 ? heft::say("Write time in seconds, not microseconds.")
+                                    : heft::say("Write time in seconds, not milliseconds.")) +
                        " " + remedy(Remedy::sayStandingPoses));
   if (median < 2e-5)
     examined.note(Severity::warning, "time_unit", examined.column(field),

@@ -36,10 +36,24 @@ std::vector<Below> measure(const UrdfTree& tree) {
   return below;
 }
 
+/// Which links the way from the root to the link of that name passes; none if there is no such link.
+std::vector<bool> leadsTo(const UrdfTree& tree, std::string_view name) {
+  std::vector<bool> leads(tree.links.size(), false);
+  const auto found = std::ranges::find(tree.links, name, &Link::name);
+  if (name.empty() || found == tree.links.end()) return leads;
+  for (auto link = static_cast<std::size_t>(found - tree.links.begin());;) {
+    leads[link] = true;
+    const int joint = tree.links[link].parentJoint;
+    if (joint < 0) return leads;
+    link = static_cast<std::size_t>(tree.joints[static_cast<std::size_t>(joint)].joint.parentLink);
+  }
+}
+
 struct Branch {
   int joint;
   int turning;
   int independent;
+  bool carriesSensor;
 };
 
 bool isHand(const std::vector<Branch>& branches, int jointsSoFar) {
@@ -57,8 +71,9 @@ bool isHand(const std::vector<Branch>& branches, int jointsSoFar) {
 
 }  // namespace
 
-std::vector<int> chooseColumns(const UrdfTree& tree) {
+std::vector<int> chooseColumns(const UrdfTree& tree, std::string_view sensorLink) {
   const std::vector<Below> below = measure(tree);
+  const std::vector<bool> leads = leadsTo(tree, sensorLink);
   std::vector<std::vector<int>> children(tree.links.size());
   for (std::size_t k = 0; k < tree.joints.size(); ++k) {
     children[tree.joints[k].joint.parentLink].push_back(static_cast<int>(k));
@@ -73,10 +88,11 @@ std::vector<int> chooseColumns(const UrdfTree& tree) {
       if (!moves && !child.moves) continue;
       const bool independent = moves && joint.mimics.empty();
       branches.push_back({k, child.turning + (independent && joint.joint.type == JointType::revolute ? 1 : 0),
-                          child.independent + (independent ? 1 : 0)});
+                          child.independent + (independent ? 1 : 0), leads[joint.joint.childLink]});
     }
     if (branches.empty() || isHand(branches, static_cast<int>(columns.size()))) break;
     const Branch& best = *std::max_element(branches.begin(), branches.end(), [](const Branch& a, const Branch& b) {
+      if (a.carriesSensor != b.carriesSensor) return b.carriesSensor;
       return a.turning != b.turning ? a.turning < b.turning : a.independent < b.independent;
     });
     const UrdfJoint& next = tree.joints[best.joint];

@@ -36,23 +36,25 @@ double clampTo(const JointLimits& limits, double value) { return std::clamp(valu
 
 }  // namespace
 
-Result<RobotModel> RobotModel::fromUrdfFile(const std::filesystem::path& file, Findings& findings) {
+Result<RobotModel> RobotModel::fromUrdfFile(const std::filesystem::path& file, Findings& findings,
+                                            std::string_view sensorLink) {
   Result<std::string> text = readTextFile(file);
   if (!text) return text.error();
   Result<UrdfTree> tree = readUrdf(*text, displayName(file), file.parent_path(), findings);
   if (!tree) return tree.error();
-  return assemble(std::move(*tree), displayName(file), findings);
+  return assemble(std::move(*tree), displayName(file), sensorLink, findings);
 }
 
 Result<RobotModel> RobotModel::fromUrdfText(const std::string& urdf, const std::filesystem::path& baseFolder,
-                                            Findings& findings) {
+                                            Findings& findings, std::string_view sensorLink) {
   Result<UrdfTree> tree = readUrdf(urdf, "URDF", baseFolder, findings);
   if (!tree) return tree.error();
-  return assemble(std::move(*tree), "URDF", findings);
+  return assemble(std::move(*tree), "URDF", sensorLink, findings);
 }
 
-Result<RobotModel> RobotModel::assemble(UrdfTree tree, const std::string& file, Findings& findings) {
-  const std::vector<int> columns = chooseColumns(tree);
+Result<RobotModel> RobotModel::assemble(UrdfTree tree, const std::string& file, std::string_view sensorLink,
+                                        Findings& findings) {
+  const std::vector<int> columns = chooseColumns(tree, sensorLink);
   if (columns.empty()) {
     return errorAt({file, 0, 0}, heft::say("Robot \"{}\" has no joint that moves.", printable(tree.name)),
                    heft::say("Give an arm's URDF."));

@@ -65,7 +65,8 @@ struct UrdfTree;
 
 /// Immutable after loading, safe to share between threads. B is the frame of the root link.
 ///
-/// The columns of q are the moving joints on the way to the deepest turning joint. Joints beside that way (a gripper's
+/// The columns of q are the moving joints on the way to the link that carries the sensor and on to the deepest turning
+/// joint; where no such link is named, to the deepest turning joint of all. Joints beside that way (a gripper's
 /// fingers, a second arm) are held at zero, or at their nearest limit, with a finding; a joint that mimics one of q's
 /// joints follows it. A branching with only short chains behind an arm of four or more joints is taken as a hand.
 ///
@@ -74,9 +75,11 @@ class RobotModel {
  public:
   /// Reads a URDF. Everything odd but survivable (unphysical inertia, missing mesh, unnormalised axis) is a finding;
   /// what makes the kinematics unsure (two parents, zero axis, unexpanded xacro) is a finding and fails.
-  static Result<RobotModel> fromUrdfFile(const std::filesystem::path& file, Findings& findings);
+  /// `sensorLink`: the link that carries the sensor; empty, or no link of this robot: not known.
+  static Result<RobotModel> fromUrdfFile(const std::filesystem::path& file, Findings& findings,
+                                         std::string_view sensorLink = {});
   static Result<RobotModel> fromUrdfText(const std::string& urdf, const std::filesystem::path& baseFolder,
-                                         Findings& findings);
+                                         Findings& findings, std::string_view sensorLink = {});
   /// The project's own Panda, embedded in the program: kinematics always work; its meshes lie in the data folder.
   static const RobotModel& panda();
 
@@ -125,7 +128,8 @@ class RobotModel {
   };
   std::vector<Chain> chains_;  ///< One a link.
 
-  static Result<RobotModel> assemble(UrdfTree tree, const std::string& file, Findings& findings);
+  static Result<RobotModel> assemble(UrdfTree tree, const std::string& file, std::string_view sensorLink,
+                                     Findings& findings);
   void buildChains();
   const Chain& chainTo(int link, Eigen::Index columns) const;
 };

@@ -35,7 +35,7 @@ Result<UrdfTree> readUrdf(const std::string& text, const std::string& file, cons
 void checkUrdf(const XmlElement& robot, const std::string& file, Findings& findings);
 
 /// Which joints are q's columns, from base to tip (see RobotModel). Empty if nothing moves.
-std::vector<int> chooseColumns(const UrdfTree& tree);
+std::vector<int> chooseColumns(const UrdfTree& tree, std::string_view sensorLink);
 
 /// Lets every joint that mimics one with a column follow it: index, ratio and offset.
 void followMimics(UrdfTree& tree);
@@ -46,10 +46,6 @@ void holdOthers(UrdfTree& tree, const std::string& file, Findings& findings);
 /// The visuals of every link, by link name. A visual that cannot be understood is left out with a warning.
 std::map<std::string, std::vector<Visual>> readVisuals(const XmlElement& robot, const std::string& file,
                                                        const std::filesystem::path& baseFolder, Findings& findings);
-
-/// Where a mesh's uri leads (package://, model://, file://, absolute or relative to `baseFolder`). A package is looked
-/// for upwards from baseFolder, then in ROS_PACKAGE_PATH, then in AMENT_PREFIX_PATH. nullopt: no such file anywhere.
-std::optional<std::filesystem::path> resolveMeshUri(const std::string& uri, const std::filesystem::path& baseFolder);
 
 /// Exactly `count` finite numbers separated by blanks, or nullopt.
 std::optional<std::vector<double>> parseNumbers(std::string_view text, std::size_t count);

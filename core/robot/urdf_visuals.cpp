@@ -1,3 +1,4 @@
+#include "core/base/package_uri.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/robot/urdf_reader.h"
@@ -133,7 +134,7 @@ class VisualReader {
       warn(shape, "bad_visual", heft::say("a mesh of link \"{}\" has no filename", link), heft::say("It is not drawn"));
       return false;
     }
-    if (const auto found = resolveMeshUri(uri, baseFolder_)) {
+    if (const auto found = resolveUri(uri, baseFolder_)) {
       visual.file = *found;
       return true;
     }

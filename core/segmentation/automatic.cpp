@@ -197,21 +197,6 @@ void markStanding(const WrenchRows& rows, SegmentBlocks& blocks) {
   }
 }
 
-void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks, Findings& findings) {
-  const double half = 0.5 / rows.rateHz;
-  for (const auto& trouble : sensorTrouble(recording)) {
-    const int note = blocks.addReason(trouble.reason);
-    for (Eigen::Index k = 0; k < rows.size(); ++k)
-      if (rows.time(k) + half > trouble.from && rows.time(k) - half < trouble.to)
-        blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
-    findings.push_back({Severity::warning,
-                        "sensor_trouble",
-                        heft::say("{:.2f} to {:.2f} s: {}", trouble.from, trouble.to, trouble.reason),
-                        heft::say("That stretch is left out."),
-                        {}});
-  }
-}
-
 /// A long stretch that one payload does not explain may be another payload between two parts of the first: picked up
 /// and put down again. Cuts the one part there.
 void splitAtStretches(const WrenchRows& rows, const FitWindows& windows, const Vector6d& allowed,
@@ -286,6 +271,39 @@ void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::o
 }
 
 }  // namespace
+
+void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks, Findings& findings) {
+  constexpr std::size_t kListed = 3;
+  const double half = 0.5 / rows.rateHz;
+  std::vector<std::pair<std::string, std::vector<Trouble>>> byReason;
+  for (const auto& trouble : sensorTrouble(recording)) {
+    const auto known = std::find_if(byReason.begin(), byReason.end(),
+                                    [&](const auto& other) { return other.first == trouble.reason; });
+    (known == byReason.end() ? byReason.emplace_back(trouble.reason, std::vector<Trouble>{}) : *known)
+        .second.push_back(trouble);
+  }
+  for (const auto& [reason, stretches] : byReason) {
+    const int note = blocks.addReason(reason);
+    std::vector<std::string> where;
+    double lasts = 0.0;
+    for (const auto& trouble : stretches) {
+      const auto first =
+          static_cast<Eigen::Index>(std::floor((trouble.from - half - rows.startTime) * rows.rateHz)) + 1;
+      for (Eigen::Index k = std::max<Eigen::Index>(0, first); k < rows.size() && rows.time(k) - half < trouble.to; ++k)
+        blocks.set(k, MarkLabel::ignore, SegmentKind::sensorTrouble, note);
+      lasts += trouble.to - trouble.from;
+      if (where.size() < kListed) where.push_back(heft::say("{:.2f} to {:.2f} s", trouble.from, trouble.to));
+    }
+    const std::string all = stretches.size() > kListed ? heft::say("{} and {} more stretches, {:.2g} s in all",
+                                                                   joined(where), stretches.size() - kListed, lasts)
+                                                       : joined(where);
+    findings.push_back({Severity::warning,
+                        "sensor_trouble",
+                        heft::say("{}: {}", all, reason),
+                        heft::say("What is there is left out; mark it as free to use it."),
+                        {}});
+  }
+}
 
 /// Where a rigid tool explains next to nothing, the misfit is larger than usual rather than everything contact: more is
 /// allowed until a quarter of the recording is free.

@@ -38,6 +38,9 @@ struct SegmentBlocks {
   }
 };
 
+/// Labels what sensorTrouble() finds "ignore", and says so: a finding a reason.
+void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks, Findings& findings);
+
 /// What a rigid payload explains, what pushes, where the payload changes, where the sensor fails and where the tool
 /// rests, without looking at the user's marks.
 SegmentBlocks automaticBlocks(const Recording& recording, const WrenchRows& rows,

@@ -100,7 +100,7 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
       if (std::abs(found.level) < kZero * (wrench.col(c).maxCoeff() - wrench.col(c).minCoeff())) continue;
       double still = 0.0, elsewhere = 0.0;
       for (std::size_t i = 1; i < fresh.size(); ++i) {
-        if (wrench(fresh[i], c) == found.level) continue;
+        if (std::find(ends.begin(), ends.end(), wrench(fresh[i], c)) != ends.end()) continue;
         elsewhere += 1.0;
         still += wrench(fresh[i], c) == wrench(fresh[i - 1], c) ? 1.0 : 0.0;
       }
@@ -115,6 +115,15 @@ std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wr
       out.push_back(std::move(found));
     }
   }
+  return out;
+}
+
+std::array<bool, 6> mostlyCutOff(const std::vector<FlatTop>& tops, Eigen::Index rows) {
+  std::array<Eigen::Index, 6> cut{};
+  for (const FlatTop& top : tops)
+    for (const auto& [from, to] : top.runs) cut[static_cast<std::size_t>(top.channel)] += to - from;
+  std::array<bool, 6> out{};
+  for (std::size_t c = 0; c < 6; ++c) out[c] = 2 * cut[c] > rows;
   return out;
 }
 

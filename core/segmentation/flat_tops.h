@@ -1,6 +1,7 @@
 #pragma once
 // Channels that are cut off at one value.
 #include <Eigen/Core>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -18,5 +19,8 @@ struct FlatTop {
 /// as a whole, and rows of zeros, count for nothing. Nothing is said of a channel whose steps are so coarse that it
 /// mostly stands still: there a smooth signal piles up by itself; nor of zeros, where small readings are lost.
 std::vector<FlatTop> flatTops(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench);
+
+/// Which channels are cut off in more than half of the rows: they say next to nothing.
+std::array<bool, 6> mostlyCutOff(const std::vector<FlatTop>& tops, Eigen::Index rows);
 
 }  // namespace heft

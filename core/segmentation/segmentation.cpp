@@ -124,6 +124,7 @@ Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, Seg
   Segmentation out;
   SegmentBlocks blocks = mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings)
                                                         : SegmentBlocks(rows.size());
+  if (mode == SegmentMode::marks) markTrouble(recording, rows, blocks, out.findings);
   const int byUser = static_cast<int>(blocks.reasons.size()) + 1;
   if (mode != SegmentMode::all) applyMarks(recording, rows, mode, blocks);
   out.segments = segmentsFrom(rows, blocks, mode, byUser);

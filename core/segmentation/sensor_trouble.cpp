@@ -3,10 +3,53 @@
 #include <algorithm>
 
 #include "core/base/say.h"
+#include "core/math/statistics.h"
 #include "core/recording/frozen.h"
 #include "core/segmentation/flat_tops.h"
 
 namespace heft {
+
+namespace {
+
+std::string nameOf(Eigen::Index channel) {
+  static constexpr const char* kNames[] = {heft::toSay("Force x"),  heft::toSay("Force y"),  heft::toSay("Force z"),
+                                           heft::toSay("Torque x"), heft::toSay("Torque y"), heft::toSay("Torque z")};
+  return heft::say(fmt::runtime(kNames[channel]));
+}
+
+/// Near its limit a noisy channel is at it in some rows and below it in others; it is cut off in all of them.
+std::vector<FrozenStretch> cutStretches(const FlatTop& flat, const VectorXd& time) {
+  constexpr double kBetween = 0.04;    // [s]
+  constexpr Eigen::Index kFewest = 3;  // Rows at the level: one or two are there by chance
+  std::vector<FrozenStretch> out;
+  Eigen::Index atLevel = 0;
+  const auto close = [&] {
+    if (!out.empty() && atLevel < kFewest) out.pop_back();
+    atLevel = 0;
+  };
+  for (const auto& [from, to] : flat.runs) {
+    if (out.empty() || atLevel == 0 || time(from) - time(out.back().to - 1) > kBetween) {
+      close();
+      out.push_back({from, to});
+    }
+    out.back().to = to;
+    atLevel += to - from;
+  }
+  close();
+  return out;
+}
+
+void addGaps(const VectorXd& time, std::vector<Trouble>& out) {
+  constexpr double kSteps = 3.0, kLeast = 0.02;  // Usual steps; [s]: a block of the estimate
+  std::vector<double> steps;
+  for (Eigen::Index k = 1; k < time.size(); ++k) steps.push_back(time(k) - time(k - 1));
+  const double usual = median(steps);
+  for (Eigen::Index k = 1; k < time.size(); ++k)
+    if (steps[static_cast<std::size_t>(k - 1)] > std::max(kSteps * usual, kLeast))
+      out.push_back({time(k - 1), time(k), heft::say("Nothing was recorded here.")});
+}
+
+}  // namespace
 
 std::vector<Trouble> sensorTrouble(const Recording& recording) {
   std::vector<Trouble> out;
@@ -14,19 +57,30 @@ std::vector<Trouble> sensorTrouble(const Recording& recording) {
   const VectorXd& time = recording.time;
   if (wrench.rows() < 20) return out;
   constexpr double kShortest = 0.05;  // [s]
-  for (const FrozenStretch& hung : frozenStretches(time, changesOf(wrench), kShortest))
-    if (hung.length() < wrench.rows())
-      out.push_back({time(hung.from), time(hung.to - 1),
-                     heft::say("The sensor's values stand still here: it sent nothing new.")});
-  static constexpr const char* kNames[] = {heft::toSay("Force x"),  heft::toSay("Force y"),  heft::toSay("Force z"),
-                                           heft::toSay("Torque x"), heft::toSay("Torque y"), heft::toSay("Torque z")};
-  for (const FlatTop& flat : flatTops(wrench))
-    for (const auto& [from, to] : flat.runs)
-      if (to - from >= 10 && time(to - 1) - time(from) >= 0.01)
-        out.push_back(
-            {time(from), time(to - 1),
-             heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",
-                       heft::say(fmt::runtime(kNames[flat.channel])), flat.level, flat.channel < 3 ? "N" : "N m")});
+  const auto add = [&](const FrozenStretch& stretch, const std::string& reason) {
+    if (stretch.length() < wrench.rows()) out.push_back({time(stretch.from), time(stretch.to - 1), reason});
+  };
+  const Changes changes = changesOf(wrench);
+  for (const FrozenStretch& hung : frozenStretches(time, changes, kShortest))
+    add(hung, heft::say("The sensor's values stand still here: it sent nothing new."));
+  const auto silent = silentChannels(wrench);
+  const auto tops = flatTops(wrench);
+  const auto cut = mostlyCutOff(tops, wrench.rows());
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    if (silent[static_cast<std::size_t>(c)] || cut[static_cast<std::size_t>(c)]) continue;
+    for (const FrozenStretch& alone : frozenAlone(time, changesOf(wrench.col(c)), changes))
+      add(alone, heft::say("{} stands still here while others go on: it was not measured.", nameOf(c)));
+  }
+  for (const FrozenStretch& hung :
+       hungPostures(time, recording.hasOrientation() ? MatrixXd(recording.quaternion) : recording.q))
+    add(hung, heft::say("The posture stands still here and leaps afterwards: the robot sent nothing new."));
+  for (const FlatTop& flat : tops) {
+    if (cut[static_cast<std::size_t>(flat.channel)]) continue;
+    const std::string reason = heft::say("{} is cut off at {:.4g} {}: the sensor is at the end of its range.",
+                                         nameOf(flat.channel), flat.level, flat.channel < 3 ? "N" : "N m");
+    for (const FrozenStretch& stretch : cutStretches(flat, time)) add(stretch, reason);
+  }
+  addGaps(time, out);
   std::sort(out.begin(), out.end(), [](const Trouble& a, const Trouble& b) { return a.from < b.from; });
   return out;
 }

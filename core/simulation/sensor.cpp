@@ -79,7 +79,7 @@ void measureJoints(const SimulateOptions& options, MatrixXd& q, MatrixXd& dq) {
   for (Eigen::Index j = 0; j < q.cols(); ++j) {
     RandomStream random(options.seed, RandomPurpose::encoder, static_cast<std::uint64_t>(j));
     for (Eigen::Index k = 0; k < q.rows(); ++k) {
-      q(k, j) += options.positionNoise * random.normal();
+      q(k, j) = rounded(q(k, j) + options.positionNoise * random.normal(), options.positionStep);
       dq(k, j) = rounded(dq(k, j), options.velocityQuantum);
     }
   }

@@ -219,6 +219,13 @@ Result<ExportChoice> readExport(const json& object, const Reader& reader) {
   for (const auto candidate : {ExportChoice::Role::unasked, ExportChoice::Role::ownTool, ExportChoice::Role::extraLoad})
     if (toString(candidate) == role) out.role = candidate;
   if (memberOf(object, "mounted_answered").is_boolean()) out.mountedAnswered = object["mounted_answered"].get<bool>();
+  const json& tcp = memberOf(object, "tcp_m");
+  if (!tcp.is_null()) {
+    const bool three = tcp.is_array() && tcp.size() == 3 &&
+                       std::all_of(tcp.begin(), tcp.end(), [](const json& each) { return each.is_number(); });
+    if (!three) return reader.wrong("tcp_m", heft::say("should be three numbers"));
+    out.tcp = {tcp[0].get<double>(), tcp[1].get<double>(), tcp[2].get<double>()};
+  }
   const json& mounted = memberOf(object, "mounted");
   if (mounted.is_null()) return out;
   if (!mounted.is_array()) return reader.wrong("mounted", heft::say("should be a list"));
@@ -261,11 +268,13 @@ std::string sessionText(const Session& session, const fs::path& folder, bool asR
                                   {"trim", numberOrNull(session.settings.trim)}},
                                  memberOf(kept, "settings"))},
            {"known_payload", known(session.settings.known)},
-           {"export", withKept({{"format", session.exporting.format},
-                                {"role", toString(session.exporting.role)},
-                                {"mounted", std::move(mounted)},
-                                {"mounted_answered", session.exporting.mountedAnswered}},
-                               memberOf(kept, "export"))},
+           {"export",
+            withKept({{"format", session.exporting.format},
+                      {"role", toString(session.exporting.role)},
+                      {"mounted", std::move(mounted)},
+                      {"mounted_answered", session.exporting.mountedAnswered},
+                      {"tcp_m", {session.exporting.tcp.x(), session.exporting.tcp.y(), session.exporting.tcp.z()}}},
+                     memberOf(kept, "export"))},
            {"view", withKept(std::move(view), memberOf(kept, "view"))}};
   return withKept(std::move(out), kept).dump(2) + "\n";
 }
@@ -329,7 +338,7 @@ Result<Session> parseSession(std::string_view text, const std::string& name, con
   };
   keepInside("shape", {"answer", "picture", "shape"});
   keepInside("settings", {"method", "parameters", "bias", "trim"});
-  keepInside("export", {"format", "role", "mounted", "mounted_answered"});
+  keepInside("export", {"format", "role", "mounted", "mounted_answered", "tcp_m"});
   keepInside("view", {"step", "home"});
   if (!kept.empty()) out.kept = kept.dump();
   return out;

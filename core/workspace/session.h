@@ -66,7 +66,8 @@ struct ExportChoice {
   enum class Role { unasked, ownTool, extraLoad };
   Role role = Role::unasked;
   std::vector<MountedPart> mounted;
-  bool mountedAnswered = false;  ///< "Nothing else" is an answer, too.
+  bool mountedAnswered = false;     ///< "Nothing else" is an answer, too.
+  Vector3d tcp = Vector3d::Zero();  ///< Tool centre point from the flange, F axes [m]; only some formats carry it.
 };
 
 struct Session {

@@ -119,18 +119,6 @@
         <source>The readings themselves show it.</source>
         <translation>Die Messwerte selbst zeigen es.</translation>
     </message>
-    <message>
-        <source>very strong</source>
-        <translation>sehr stark</translation>
-    </message>
-    <message>
-        <source>strong</source>
-        <translation>stark</translation>
-    </message>
-    <message>
-        <source>just visible</source>
-        <translation>eben sichtbar</translation>
-    </message>
     <message numerus="yes">
         <source>%n false alarm(s) in %1 simulated clean runs.</source>
         <translation>
@@ -185,10 +173,6 @@
     <message>
         <source>Check on the rig:</source>
         <translation>Am Aufbau prüfen:</translation>
-    </message>
-    <message>
-        <source>Show this stretch in the plots</source>
-        <translation>Diesen Abschnitt in den Kurven zeigen</translation>
     </message>
     <message>
         <source>Two causes possible</source>
@@ -318,6 +302,133 @@
         <source> Most of it lies between %1 and %2 Hz.</source>
         <translation> Das meiste davon liegt zwischen %1 und %2 Hz.</translation>
     </message>
+    <message>
+        <source>very strong evidence</source>
+        <translation>sehr starke Belege</translation>
+    </message>
+    <message>
+        <source>strong evidence</source>
+        <translation>starke Belege</translation>
+    </message>
+    <message>
+        <source>weak evidence</source>
+        <translation>schwache Belege</translation>
+    </message>
+    <message>
+        <source>large effect</source>
+        <translation>große Wirkung</translation>
+    </message>
+    <message>
+        <source>moderate effect</source>
+        <translation>mittlere Wirkung</translation>
+    </message>
+    <message>
+        <source>small effect</source>
+        <translation>kleine Wirkung</translation>
+    </message>
+    <message>
+        <source>I%1%2 %3 → %4 kg cm²</source>
+        <translation>I%1%2 %3 → %4 kg cm²</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>mass ± %1 → ± %2 kg</source>
+        <translation>Masse ± %1 → ± %2 kg</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Explains a part</source>
+        <translation>Erklärt einen Teil</translation>
+    </message>
+    <message>
+        <source>What is left is %1 times the noise: something else is at work, too, or instead.</source>
+        <translation>Übrig bleibt das %1-Fache des Rauschens: Noch etwas anderes wirkt mit, oder statt dessen.</translation>
+    </message>
+    <message>
+        <source>Show it below the arm</source>
+        <translation>Unter dem Arm zeigen</translation>
+    </message>
+    <message>
+        <source>Measured and simulated, without and with this cause, where it shows best</source>
+        <translation>Gemessen und simuliert, ohne und mit dieser Ursache, wo man sie am besten sieht</translation>
+    </message>
+    <message>
+        <source>“Apply” takes out the first, “%1”, which fits a little better.</source>
+        <translation>„Anwenden“ nimmt die erste heraus, „%1“, die etwas besser passt.</translation>
+    </message>
+</context>
+<context>
+    <name>CauseMarks</name>
+    <message>
+        <source>%1, drawn %2× larger</source>
+        <translation>%1, %2× größer gezeichnet</translation>
+    </message>
+    <message>
+        <source>Something touched the tool</source>
+        <translation>Etwas hat das Werkzeug berührt</translation>
+    </message>
+    <message>
+        <source>%1 N at %2 s</source>
+        <translation>%1 N bei %2 s</translation>
+    </message>
+    <message>
+        <source>The sensor’s true axes</source>
+        <translation>Wahre Achsen des Sensors</translation>
+    </message>
+    <message>
+        <source>rotated by %1°</source>
+        <translation>um %1° verdreht</translation>
+    </message>
+    <message>
+        <source>The sensor’s true origin</source>
+        <translation>Wahrer Ursprung des Sensors</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm entfernt</translation>
+    </message>
+    <message>
+        <source>True gravity</source>
+        <translation>Wahre Schwerkraft</translation>
+    </message>
+    <message>
+        <source>base tilted by %1°</source>
+        <translation>Sockel um %1° gekippt</translation>
+    </message>
+    <message>
+        <source>A steady pull</source>
+        <translation>Ein stetiger Zug</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>The load became heavier</source>
+        <translation>Die Last wurde schwerer</translation>
+    </message>
+    <message>
+        <source>The load became lighter</source>
+        <translation>Die Last wurde leichter</translation>
+    </message>
+    <message>
+        <source>%1 g from %2 s on</source>
+        <translation>%1 g ab %2 s</translation>
+    </message>
+    <message>
+        <source>Something loose swings</source>
+        <translation>Etwas Loses schwingt</translation>
+    </message>
+    <message>
+        <source>%1 g at %2 Hz</source>
+        <translation>%1 g mit %2 Hz</translation>
+    </message>
 </context>
 <context>
     <name>ExportText</name>
@@ -380,6 +491,22 @@
     <message>
         <source>body</source>
         <translation>Körper</translation>
+    </message>
+    <message>
+        <source>You chose to write numbers that nothing in the recording supports. %1</source>
+        <translation>Sie wollten Zahlen schreiben, die nichts in der Aufnahme stützt. %1</translation>
+    </message>
+    <message>
+        <source>gravity compensation</source>
+        <translation>Schwerkraftausgleich</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The tool centre point is written at the flange. Loading the file puts the controller’s TCP there: state it above if it is elsewhere.</source>
+        <translation>Der Werkzeugmittelpunkt steht am Flansch. Beim Laden setzt die Steuerung ihren TCP dorthin: Liegt er woanders, geben Sie ihn oben an.</translation>
     </message>
 </context>
 <context>
@@ -694,6 +821,10 @@
         <source>swing from the wrist</source>
         <translation>aus dem Handgelenk schwingen</translation>
     </message>
+    <message>
+        <source>%1 %2 kg</source>
+        <translation>%1 %2 kg</translation>
+    </message>
 </context>
 <context>
     <name>MarkText</name>
@@ -772,10 +903,6 @@
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Opened &amp;lately</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
         <source>&amp;Save the session</source>
         <translation>Sitzung &amp;speichern</translation>
     </message>
@@ -818,10 +945,6 @@
     <message>
         <source>Whole &amp;recording in the plots</source>
         <translation>Ganze &amp;Aufnahme in den Kurven</translation>
-    </message>
-    <message>
-        <source>&amp;Details</source>
-        <translation>&amp;Einzelheiten</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -890,6 +1013,14 @@
     <message>
         <source>Where the &amp;numbers come from …</source>
         <translation>&amp;Woher die Werte kommen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>D&amp;etails</source>
+        <translation>D&amp;etails</translation>
     </message>
 </context>
 <context>
@@ -1242,6 +1373,96 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+</context>
+<context>
+    <name>ReadingCard</name>
+    <message>
+        <source>Error in %1 [%2]</source>
+        <translation>Fehler in %1 [%2]</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Haltung</translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>read so</source>
+        <translation>so gelesen</translation>
+    </message>
+    <message>
+        <source>What a rigid tool leaves unexplained, as stated and read so</source>
+        <translation>Was ein starres Werkzeug unerklärt lässt, wie angegeben und so gelesen</translation>
+    </message>
+    <message>
+        <source>As stated, the tool would weigh %1 kg.</source>
+        <translation>Wie angegeben, wöge das Werkzeug %1 kg.</translation>
+    </message>
+    <message>
+        <source>Two readings possible</source>
+        <translation>Zwei Lesarten möglich</translation>
+    </message>
+    <message>
+        <source>Not what the meta file says</source>
+        <translation>Anders als die Meta-Datei sagt</translation>
+    </message>
+    <message>
+        <source>Fits as well:</source>
+        <translation>Passt ebenso:</translation>
+    </message>
+    <message>
+        <source>To decide:</source>
+        <translation>Zur Entscheidung:</translation>
+    </message>
+    <message>
+        <source>At the driver:</source>
+        <translation>Am Treiber:</translation>
+    </message>
+    <message>
+        <source>Read so</source>
+        <translation>So gelesen</translation>
+    </message>
+    <message>
+        <source>Read as stated again</source>
+        <translation>Wieder wie angegeben lesen</translation>
+    </message>
+    <message>
+        <source>Read it so</source>
+        <translation>So lesen</translation>
+    </message>
+    <message>
+        <source>The session reads this recording so; the file stays as it is. Ctrl+Z takes it back.</source>
+        <translation>Die Sitzung liest diese Aufnahme so; die Datei bleibt, wie sie ist. Strg+Z nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
     <name>RealityPage</name>
     <message>
         <source>This is where the simulation differs from your data.</source>
@@ -1272,10 +1493,6 @@ Bitte prüfen Sie den Namen.</translation>
             <numerusform>%n Berichtigung angewandt</numerusform>
             <numerusform>%n Berichtigungen angewandt</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Result, prediction and export use them.</source>
-        <translation>Ergebnis, Vorhersage und Ausgabe benutzen sie.</translation>
     </message>
     <message numerus="yes">
         <source>%n cause(s) found</source>
@@ -1314,24 +1531,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Ergebnis hat sich geändert:</translation>
     </message>
     <message>
-        <source>Your result changes:</source>
-        <translation>Ihr Ergebnis ändert sich:</translation>
-    </message>
-    <message>
         <source>That is %1 times the uncertainty it was stated with.</source>
         <translation>Das ist das %1-Fache der angegebenen Unsicherheit.</translation>
     </message>
     <message>
         <source>That is less than the uncertainty it was stated with.</source>
         <translation>Das ist weniger als die angegebene Unsicherheit.</translation>
-    </message>
-    <message>
-        <source>The meta file should say this instead</source>
-        <translation>Die Meta-Datei sollte stattdessen dies sagen</translation>
-    </message>
-    <message>
-        <source>Save the corrected meta file …</source>
-        <translation>Berichtigte Meta-Datei speichern …</translation>
     </message>
     <message>
         <source>Writes a copy of the meta file with these entries; later recordings then start out right.</source>
@@ -1373,20 +1578,72 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ihr Ergebnis ist gleich geblieben.</translation>
     </message>
     <message>
-        <source>Your result stays the same.</source>
-        <translation>Ihr Ergebnis bleibt gleich.</translation>
-    </message>
-    <message>
-        <source>Mass and centre change by less than their last digit here.</source>
-        <translation>Masse und Schwerpunkt ändern sich um weniger als die letzte gezeigte Stelle.</translation>
-    </message>
-    <message>
         <source>Error there: %1 → %2.</source>
         <translation>Fehler dort: %1 → %2.</translation>
     </message>
     <message>
         <source>Also noticed</source>
         <translation>Außerdem bemerkt</translation>
+    </message>
+    <message>
+        <source>Included in result, simulation and export.</source>
+        <translation>In Ergebnis, Simulation und Export enthalten.</translation>
+    </message>
+    <message>
+        <source>With all causes applied your result stays the same.</source>
+        <translation>Mit allen Ursachen bleibt Ihr Ergebnis gleich.</translation>
+    </message>
+    <message>
+        <source>If you apply it, your result stays the same.</source>
+        <translation>Wenn Sie sie anwenden, bleibt Ihr Ergebnis gleich.</translation>
+    </message>
+    <message>
+        <source>Mass, centre and inertia change by less than their last digit here.</source>
+        <translation>Masse, Schwerpunkt und Trägheit ändern sich um weniger als ihre letzte Stelle hier.</translation>
+    </message>
+    <message>
+        <source>With all causes applied your result changes:</source>
+        <translation>Mit allen Ursachen ändert sich Ihr Ergebnis:</translation>
+    </message>
+    <message>
+        <source>If you apply it, your result changes:</source>
+        <translation>Wenn Sie sie anwenden, ändert sich Ihr Ergebnis:</translation>
+    </message>
+    <message>
+        <source>It becomes less certain: %1. Motion and cause are hard to tell apart here.</source>
+        <translation>Es wird unsicherer: %1. Bewegung und Ursache sind hier schwer zu trennen.</translation>
+    </message>
+    <message>
+        <source>Rotation of the sensor about x, y, z</source>
+        <translation>Drehung des Sensors um x, y, z</translation>
+    </message>
+    <message>
+        <source>Place of the sensor in x, y, z</source>
+        <translation>Lage des Sensors in x, y, z</translation>
+    </message>
+    <message>
+        <source>Gravity in x, y, z</source>
+        <translation>Schwerkraft in x, y, z</translation>
+    </message>
+    <message>
+        <source>Enter this under Robot and sensor</source>
+        <translation>Das gehört unter „Roboter und Sensor“</translation>
+    </message>
+    <message>
+        <source>Robot and sensor …</source>
+        <translation>Roboter und Sensor …</translation>
+    </message>
+    <message>
+        <source>Save as a meta file …</source>
+        <translation>Als Meta-Datei speichern …</translation>
+    </message>
+    <message>
+        <source>Recording to check on</source>
+        <translation>Aufnahme zum Prüfen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
     </message>
 </context>
 <context>
@@ -1454,6 +1711,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.</source>
         <translation>Geben Sie es unter Werkzeuge, „Roboter und Sensor“, „Konventionen der Zahlen“ an: %1.</translation>
+    </message>
+    <message>
+        <source>The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.</source>
+        <translation>Der Schritt Realitätsprüfung liest sie mit einem Klick so; oder geben Sie es unter Werkzeuge, „Roboter und Sensor“ an: %1.</translation>
+    </message>
+    <message>
+        <source>If the file has no clock, state its rate, rate_hz, in the map file beside it.</source>
+        <translation>Hat die Datei keine Uhr, nennen Sie ihre Rate, rate_hz, in der Zuordnungsdatei daneben.</translation>
     </message>
 </context>
 <context>
@@ -1788,6 +2053,42 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Your tool seems to weigh %1 kg.</source>
         <translation>Ihr Werkzeug wiegt anscheinend %1 kg.</translation>
     </message>
+    <message>
+        <source>No weight can be told yet.</source>
+        <translation>Noch lässt sich kein Gewicht nennen.</translation>
+    </message>
+    <message>
+        <source>The readings do not tell it as they are understood.</source>
+        <translation>So verstanden, verraten die Messwerte es nicht.</translation>
+    </message>
+    <message>
+        <source>moved by your shape, %1 σ</source>
+        <translation>von Ihrer Form verschoben, %1 σ</translation>
+    </message>
+    <message>
+        <source>the recording says %1 kg, %2 % away</source>
+        <translation>die Aufnahme nennt %1 kg, %2 % entfernt</translation>
+    </message>
+    <message>
+        <source>%1 mm from the centre that the recording states</source>
+        <translation>%1 mm vom Schwerpunkt, den die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>%1 % from the inertia that the recording states</source>
+        <translation>%1 % von der Trägheit, die die Aufnahme nennt</translation>
+    </message>
+    <message>
+        <source>The reality check found a cause that is not applied: %1</source>
+        <translation>Die Realitätsprüfung fand eine Ursache, die nicht angewendet ist: %1</translation>
+    </message>
+    <message>
+        <source>The reality check found %1 causes that are not applied: %2</source>
+        <translation>Die Realitätsprüfung fand %1 Ursachen, die nicht angewendet sind: %2</translation>
+    </message>
+    <message>
+        <source>With it: %1.</source>
+        <translation>Mit ihr: %1.</translation>
+    </message>
 </context>
 <context>
     <name>RobotChoice</name>
@@ -1798,6 +2099,21 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1 has no link “%2”: choose the link that carries the sensor under Tools, “Robot and sensor”.</source>
         <translation>%1 hat kein Glied „%2“: Wählen Sie das Glied, das den Sensor trägt, unter Werkzeuge, „Roboter und Sensor“.</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>A clean demonstration, 0.8 kg</source>
+        <translation>Eine saubere Vorführung, 0,8 kg</translation>
+    </message>
+    <message>
+        <source>A hose pulls at the tool</source>
+        <translation>Ein Schlauch zieht am Werkzeug</translation>
+    </message>
+    <message>
+        <source>The force readings come late</source>
+        <translation>Die Kraftmesswerte kommen zu spät</translation>
     </message>
 </context>
 <context>
@@ -2479,10 +2795,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Markieren Sie sie von Hand, wenn das falsch ist.</translation>
     </message>
     <message>
-        <source>On stretches that were not used for fitting, the model misses the measured force by {:.2g} N, where the sensor&apos;s own scatter is {:.2g} N: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
-        <translation>Auf Abschnitten, die nicht zum Anpassen dienten, verfehlt das Modell die gemessene Kraft um {:.2g} N, wo der Sensor selbst um {:.2g} N streut: Etwas anderes als ein starres Werkzeug wirkt mit (Kontakt, Drift, Verspätung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
-    </message>
-    <message>
         <source>Trust is low: the true values may lie outside the intervals. Look at where the difference is large.</source>
         <translation>Das Vertrauen ist gering: Die wahren Werte können außerhalb der Bereiche liegen. Sehen Sie nach, wo die Differenz groß ist.</translation>
     </message>
@@ -2601,10 +2913,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Tilt it into several directions: at rest its weight and the sensor&apos;s bias look alike.</source>
         <translation>Neigen Sie es in mehrere Richtungen: In Ruhe sehen sein Gewicht und der Nullpunkt des Sensors gleich aus.</translation>
-    </message>
-    <message>
-        <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz.</source>
-        <translation>Die aufgenommene Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet.</translation>
     </message>
     <message>
         <source>The search for the shape&apos;s material did not settle.</source>
@@ -2745,10 +3053,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Left out, as they are no tables of numbers: {}.</source>
         <translation>Ausgelassen, weil es keine Zahlentabellen sind: {}.</translation>
-    </message>
-    <message>
-        <source>The datasets of {} rows in /{} have no dataset of times beside them and were left out.</source>
-        <translation>Neben den Datensätzen mit {} Zeilen in /{} steht keiner mit Zeiten; sie wurden ausgelassen.</translation>
     </message>
     <message>
         <source>The selected datasets hold more than {} million numbers; the rest was not read.</source>
@@ -3703,14 +4007,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Um die andere Last zu bestimmen, markieren Sie ihren Teil als frei.</translation>
     </message>
     <message>
-        <source>{:.2f} to {:.2f} s: {}</source>
-        <translation>{:.2f} bis {:.2f} s: {}</translation>
-    </message>
-    <message>
-        <source>That stretch is left out.</source>
-        <translation>Dieser Abschnitt wird ausgelassen.</translation>
-    </message>
-    <message>
         <source>Marked by you.</source>
         <translation>Von Ihnen markiert.</translation>
     </message>
@@ -3829,10 +4125,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Estimating the payload again</source>
         <translation>Die Last wird neu geschätzt</translation>
-    </message>
-    <message>
-        <source>Nothing in {} touches nothing for long enough to check a cause on it.</source>
-        <translation>In {} ist kein Stück lange genug ohne Berührung, um eine Ursache daran zu prüfen.</translation>
     </message>
     <message>
         <source>Trying causes</source>
@@ -4035,10 +4327,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>es ist nichts darin, was Heft lesen kann.</translation>
     </message>
     <message>
-        <source>{} could not be read again.</source>
-        <translation>{} ließ sich kein zweites Mal lesen.</translation>
-    </message>
-    <message>
         <source>Was the file changed meanwhile?</source>
         <translation>Wurde die Datei inzwischen geändert?</translation>
     </message>
@@ -4049,10 +4337,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Record again, or choose other columns.</source>
         <translation>Nehmen Sie noch einmal auf, oder wählen Sie andere Spalten.</translation>
-    </message>
-    <message>
-        <source>State it in a map file, for instance {{&quot;offset_s&quot;: {{&quot;{}&quot;: 0.0}}}} (seconds added to its times).</source>
-        <translation>Nennen Sie sie in einer Zuordnungsdatei, zum Beispiel {{&quot;offset_s&quot;: {{&quot;{}&quot;: 0.0}}}} (Sekunden, die zu ihren Zeiten addiert werden).</translation>
     </message>
     <message>
         <source>{:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force)</source>
@@ -4069,10 +4353,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>&quot;{}&quot; is no column of a recording.</source>
         <translation>„{}“ ist keine Spalte einer Aufnahme.</translation>
-    </message>
-    <message>
-        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the groups joints, velocities, position, quaternion, wrench.</source>
-        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz und die Gruppen joints, velocities, position, quaternion, wrench.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; has no {} that Heft can find by name.</source>
@@ -4259,10 +4539,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>An {}:{} kommt nichts an.</translation>
     </message>
     <message>
-        <source>The objects have neither q1 to q7 or a pose, nor fx, fy, fz, tx, ty, tz.</source>
-        <translation>Die Objekte haben weder q1 bis q7 oder eine Pose noch fx, fy, fz, tx, ty, tz.</translation>
-    </message>
-    <message>
         <source>{}:{} {}. Check the name, the cable and the firewall.</source>
         <translation>{}:{} {}. Prüfen Sie Namen, Kabel und Firewall.</translation>
     </message>
@@ -4325,10 +4601,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{} has {} joints; live samples have seven at most.</source>
         <translation>{} hat {} Gelenke; live sind höchstens sieben möglich.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no live source. Sources are rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
-        <translation>„{}“ ist keine Live-Quelle. Quellen sind rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:ZAHL.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; in &quot;{}&quot; is not known.</source>
@@ -4675,10 +4947,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Es ist kein Roboter genannt; bei sieben Gelenken wird ein Franka Panda angenommen, mit dem Sensor am Flansch.</translation>
     </message>
     <message>
-        <source>Name it in the meta file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
-        <translation>Nennen Sie ihn in der Meta-Datei: &quot;robot&quot;: &quot;panda&quot; oder der Pfad eines URDF.</translation>
-    </message>
-    <message>
         <source>there are {} joints but no robot is named.</source>
         <translation>es gibt {} Gelenke, aber es ist kein Roboter genannt.</translation>
     </message>
@@ -4843,10 +5111,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>die Kopfzeile hat mehr als {} Spalten.</translation>
     </message>
     <message>
-        <source>the first row holds no column names.</source>
-        <translation>die erste Zeile enthält keine Spaltennamen.</translation>
-    </message>
-    <message>
         <source>Put a header above the numbers, for instance time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.</source>
         <translation>Schreiben Sie über die Zahlen eine Kopfzeile, zum Beispiel time,q1,q2,q3,q4,q5,q6,q7,fx,fy,fz,tx,ty,tz.</translation>
     </message>
@@ -4875,20 +5139,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Schreiben Sie &quot;panda&quot;, den Pfad eines URDF oder null.</translation>
     </message>
     <message>
-        <source>holds a zero byte</source>
-        <translation>enthält ein Null-Byte</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is a xacro file</source>
-        <translation>„{}“ ist eine xacro-Datei</translation>
-    </message>
-    <message>
         <source>Expand it to a URDF first: xacro in.xacro &gt; out.urdf.</source>
         <translation>Wandeln Sie sie zuerst in ein URDF um: xacro in.xacro &gt; out.urdf.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no robot that Heft knows</source>
-        <translation>„{}“ ist kein Roboter, den Heft kennt</translation>
     </message>
     <message>
         <source>must be &quot;motion&quot; or &quot;poses&quot;, not {}</source>
@@ -5243,10 +5495,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Realitätsprüfung enthält kein erweitertes Modell, das diese Heft-Version versteht; führen Sie sie noch einmal aus.</translation>
     </message>
     <message>
-        <source>Sensor&apos;s zero jumped</source>
-        <translation>Sensornull gesprungen</translation>
-    </message>
-    <message>
         <source>Was there a knock, a loose plug, or a program that zeroed the sensor while recording?</source>
         <translation>Gab es einen Stoß, einen losen Stecker oder ein Programm, das den Sensor während der Aufnahme genullt hat?</translation>
     </message>
@@ -5257,10 +5505,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The difference is flat, steps once, and is flat again, however the tool is held.</source>
         <translation>Die Abweichung ist flach, macht eine Stufe und ist wieder flach, wie man das Werkzeug auch hält.</translation>
-    </message>
-    <message>
-        <source>Sensor drifts</source>
-        <translation>Sensor wandert</translation>
     </message>
     <message>
         <source>Let the sensor warm up for half an hour, keep draughts off it, and zero it often.</source>
@@ -5275,10 +5519,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung steigt oder sinkt langsam über die ganze Aufnahme und kümmert sich nicht um die Bewegung.</translation>
     </message>
     <message>
-        <source>Readings late</source>
-        <translation>Messwerte verspätet</translation>
-    </message>
-    <message>
         <source>Do force and joint angles get their time from one clock, at the source?</source>
         <translation>Bekommen Kraft und Gelenkwinkel ihre Zeit von einer Uhr, gleich an der Quelle?</translation>
     </message>
@@ -5289,10 +5529,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The difference is large where the force changes fast and zero where it rests, with the full height kept.</source>
         <translation>Die Abweichung ist groß, wo sich die Kraft schnell ändert, und null, wo sie ruht; die Höhe bleibt erhalten.</translation>
-    </message>
-    <message>
-        <source>Readings smoothed</source>
-        <translation>Messwerte geglättet</translation>
     </message>
     <message>
         <source>Is a filter or averaging switched on in the sensor&apos;s amplifier or driver?</source>
@@ -5307,10 +5543,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verspätet wie bei einer Verzögerung, aber Spitzen sind auch niedriger, und das Rauschen wirkt weich.</translation>
     </message>
     <message>
-        <source>Accelerations late</source>
-        <translation>Beschleunigungen verspätet</translation>
-    </message>
-    <message>
         <source>Record the plain joint angles at the full rate, without smoothing.</source>
         <translation>Die reinen Gelenkwinkel mit voller Rate aufnehmen, ohne Glättung.</translation>
     </message>
@@ -5321,10 +5553,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Slow turning fits well; only starts and stops leave a difference.</source>
         <translation>Langsames Drehen passt gut; nur Anfahren und Anhalten lassen eine Abweichung.</translation>
-    </message>
-    <message>
-        <source>Sensor mounted turned</source>
-        <translation>Sensor verdreht montiert</translation>
     </message>
     <message>
         <source>Compare the arrows printed on the sensor with the mount in the meta file.</source>
@@ -5355,10 +5583,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Abweichung, die ihre Richtung im Raum behält und mit dem Gewicht des Werkzeugs wächst.</translation>
     </message>
     <message>
-        <source>One channel reads wrong</source>
-        <translation>Ein Kanal misst falsch</translation>
-    </message>
-    <message>
         <source>Hang a known weight from each side of the sensor; check its calibration file.</source>
         <translation>Ein bekanntes Gewicht an jede Seite des Sensors hängen; seine Kalibrierdatei prüfen.</translation>
     </message>
@@ -5369,10 +5593,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The difference on one channel is a small copy of that channel itself.</source>
         <translation>Die Abweichung eines Kanals ist ein kleines Abbild dieses Kanals selbst.</translation>
-    </message>
-    <message>
-        <source>One channel shows on another</source>
-        <translation>Ein Kanal wirkt auf einen anderen</translation>
     </message>
     <message>
         <source>Is the sensor&apos;s own calibration matrix loaded (serial number)?</source>
@@ -5403,24 +5623,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung hängt vom Ort des Werkzeugs ab: dieselbe Stelle, derselbe Zug, bei jeder Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Steady pull from outside</source>
-        <translation>Steter Zug von außen</translation>
-    </message>
-    <message>
         <source>Is there a balancer, a hose or a weight that pulls in one direction?</source>
         <translation>Gibt es einen Federzug, einen Schlauch oder ein Gewicht, das in eine Richtung zieht?</translation>
     </message>
     <message>
         <source>A difference that keeps its direction in the room, whatever the tool weighs.</source>
         <translation>Eine Abweichung, die ihre Richtung im Raum behält, egal, wie schwer das Werkzeug ist.</translation>
-    </message>
-    <message>
-        <source>Resistance grows with speed</source>
-        <translation>Widerstand wächst mit dem Tempo</translation>
-    </message>
-    <message>
-        <source>Does the tool drag hoses full of liquid, dampers, bellows or covers along?</source>
-        <translation>Zieht das Werkzeug gefüllte Schläuche, Dämpfer, Bälge oder Hüllen mit?</translation>
     </message>
     <message>
         <source>Repeat one movement slowly, faster and fast.</source>
@@ -5431,40 +5639,20 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung folgt dem Tempo: keine in Ruhe, doppelt so viel bei doppeltem Tempo.</translation>
     </message>
     <message>
-        <source>Something rubs</source>
-        <translation>Etwas reibt</translation>
-    </message>
-    <message>
         <source>Does a cable rub in a clamp, a cover scrape, a sheath stiffen?</source>
         <translation>Reibt ein Kabel in einer Klemme, schleift eine Hülle, ist ein Mantel steif?</translation>
-    </message>
-    <message>
-        <source>Repeat one movement at several speeds, and turn back after short and long ways.</source>
-        <translation>Eine Bewegung mit mehreren Tempi wiederholen und nach kurzen und langen Wegen umkehren.</translation>
     </message>
     <message>
         <source>The difference jumps to the other side whenever the motion reverses, at any speed.</source>
         <translation>Die Abweichung springt auf die andere Seite, sobald die Bewegung umkehrt, bei jedem Tempo.</translation>
     </message>
     <message>
-        <source>Something loose in the tool</source>
-        <translation>Etwas Loses im Werkzeug</translation>
-    </message>
-    <message>
         <source>Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?</source>
         <translation>Das Werkzeug von Hand schütteln und lauschen: ein loses Teil, eine Flüssigkeit, ein hängender Schlauch?</translation>
     </message>
     <message>
-        <source>Move and stop abruptly a few times in different directions: what is loose rings on.</source>
-        <translation>Einige Male in verschiedene Richtungen bewegen und abrupt anhalten: Was lose ist, schwingt nach.</translation>
-    </message>
-    <message>
         <source>After each stop the difference swings on for a while, a few times a second.</source>
         <translation>Nach jedem Halt schwingt die Abweichung eine Weile nach, einige Male pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Mount gives</source>
-        <translation>Montage gibt nach</translation>
     </message>
     <message>
         <source>Tighten the screws between arm, sensor and tool; look for rubber or thin adapters.</source>
@@ -5475,28 +5663,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Mit dem Finger an das Werkzeug tippen, während der Arm stillhält.</translation>
     </message>
     <message>
-        <source>A fine, fast ringing after every jerk, always at the same pitch.</source>
-        <translation>Ein feines, schnelles Nachklingen nach jedem Ruck, immer gleich hoch.</translation>
-    </message>
-    <message>
-        <source>Load changed on the way</source>
-        <translation>Last änderte sich unterwegs</translation>
-    </message>
-    <message>
         <source>Was a part picked up or put down? Mark only the stretch that you mean.</source>
         <translation>Wurde ein Teil aufgenommen oder abgelegt? Nur den gemeinten Abschnitt markieren.</translation>
     </message>
     <message>
         <source>Turn the tool to another pose after the change: a load turns with gravity, a jump does not.</source>
         <translation>Das Werkzeug nach der Änderung in eine andere Lage drehen: Eine Last dreht sich mit der Schwerkraft, ein Sprung nicht.</translation>
-    </message>
-    <message>
-        <source>From one moment on there is a difference that turns with the tool, as a weight does.</source>
-        <translation>Von einem Augenblick an gibt es eine Abweichung, die sich mit dem Werkzeug dreht, wie ein Gewicht.</translation>
-    </message>
-    <message>
-        <source>The tool touched something</source>
-        <translation>Das Werkzeug berührte etwas</translation>
     </message>
     <message>
         <source>Was the tool set down, bumped, or held by its front?</source>
@@ -5511,10 +5683,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Kurze, große Abweichungen in wenigen Augenblicken; dazwischen passt alles.</translation>
     </message>
     <message>
-        <source>Sensor at its limit</source>
-        <translation>Sensor am Anschlag</translation>
-    </message>
-    <message>
         <source>Use a range that fits the load, and check the sensor&apos;s zero.</source>
         <translation>Einen Messbereich benutzen, der zur Last passt, und die Null des Sensors prüfen.</translation>
     </message>
@@ -5525,10 +5693,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The measured curve is cut off flat at the top.</source>
         <translation>Die gemessene Kurve ist oben flach abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>Joint angle off</source>
-        <translation>Gelenkwinkel daneben</translation>
     </message>
     <message>
         <source>Check that joint&apos;s calibration and the robot description of this recording.</source>
@@ -5543,10 +5707,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Eine Abweichung, die von der Lage abhängt: eine Neigung, die nicht überall gleich ist.</translation>
     </message>
     <message>
-        <source>Spikes</source>
-        <translation>Ausreißer</translation>
-    </message>
-    <message>
         <source>Check the sensor&apos;s cable and plug, and what switches on nearby.</source>
         <translation>Kabel und Stecker des Sensors prüfen, und was in der Nähe schaltet.</translation>
     </message>
@@ -5559,24 +5719,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Einzelne Werte weit daneben, mit gewöhnlichen zu beiden Seiten.</translation>
     </message>
     <message>
-        <source>Sensor&apos;s place is wrong</source>
-        <translation>Ort des Sensors stimmt nicht</translation>
-    </message>
-    <message>
         <source>Measure from the flange to the sensor&apos;s origin and compare with the meta file.</source>
         <translation>Vom Flansch zum Ursprung des Sensors messen und mit der Meta-Datei vergleichen.</translation>
     </message>
     <message>
-        <source>Turn the tool fast to and fro about all three axes.</source>
-        <translation>Das Werkzeug schnell um alle drei Achsen hin und her drehen.</translation>
-    </message>
-    <message>
         <source>Slow motion fits; fast turning leaves a difference that grows with the square of its speed.</source>
         <translation>Langsame Bewegung passt; schnelles Drehen lässt eine Abweichung, die mit dem Quadrat des Tempos wächst.</translation>
-    </message>
-    <message>
-        <source>Accelerations off</source>
-        <translation>Beschleunigungen daneben</translation>
     </message>
     <message>
         <source>Record joint angles at the full rate; check the size of gravity in the meta file.</source>
@@ -5589,10 +5737,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The fast parts of the motion are too large or too small in the simulation, the slow ones fit.</source>
         <translation>Die schnellen Teile der Bewegung sind in der Simulation zu groß oder zu klein, die langsamen passen.</translation>
-    </message>
-    <message>
-        <source>Sensor remembers its load</source>
-        <translation>Sensor merkt sich seine Last</translation>
     </message>
     <message>
         <source>Was the sensor overloaded, glued or pinched? Check its screws.</source>
@@ -5623,10 +5767,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nichts passt: Die simulierten Kurven laufen den gemessenen entgegen.</translation>
     </message>
     <message>
-        <source>Readings lost or repeated</source>
-        <translation>Messwerte verloren oder wiederholt</translation>
-    </message>
-    <message>
         <source>Check the connection, and record at the sensor&apos;s own rate.</source>
         <translation>Die Verbindung prüfen und mit der Rate des Sensors aufnehmen.</translation>
     </message>
@@ -5639,24 +5779,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemessene Kurve hat Stufen oder Löcher, wo sie weiterlaufen sollte.</translation>
     </message>
     <message>
-        <source>Uneven time stamps</source>
-        <translation>Ungleichmäßige Zeitstempel</translation>
-    </message>
-    <message>
         <source>Let the sensor or the robot stamp the readings, not a busy computer.</source>
         <translation>Lassen Sie Sensor oder Roboter die Werte stempeln, nicht einen beschäftigten Rechner.</translation>
     </message>
     <message>
         <source>None is needed: the time stamps show it.</source>
         <translation>Keine nötig: Die Zeitstempel zeigen es.</translation>
-    </message>
-    <message>
-        <source>In fast motion the measured curve trembles forth and back in time.</source>
-        <translation>Bei schneller Bewegung zittert die gemessene Kurve zeitlich vor und zurück.</translation>
-    </message>
-    <message>
-        <source>Coarse readings</source>
-        <translation>Grobe Messwerte</translation>
     </message>
     <message>
         <source>Choose a finer measuring range, or a file format with more digits.</source>
@@ -5671,10 +5799,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Null des Sensors wandert: {} um {} {} pro Sekunde.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
-        <translation>Die Null des Sensors kriecht: {} um {} {}, bis sie sich beruhigt.</translation>
-    </message>
-    <message>
         <source>Orientations are stored the other way round: base in sensor instead of sensor in base.</source>
         <translation>Die Orientierungen sind umgekehrt gespeichert: Basis im Sensor statt Sensor in der Basis.</translation>
     </message>
@@ -5685,10 +5809,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>{} % of the readings are missing.</source>
         <translation>{} % der Messwerte fehlen.</translation>
-    </message>
-    <message>
-        <source>{} % of the force readings repeat the one before.</source>
-        <translation>{} % der Kraftwerte wiederholen den davor.</translation>
     </message>
     <message>
         <source>A cable twists back as the tool turns: {} N m per radian.</source>
@@ -5715,24 +5835,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} von {} erscheint in {}.</translation>
     </message>
     <message>
-        <source>Joint {} is really {} degrees away from what was recorded.</source>
-        <translation>Gelenk {} steht in Wahrheit {} Grad neben dem aufgenommenen Winkel.</translation>
-    </message>
-    <message>
-        <source>The sensor remembers {} of its load: it reads differently going up and coming down.</source>
-        <translation>Der Sensor merkt sich {} seiner Last: Er zeigt beim Belasten anderes als beim Entlasten.</translation>
-    </message>
-    <message>
         <source>At {} s the sensor&apos;s zero jumped by {} N.</source>
         <translation>Bei {} s sprang die Null des Sensors um {} N.</translation>
     </message>
     <message>
         <source>The force readings arrive {} ms late.</source>
         <translation>Die Kraftwerte kommen {} ms zu spät.</translation>
-    </message>
-    <message>
-        <source>The force readings arrive {} ms before the motion.</source>
-        <translation>Die Kraftwerte kommen {} ms vor der Bewegung.</translation>
     </message>
     <message>
         <source>The force readings are smoothed over {} ms.</source>
@@ -5743,40 +5851,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die gemeldeten Geschwindigkeiten kommen {} ms zu spät; Heft kann stattdessen die Lagen benutzen.</translation>
     </message>
     <message>
-        <source>Accelerations come {} ms late; the angles do not.</source>
-        <translation>Beschleunigungen kommen {} ms zu spät; die Winkel nicht.</translation>
-    </message>
-    <message>
-        <source>The sensor sits turned by {} degrees.</source>
-        <translation>Der Sensor sitzt um {} Grad verdreht.</translation>
-    </message>
-    <message>
         <source>The robot&apos;s base is tilted by {} degrees against the stated gravity.</source>
         <translation>Der Robotersockel ist um {} Grad gegen die angegebene Schwerkraft geneigt.</translation>
-    </message>
-    <message>
-        <source>Something pulls at the tool with {} N, always in the same direction.</source>
-        <translation>Etwas zieht mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
-    </message>
-    <message>
-        <source>Something resists turning: {} N m per radian per second.</source>
-        <translation>Etwas bremst das Drehen: {} N m pro Radiant pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Something holds the tool back: {} N per metre per second.</source>
-        <translation>Etwas bremst das Werkzeug: {} N pro Meter pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Something rubs and holds the tool back with {} N.</source>
-        <translation>Etwas reibt und hält das Werkzeug mit {} N zurück.</translation>
-    </message>
-    <message>
-        <source>Something rubs and resists turning with {} N m.</source>
-        <translation>Etwas reibt und bremst das Drehen mit {} N m.</translation>
-    </message>
-    <message>
-        <source>About {} g in the tool are loose and swing {} times a second.</source>
-        <translation>Etwa {} g im Werkzeug sind lose und schwingen {}-mal pro Sekunde.</translation>
     </message>
     <message>
         <source>The tool&apos;s mount gives and rings at {} Hz.</source>
@@ -5803,16 +5879,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Sensor war in {} % der Messwerte am Ende seines Bereichs.</translation>
     </message>
     <message>
-        <source>The sensor&apos;s origin sits {} mm away from where the meta file puts it.</source>
-        <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
-    </message>
-    <message>
         <source>The reported velocities are {} % off; Heft can use the positions instead.</source>
         <translation>Die gemeldeten Geschwindigkeiten liegen {} % daneben; Heft kann stattdessen die Lagen benutzen.</translation>
-    </message>
-    <message>
-        <source>The forces of acceleration are {} % off what the motion says.</source>
-        <translation>Die Beschleunigungskräfte liegen {} % neben dem, was die Bewegung sagt.</translation>
     </message>
     <message>
         <source>The time stamps come up to {} ms early or late; Heft takes the rows as evenly spaced.</source>
@@ -6307,16 +6375,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Führen Sie die Realitätsprüfung noch einmal aus.</translation>
     </message>
     <message>
-        <source>About {} g in the tool are loose and roll to another place as it turns.</source>
-        <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
-    </message>
-    <message>
         <source>The reported velocities are noisy, by {} % of the motion&apos;s speed; Heft can use the positions instead.</source>
         <translation>Die gemeldeten Geschwindigkeiten rauschen um {} % der Geschwindigkeit der Bewegung; Heft kann stattdessen die Lagen nehmen.</translation>
-    </message>
-    <message>
-        <source>Something in the tool is loose and rolls to another place as it turns.</source>
-        <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
     </message>
     <message>
         <source>Missing near the end of the range, {}</source>
@@ -6335,20 +6395,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Von {} bis {} s wurde die Last {} g leichter.</translation>
     </message>
     <message>
-        <source>Near the end of its range the channel {} shows {} % less than there is.</source>
-        <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
-    </message>
-    <message>
         <source>Speed below which it sticks v</source>
         <translation>Geschwindigkeit, unter der es haftet, v</translation>
-    </message>
-    <message>
-        <source>The payload is told from the sensor&apos;s place and axes as the meta file states them.</source>
-        <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Meta-Datei sie angibt.</translation>
-    </message>
-    <message>
-        <source>Where the corrected meta file is used, estimate once more with it.</source>
-        <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
     </message>
     <message>
         <source>Share that is remembered</source>
@@ -6363,20 +6411,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verstärkung von {}, zu einer Seite mehr</translation>
     </message>
     <message>
-        <source>The channel {} is {:+.1f} % off to one side and {:+.1f} % to the other.</source>
-        <translation>Der Kanal {} liegt zur einen Seite um {:+.1f} % daneben und zur anderen um {:+.1f} %.</translation>
-    </message>
-    <message>
         <source>With these causes taken out the payload would be a quarter lighter or heavier, while something unknown is left; so it is left as it was.</source>
         <translation>Ohne diese Ursachen wäre die Last um ein Viertel leichter oder schwerer, während etwas Unbekanntes bleibt; deshalb bleibt sie, wie sie war.</translation>
-    </message>
-    <message>
-        <source>{} stretches, {:.1f} s in all, were left out: what acts there goes with {} and is no touch.</source>
-        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
-    </message>
-    <message>
-        <source>Look at what switches, shakes or turns on the tool at these moments.</source>
-        <translation>Sehen Sie nach, was am Werkzeug in diesen Augenblicken schaltet, rüttelt oder dreht.</translation>
     </message>
     <message>
         <source>The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.</source>
@@ -6431,20 +6467,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verstärkung aller Kräfte daneben um</translation>
     </message>
     <message>
-        <source>All forces read {} % too much against the torques.</source>
-        <translation>Alle Kräfte werden gegenüber den Momenten {} % zu groß gemessen.</translation>
-    </message>
-    <message>
-        <source>All forces read {} % too little against the torques.</source>
-        <translation>Alle Kräfte werden gegenüber den Momenten {} % zu klein gemessen.</translation>
-    </message>
-    <message>
         <source>Clocks run apart by</source>
         <translation>Uhren laufen auseinander um</translation>
-    </message>
-    <message>
-        <source>The clocks of force readings and motion run apart, by {} ms a second.</source>
-        <translation>Die Uhren von Kraftwerten und Bewegung laufen auseinander, um {} ms je Sekunde.</translation>
     </message>
     <message>
         <source>a shaking of {:.0f} to {:.0f} Hz</source>
@@ -6469,22 +6493,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Friction along {0}</source>
         <translation>Reibung längs {0}</translation>
-    </message>
-    <message>
-        <source>The sensor remembers its load: it reads {} % of the load&apos;s range differently going up and coming down.</source>
-        <translation>Der Sensor merkt sich seine Last: Auf dem Weg hinauf zeigt er um {} % des Lastbereichs anders an als auf dem Weg hinab.</translation>
-    </message>
-    <message>
-        <source>From {} s on something pulls at the tool with {} N, always in the same direction.</source>
-        <translation>Ab {} s zieht etwas mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
-    </message>
-    <message>
-        <source>Something holds the tool back, by up to {} N per metre per second.</source>
-        <translation>Etwas bremst das Werkzeug, mit bis zu {} N pro Meter pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Something rubs and holds the tool back, with up to {} N.</source>
-        <translation>Etwas reibt und hält das Werkzeug mit bis zu {} N zurück.</translation>
     </message>
     <message>
         <source>short knocks</source>
@@ -6519,12 +6527,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Verstärkung von {} ändert sich während der Aufnahme um {:+.1f} %, wie wenn ein Sensor warm wird.</translation>
     </message>
     <message>
-        <source>Joint {} is read up to {} degrees wrong, to and fro once a turn.</source>
-        <translation>Gelenk {} wird bis zu {} Grad falsch gelesen, einmal je Umdrehung hin und her.</translation>
-    </message>
-    <message>
-        <source>what the motor of joint {} does</source>
-        <translation>dem, was der Motor von Gelenk {} tut</translation>
+        <source>what the motor of joint {:.0f} does</source>
+        <translation>dem, was der Motor von Gelenk {:.0f} tut</translation>
     </message>
     <message>
         <source>how hard the joints speed up and slow down</source>
@@ -6575,20 +6579,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>{} bleibt in fast allen Zeilen gleich: Der Kanal wurde nicht gemessen, oder eine Schwelle im Treiber des Sensors verbirgt, was klein ist. Beheben Sie das und nehmen Sie noch einmal auf.</translation>
     </message>
     <message>
-        <source>From {} s on the sensor&apos;s zero creeps: {} by {} {} before it settles.</source>
-        <translation>Ab {} s kriecht die Null des Sensors: {} um {} {}, bis sie sich beruhigt.</translation>
-    </message>
-    <message>
         <source>Gain of all channels changes by</source>
         <translation>Verstärkung aller Kanäle ändert sich um</translation>
     </message>
     <message>
         <source>Wave {} of the course</source>
         <translation>Welle {} des Verlaufs</translation>
-    </message>
-    <message>
-        <source>The sensor&apos;s zero drifts to and fro: {} by {} {} in all.</source>
-        <translation>Die Null des Sensors wandert hin und her: {} um insgesamt {} {}.</translation>
     </message>
     <message>
         <source>The gain of all channels changes by {:+.1f} % during the recording, as when a sensor warms up.</source>
@@ -6623,10 +6619,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Ein Kabel oder Schlauch, an einer Stelle befestigt, zieht das Werkzeug zurück: {} N je Meter, wo es sich zu dehnen beginnt, und mehr, je weiter es sich dehnt.</translation>
     </message>
     <message>
-        <source>Something holds the tool back with the square of its speed: {} N at one metre per second.</source>
-        <translation>Etwas bremst das Werkzeug mit dem Quadrat seiner Geschwindigkeit: {} N bei einem Meter pro Sekunde.</translation>
-    </message>
-    <message>
         <source>Tilts further about {0}</source>
         <translation>Neigt sich weiter um {0}</translation>
     </message>
@@ -6659,28 +6651,8 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Messwerte zittern {}-mal für einen Augenblick, zuerst bei {:.1f} s.</translation>
     </message>
     <message>
-        <source>Something twists the tool on the further it turns: {} N m per radian.</source>
-        <translation>Etwas verdreht das Werkzeug umso mehr, je weiter es sich dreht: {} N m je Radiant.</translation>
-    </message>
-    <message>
         <source>Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.</source>
         <translation>Etwas, etwa ein gebogener Schlauch, drückt das Werkzeug von einer Stelle weg: {} N je Meter.</translation>
-    </message>
-    <message>
-        <source>Something, such as a hand at the tool, pushes the way it goes: {} N per metre per second.</source>
-        <translation>Etwas, etwa eine Hand am Werkzeug, schiebt in Richtung der Bewegung: {} N je Meter pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Something, such as a hand at the tool, turns it on: {} N m per radian per second.</source>
-        <translation>Etwas, etwa eine Hand am Werkzeug, dreht es weiter: {} N m je Radiant pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>Something, such as a hand at the tool, pushes the way it goes with {} N.</source>
-        <translation>Etwas, etwa eine Hand am Werkzeug, schiebt mit {} N in Richtung der Bewegung.</translation>
-    </message>
-    <message>
-        <source>Something, such as a hand at the tool, turns it on with {} N m.</source>
-        <translation>Etwas, etwa eine Hand am Werkzeug, dreht es mit {} N m weiter.</translation>
     </message>
     <message>
         <source>the load&apos;s size, on the forces alone</source>
@@ -6759,10 +6731,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Erneut ausgegeben</translation>
     </message>
     <message>
-        <source>{} % of the readings were handed out a second time, in place of new ones.</source>
-        <translation>{} % der Anzeigen wurden ein zweites Mal ausgegeben, statt neuer.</translation>
-    </message>
-    <message>
         <source>Time from corner to corner</source>
         <translation>Zeit von Ecke zu Ecke</translation>
     </message>
@@ -6795,14 +6763,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>einigen Augenblicken allein</translation>
     </message>
     <message>
-        <source>{} leaves out every other step of {:.2g} {}: a bit of its converter never changes.</source>
-        <translation>{} lässt jede zweite Stufe von {:.2g} {} aus: Ein Bit des Wandlers ändert sich nie.</translation>
-    </message>
-    <message>
-        <source>Restart the sensor&apos;s electronics; if that does not help, have them mended.</source>
-        <translation>Starten Sie die Elektronik des Sensors neu; hilft das nicht, lassen Sie sie reparieren.</translation>
-    </message>
-    <message>
         <source>steps that a channel never reads</source>
         <translation>Stufen, die ein Kanal nie anzeigt</translation>
     </message>
@@ -6823,20 +6783,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Drehmomenten ohne eine Kraft</translation>
     </message>
     <message>
-        <source>A stretch of {:.1f} s was left out: what acts there goes with {} and is no touch.</source>
-        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
-    </message>
-    <message>
         <source>A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything else.</source>
         <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Dort wirkt etwas, das zu schwach ist, um eine Berührung von etwas anderem zu unterscheiden.</translation>
     </message>
     <message>
         <source>Struck from outside, times</source>
         <translation>Von außen angestoßen, Male</translation>
-    </message>
-    <message>
-        <source>At {:.2f} s the readings leap to where no load takes them and back.</source>
-        <translation>Bei {:.2f} s springen die Messwerte dorthin, wohin keine Last sie bringt, und zurück.</translation>
     </message>
     <message>
         <source>Check the sensor&apos;s cable and plug; mark the moment as &quot;ignore&quot;.</source>
@@ -6891,10 +6843,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>dem, was ein Kanal selbst misst</translation>
     </message>
     <message>
-        <source>{} % of the recorded positions repeat the one before, while the tool moved on.</source>
-        <translation>{} % der aufgezeichneten Positionen wiederholen die vorige, während das Werkzeug sich weiterbewegte.</translation>
-    </message>
-    <message>
         <source>The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in them is too small.</source>
         <translation>Die Positionen wurden vor der Aufzeichnung um {} ms zu beiden Seiten geglättet, sodass Schnelles in ihnen zu klein ist.</translation>
     </message>
@@ -6911,28 +6859,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Trifft auch auf {} zu: {}.</translation>
     </message>
     <message>
-        <source>Makes {} worse: {}. That one has it not, or otherwise.</source>
-        <translation>Macht {} schlechter: {}. Dort liegt es nicht vor, oder anders.</translation>
-    </message>
-    <message>
-        <source>Makes no difference on {}: {}. Its motion does not show it.</source>
-        <translation>Macht bei {} keinen Unterschied: {}. Die Bewegung dort zeigt es nicht.</translation>
-    </message>
-    <message>
         <source>Not checked, since it belongs to one recording: {}.</source>
         <translation>Nicht geprüft, weil es zu einer einzelnen Aufnahme gehört: {}.</translation>
     </message>
     <message>
         <source>where in the tool its weight sits</source>
         <translation>der Stelle, an der das Gewicht im Werkzeug sitzt</translation>
-    </message>
-    <message>
-        <source>One reading leaps for a single row. It was replaced by what lies beside it.</source>
-        <translation>Ein Messwert springt eine einzige Zeile lang. Er wurde durch das ersetzt, was daneben liegt.</translation>
-    </message>
-    <message>
-        <source>{} readings leap for a single row, too few to tell what makes them. They were replaced by what lies beside them.</source>
-        <translation>{} Messwerte springen je eine einzige Zeile lang; zu wenige, um zu sagen, woher das kommt. Sie wurden durch das ersetzt, was daneben liegt.</translation>
     </message>
     <message>
         <source>Look for what knocks or jerks, and check the sensor&apos;s plug, if there are more next time.</source>
@@ -6977,10 +6909,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>State one of them.</source>
         <translation>Geben Sie nur eines davon an.</translation>
-    </message>
-    <message>
-        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, sensor, {}.</source>
-        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock, sensor, {}.</translation>
     </message>
     <message>
         <source>&quot;sensor&quot; is no object.</source>
@@ -7378,6 +7306,910 @@ Bitte prüfen Sie den Namen.</translation>
         <source>See its findings before the robot relies on them.</source>
         <translation>Sehen Sie sich ihre Befunde an, bevor der Roboter sich darauf verlässt.</translation>
     </message>
+    <message>
+        <source>Look for causes: a turned sensor, a tilted base and a joint&apos;s zero look alike.</source>
+        <translation>Suchen Sie nach Ursachen: Ein verdrehter Sensor, eine geneigte Basis und der Nullpunkt eines Gelenks sehen gleich aus.</translation>
+    </message>
+    <message>
+        <source>Look for causes: a gain of force or torque, and a sensor beside its place, look like this.</source>
+        <translation>Suchen Sie nach Ursachen: Ein Verstärkungsfehler von Kraft oder Drehmoment und ein Sensor neben seinem Platz sehen so aus.</translation>
+    </message>
+    <message>
+        <source>The evidence is weak: nearly as well fits another reading. {}</source>
+        <translation>Der Beleg ist schwach: Fast ebenso gut passt eine andere Lesart. {}</translation>
+    </message>
+    <message>
+        <source>Record more poses, tilted to all sides.</source>
+        <translation>Nehmen Sie mehr Haltungen auf, nach allen Seiten geneigt.</translation>
+    </message>
+    <message>
+        <source>This recording cannot tell this reading from others.</source>
+        <translation>Diese Aufnahme kann diese Lesart nicht von anderen unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The controller was set to {:.3f} kg ({}), {:.3f} kg {} than estimated.</source>
+        <translation>In der Steuerung waren {:.3f} kg eingestellt ({}), {:.3f} kg {} als geschätzt.</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>Its centre of mass is set {:.1f} mm from the estimated one.</source>
+        <translation>Ihr Schwerpunkt liegt {:.1f} mm neben dem geschätzten.</translation>
+    </message>
+    <message>
+        <source>It was set anew during the recording; this is what held longest.</source>
+        <translation>Während der Aufnahme wurde er neu eingestellt; dies galt am längsten.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s values include what sits between flange and sensor, the estimate does not: &apos;heft export --add&apos; adds it.</source>
+        <translation>Die Werte der Steuerung enthalten, was zwischen Flansch und Sensor sitzt, die Schätzung nicht: „heft export --add“ fügt es hinzu.</translation>
+    </message>
+    <message>
+        <source>This format has no inertia: it is left out.</source>
+        <translation>Dieses Format kennt keine Trägheit: Sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s frame is called ft_sensor.</source>
+        <translation>Das Koordinatensystem des Sensors heißt in der Datei ft_sensor.</translation>
+    </message>
+    <message>
+        <source>Write the name that it has on your robot.</source>
+        <translation>Schreiben Sie den Namen hin, den es an Ihrem Roboter hat.</translation>
+    </message>
+    <message>
+        <source>A payload without an estimate has no bias; zeros are written.</source>
+        <translation>Zu einer Last ohne Schätzung gehört kein Nullpunkt; es werden Nullen geschrieben.</translation>
+    </message>
+    <message>
+        <source>Zero the sensor with the tool off.</source>
+        <translation>Stellen Sie den Sensor ohne Werkzeug auf null.</translation>
+    </message>
+    <message>
+        <source>that the centre of mass counts from the flange</source>
+        <translation>dass der Schwerpunkt vom Flansch aus zählt</translation>
+    </message>
+    <message>
+        <source>the link &quot;{}&quot; moves against &quot;{}&quot;, which carries the sensor.</source>
+        <translation>das Glied „{}“ bewegt sich gegen „{}“, das den Sensor trägt.</translation>
+    </message>
+    <message>
+        <source>Name a link behind the last joint.</source>
+        <translation>Nennen Sie ein Glied hinter dem letzten Gelenk.</translation>
+    </message>
+    <message>
+        <source>there is no link &quot;{}&quot;.</source>
+        <translation>es gibt kein Glied „{}“.</translation>
+    </message>
+    <message>
+        <source>Name one of: {}.</source>
+        <translation>Nennen Sie eines von: {}.</translation>
+    </message>
+    <message>
+        <source>The URDF has no link that the sensor is known to be mounted on, so &quot;{}&quot; was taken for the flange.</source>
+        <translation>Die URDF hat kein Glied, an dem der Sensor bekanntermaßen sitzt; „{}“ wurde daher als Flansch genommen.</translation>
+    </message>
+    <message>
+        <source>Check that its axes are the flange&apos;s.</source>
+        <translation>Prüfen Sie, ob seine Achsen die des Flanschs sind.</translation>
+    </message>
+    <message>
+        <source>The link &quot;{}&quot; weighed {} kg in the URDF; the payload replaces that.</source>
+        <translation>Das Glied „{}“ wog in der URDF {} kg; die Last tritt an diese Stelle.</translation>
+    </message>
+    <message>
+        <source>If that was the arm&apos;s own mass, put the payload on a link of its own.</source>
+        <translation>War das die Masse des Arms selbst, geben Sie der Last ein eigenes Glied.</translation>
+    </message>
+    <message>
+        <source>{}: several publishers send on this topic ({}); the arm&apos;s joints are taken.</source>
+        <translation>{}: Auf diesem Topic senden mehrere ({}); genommen werden die Gelenke des Arms.</translation>
+    </message>
+    <message>
+        <source>The velocities of {} are no numbers; they were set aside and the joint angles differentiated.</source>
+        <translation>Die Geschwindigkeiten von {} sind keine Zahlen; sie wurden weggelassen und die Gelenkwinkel abgeleitet.</translation>
+    </message>
+    <message>
+        <source>the objects</source>
+        <translation>den Objekten</translation>
+    </message>
+    <message>
+        <source>{} comes as {}, which is not read: let the bridge send ROS messages (cdr, ros1) or JSON.</source>
+        <translation>{} kommt als {}, was nicht gelesen wird: Lassen Sie die Brücke ROS-Nachrichten (cdr, ros1) oder JSON senden.</translation>
+    </message>
+    <message>
+        <source>{} describes its messages as {}, which is not read: let the bridge send ros2msg or JSON.</source>
+        <translation>{} beschreibt seine Nachrichten als {}, was nicht gelesen wird: Lassen Sie die Brücke ros2msg oder JSON senden.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>The objects have neither joint angles or a pose, nor fx, fy, fz, tx, ty, tz.</source>
+        <translation>Die Objekte haben weder Gelenkwinkel oder eine Pose noch fx, fy, fz, tx, ty, tz.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not answer as RTDE does. Is it a controller of Universal Robots, and is RTDE enabled in its security settings?</source>
+        <translation>{}:{} antwortet nicht wie RTDE. Ist es eine Steuerung von Universal Robots, und ist RTDE in ihren Sicherheitseinstellungen erlaubt?</translation>
+    </message>
+    <message>
+        <source>{}:{} says: {}</source>
+        <translation>{}:{} meldet: {}</translation>
+    </message>
+    <message>
+        <source>{}:{} does not speak version 2 of RTDE: its software is too old.</source>
+        <translation>{}:{} spricht nicht Version 2 von RTDE: Die Software ist zu alt.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not send {}.</source>
+        <translation>{}:{} sendet {} nicht.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not accept the outputs that are asked for.</source>
+        <translation>{}:{} nimmt die Liste der gewünschten Ausgaben nicht an.</translation>
+    </message>
+    <message>
+        <source>{}:{} does not start to send.</source>
+        <translation>{}:{} beginnt nicht zu senden.</translation>
+    </message>
+    <message>
+        <source>This controller does not send ft_raw_wrench (e-Series from 5.9 on do), and from actual_TCP_force it has taken the payload already: the wrench must come from a sensor of its own.</source>
+        <translation>Diese Steuerung sendet ft_raw_wrench nicht (e-Series ab 5.9 tun das), und aus actual_TCP_force hat sie die Last schon herausgerechnet: Kraft und Drehmoment müssen von einem eigenen Sensor kommen.</translation>
+    </message>
+    <message>
+        <source>Neither joint angles, a pose nor a wrench arrived: motion and wrench are both needed.</source>
+        <translation>Es kamen weder Gelenkwinkel noch eine Pose noch Kräfte an: Bewegung und Kräfte werden beide gebraucht.</translation>
+    </message>
+    <message>
+        <source>The wrench arrives, but no joint angles and no pose: add the robot as a second source, such as foxglove:HOST, rosbridge:HOST or rtde:HOST.</source>
+        <translation>Kräfte kommen an, aber weder Gelenkwinkel noch eine Pose: Nenn den Roboter als zweite Quelle, etwa foxglove:HOST, rosbridge:HOST oder rtde:HOST.</translation>
+    </message>
+    <message>
+        <source>Joint angles or poses arrive, but no wrench: add the sensor as a second source, such as rdt:HOST.</source>
+        <translation>Gelenkwinkel oder Posen kommen an, aber keine Kräfte: Nenn den Sensor als zweite Quelle, etwa rdt:HOST.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no live source. Sources are rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:FILE and virtual:SEED.</source>
+        <translation>„{}“ ist keine Live-Quelle. Quellen sind rtde:HOST[:PORT], rdt:HOST[:PORT], foxglove:HOST[:PORT], rosbridge:HOST[:PORT], udp:[HOST:]PORT, replay:DATEI und virtual:SEED.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; names no file.</source>
+        <translation>„{}“ nennt keine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a xacro file.</source>
+        <translation>„{}“ ist eine xacro-Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; was not found in {} or a folder above it, nor by ROS_PACKAGE_PATH or AMENT_PREFIX_PATH.</source>
+        <translation>„{}“ fand sich weder in {} oder einem Ordner darüber noch über ROS_PACKAGE_PATH oder AMENT_PREFIX_PATH.</translation>
+    </message>
+    <message>
+        <source>Source the workspace that holds the package, or give the path of the URDF.</source>
+        <translation>Lade den Workspace, der das Paket enthält, oder gib den Pfad der URDF an.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no robot that Heft knows.</source>
+        <translation>„{}“ ist kein Roboter, den Heft kennt.</translation>
+    </message>
+    <message>
+        <source>{} by {:.2g} N (the sensor&apos;s own scatter is {:.2g} N)</source>
+        <translation>{} um {:.2g} N (der Sensor selbst streut um {:.2g} N)</translation>
+    </message>
+    <message>
+        <source>{} by {:.2g} N m (the sensor&apos;s own scatter is {:.2g} N m)</source>
+        <translation>{} um {:.2g} N m (der Sensor selbst streut um {:.2g} N m)</translation>
+    </message>
+    <message>
+        <source>On stretches that were not used for fitting, the model misses {}: something besides a rigid tool is at work (contact, drift, delay, a cable, a poorly calibrated sensor).</source>
+        <translation>Auf Strecken, die nicht zur Anpassung dienten, verfehlt das Modell {}: Etwas anderes als ein starres Werkzeug wirkt mit (Berührung, Drift, Verzögerung, ein Kabel, ein schlecht kalibrierter Sensor).</translation>
+    </message>
+    <message>
+        <source>More than half of the readings of {} are cut off at the end of the sensor&apos;s range, so it is not used.</source>
+        <translation>Mehr als die Hälfte der Messwerte von {} ist am Ende des Messbereichs abgeschnitten; der Kanal wird deshalb nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Choose a larger measuring range of the sensor.</source>
+        <translation>Wählen Sie einen größeren Messbereich des Sensors.</translation>
+    </message>
+    <message>
+        <source>The recorded motion is noisy; it was smoothed to {:.0f} Hz, and the wrench with it.</source>
+        <translation>Die aufgezeichnete Bewegung rauscht; sie wurde auf {:.0f} Hz geglättet, Kraft und Moment ebenso.</translation>
+    </message>
+    <message>
+        <source>The samples&apos; time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had from such a motion.</source>
+        <translation>Die Zeitstempel der Messwerte schwanken um {:.2g} ms bei Schritten von {:.2g} ms: Aus einer solchen Bewegung lassen sich keine Beschleunigungen gewinnen.</translation>
+    </message>
+    <message>
+        <source>Let the source stamp its samples when they are measured, not when they are sent.</source>
+        <translation>Lassen Sie die Quelle ihre Werte beim Messen stempeln, nicht beim Senden.</translation>
+    </message>
+    <message>
+        <source>A rigid tool does not describe the readings yet, so no number is told.</source>
+        <translation>Ein starres Werkzeug beschreibt die Messwerte noch nicht; deshalb wird keine Zahl genannt.</translation>
+    </message>
+    <message>
+        <source>Check the time stamps, the wrench&apos;s sign and axes, and that nothing touches the tool.</source>
+        <translation>Prüfen Sie die Zeitstempel, Vorzeichen und Achsen von Kraft und Moment, und dass nichts das Werkzeug berührt.</translation>
+    </message>
+    <message>
+        <source>{:.2f} to {:.2f} s</source>
+        <translation>{:.2f} bis {:.2f} s</translation>
+    </message>
+    <message>
+        <source>{} and {} more stretches, {:.2g} s in all</source>
+        <translation>{} und {} weitere Strecken, zusammen {:.2g} s</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>What is there is left out; mark it as free to use it.</source>
+        <translation>Was dort steht, wird ausgelassen; markieren Sie es als frei, um es zu verwenden.</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded here.</source>
+        <translation>Hier wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>{} stands still here while others go on: it was not measured.</source>
+        <translation>{} steht hier still, während andere Kanäle weiterlaufen: Der Kanal wurde nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The posture stands still here and leaps afterwards: the robot sent nothing new.</source>
+        <translation>Die Haltung steht hier still und springt danach: Der Roboter hat nichts Neues gesendet.</translation>
+    </message>
+    <message>
+        <source>Motion late</source>
+        <translation>Bewegung verspätet</translation>
+    </message>
+    <message>
+        <source>The shape contradicts the measured motion by {:.0f} standard deviations, so it was left out: the numbers come from the motion alone.</source>
+        <translation>Die Form widerspricht der gemessenen Bewegung um {:.0f} Standardabweichungen und wurde deshalb weggelassen: Die Zahlen kommen allein aus der Bewegung.</translation>
+    </message>
+    <message>
+        <source>should be three numbers</source>
+        <translation>sollte drei Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>State it in a map file, for instance {{&quot;offset_s&quot;: {{{}}}}} (seconds added to its times).</source>
+        <translation>Geben Sie es in einer Zuordnungsdatei an, zum Beispiel {{&quot;offset_s&quot;: {{{}}}}} (Sekunden, die zu den Zeiten addiert werden).</translation>
+    </message>
+    <message>
+        <source>If the file has no clock, state its rate with --rate HZ.</source>
+        <translation>Hat die Datei keine Uhr, nennen Sie ihre Rate mit --rate HZ.</translation>
+    </message>
+    <message>
+        <source>Name it with --robot, or in the meta file: &quot;robot&quot;: &quot;panda&quot; or the path of a URDF.</source>
+        <translation>Nennen Sie ihn mit --robot oder in der Metadatei: &quot;robot&quot;: &quot;panda&quot; oder den Pfad einer URDF-Datei.</translation>
+    </message>
+    <message>
+        <source>The times of /{} were taken from /{}.</source>
+        <translation>Die Zeiten von /{} stammen aus /{}.</translation>
+    </message>
+    <message>
+        <source>The datasets of {} rows in /{} have no dataset of times beside them.</source>
+        <translation>Bei den Datensätzen mit {} Zeilen in /{} steht kein Datensatz mit Zeiten.</translation>
+    </message>
+    <message>
+        <source>Times count from 0 at the rate that was stated, {:g} Hz.</source>
+        <translation>Die Zeiten zählen ab 0 mit der genannten Rate, {:g} Hz.</translation>
+    </message>
+    <message>
+        <source>pose of a UR with a rotation vector</source>
+        <translation>Pose eines UR mit Drehvektor</translation>
+    </message>
+    <message>
+        <source>pose of a KUKA: mm, and A, B, C in degrees</source>
+        <translation>Pose eines KUKA: mm, und A, B, C in Grad</translation>
+    </message>
+    <message>
+        <source>rotation vector</source>
+        <translation>Drehvektor</translation>
+    </message>
+    <message>
+        <source>The file of {} kB unpacks to more than 64 times its size and 1 GB; the rest was not read.</source>
+        <translation>Die Datei von {} kB wird entpackt größer als das 64-Fache ihrer Größe und 1 GB; der Rest wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>filter {} of HDF5, which this machine does not have</source>
+        <translation>dem HDF5-Filter {}, den dieser Rechner nicht hat</translation>
+    </message>
+    <message>
+        <source>{}, which this machine cannot unpack</source>
+        <translation>{}, was dieser Rechner nicht entpacken kann</translation>
+    </message>
+    <message>
+        <source>{}, which this machine cannot unpack (Debian: {})</source>
+        <translation>{}, was dieser Rechner nicht entpacken kann (Debian: {})</translation>
+    </message>
+    <message>
+        <source>The link /{} leads nowhere.</source>
+        <translation>Der Verweis /{} führt ins Leere.</translation>
+    </message>
+    <message>
+        <source>Copy the file that it names beside this one.</source>
+        <translation>Kopieren Sie die Datei, die er nennt, neben diese.</translation>
+    </message>
+    <message>
+        <source>datasets of the file are packed with {}.</source>
+        <translation>Datensätze der Datei sind gepackt mit {}.</translation>
+    </message>
+    <message>
+        <source>Install that package, or rewrite the file with &quot;h5repack -f GZIP=4 IN OUT&quot; where the filter is at hand.</source>
+        <translation>Installieren Sie dieses Paket, oder schreiben Sie die Datei dort, wo es den Filter gibt, mit „h5repack -f GZIP=4 IN OUT“ neu.</translation>
+    </message>
+    <message>
+        <source>Units were taken from the columns&apos; names ({}{}).</source>
+        <translation>Einheiten wurden den Namen der Spalten entnommen ({}{}).</translation>
+    </message>
+    <message>
+        <source>UR&apos;s actual_TCP_force is in the robot&apos;s base axes, about the TCP, and without the payload that the controller has configured; it was read so.</source>
+        <translation>URs actual_TCP_force steht in den Achsen der Roboterbasis, gilt um den TCP und enthält die Last nicht, die in der Steuerung eingestellt ist; so wurde sie gelesen.</translation>
+    </message>
+    <message>
+        <source>State sensor.wrench_point in the meta file if the TCP is not at the sensor, or record ft_raw_wrench.</source>
+        <translation>Geben Sie sensor.wrench_point in der Metadatei an, wenn der TCP nicht am Sensor liegt, oder zeichnen Sie ft_raw_wrench auf.</translation>
+    </message>
+    <message>
+        <source>this is a Parquet or Arrow file, for which Debian has no library.</source>
+        <translation>dies ist eine Parquet- oder Arrow-Datei, für die Debian keine Bibliothek hat.</translation>
+    </message>
+    <message>
+        <source>Convert it, for instance with python3 -c &quot;import pandas; pandas.{}(&apos;{}&apos;).to_csv(&apos;{}.csv&apos;, index=False)&quot;.</source>
+        <translation>Wandeln Sie sie um, zum Beispiel mit python3 -c &quot;import pandas; pandas.{}(&apos;{}&apos;).to_csv(&apos;{}.csv&apos;, index=False)&quot;.</translation>
+    </message>
+    <message>
+        <source>{} has no clock: nothing in the file tells its times.</source>
+        <translation>{} hat keine Uhr: Nichts in der Datei nennt die Zeiten.</translation>
+    </message>
+    <message>
+        <source>an offset is stated for &quot;{}&quot;, which is not there.</source>
+        <translation>ein Versatz ist für „{}“ angegeben, was es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>What was chosen is {}.</source>
+        <translation>Gewählt wurde {}.</translation>
+    </message>
+    <message>
+        <source>{} missing in {} of {} samples and left aside.</source>
+        <translation>{} in {} von {} Werten nicht vorhanden und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>The position is</source>
+        <translation>Die Position ist</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} are all zeros between others: another publisher sends there, too. They were left out.</source>
+        <translation>{} von {} Werten von {} sind lauter Nullen zwischen anderen: Dort sendet noch jemand. Sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} do not fit the others: another publisher sends there, too ({}). The one that moves was taken.</source>
+        <translation>{} von {} Werten von {} passen nicht zu den anderen: Dort sendet noch jemand ({}). Genommen wurde, was sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The stamps of {} start again in the middle; the recorder&apos;s times are used for all.</source>
+        <translation>Die Zeitstempel von {} beginnen mittendrin von vorn; für alle gelten die Zeiten des Aufzeichners.</translation>
+    </message>
+    <message>
+        <source>the times of {} fall from {:.4f} s to {:.4f} s at sample {}, over what was there already: two recordings, or two clocks.</source>
+        <translation>die Zeiten von {} fallen von {:.4f} s auf {:.4f} s bei Wert {}, über schon Vorhandenes: zwei Aufnahmen oder zwei Uhren.</translation>
+    </message>
+    <message>
+        <source>Split the recording there, or record one source only.</source>
+        <translation>Teilen Sie die Aufnahme dort, oder zeichnen Sie nur eine Quelle auf.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples of {} have none of these joints: another publisher sends there, too{}. They were left out.</source>
+        <translation>{} von {} Werten von {} haben keines dieser Gelenke: Dort sendet noch jemand{}. Sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The force of {} does not follow the motion of {} within half a second, but does when shifted by {:.3f} s (+- {:.3f} s; the motion then explains {:.0f} % of the force); nothing was shifted.</source>
+        <translation>Die Kraft von {} folgt der Bewegung von {} innerhalb einer halben Sekunde nicht, wohl aber um {:.3f} s verschoben (± {:.3f} s; die Bewegung erklärt dann {:.0f} % der Kraft); verschoben wurde nichts.</translation>
+    </message>
+    <message>
+        <source>The recorder lagged, or one clock is wrong.</source>
+        <translation>Der Aufzeichner hing nach, oder eine Uhr geht falsch.</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the groups joints, velocities, position, quaternion, rotation, wrench, and demo.</source>
+        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, die Gruppen joints, velocities, position, quaternion, rotation, wrench, und demo.</translation>
+    </message>
+    <message>
+        <source>there is no demonstration &quot;{}&quot;.</source>
+        <translation>es gibt keine Vorführung „{}“.</translation>
+    </message>
+    <message>
+        <source>The file holds {} demonstrations; {} was read, not {}{}.</source>
+        <translation>Die Datei enthält {} Vorführungen; gelesen wurde {}, nicht {}{}.</translation>
+    </message>
+    <message>
+        <source>A map file is a JSON object with use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.</source>
+        <translation>Eine Zuordnungsdatei ist ein JSON-Objekt mit use, scale, offset_s, join, pose_of, clock, rate_hz, sensor, {}.</translation>
+    </message>
+    <message>
+        <source>the offset of {} is {:g} s, more than the {:g} s (63 years) by which clocks can differ.</source>
+        <translation>der Versatz von {} beträgt {:g} s, mehr als die {:g} s (63 Jahre), um die Uhren sich unterscheiden können.</translation>
+    </message>
+    <message>
+        <source>Offsets are in seconds, also where the file counts in ms or ns.</source>
+        <translation>Versätze sind in Sekunden, auch wenn die Datei in ms oder ns zählt.</translation>
+    </message>
+    <message>
+        <source>&quot;rate_hz&quot; is no rate above 0.</source>
+        <translation>„rate_hz“ ist keine Rate über 0.</translation>
+    </message>
+    <message>
+        <source>a cell array</source>
+        <translation>ein Cell-Array</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a sparse matrix</source>
+        <translation>eine dünn besetzte Matrix</translation>
+    </message>
+    <message>
+        <source>a table or another object</source>
+        <translation>eine Tabelle oder ein anderes Objekt</translation>
+    </message>
+    <message>
+        <source>this MATLAB file cannot be opened: it is cut off or damaged.</source>
+        <translation>diese MATLAB-Datei lässt sich nicht öffnen: Sie ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>Save it again, for instance with save(&apos;FILE&apos;, &apos;-v7&apos;).</source>
+        <translation>Speichern Sie sie noch einmal, zum Beispiel mit save(&apos;FILE&apos;, &apos;-v7&apos;).</translation>
+    </message>
+    <message>
+        <source>Save each quantity as a matrix of numbers with one row a sample.</source>
+        <translation>Speichern Sie jede Größe als Matrix von Zahlen mit einer Zeile je Wert.</translation>
+    </message>
+    <message>
+        <source>its encoding &quot;{}&quot; is none of those that Heft reads (ros1, cdr, json)</source>
+        <translation>seine Kodierung „{}“ gehört nicht zu denen, die Heft liest (ros1, cdr, json)</translation>
+    </message>
+    <message>
+        <source>its schema is in &quot;{}&quot;, and Heft does not know the type by itself</source>
+        <translation>sein Schema ist in „{}“, und den Typ kennt Heft nicht von selbst</translation>
+    </message>
+    <message>
+        <source>{} messages on {} have times before 1897 or after 2043 and were left out.</source>
+        <translation>{} Nachrichten auf {} haben Zeiten vor 1897 oder nach 2043 und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} messages on {} are in XCDR 2 or as parameter lists, not in plain CDR, and were left out.</source>
+        <translation>{} von {} Nachrichten auf {} sind in XCDR 2 oder als Parameterlisten geschrieben, nicht in einfachem CDR, und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Topic {} cannot be read: {}.</source>
+        <translation>Thema {} kann nicht gelesen werden: {}.</translation>
+    </message>
+    <message>
+        <source>a structure in a structure</source>
+        <translation>eine Struktur in einer Struktur</translation>
+    </message>
+    <message>
+        <source>pickled Python objects</source>
+        <translation>gepickelte Python-Objekte</translation>
+    </message>
+    <message>
+        <source>no numbers</source>
+        <translation>keine Zahlen</translation>
+    </message>
+    <message>
+        <source>Save each quantity as an array of numbers with one row a sample.</source>
+        <translation>Speichern Sie jede Größe als Feld von Zahlen mit einer Zeile je Wert.</translation>
+    </message>
+    <message>
+        <source>The first row looks like data, not like names; the columns are called column1 to column{}.</source>
+        <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; die Spalten heißen column1 bis column{}.</translation>
+    </message>
+    <message>
+        <source>The first row looks like data, not like names; by the numbers the columns are taken to be {}.</source>
+        <translation>Die erste Zeile sieht nach Daten aus, nicht nach Namen; nach den Zahlen werden die Spalten für {} gehalten.</translation>
+    </message>
+    <message>
+        <source>Put a row of names above it, or name the columns by their numbers, for instance with --use fx=column2.</source>
+        <translation>Setzen Sie eine Zeile mit Namen darüber, oder nennen Sie die Spalten nach ihrer Nummer, zum Beispiel mit --use fx=column2.</translation>
+    </message>
+    <message>
+        <source>The text is UTF-16 and was read as such.</source>
+        <translation>Der Text ist UTF-16 und wurde so gelesen.</translation>
+    </message>
+    <message>
+        <source>Decimal commas were read as points.</source>
+        <translation>Dezimalkommas wurden als Punkte gelesen.</translation>
+    </message>
+    <message>
+        <source>{} lines above the names of the columns were skipped.</source>
+        <translation>{} Zeilen über den Namen der Spalten wurden übersprungen.</translation>
+    </message>
+    <message>
+        <source>The row below the names was read as the columns&apos; units.</source>
+        <translation>Die Zeile unter den Namen wurde als Einheiten der Spalten gelesen.</translation>
+    </message>
+    <message>
+        <source>Nothing says where the sensor sits; it is taken to be at the origin of the robot&apos;s link &quot;{}&quot;.</source>
+        <translation>Nirgends steht, wo der Sensor sitzt; angenommen wird der Ursprung des Robotergliedes „{}“.</translation>
+    </message>
+    <message>
+        <source>State sensor.mount in the meta file.</source>
+        <translation>Geben Sie sensor.mount in der Metadatei an.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; in column time is no number of seconds.</source>
+        <translation>„{}“ in Spalte time ist keine Zahl von Sekunden.</translation>
+    </message>
+    <message>
+        <source>the first row looks like data, not like column names.</source>
+        <translation>die erste Zeile sieht nach Daten aus, nicht nach Namen von Spalten.</translation>
+    </message>
+    <message>
+        <source>Write time in seconds, not microseconds.</source>
+        <translation>Schreiben Sie die Zeit in Sekunden, nicht in Mikrosekunden.</translation>
+    </message>
+    <message>
+        <source>{} has too little free motion to check a cause on it.</source>
+        <translation>In {} ist kein Stück lange genug ohne Berührung, um eine Ursache daran zu prüfen.</translation>
+    </message>
+    <message>
+        <source>Sensor zero jumped (bias step)</source>
+        <translation>Sensornull gesprungen (Nullpunktsprung)</translation>
+    </message>
+    <message>
+        <source>Sensor zero drifts (bias drift)</source>
+        <translation>Sensor wandert (Nullpunktdrift)</translation>
+    </message>
+    <message>
+        <source>Force readings late (delay)</source>
+        <translation>Messwerte verspätet (Verzögerung)</translation>
+    </message>
+    <message>
+        <source>Force readings smoothed (low-pass filter)</source>
+        <translation>Messwerte geglättet (Tiefpass)</translation>
+    </message>
+    <message>
+        <source>Accelerations late (motion lag)</source>
+        <translation>Beschleunigungen verspätet (Nachlauf der Bewegung)</translation>
+    </message>
+    <message>
+        <source>Sensor rotated on its mount</source>
+        <translation>Sensor verdreht montiert</translation>
+    </message>
+    <message>
+        <source>One channel reads wrong (gain error)</source>
+        <translation>Ein Kanal misst falsch (Verstärkungsfehler)</translation>
+    </message>
+    <message>
+        <source>One channel leaks into another (crosstalk)</source>
+        <translation>Ein Kanal wirkt auf einen anderen (Übersprechen)</translation>
+    </message>
+    <message>
+        <source>Steady pull from outside (constant force)</source>
+        <translation>Steter Zug von außen (konstante Kraft)</translation>
+    </message>
+    <message>
+        <source>Resistance grows with speed (viscous drag)</source>
+        <translation>Widerstand wächst mit dem Tempo (viskose Dämpfung)</translation>
+    </message>
+    <message>
+        <source>Does the tool drag along hoses full of liquid, dampers, bellows or covers?</source>
+        <translation>Zieht das Werkzeug gefüllte Schläuche, Dämpfer, Bälge oder Hüllen mit?</translation>
+    </message>
+    <message>
+        <source>Something rubs (Coulomb friction)</source>
+        <translation>Etwas reibt (Coulomb-Reibung)</translation>
+    </message>
+    <message>
+        <source>Repeat one movement at several speeds, and reverse it after short and long distances.</source>
+        <translation>Eine Bewegung mit mehreren Tempi wiederholen und nach kurzen und langen Wegen umkehren.</translation>
+    </message>
+    <message>
+        <source>Something is loose in the tool</source>
+        <translation>Etwas Loses im Werkzeug</translation>
+    </message>
+    <message>
+        <source>Move and stop abruptly a few times in different directions: a loose part keeps swinging.</source>
+        <translation>Einige Male in verschiedene Richtungen bewegen und abrupt anhalten: Was lose ist, schwingt nach.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s mount gives (flexible mount)</source>
+        <translation>Montage gibt nach (weiche Halterung)</translation>
+    </message>
+    <message>
+        <source>A small, fast ringing after every jerk, always at the same frequency.</source>
+        <translation>Ein feines, schnelles Nachklingen nach jedem Ruck, immer gleich hoch.</translation>
+    </message>
+    <message>
+        <source>Load changed during the recording</source>
+        <translation>Last änderte sich unterwegs</translation>
+    </message>
+    <message>
+        <source>From one moment on there is a residual that turns with the tool, as a weight does.</source>
+        <translation>Von einem Augenblick an gibt es eine Abweichung, die sich mit dem Werkzeug dreht, wie ein Gewicht.</translation>
+    </message>
+    <message>
+        <source>The tool touched something (contact)</source>
+        <translation>Das Werkzeug berührte etwas (Kontakt)</translation>
+    </message>
+    <message>
+        <source>Sensor at its limit (saturation)</source>
+        <translation>Sensor am Anschlag (Sättigung)</translation>
+    </message>
+    <message>
+        <source>Joint angle off (encoder offset)</source>
+        <translation>Gelenkwinkel daneben (Geberversatz)</translation>
+    </message>
+    <message>
+        <source>Spikes in the readings</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>Sensor position wrong (lever arm)</source>
+        <translation>Ort des Sensors stimmt nicht (Hebelarm)</translation>
+    </message>
+    <message>
+        <source>Rotate the tool fast back and forth about all three axes.</source>
+        <translation>Das Werkzeug schnell um alle drei Achsen hin und her drehen.</translation>
+    </message>
+    <message>
+        <source>Accelerations wrong</source>
+        <translation>Beschleunigungen daneben</translation>
+    </message>
+    <message>
+        <source>Sensor remembers its load (hysteresis)</source>
+        <translation>Sensor merkt sich seine Last (Hysterese)</translation>
+    </message>
+    <message>
+        <source>Readings lost or repeated (dropouts)</source>
+        <translation>Messwerte verloren oder wiederholt (Aussetzer)</translation>
+    </message>
+    <message>
+        <source>Uneven time stamps (jitter)</source>
+        <translation>Ungleichmäßige Zeitstempel (Jitter)</translation>
+    </message>
+    <message>
+        <source>In fast motion the measured curve jitters back and forth in time.</source>
+        <translation>Bei schneller Bewegung zittert die gemessene Kurve zeitlich vor und zurück.</translation>
+    </message>
+    <message>
+        <source>Coarse readings (quantisation)</source>
+        <translation>Grobe Messwerte (Quantisierung)</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero drifts until it settles: {} by {} {}.</source>
+        <translation>Die Null des Sensors kriecht: {} um {} {}, bis sie sich beruhigt.</translation>
+    </message>
+    <message>
+        <source>{} % of the force readings repeat the previous one.</source>
+        <translation>{} % der Kraftwerte wiederholen den davor.</translation>
+    </message>
+    <message>
+        <source>The angle of joint {} is {} degrees off.</source>
+        <translation>Gelenk {} steht in Wahrheit {} Grad neben dem aufgenommenen Winkel.</translation>
+    </message>
+    <message>
+        <source>The sensor remembers {} of its load: it reads differently while it is loaded and unloaded.</source>
+        <translation>Der Sensor merkt sich {} seiner Last: Er zeigt beim Belasten anderes als beim Entlasten.</translation>
+    </message>
+    <message>
+        <source>The motion arrives {} ms after the force readings.</source>
+        <translation>Die Kraftwerte kommen {} ms vor der Bewegung.</translation>
+    </message>
+    <message>
+        <source>The accelerations lag by {} ms; the angles do not.</source>
+        <translation>Beschleunigungen kommen {} ms zu spät; die Winkel nicht.</translation>
+    </message>
+    <message>
+        <source>The sensor is rotated by {} degrees.</source>
+        <translation>Der Sensor sitzt um {} Grad verdreht.</translation>
+    </message>
+    <message>
+        <source>Something pulls on the tool with {} N, always in the same direction.</source>
+        <translation>Etwas zieht mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>Something resists rotation: {} N m per radian per second.</source>
+        <translation>Etwas bremst das Drehen: {} N m pro Radiant pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something resists the tool&apos;s motion: {} N per metre per second.</source>
+        <translation>Etwas bremst das Werkzeug: {} N pro Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something rubs and resists the tool&apos;s motion with {} N.</source>
+        <translation>Etwas reibt und hält das Werkzeug mit {} N zurück.</translation>
+    </message>
+    <message>
+        <source>Something rubs and resists rotation with {} N m.</source>
+        <translation>Etwas reibt und bremst das Drehen mit {} N m.</translation>
+    </message>
+    <message>
+        <source>About {} g of the tool is loose and swings {} times a second.</source>
+        <translation>Etwa {} g im Werkzeug sind lose und schwingen {}-mal pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s origin is {} mm from where the meta file puts it.</source>
+        <translation>Der Ursprung des Sensors sitzt {} mm neben der Stelle aus der Meta-Datei.</translation>
+    </message>
+    <message>
+        <source>The inertial forces differ by {} % from what the motion predicts.</source>
+        <translation>Die Beschleunigungskräfte liegen {} % neben dem, was die Bewegung sagt.</translation>
+    </message>
+    <message>
+        <source>About {} g of the tool is loose and rolls to another place as the tool turns.</source>
+        <translation>Etwa {} g im Werkzeug sind lose und rollen an eine andere Stelle, wenn es sich dreht.</translation>
+    </message>
+    <message>
+        <source>Something in the tool is loose and rolls to another place as the tool turns.</source>
+        <translation>Etwas im Werkzeug ist lose und rollt an eine andere Stelle, wenn es sich dreht.</translation>
+    </message>
+    <message>
+        <source>Near the end of its range the channel {} reads {} % too little.</source>
+        <translation>Nahe dem Ende seines Messbereichs zeigt der Kanal {} {} % weniger, als da ist.</translation>
+    </message>
+    <message>
+        <source>The payload is given in the sensor frame that the meta file states.</source>
+        <translation>Die Nutzlast gilt für Ort und Achsen des Sensors, wie die Meta-Datei sie angibt.</translation>
+    </message>
+    <message>
+        <source>If you use the corrected meta file, estimate again with it.</source>
+        <translation>Wird die korrigierte Meta-Datei verwendet, mit ihr noch einmal schätzen.</translation>
+    </message>
+    <message>
+        <source>The channel {} is {:+.1f} % off in one direction and {:+.1f} % in the other.</source>
+        <translation>Der Kanal {} liegt zur einen Seite um {:+.1f} % daneben und zur anderen um {:+.1f} %.</translation>
+    </message>
+    <message>
+        <source>{} segments, {:.1f} s in total, were excluded: what acts there goes with {} and is not contact.</source>
+        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
+    </message>
+    <message>
+        <source>Check what switches, vibrates or rotates on the tool at these times.</source>
+        <translation>Sehen Sie nach, was am Werkzeug in diesen Augenblicken schaltet, rüttelt oder dreht.</translation>
+    </message>
+    <message>
+        <source>All forces read {} % too much compared with the torques.</source>
+        <translation>Alle Kräfte werden gegenüber den Momenten {} % zu groß gemessen.</translation>
+    </message>
+    <message>
+        <source>All forces read {} % too little compared with the torques.</source>
+        <translation>Alle Kräfte werden gegenüber den Momenten {} % zu klein gemessen.</translation>
+    </message>
+    <message>
+        <source>The clocks of the force readings and of the motion drift apart by {} ms per second.</source>
+        <translation>Die Uhren von Kraftwerten und Bewegung laufen auseinander, um {} ms je Sekunde.</translation>
+    </message>
+    <message>
+        <source>The sensor remembers its load: loading and unloading differ by {} % of the load&apos;s range.</source>
+        <translation>Der Sensor merkt sich seine Last: Auf dem Weg hinauf zeigt er um {} % des Lastbereichs anders an als auf dem Weg hinab.</translation>
+    </message>
+    <message>
+        <source>From {} s on, something pulls on the tool with {} N, always in the same direction.</source>
+        <translation>Ab {} s zieht etwas mit {} N am Werkzeug, immer in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>Something resists the tool&apos;s motion by up to {} N per metre per second.</source>
+        <translation>Etwas bremst das Werkzeug, mit bis zu {} N pro Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something rubs and resists the tool&apos;s motion with up to {} N.</source>
+        <translation>Etwas reibt und hält das Werkzeug mit bis zu {} N zurück.</translation>
+    </message>
+    <message>
+        <source>The angle of joint {} is off by up to {} degrees, varying once per turn.</source>
+        <translation>Gelenk {} wird bis zu {} Grad falsch gelesen, einmal je Umdrehung hin und her.</translation>
+    </message>
+    <message>
+        <source>From {} s on, the sensor&apos;s zero drifts until it settles: {} by {} {}.</source>
+        <translation>Ab {} s kriecht die Null des Sensors: {} um {} {}, bis sie sich beruhigt.</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s zero drifts back and forth: {} by {} {} in total.</source>
+        <translation>Die Null des Sensors wandert hin und her: {} um insgesamt {} {}.</translation>
+    </message>
+    <message>
+        <source>Something resists the tool&apos;s motion with the square of its speed: {} N at one metre per second.</source>
+        <translation>Etwas bremst das Werkzeug mit dem Quadrat seiner Geschwindigkeit: {} N bei einem Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>A torque grows as the tool rotates and drives it further: {} N m per radian.</source>
+        <translation>Etwas verdreht das Werkzeug umso mehr, je weiter es sich dreht: {} N m je Radiant.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand on the tool, pushes it in its direction of motion: {} N per metre per second.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, schiebt in Richtung der Bewegung: {} N je Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand on the tool, drives its rotation: {} N m per radian per second.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, dreht es weiter: {} N m je Radiant pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand on the tool, pushes it in its direction of motion with {} N.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, schiebt mit {} N in Richtung der Bewegung.</translation>
+    </message>
+    <message>
+        <source>Something, such as a hand on the tool, drives its rotation with {} N m.</source>
+        <translation>Etwas, etwa eine Hand am Werkzeug, dreht es mit {} N m weiter.</translation>
+    </message>
+    <message>
+        <source>{} % of the readings were delivered a second time in place of new ones.</source>
+        <translation>{} % der Anzeigen wurden ein zweites Mal ausgegeben, statt neuer.</translation>
+    </message>
+    <message>
+        <source>{} uses only every other step of {:.2g} {}: one bit of its converter appears to be stuck.</source>
+        <translation>{} lässt jede zweite Stufe von {:.2g} {} aus: Ein Bit des Wandlers ändert sich nie.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor&apos;s electronics; if that does not help, have them repaired.</source>
+        <translation>Starten Sie die Elektronik des Sensors neu; hilft das nicht, lassen Sie sie reparieren.</translation>
+    </message>
+    <message>
+        <source>A segment of {:.1f} s was excluded: what acts there goes with {} and is not contact.</source>
+        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
+    </message>
+    <message>
+        <source>At {:.2f} s the readings jump briefly to implausible values.</source>
+        <translation>Bei {:.2f} s springen die Messwerte dorthin, wohin keine Last sie bringt, und zurück.</translation>
+    </message>
+    <message>
+        <source>{} % of the recorded positions repeat the previous one although the tool was moving.</source>
+        <translation>{} % der aufgezeichneten Positionen wiederholen die vorige, während das Werkzeug sich weiterbewegte.</translation>
+    </message>
+    <message>
+        <source>Makes {} worse: {}. That recording does not have this fault, or has it differently.</source>
+        <translation>Macht {} schlechter: {}. Dort liegt es nicht vor, oder anders.</translation>
+    </message>
+    <message>
+        <source>Makes no difference on {}: {}. Its motion does not excite this fault.</source>
+        <translation>Macht bei {} keinen Unterschied: {}. Die Bewegung dort zeigt es nicht.</translation>
+    </message>
+    <message>
+        <source>One reading jumps for a single row. It was replaced by interpolation.</source>
+        <translation>Ein Messwert springt eine einzige Zeile lang. Er wurde durch das ersetzt, was daneben liegt.</translation>
+    </message>
+    <message>
+        <source>{} readings jump for a single row, too few to determine why. They were replaced by interpolation.</source>
+        <translation>{} Messwerte springen je eine einzige Zeile lang; zu wenige, um zu sagen, woher das kommt. Sie wurden durch das ersetzt, was daneben liegt.</translation>
+    </message>
+    <message>
+        <source>There is less evidence for {} than for the unexplained part, and it may belong to that. It is not reported as a cause.</source>
+        <translation>Für {} spricht weniger als für das, was hier unerklärt bleibt, und es mag ein Teil davon sein. Es wird nicht als Ursache genannt.</translation>
+    </message>
+    <message>
+        <source>The readings look as if the sensor were turned by about {:.1f} degrees from where the setup file has it. The centre of mass is off accordingly, by more than its interval says.</source>
+        <translation>Die Messwerte sehen aus, als wäre der Sensor um etwa {:.1f} Grad gegen die Angabe in der Meta-Datei verdreht. Entsprechend weicht der Schwerpunkt ab, um mehr, als sein Intervall sagt.</translation>
+    </message>
+    <message>
+        <source>Force and torque do not agree: in the torque, mass times lever is about {:.0f} % of what it is in the force. Mass and centre may be off by as much.</source>
+        <translation>Kraft und Drehmoment passen nicht zusammen: Im Drehmoment beträgt Masse mal Hebel etwa {:.0f} % dessen, was die Kraft sagt. Masse und Schwerpunkt können um ebenso viel abweichen.</translation>
+    </message>
+    <message>
+        <source>Several wrenches would do; {} was taken, since the motion explains {:.0f} % of its force, and {:.0f} % of that of {}.</source>
+        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, denn die Bewegung erklärt {:.0f} % ihrer Kraft, und {:.0f} % der von {}.</translation>
+    </message>
+    <message>
+        <source>Several wrenches would do; {} was taken, and it could also be {}.</source>
+        <translation>Mehrere Kräfte kommen in Frage; genommen wurde {}, es könnte auch {} sein.</translation>
+    </message>
+    <message>
+        <source>its columns could not be read again.</source>
+        <translation>ihre Spalten konnten nicht noch einmal gelesen werden.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -7654,18 +8486,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Die Abweichung</translation>
     </message>
     <message>
-        <source>over time</source>
-        <translation>über der Zeit</translation>
-    </message>
-    <message>
-        <source>by frequency</source>
-        <translation>nach Frequenz</translation>
-    </message>
-    <message>
-        <source>against the motion</source>
-        <translation>gegen die Bewegung</translation>
-    </message>
-    <message>
         <source>Channel</source>
         <translation>Kanal</translation>
     </message>
@@ -7674,32 +8494,12 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Gegen</translation>
     </message>
     <message>
-        <source>Back to the plots</source>
-        <translation>Zurück zu den Kurven</translation>
-    </message>
-    <message>
-        <source>Difference in %1 [%2]</source>
-        <translation>Abweichung in %1 [%2]</translation>
-    </message>
-    <message>
-        <source>Time [s]</source>
-        <translation>Zeit [s]</translation>
-    </message>
-    <message>
         <source>with the causes</source>
         <translation>mit den Ursachen</translation>
     </message>
     <message>
         <source>without</source>
         <translation>ohne</translation>
-    </message>
-    <message>
-        <source>Torque difference [N m/√Hz]</source>
-        <translation>Drehmomentabweichung [N m/√Hz]</translation>
-    </message>
-    <message>
-        <source>Force difference [N/√Hz]</source>
-        <translation>Kraftabweichung [N/√Hz]</translation>
     </message>
     <message>
         <source>Frequency [Hz]</source>
@@ -7722,16 +8522,135 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Nichts zum Vergleichen.</translation>
     </message>
     <message>
-        <source>What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise.</source>
-        <translation>Was das Modell verfehlt, auf Abschnitten, an die es nicht angepasst wurde. Grau: das doppelte Rauschen des Sensors.</translation>
-    </message>
-    <message>
         <source>Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is none.</source>
         <translation>Grau: die Höhe des schnellen Sensorrauschens. Langsames Rauschen kann einige Male höher liegen; was weit darüber ragt, ist keines.</translation>
     </message>
     <message>
-        <source>A cloud that leans or bends goes with what is on the axis; a flat one does not.</source>
-        <translation>Eine Wolke, die sich neigt oder biegt, geht mit dem, was auf der Achse steht; eine flache nicht.</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Zusammenhang</translation>
+    </message>
+    <message>
+        <source>Measured and simulated over time</source>
+        <translation>Gemessen und simuliert über der Zeit</translation>
+    </message>
+    <message>
+        <source>What is left over, by frequency</source>
+        <translation>Was übrig bleibt, nach Frequenz</translation>
+    </message>
+    <message>
+        <source>What is left over, against what the robot did</source>
+        <translation>Was übrig bleibt, gegen das, was der Roboter tat</translation>
+    </message>
+    <message>
+        <source>Which causes</source>
+        <translation>Welche Ursachen</translation>
+    </message>
+    <message>
+        <source>Show the whole recording</source>
+        <translation>Die ganze Aufnahme zeigen</translation>
+    </message>
+    <message>
+        <source>Copy this picture</source>
+        <translation>Dieses Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save this picture</source>
+        <translation>Dieses Bild speichern</translation>
+    </message>
+    <message>
+        <source>Show force and torque instead</source>
+        <translation>Stattdessen Kraft und Moment zeigen</translation>
+    </message>
+    <message>
+        <source>all causes</source>
+        <translation>alle Ursachen</translation>
+    </message>
+    <message>
+        <source>rate of change of the load</source>
+        <translation>Änderungsrate der Last</translation>
+    </message>
+    <message>
+        <source>Torque left over [N m/√Hz]</source>
+        <translation>Moment, das übrig bleibt [N m/√Hz]</translation>
+    </message>
+    <message>
+        <source>Force left over [N/√Hz]</source>
+        <translation>Kraft, die übrig bleibt [N/√Hz]</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>simulated as stated</source>
+        <translation>simuliert wie angegeben</translation>
+    </message>
+    <message>
+        <source>with the cause corrected</source>
+        <translation>mit der Ursache berichtigt</translation>
+    </message>
+    <message>
+        <source>· grey: the sensor’s noise, ±2 σ</source>
+        <translation>· grau: Rauschen des Sensors, ±2 σ</translation>
+    </message>
+    <message>
+        <source>A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; click on a dot to go to its time.</source>
+        <translation>Eine schräge oder krumme Wolke heißt, dass die Abweichung von dieser Größe abhängt. Beide Bilder haben einen Maßstab; ein Klick auf einen Punkt führt zu seiner Zeit.</translation>
+    </message>
+</context>
+<context>
+    <name>heft::DifferenceTraces</name>
+    <message>
+        <source>Measured and simulated, without and with the causes, and what is left over</source>
+        <translation>Gemessen und simuliert, ohne und mit den Ursachen, und was übrig bleibt</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>with the causes</source>
+        <translation>mit den Ursachen</translation>
+    </message>
+    <message>
+        <source>left over without</source>
+        <translation>übrig ohne</translation>
+    </message>
+    <message>
+        <source>left over with</source>
+        <translation>übrig mit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Nothing to compare yet.</source>
+        <translation>Noch nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>left over</source>
+        <translation>übrig</translation>
     </message>
 </context>
 <context>
@@ -7921,6 +8840,82 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>one answer is missing</source>
         <translation>eine Antwort fehlt</translation>
+    </message>
+    <message>
+        <source>Nothing in this result can be trusted, so no file is written.</source>
+        <translation>Diesem Ergebnis ist nicht zu trauen, daher wird keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong</source>
+        <translation>Nachsehen, was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Write it all the same …</source>
+        <translation>Trotzdem schreiben …</translation>
+    </message>
+    <message>
+        <source>Heft Studio</source>
+        <translation>Heft Studio</translation>
+    </message>
+    <message>
+        <source>Write a payload that nothing in the recording supports?</source>
+        <translation>Eine Last schreiben, die nichts in der Aufnahme stützt?</translation>
+    </message>
+    <message>
+        <source>%1
+
+A robot that is told a wrong load drifts when it is guided, stops without a reason, or does not stop when it should.</source>
+        <translation>%1
+
+Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an oder hält nicht an, wenn er sollte.</translation>
+    </message>
+    <message>
+        <source>I know that these numbers are wrong; write them</source>
+        <translation>Ich weiß, dass diese Zahlen falsch sind; schreiben</translation>
+    </message>
+    <message>
+        <source>Do not write</source>
+        <translation>Nicht schreiben</translation>
+    </message>
+    <message>
+        <source>see the warnings</source>
+        <translation>siehe Warnungen</translation>
+    </message>
+    <message>
+        <source>Read the warnings above first.</source>
+        <translation>Lesen Sie erst die Warnungen oben.</translation>
+    </message>
+    <message>
+        <source>The reality check found a cause that is not applied: %1</source>
+        <translation>Die Realitätsprüfung fand eine Ursache, die nicht angewendet ist: %1</translation>
+    </message>
+    <message>
+        <source>With it the result changes: %1.</source>
+        <translation>Mit ihr ändert sich das Ergebnis: %1.</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>Werkzeugmittelpunkt</translation>
+    </message>
+    <message>
+        <source>from the flange, its axes</source>
+        <translation>vom Flansch, in dessen Achsen</translation>
+    </message>
+    <message>
+        <source>tool centre point</source>
+        <translation>Werkzeugmittelpunkt</translation>
+    </message>
+    <message>
+        <source>Save all the same</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>Back to the reality check</source>
+        <translation>Zurück zur Realitätsprüfung</translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation>Zurück zum Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -8154,6 +9149,21 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>heft::LibraryOnDemand</name>
+    <message>
+        <source>The library {} is missing. Install the package that holds it.</source>
+        <translation>Die Bibliothek {} fehlt. Installieren Sie das Paket, zu dem sie gehört.</translation>
+    </message>
+    <message>
+        <source>The library {} is missing. Install it: apt-get install {}</source>
+        <translation>Die Bibliothek {} fehlt. Installieren Sie sie: apt-get install {}</translation>
+    </message>
+    <message>
+        <source>The library {} has no {}: it is of another version.</source>
+        <translation>Der Bibliothek {} fehlt {}: Sie ist von einer anderen Version.</translation>
+    </message>
+</context>
+<context>
     <name>heft::LiveBoard</name>
     <message>
         <source>Rather move the arm freely?</source>
@@ -8361,6 +9371,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Is it switched on, and is its address right?</source>
         <translation>Ist es eingeschaltet, und stimmt die Adresse?</translation>
     </message>
+    <message>
+        <source>NOT WHAT THE RIG SAYS</source>
+        <translation>ANDERS ALS ANGEGEBEN</translation>
+    </message>
 </context>
 <context>
     <name>heft::LiveRun</name>
@@ -8411,10 +9425,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Von selbst gespeichert, %1</translation>
     </message>
     <message>
-        <source>Heft Studio ended without closing last time. What you had open was kept.</source>
-        <translation>Heft Studio wurde beim letzten Mal nicht normal beendet. Was Sie offen hatten, ist noch da.</translation>
-    </message>
-    <message>
         <source>Open it again</source>
         <translation>Wieder öffnen</translation>
     </message>
@@ -8451,10 +9461,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Heft Studio ended in the middle of a recording. What came until then was kept.</source>
-        <translation>Heft Studio endete mitten in einer Aufnahme. Was bis dahin kam, blieb erhalten.</translation>
-    </message>
-    <message>
         <source>Open the recording</source>
         <translation>Aufnahme öffnen</translation>
     </message>
@@ -8465,6 +9471,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Choose columns and units …</source>
         <translation>Spalten und Einheiten wählen …</translation>
+    </message>
+    <message>
+        <source>Your last session was not closed by hand. What you had open was kept.</source>
+        <translation>Ihre letzte Sitzung wurde nicht von Hand geschlossen. Was offen war, wurde aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The program ended in the middle of a recording. What came until then was kept.</source>
+        <translation>Das Programm endete mitten in einer Aufnahme. Was bis dahin kam, wurde aufgehoben.</translation>
     </message>
 </context>
 <context>
@@ -8487,10 +9501,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>all poses are used</source>
         <translation>alle Stellungen benutzt</translation>
-    </message>
-    <message>
-        <source>being looked at …</source>
-        <translation>wird angesehen …</translation>
     </message>
     <message numerus="yes">
         <source>%n suggestion(s) to check</source>
@@ -8666,6 +9676,30 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Drag an edge to move it · Ctrl+Z undoes</source>
         <translation>Eine Kante lässt sich verschieben · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>checking …</source>
+        <translation>wird geprüft …</translation>
+    </message>
+    <message>
+        <source>nothing found</source>
+        <translation>nichts gefunden</translation>
+    </message>
+    <message>
+        <source>Nothing was found.</source>
+        <translation>Es wurde nichts gefunden.</translation>
+    </message>
+    <message>
+        <source>Also left out at each end, where arms are gripped and let go</source>
+        <translation>An beiden Enden auch weggelassen, wo man den Arm greift und loslässt</translation>
+    </message>
+    <message>
+        <source>Left out at each end</source>
+        <translation>An jedem Ende weggelassen</translation>
+    </message>
+    <message>
+        <source>left out at each end</source>
+        <translation>an jedem Ende weggelassen</translation>
     </message>
 </context>
 <context>
@@ -8951,6 +9985,34 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Pause (Space)</source>
         <translation>Anhalten (Leertaste)</translation>
     </message>
+    <message>
+        <source>Speed, loop and single steps</source>
+        <translation>Geschwindigkeit, Schleife und Einzelschritte</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>Loop what the plots show</source>
+        <translation>Wiederholen, was die Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>Ein Schritt zurück</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>Ein Schritt vor</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>heft::RealityPanel</name>
@@ -9003,10 +10065,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>check the rig</source>
         <translation>den Aufbau prüfen</translation>
-    </message>
-    <message>
-        <source>Apply a correction to see what it changes · Ctrl+Z takes it back</source>
-        <translation>Eine Berichtigung anwenden zeigt, was sie ändert · Strg+Z nimmt sie zurück</translation>
     </message>
     <message>
         <source>Looking for causes</source>
@@ -9108,10 +10166,6 @@ Bitte prüfen Sie den Namen.</translation>
         <source>One fault of the rig is hidden in it. Look, then guess.</source>
         <translation>Ein Fehler des Aufbaus ist darin versteckt. Ansehen, dann tippen.</translation>
     </message>
-    <message>
-        <source>Look at the difference more closely</source>
-        <translation>Die Abweichung genauer ansehen</translation>
-    </message>
     <message numerus="yes">
         <source>%n correction(s) of an earlier check are part of the result.</source>
         <translation>
@@ -9130,10 +10184,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The marks changed since Heft looked.</source>
         <translation>Die Marken haben sich seit der Suche geändert.</translation>
-    </message>
-    <message>
-        <source>By frequency over the sensor’s noise, and against what the robot did</source>
-        <translation>Nach Frequenz über dem Sensorrauschen und gegen das, was der Roboter tat</translation>
     </message>
     <message>
         <source>Look again</source>
@@ -9224,24 +10274,63 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Um über „%1“ zu entscheiden: %2</translation>
     </message>
     <message>
-        <source>unseen stretch</source>
-        <translation>ungesehener Abschnitt</translation>
-    </message>
-    <message>
-        <source>needs a motion</source>
-        <translation>braucht eine Bewegung</translation>
-    </message>
-    <message>
         <source>free parts fit the model</source>
         <translation>freie Teile passen</translation>
     </message>
     <message>
-        <source>Standing poses do not show it: causes need a motion. Mass and centre of mass can be exported as they are.</source>
-        <translation>Stehende Posen zeigen es nicht: Ursachen brauchen eine Bewegung. Masse und Schwerpunkt lassen sich so ausgeben, wie sie sind.</translation>
+        <source>read the recording otherwise than stated</source>
+        <translation>Aufnahme anders lesen als angegeben</translation>
     </message>
     <message>
-        <source>Record a motion</source>
-        <translation>Bewegung aufnehmen</translation>
+        <source>Heft compares the poses with each other, and with what gravity makes of a rigid tool.</source>
+        <translation>Heft vergleicht die Haltungen miteinander und mit dem, was die Schwerkraft aus einem starren Werkzeug macht.</translation>
+    </message>
+    <message>
+        <source>The numbers mean something else</source>
+        <translation>Die Zahlen bedeuten etwas anderes</translation>
+    </message>
+    <message>
+        <source>Read the recording as physics says first; the rest of this page takes it as read so.</source>
+        <translation>Lesen Sie die Aufnahme zuerst so, wie die Physik es sagt; der Rest dieser Seite geht davon aus.</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Look at the curves below the arm, then guess</source>
+        <translation>Sehen Sie sich die Kurven unter dem Arm an und raten Sie</translation>
+    </message>
+    <message>
+        <source>Apply a correction to see what it changes · Ctrl+Z to undo</source>
+        <translation>Eine Korrektur anwenden und sehen, was sie ändert · Strg+Z macht rückgängig</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Hält an …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) that Heft allows for</source>
+        <translation>
+            <numerusform>%n Befund, den Heft schon berücksichtigt</numerusform>
+            <numerusform>%n Befunde, die Heft schon berücksichtigt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show force and torque</source>
+        <translation>Kraft und Moment zeigen</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>Die Abweichung zeigen</translation>
+    </message>
+    <message>
+        <source>What stands below the arm</source>
+        <translation>Was unter dem Arm steht</translation>
+    </message>
+    <message>
+        <source>shows best here</source>
+        <translation>hier am besten zu sehen</translation>
     </message>
 </context>
 <context>
@@ -9292,10 +10381,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Open a recording …</source>
         <translation>Aufnahme öffnen …</translation>
-    </message>
-    <message>
-        <source>Opened lately</source>
-        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Open %1</source>
@@ -9457,10 +10542,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -9523,6 +10604,109 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>%1, recording</source>
         <translation>%1, Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>What was recorded so far was kept: %1</source>
+        <translation>Was bisher aufgenommen war, wurde aufgehoben: %1</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>Aufnahme gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Nobody said how the sensor sits on the flange, so Heft took its axes for the flange’s. A sensor that sits elsewhere makes the inertia and the exported numbers wrong.</source>
+        <translation>Niemand hat gesagt, wie der Sensor am Flansch sitzt; Heft hat seine Achsen für die des Flansches genommen. Sitzt er anders, werden Trägheit und exportierte Zahlen falsch.</translation>
+    </message>
+    <message>
+        <source>Say it now …</source>
+        <translation>Jetzt angeben …</translation>
+    </message>
+    <message>
+        <source>Heft Studio</source>
+        <translation>Heft Studio</translation>
+    </message>
+    <message>
+        <source>A recording is under way. Stop it?</source>
+        <translation>Eine Aufnahme läuft. Anhalten?</translation>
+    </message>
+    <message>
+        <source>What has come so far is kept in %1.</source>
+        <translation>Was bisher kam, wird aufgehoben in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Throw %n pose(s) away?</source>
+        <translation>
+            <numerusform>%n Stellung verwerfen?</numerusform>
+            <numerusform>%n Stellungen verwerfen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Open a recording first.</source>
+        <translation>Öffnen Sie erst eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.%1)</source>
+        <translation>Aufnahmen (*.%1)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: check that the folder exists and may be written to.</source>
+        <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob der Ordner da ist und beschrieben werden darf.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save &amp;recording as …</source>
+        <translation>Auf&amp;nahme speichern unter …</translation>
+    </message>
+    <message>
+        <source>Open the recordings f&amp;older</source>
+        <translation>&amp;Ordner der Aufnahmen öffnen</translation>
+    </message>
+    <message>
+        <source>Go on recording</source>
+        <translation>Weiter aufnehmen</translation>
+    </message>
+    <message>
+        <source>No recording at hand?</source>
+        <translation>Keine Aufnahme zur Hand?</translation>
+    </message>
+    <message>
+        <source>Makes this recording with the simulation and opens it</source>
+        <translation>Erzeugt diese Aufnahme mit der Simulation und öffnet sie</translation>
+    </message>
+    <message>
+        <source>Making a sample recording</source>
+        <translation>Beispielaufnahme wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Or guide the virtual arm yourself (third tab above), or look for a hidden fault: menu Practice.</source>
+        <translation>Oder führen Sie selbst den virtuellen Arm (dritter Reiter oben), oder suchen Sie einen versteckten Fehler: Menü „Üben“.</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1   ·   %2, %3</source>
+        <translation>%1   ·   %2, %3</translation>
     </message>
 </context>
 <context>
@@ -9698,6 +10882,26 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Look for the cause</source>
         <translation>Ursache suchen</translation>
     </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Look for what is wrong</source>
+        <translation>Nachsehen, was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Go to Record</source>
+        <translation>Zu „Aufnehmen“</translation>
+    </message>
+    <message>
+        <source>Check the shape</source>
+        <translation>Form prüfen</translation>
+    </message>
+    <message>
+        <source>Show the cause</source>
+        <translation>Ursache zeigen</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultStep</name>
@@ -9748,6 +10952,10 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>compare needs an open recording.</source>
         <translation>compare braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>no weight yet</source>
+        <translation>noch kein Gewicht</translation>
     </message>
 </context>
 <context>
@@ -10313,6 +11521,22 @@ Bitte prüfen Sie den Namen.</translation>
         <source>&quot;%1&quot; is no length here: a number from %2 to %3 mm is.</source>
         <translation>„%1“ ist hier keine Länge: Gefragt ist eine Zahl von %2 bis %3 mm.</translation>
     </message>
+    <message>
+        <source>Choose a CAD file …</source>
+        <translation>CAD-Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Until a file is chosen, the result goes by: %1.</source>
+        <translation>Bis eine Datei gewählt ist, gilt im Ergebnis: %1.</translation>
+    </message>
+    <message>
+        <source>choose a CAD file</source>
+        <translation>CAD-Datei wählen</translation>
+    </message>
+    <message>
+        <source>does not fit, left out</source>
+        <translation>passt nicht, weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>heft::SourceForm</name>
@@ -10433,14 +11657,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Aufbaudateien (*.json)</translation>
     </message>
     <message>
-        <source>Without it the recording&apos;s own is used.</source>
-        <translation>Ohne sie gilt die der Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Without it the arm is taken for a Franka Panda with the sensor at its flange.</source>
-        <translation>Ohne sie gilt der Arm als Franka Panda mit dem Sensor am Flansch.</translation>
-    </message>
-    <message>
         <source>The sensor&apos;s address is missing.</source>
         <translation>Die Adresse des Sensors fehlt.</translation>
     </message>
@@ -10451,6 +11667,66 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Standing poses cannot be played as a motion.</source>
         <translation>Stehende Posen lassen sich nicht als Bewegung abspielen.</translation>
+    </message>
+    <message>
+        <source>Universal Robots</source>
+        <translation>Universal Robots</translation>
+    </message>
+    <message>
+        <source>Address of the robot, for instance 192.168.0.10</source>
+        <translation>Adresse des Roboters, zum Beispiel 192.168.0.10</translation>
+    </message>
+    <message>
+        <source>An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.</source>
+        <translation>Eine e-Series von Universal Robots mit eigenem Kraftsensor. Heft liest nur und schreibt nichts in die Steuerung.</translation>
+    </message>
+    <message>
+        <source>UR</source>
+        <translation>UR</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s address is missing.</source>
+        <translation>Die Adresse des Roboters fehlt.</translation>
+    </message>
+    <message>
+        <source>Without it the recording’s own is used.</source>
+        <translation>Ohne sie gilt die der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Without it Heft takes the arm for a Franka Panda, and asks:</source>
+        <translation>Ohne sie hält Heft den Arm für einen Franka Panda und fragt:</translation>
+    </message>
+    <message>
+        <source>Where is the sensor’s measuring point?</source>
+        <translation>Wo ist der Messpunkt des Sensors?</translation>
+    </message>
+    <message>
+        <source>At the flange</source>
+        <translation>Am Flansch</translation>
+    </message>
+    <message>
+        <source>Below it</source>
+        <translation>Darunter</translation>
+    </message>
+    <message>
+        <source>Not sure</source>
+        <translation>Weiß nicht</translation>
+    </message>
+    <message>
+        <source>Distance along the flange’s axis</source>
+        <translation>Abstand entlang der Flanschachse</translation>
+    </message>
+    <message>
+        <source>Heft takes it for the flange’s own axes now and asks again after the recording.</source>
+        <translation>Heft nimmt jetzt die Achsen des Flansches an und fragt nach der Aufnahme noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its axes are taken to lie as the flange’s; a rotated sensor needs a rig file.</source>
+        <translation>Seine Achsen gelten als parallel zu denen des Flansches; ein verdrehter Sensor braucht eine Aufbaudatei.</translation>
+    </message>
+    <message>
+        <source>Say where the sensor’s measuring point is, or choose a rig file.</source>
+        <translation>Sagen Sie, wo der Messpunkt des Sensors ist, oder wählen Sie eine Aufbaudatei.</translation>
     </message>
 </context>
 <context>
@@ -10690,6 +11966,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Stop this</source>
         <translation>Das anhalten</translation>
     </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Hält an …</translation>
+    </message>
 </context>
 <context>
     <name>heft::StepBar</name>
@@ -10897,6 +12177,22 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>N m</source>
         <translation>N m</translation>
+    </message>
+    <message>
+        <source>Show the whole recording</source>
+        <translation>Die ganze Aufnahme zeigen</translation>
+    </message>
+    <message>
+        <source>Scale to the free parts</source>
+        <translation>Auf die freien Teile skalieren</translation>
+    </message>
+    <message>
+        <source>A contact may go out of the picture, so that the rest can be seen</source>
+        <translation>Ein Kontakt darf aus dem Bild laufen, damit man den Rest sieht</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
     </message>
 </context>
 </TS>

@@ -188,6 +188,13 @@
             <numerusform>%n corrections of an earlier check are part of the result.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n finding(s) that Heft allows for</source>
+        <translation>
+            <numerusform>%n finding that Heft allows for</numerusform>
+            <numerusform>%n findings that Heft allows for</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>heft::RecordPanel</name>
@@ -203,6 +210,13 @@
         <translation>
             <numerusform>%n pose, recording</numerusform>
             <numerusform>%n poses, recording</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Throw %n pose(s) away?</source>
+        <translation>
+            <numerusform>Throw %n pose away?</numerusform>
+            <numerusform>Throw %n poses away?</numerusform>
         </translation>
     </message>
 </context>

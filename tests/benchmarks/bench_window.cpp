@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QProcess>
+#include <QPushButton>
 #include <QScreen>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -302,6 +303,7 @@ int live(int minutes) {
   auto* form = panel->findChild<SourceForm*>();
   form->setKind(SourceForm::Kind::jsonUdp);
   form->findChildren<QLineEdit*>("sourceAddress").back()->setText(QString::number(kPort));
+  form->findChildren<QPushButton*>("mountAtFlange").back()->click();
   panel->startListening();
   if (!panel->run()->running()) return fmt::print(stderr, "does not listen\n"), 1;
   const SendingRobot robot(kPort);

@@ -46,12 +46,7 @@ conventions::Report checked(const Recording& recording) {
   const bool poses = recording.meta.kind == RecordingKind::poses;
   const Motion motion =
       orThrow(poses ? standingPoses(recording, &robot) : motionOf(recording, &robot, MotionOptions{}));
-  conventions::Question q;
-  q.motion = &motion;
-  q.kind = recording.meta.kind;
-  q.stated = conventions::statedIn(recording.meta);
-  q.posesInFile = !recording.hasJoints();
-  q.mount = recording.meta.mount;
+  const auto q = conventions::questionOf(recording, motion);
   const auto start = std::chrono::steady_clock::now();
   auto report = conventions::check(q);
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -112,6 +112,45 @@ TEST_F(ConventionsTest, AReplayEstimatesTheSame) {
   EXPECT_NEAR(resultOf({"estimate", "live.csv"})["payload"]["mass_kg"].get<double>(), mass, 1e-3 * mass);
 }
 
+TEST_F(ConventionsTest, AReplaySaysAtOnceWhatTheNumbersMeanAndCanObey) {
+  simulate("rec", {"--duration", "16", "--rate", "200"});
+  make("odd", kBaseAxes, MotionForm::joints);
+  json meta = readJson("plain.meta.json");
+  meta["angle_unit"] = "deg";
+  write("odd.meta.json", meta.dump());
+  const Outcome stated = heft({"live", "replay:odd.csv?speed=4", "--json", "stated.json"});
+  ASSERT_EQ(stated.exitCode, 0) << stated.err;
+  EXPECT_THAT(stated.err, HasSubstr("The force is given in the robot's base axes"));
+  EXPECT_THAT(stated.err, HasSubstr("--conventions suggested"));
+  EXPECT_THAT(stated.err, HasSubstr("no weight: "));
+  EXPECT_EQ(readJson("stated.json")["trust"], "none");
+  const Outcome so = heft({"live", "replay:odd.csv?speed=4", "--conventions", "suggested", "--json", "suggested.json"});
+  ASSERT_EQ(so.exitCode, 0) << so.err;
+  EXPECT_THAT(so.err, HasSubstr("are read so from now on"));
+  EXPECT_THAT(so.err, HasSubstr(" kg ["));
+  const double mass = resultOf({"estimate", "plain.csv"})["payload"]["mass_kg"];
+  EXPECT_NEAR(readJson("suggested.json")["payload"]["mass_kg"].get<double>(), mass, 0.02 * mass);
+  EXPECT_EQ(heft({"live", "replay:odd.csv", "--conventions", "guessed"}).exitCode, 2);
+}
+
+TEST_F(ConventionsTest, TheListSaysWhatTheNumbersMean) {
+  make("odd", kBaseAxes, MotionForm::joints);
+  const Outcome right = heft({"convert", "odd.csv", "--list", "--json", "right.json"});
+  ASSERT_EQ(right.exitCode, 0) << right.err;
+  EXPECT_THAT(right.out, HasSubstr("The readings follow the stated conventions."));
+  EXPECT_EQ(readJson("right.json")["conventions"]["verdict"], "as_stated");
+  json meta = readJson("plain.meta.json");
+  meta["angle_unit"] = "deg";
+  write("odd.meta.json", meta.dump());
+  const Outcome wrong = heft({"convert", "odd.csv", "--list", "--json", "wrong.json"});
+  EXPECT_THAT(wrong.out, HasSubstr("base axes"));
+  EXPECT_EQ(readJson("wrong.json")["conventions"]["meta"]["sensor"]["wrench_axes"], "base");
+  // Without a wrench there is nothing to ask.
+  write("half.csv", "time,q1,q2,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n0.1,0,0,0,0,0,0,0\n");
+  ASSERT_EQ(heft({"convert", "half.csv", "--list", "--json", "half.json"}).exitCode, 0);
+  EXPECT_TRUE(readJson("half.json")["conventions"].is_null());
+}
+
 TEST_F(ConventionsTest, WhatCannotBeIsRefusedWithOneSentence) {
   make("odd", {{"sensor", {{"wrench_axes", "tool"}}}}, MotionForm::joints);
   EXPECT_TRUE(

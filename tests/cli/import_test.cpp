@@ -34,6 +34,14 @@ TEST_F(ImportTest, ListShowsTheGuessAndWritesNothing) {
   EXPECT_EQ(heft({"convert", fixture("zstd.mcap")}).exitCode, 2);
 }
 
+TEST_F(ImportTest, ListShowsTheColumnsWhereNoneIsTheTime) {
+  write("own.csv", "a,b,c,fx,fy,fz,tx,ty,tz\n1,2,3,4,5,6,7,8,9\n2,3,4,5,6,7,8,9,1\n3,3,4,5,6,7,8,9,1\n");
+  const Outcome run = heft({"convert", "own.csv", "--list"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 samples, no clock\n    a\n    b\n    c\n    fx"));
+  EXPECT_THAT(run.out, HasSubstr("--use time="));
+}
+
 TEST_F(ImportTest, WishesAreObeyedOrRefused) {
   EXPECT_EQ(heft({"convert", fixture("log.h5"), "a.csv", "--use", "fx=/sensor:ft[2]"}).exitCode, 0);
   EXPECT_TRUE(failedWithOneSentence(heft({"convert", fixture("log.h5"), "b.csv", "--use", "fx=/nowhere"}), "/nowhere"));

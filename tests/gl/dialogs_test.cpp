@@ -27,6 +27,7 @@
 #include "core/base/remedy.h"
 #include "core/recording/csv_reader.h"
 #include "core/simulation/simulate.h"
+#include "ui/controller/autosave.h"
 #include "ui/controller/workspace.h"
 #include "ui/import_dialogs/sources_dialog.h"
 #include "ui/main_window/main_window.h"
@@ -41,6 +42,7 @@ class DialogsTest : public testing::Test {
  protected:
   DialogsTest() {
     qputenv("XDG_STATE_HOME", folder.path().toUtf8());
+    setRecordedFolder(folder.filePath("recordings"));
     StudioOptions options;
     options.offscreen = true;
     options.size = QSize(1280, 800);
@@ -55,6 +57,7 @@ class DialogsTest : public testing::Test {
     settle();
     studio.reset();
     qunsetenv("XDG_STATE_HOME");
+    setRecordedFolder({});
   }
   void settle(int more = 100) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return studio->window().settled(); }, 120000));
@@ -209,10 +212,10 @@ TEST_F(DialogsTest, PicturesOfTheManualStandInLinesOfTheirOwn) {
 }
 
 TEST_F(DialogsTest, WhatIsToBeDoneExistsInTheWindow) {
-  const Remedy all[] = {Remedy::showContents, Remedy::chooseSource, Remedy::takeSource,   Remedy::addFile,
-                        Remedy::chooseTime,   Remedy::stateOffset,  Remedy::nameRobot,    Remedy::mountSensor,
-                        Remedy::turnWrench,   Remedy::turnGravity,  Remedy::correctMount, Remedy::sayStandingPoses,
-                        Remedy::keepEndsOut,  Remedy::giveCentre,   Remedy::giveInertia};
+  const Remedy all[] = {Remedy::showContents,     Remedy::chooseSource, Remedy::takeSource,  Remedy::addFile,
+                        Remedy::chooseTime,       Remedy::stateOffset,  Remedy::stateRate,   Remedy::nameRobot,
+                        Remedy::mountSensor,      Remedy::turnWrench,   Remedy::turnGravity, Remedy::correctMount,
+                        Remedy::sayStandingPoses, Remedy::keepEndsOut,  Remedy::giveCentre,  Remedy::giveInertia};
   for (const char* language : {"en", "de"}) {
     SCOPED_TRACE(language);
     ASSERT_TRUE(studio->setLanguage(language));

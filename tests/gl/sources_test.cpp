@@ -144,6 +144,7 @@ class SourcesTest : public RealWindowTest {
     click("wayLive");
     click(card);
     type("sourceAddress", address);
+    if (QString(card) != "sourceReplay") click("mountAtFlange");  // Asked, not assumed
     click("mainButton");
     ASSERT_TRUE(panel->run()->running()) << window.messageBar()->text().toStdString();
   }
@@ -270,6 +271,7 @@ TEST_F(SourcesTest, ANetFtSensorWithTheJointsFromElsewhere) {
   for (auto* button : panel->findChildren<QPushButton*>())
     if (button->isVisible() && button->text() == "rosbridge") QTest::mouseClick(button, Qt::LeftButton);
   type("jointsAddress", QStringLiteral("127.0.0.1:%1").arg(bridge.port()));
+  click("mountAtFlange");
   click("mainButton");
   ASSERT_TRUE(panel->run()->running()) << window.messageBar()->text().toStdString();
   std::atomic<std::uint32_t> number = 0;

@@ -8,6 +8,7 @@
 #include "core/recording/csv_reader.h"
 #include "core/simulation/simulate.h"
 #include "tests/gl/pictures.h"
+#include "ui/controller/autosave.h"
 #include "ui/controller/workspace.h"
 #include "ui/main_window/main_window.h"
 #include "ui/robot_view/robot_view.h"
@@ -29,12 +30,16 @@ class RealWindowTest : public testing::Test {
   /// `name` begins those of the pictures.
   explicit RealWindowTest(const char* name) : window(&workspace, false), name_(name) {
     qputenv("XDG_STATE_HOME", folder.path().toUtf8());
+    setRecordedFolder(folder.filePath("recordings"));
     window.resize(1440, 900);
     window.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
     settle();
   }
-  ~RealWindowTest() override { qunsetenv("XDG_STATE_HOME"); }
+  ~RealWindowTest() override {
+    qunsetenv("XDG_STATE_HOME");
+    setRecordedFolder({});
+  }
   void TearDown() override { keepPicture(window, name_); }
 
   /// Until no job runs, and a little longer, for what is drawn after it.

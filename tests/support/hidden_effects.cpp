@@ -19,7 +19,7 @@ constexpr double kBlockHz = 50.0;
 const std::vector<std::string> kSeenDirectly{"saturation", "quantisation", "spikes",      "dropouts",        "repeats",
                                              "jitter",     "motion_lag",   "frame_error", "derivative_noise"};
 
-/// Kinds that look alike; a pair has one of a group at most.
+/// Kinds that look alike; a pair or triple has one of a group at most.
 const std::vector<std::vector<std::string>> kGroups{
     {"time_offset", "low_pass_lag", "motion_lag", "derivative_noise", "jitter", "dropouts", "repeats"},
     {"gravity_tilt", "constant_pull", "cable_pull", "joint_offset", "sensor_rotation", "frame_error"},
@@ -199,6 +199,8 @@ std::string_view toString(HiddenCase kind) {
       return "variant";
     case HiddenCase::pair:
       return "pair";
+    case HiddenCase::triple:
+      return "triple";
     case HiddenCase::unlisted:
       break;
   }
@@ -261,10 +263,12 @@ HiddenRecording drawHidden(HiddenCase kind, std::uint64_t seed, double multiple,
     const EffectKind* first = findEffectKind(id.empty() ? ids[seed % ids.size()] : id);
     if (first == nullptr) throw std::runtime_error("no effect " + id);
     std::vector<const EffectKind*> wanted{first};
-    while (kind == HiddenCase::pair && wanted.size() < 2) {
-      const EffectKind* second =
+    const std::size_t count = kind == HiddenCase::pair ? 2 : kind == HiddenCase::triple ? 3 : 1;
+    while (wanted.size() < count) {
+      const EffectKind* next =
           findEffectKind(ids[static_cast<std::size_t>(static_cast<double>(ids.size()) * random.uniform())]);
-      if (groupOf(second->id) != groupOf(first->id)) wanted.push_back(second);
+      if (std::none_of(wanted.begin(), wanted.end(), [&](const EffectKind* w) { return groupOf(w->id) == groupOf(next->id); }))
+        wanted.push_back(next);
     }
     for (const EffectKind* each : wanted) {
       std::string form = each->forms.front();

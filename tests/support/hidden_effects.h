@@ -20,9 +20,11 @@ enum class HiddenCase {
   variant,   ///< One effect in a form that a simple model does not match.
   pair,      ///< Two effects of unlike kinds.
   unlisted,  ///< One effect that no catalogue has.
+  triple,    ///< Three effects of unlike kinds.
 };
 inline constexpr HiddenCase kHiddenCases[] = {HiddenCase::clean,   HiddenCase::walking, HiddenCase::single,
-                                              HiddenCase::variant, HiddenCase::pair,    HiddenCase::unlisted};
+                                              HiddenCase::variant, HiddenCase::pair,    HiddenCase::unlisted,
+                                              HiddenCase::triple};
 std::string_view toString(HiddenCase kind);
 
 struct HiddenTruth {

@@ -4,15 +4,18 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "core/recording/csv_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/simulation/simulate.h"
+#include "tests/support/as_driver.h"
 #include "tests/ui/fixtures.h"
 #include "ui/controller/workspace.h"
 #include "ui/export_panel/export_panel.h"
@@ -29,7 +32,8 @@ class ExportPanelTest : public testing::Test {
     panel->resize(440, 900);
     panel->show();
   }
-  void openSimulated() {
+  /// `change` makes something of the recording before it is written.
+  void openSimulated(const std::function<void(Recording&)>& change = {}) {
     Payload payload;
     payload.mass = 0.8;
     payload.com = {0.005, -0.01, 0.06};
@@ -37,8 +41,9 @@ class ExportPanelTest : public testing::Test {
     SimulateOptions options;
     options.motion = MotionKind::excitation;
     options.duration = 6.0;
-    const auto simulated = simulate(RobotModel::panda(), payload, options);
+    auto simulated = simulate(RobotModel::panda(), payload, options);
     ASSERT_TRUE(simulated.ok());
+    if (change) change(simulated->recording);
     const QString path = folder.filePath("rec.csv");
     ASSERT_TRUE(writeRecording(simulated->recording, path.toStdString()).ok());
     workspace.open(path);
@@ -63,6 +68,36 @@ TEST_F(ExportPanelTest, TheFileIsSeenBeforeItIsWrittenAndTheQuestionIsAsked) {
   QTest::mouseClick(button("roleOwnTool"), Qt::LeftButton);
   EXPECT_TRUE(button("mainButton")->isEnabled());
   workspace.undoStack()->undo();
+  EXPECT_FALSE(button("mainButton")->isEnabled());
+}
+
+// Numbers that nothing supports are written only after a second, worded yes, and for this result only.
+TEST_F(ExportPanelTest, WhatCannotBeTrustedNeedsASecondYes) {
+  openSimulated([](Recording& recording) { test::rewriteAs("base_axes", RobotModel::panda(), 3, recording); });
+  ASSERT_EQ(workspace.report()->trust, Trust::none);
+  QTest::mouseClick(button("roleOwnTool"), Qt::LeftButton);
+  EXPECT_FALSE(button("mainButton")->isEnabled());
+  const QString file = folder.filePath("tool.json");
+  EXPECT_FALSE(panel->saveTo(file, false).ok());
+  EXPECT_FALSE(QFile::exists(file));
+  const auto answer = [&](const char* text) {
+    ASSERT_NE(button("writeUntrusted"), nullptr);
+    QTest::mouseClick(button("writeUntrusted"), Qt::LeftButton);
+    auto* box = panel->findChild<QMessageBox*>("confirmUntrusted");
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->informativeText().contains("base axes")) << box->informativeText().toStdString();
+    for (QAbstractButton* choice : box->buttons())
+      if (choice->text().contains(text)) QTest::mouseClick(choice, Qt::LeftButton);
+    QTest::qWait(50);
+  };
+  answer("Do not write");
+  EXPECT_FALSE(button("mainButton")->isEnabled());
+  answer("write them");
+  EXPECT_TRUE(button("mainButton")->isEnabled());
+  EXPECT_TRUE(panel->saveTo(file, false).ok());
+  // Another estimate is another result.
+  workspace.estimate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy(); }, 60000));
   EXPECT_FALSE(button("mainButton")->isEnabled());
 }
 

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "core/recording/csv_reader.h"
+#include "ui/controller/autosave.h"
 #include "ui/controller/unfinished.h"
 #include "ui/controller/workspace.h"
 #include "ui/live/live_run.h"
@@ -18,6 +19,7 @@
 #include "ui/record_panel/record_panel.h"
 #include "ui/record_panel/source_form.h"
 #include "ui/timeline/time_axis.h"
+#include "ui/widgets/stepper.h"
 #include "ui/wrench_plots/live_history.h"
 
 namespace heft {
@@ -352,12 +354,21 @@ TEST(SourceForm, AsksInPlainWordsAndSaysWhatIsMissing) {
   EXPECT_EQ(*form.addresses(), (std::vector<std::string>{"udp:9999"}));
   form.setKind(SourceForm::Kind::netFt);
   EXPECT_EQ(form.addresses()->front(), "rdt:10.0.0.7") << "what was typed in stays";
+  // Where the sensor sits is asked, not assumed.
+  EXPECT_FALSE(form.meta().ok());
+  QTest::mouseClick(form.findChildren<QPushButton*>("mountBelow").back(), Qt::LeftButton);
+  form.findChildren<Stepper*>("mountDistance").back()->setValue(40);
+  ASSERT_TRUE(form.meta().ok());
+  EXPECT_FALSE(form.mountAssumed());
+  QTest::mouseClick(form.findChildren<QPushButton*>("mountUnsure").back(), Qt::LeftButton);
   EXPECT_TRUE(form.meta().ok());
+  EXPECT_TRUE(form.mountAssumed()) << "to be asked again after the recording";
 }
 
 TEST(LivePanel, TheVirtualArmIsRecordedAndTheResultHoldsTheHiddenTool) {
   const QTemporaryDir state;
   qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  setRecordedFolder(state.filePath("recordings"));
   Workspace workspace;
   StudioParts parts;
   parts.workspace = &workspace;
@@ -385,11 +396,13 @@ TEST(LivePanel, TheVirtualArmIsRecordedAndTheResultHoldsTheHiddenTool) {
   EXPECT_FALSE(panel.obey({"live", "dance"})->ok());
   EXPECT_FALSE(panel.obey({"mark", "0", "1"}));
   qunsetenv("XDG_STATE_HOME");
+  setRecordedFolder({});
 }
 
 TEST(LivePanel, TheRecordingGoesOnWhenTheWindowIsReplacedForAnotherLanguage) {
   const QTemporaryDir state;
   qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  setRecordedFolder(state.filePath("recordings"));
   {
     Workspace workspace;
     StudioParts parts;
@@ -413,14 +426,16 @@ TEST(LivePanel, TheRecordingGoesOnWhenTheWindowIsReplacedForAnotherLanguage) {
     QTest::mouseClick(after.findChild<QPushButton*>("posesButton"), Qt::LeftButton);
     EXPECT_TRUE(after.run()->poses());
     EXPECT_EQ(after.run()->origin().tool, tool);
-    EXPECT_FALSE(QFileInfo::exists(file)) << "discarded with the run";
+    EXPECT_TRUE(QFileInfo::exists(file)) << "what came is kept";
   }
   qunsetenv("XDG_STATE_HOME");
+  setRecordedFolder({});
 }
 
 TEST(LivePanel, StandingPosesBecomeARecordingOfPoses) {
   const QTemporaryDir state;
   qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  setRecordedFolder(state.filePath("recordings"));
   Workspace workspace;
   StudioParts parts;
   parts.workspace = &workspace;
@@ -443,6 +458,7 @@ TEST(LivePanel, StandingPosesBecomeARecordingOfPoses) {
   EXPECT_EQ(workspace.opened()->recording.meta.kind, RecordingKind::poses);
   EXPECT_NEAR(workspace.report()->payload.mass, practiceTool(4).mass, 0.05);
   qunsetenv("XDG_STATE_HOME");
+  setRecordedFolder({});
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(DescribeResult, ComparesWithWhatIsStated) {
   const Recording recording = test::sineRecording(1000, 100);
   PartialPayload stated;
   stated.mass = 0.815;
-  const ResultText text = describeResult(test::reportOn(recording), stated);
+  const ResultText text = describeResult(test::reportOn(recording), {stated});
   EXPECT_EQ(text.massNote, "you stated 0.815 kg, 0.4 % away");
   EXPECT_GT(text.massScale.stated, text.massScale.value);
   EXPECT_LT(text.massScale.from, text.massScale.value);

@@ -63,7 +63,7 @@ TEST(RecordPanel, BeginsWithOneThingToDoAndTheRecentFiles) {
   EXPECT_EQ(chosen, 1);
   const auto links = panel.findChildren<QPushButton*>("linkButton");
   ASSERT_EQ(links.size(), 2);
-  EXPECT_EQ(links[1]->text(), "c.csv");
+  EXPECT_TRUE(links[1]->text().startsWith("c.csv")) << "then its folder and day";
   EXPECT_EQ(panel.state().progress, P::ready);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/charts/chart.h"
 
 #include <QEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -81,7 +82,7 @@ std::vector<double> ticksBetween(double low, double high, int about) {
   return out;
 }
 
-void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme& t, bool legend) {
+ChartPlace drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme& t, bool legend) {
   p.setRenderHint(QPainter::Antialiasing);
   const QFont small = [] {
     QFont font = uiFont(type::kTick);
@@ -106,11 +107,15 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
   if (!(x.high > x.low)) {
     p.setPen(t.text2);
     p.drawText(area, Qt::AlignCenter | Qt::TextWordWrap, chart.nothing);
-    return;
+    return {};
   }
   if (chart.band > 0.0) {
     y.low = std::min(y.low, y.log ? y.value(0.5 * chart.band) : -1.3 * chart.band);
     y.high = std::max(y.high, y.value(1.3 * chart.band));
+  }
+  if (chart.yHigh > chart.yLow) {
+    y.low = std::min(y.low, y.value(chart.yLow));
+    y.high = std::max(y.high, y.value(chart.yHigh));
   }
   if (!(y.high > y.low)) y.high = y.low + 1.0;
   const double pad = 0.06 * (y.high - y.low);
@@ -193,6 +198,11 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
     p.setPen(pen);
     p.drawPath(path);
   }
+  if (chart.marker && std::isfinite(chart.marker->x()) && std::isfinite(chart.marker->y())) {
+    p.setPen(QPen(t.accent, 2));
+    p.setBrush(Qt::NoBrush);
+    p.drawEllipse(QPointF(px(chart.marker->x()), py(chart.marker->y())), 6, 6);
+  }
   p.restore();
   p.setPen(QPen(t.line, 1));
   p.drawRect(plot);
@@ -217,6 +227,7 @@ void drawChart(QPainter& p, const QRectF& area, const Chart& chart, const Theme&
   p.setPen(t.text);
   const QRectF head(area.left(), area.top(), std::max(20.0, right - area.left()), line);
   p.drawText(head, Qt::AlignLeft, QFontMetricsF(bold).elidedText(chart.yTitle, Qt::ElideRight, head.width()));
+  return {plot, x.low, x.high, y.low, y.high};
 }
 
 QImage chartImage(const Chart& chart, QSize size, const Theme& t) {
@@ -238,7 +249,30 @@ void ChartWidget::setChart(Chart chart, bool legend) {
 
 void ChartWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  drawChart(painter, QRectF(rect()), chart_, theme(), legend_);
+  place_ = drawChart(painter, QRectF(rect()), chart_, theme(), legend_);
+}
+
+void ChartWidget::mouseReleaseEvent(QMouseEvent* event) {
+  QWidget::mouseReleaseEvent(event);
+  if (place_.plot.isEmpty() || chart_.logX || chart_.logY) return;
+  constexpr double kNear = 12.0;  // [px]
+  double least = kNear * kNear;
+  int best = -1;
+  for (const auto& curve : chart_.curves) {
+    if (curve.colour != ChartCurve::Colour::dots) continue;
+    for (int i = 0; i < curve.points.size(); ++i) {
+      const QPointF& point = curve.points[i];
+      if (!std::isfinite(point.x()) || !std::isfinite(point.y())) continue;
+      const QRectF& plot = place_.plot;
+      const double x = plot.left() + (point.x() - place_.xLow) / (place_.xHigh - place_.xLow) * plot.width();
+      const double y = plot.bottom() - (point.y() - place_.yLow) / (place_.yHigh - place_.yLow) * plot.height();
+      const double away = std::pow(x - event->pos().x(), 2) + std::pow(y - event->pos().y(), 2);
+      if (away >= least) continue;
+      least = away;
+      best = i;
+    }
+  }
+  if (best >= 0) emit dotPicked(best);
 }
 
 void ChartWidget::changeEvent(QEvent* event) {

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QVector>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "ui/theme/theme.h"
@@ -26,14 +27,21 @@ struct Chart {
   double band = 0.0;  ///< Half height of the noise band about zero; with logY: its level above the bottom.
   QString xUnit;      ///< Behind the last tick, where there is no room for xTitle: "s"
   bool logX = false, logY = false;
-  QString nothing;  ///< Stands there if there are no points.
+  double yLow = 0.0, yHigh = 0.0;  ///< Shown at least, so that several charts have one scale; alike: as the curves ask
+  std::optional<QPointF> marker = {};  ///< One point with a ring round it
+  QString nothing;                     ///< Stands there if there are no points.
 };
 
 /// Round numbers from `low` to `high`, about so many or fewer; more where one or two would hardly tell a scale, up to
 /// twice as many and one.
 std::vector<double> ticksBetween(double low, double high, int about);
 
-void drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const Theme& theme, bool legend);
+/// Where a point of the chart was drawn, in the painter's pixels.
+struct ChartPlace {
+  QRectF plot;
+  double xLow = 0.0, xHigh = 1.0, yLow = 0.0, yHigh = 1.0;  ///< Logarithms where the axis is logarithmic
+};
+ChartPlace drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const Theme& theme, bool legend);
 /// For reports: `size` in points at twice the resolution.
 QImage chartImage(const Chart& chart, QSize size, const Theme& theme);
 
@@ -45,13 +53,19 @@ class ChartWidget : public QWidget {
   void setChart(Chart chart, bool legend);
   const Chart& chart() const { return chart_; }
 
+ signals:
+  /// A click near a dot, which is the so-manieth point of its curve.
+  void dotPicked(int index);
+
  protected:
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   Chart chart_;
   bool legend_ = true;
+  ChartPlace place_;
 };
 
 }  // namespace heft

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include "core/base/json_file.h"
 #include "core/workspace/session.h"
@@ -18,7 +19,18 @@ QString stateFolder() {
          QStringLiteral("/heft");
 }
 
-QString recordedFolder() { return stateFolder() + QStringLiteral("/recordings"); }
+namespace {
+QString folderForRecordings;  // Empty: the user's own
+}
+
+QString recordedFolder() {
+  if (!folderForRecordings.isEmpty()) return folderForRecordings;
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/Heft recordings");
+}
+
+QString earlierRecordedFolder() { return stateFolder() + QStringLiteral("/recordings"); }
+
+void setRecordedFolder(const QString& folder) { folderForRecordings = folder; }
 
 Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QObject* parent)
     : QObject(parent), workspace_(workspace), folder_(folder) {
@@ -41,7 +53,14 @@ Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QO
   });
 }
 
-Autosave::~Autosave() { QFile::remove(file_); }
+Autosave::~Autosave() {
+  if (!leaves_) QFile::remove(file_);
+}
+
+void Autosave::leaveForNextStart() {
+  flush();
+  leaves_ = !workspace_->session().recordings.empty();
+}
 
 void Autosave::flush() {
   timer_.stop();

@@ -16,8 +16,12 @@ class Workspace;
 QString stateFolder();
 /// The lock beside a file that belongs to a running program.
 QString lockBeside(const QString& file);
-/// Where recordings made in the program are kept until the user saves them elsewhere.
+/// Where recordings made in the program are kept: "Heft recordings" among the user's documents, or where
+/// setRecordedFolder() said.
 QString recordedFolder();
+void setRecordedFolder(const QString& folder);
+/// Where earlier versions kept them: what a killed one left there is found, too.
+QString earlierRecordedFolder();
 
 class Autosave : public QObject {
   Q_OBJECT
@@ -33,6 +37,8 @@ class Autosave : public QObject {
   /// Opens the newest of them and removes it once it is saved under this program's own name; false if there is none
   /// that can be read.
   bool recover();
+  /// The system ends the program: what is open stays, for the next start to offer.
+  void leaveForNextStart();
   /// Forgets one that the user does not want.
   static void discard(const QString& file);
 
@@ -51,6 +57,7 @@ class Autosave : public QObject {
   QTimer timer_;
   QDateTime lastSaved_;
   bool changed_ = false;
+  bool leaves_ = false;
 };
 
 }  // namespace heft

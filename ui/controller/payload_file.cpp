@@ -11,13 +11,17 @@
 
 namespace heft {
 
-Result<PayloadFile> payloadFile(const OpenRecording& opened, const EstimateReport& report, const ExportChoice& choice) {
+Result<PayloadFile> payloadFile(const OpenRecording& opened, const EstimateReport& report, const ExportChoice& choice,
+                                const std::vector<std::string>& cautions, bool confirmed) {
   const ExportFormat* format = findExportFormat(choice.format);
   if (!format) return Error{fmt::format("This Heft does not write the format \"{}\".", printable(choice.format))};
   const QFileInfo file(opened.path);
   FlangeOptions options;
+  options.force = confirmed;
   options.name = file.completeBaseName().toStdString();
   options.program = "Heft Studio " + QCoreApplication::applicationVersion().toStdString();
+  options.cautions = cautions;
+  options.X_FE.translation() = choice.tcp;
   for (const MountedPart& part : choice.mounted) {
     if (!part.present) continue;
     options.add.push_back(part.payload);

@@ -18,7 +18,9 @@ struct PayloadFile {
 };
 
 /// The file that `choice` asks for, in flange axes. Fails where the sensor's place on the flange is not known, the
-/// numbers are not physical or the format does not exist.
-Result<PayloadFile> payloadFile(const OpenRecording& opened, const EstimateReport& report, const ExportChoice& choice);
+/// numbers are not physical, cannot be trusted without being `confirmed`, or the format does not exist.
+/// `cautions`: what else speaks against the numbers, for the file's remarks.
+Result<PayloadFile> payloadFile(const OpenRecording& opened, const EstimateReport& report, const ExportChoice& choice,
+                                const std::vector<std::string>& cautions = {}, bool confirmed = false);
 
 }  // namespace heft

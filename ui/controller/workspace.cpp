@@ -145,7 +145,8 @@ void Workspace::loadNext() {
         loading_ = false;
         if (showAfter_ >= 0 && openedAt(showAfter_)) show(showAfter_);
         showAfter_ = -1;
-        if (opened() && (!report() || outdated())) estimate();
+        // What could not be estimated before is not tried again because another file was refused.
+        if (opened() && (!report() || outdated()) && !active()->failed) estimate();
       });
 }
 
@@ -158,7 +159,7 @@ void Workspace::loaded(const QString& path, std::shared_ptr<const OpenRecording>
     entries_.emplace_back();
     modified_ = true;
   }
-  entries_[index] = {std::move(opened), nullptr, false};
+  entries_[index] = {std::move(opened), nullptr};
   // Of a session, the one that was shown is shown again; the first one meanwhile.
   if (showAfter_ < 0 || session_.active < 0) show(static_cast<int>(index));
   emit sessionChanged();
@@ -175,12 +176,15 @@ void Workspace::show(int index) {
 void Workspace::activate(int index) {
   if (index == session_.active || !openedAt(index)) return;
   show(index);
-  if ((!report() || outdated()) && queue_.isEmpty()) estimate();
+  if ((!report() || outdated()) && queue_.isEmpty() && !active()->failed) estimate();
 }
 
 void Workspace::estimateSoon(int index) {
   for (int k = 0; k < static_cast<int>(entries_.size()); ++k)
-    if (index == kAllRecordings || k == index) entries_[static_cast<std::size_t>(k)].outdated = true;
+    if (index == kAllRecordings || k == index) {
+      entries_[static_cast<std::size_t>(k)].outdated = true;
+      entries_[static_cast<std::size_t>(k)].failed = false;
+    }
   if (!opened()) return;
   due_.start();
   emit busyChanged();
@@ -248,6 +252,7 @@ void Workspace::estimate() {
       [this, now](Result<std::shared_ptr<const EstimateReport>> result) {
         for (std::size_t k = 0; k < entries_.size(); ++k) {
           if (entries_[k].opened != now.opened) continue;
+          entries_[k].failed = !result && !result.error().cancelled;
           if (result) {
             entries_[k].report = *result;
             entries_[k].outdated = false;

@@ -138,6 +138,7 @@ class Workspace : public QObject {
   struct Entry {
     std::shared_ptr<const OpenRecording> opened;
     std::shared_ptr<const EstimateReport> report;
+    bool failed = false;    ///< Its estimate ended in an error, and nothing was changed since.
     bool outdated = false;  ///< The report is of other marks, another shape or other settings.
   };
   void loadNext();

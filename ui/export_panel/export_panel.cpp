@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,18 +10,23 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "core/base/json_file.h"
+#include "ui/controller/only_child.h"
 #include "ui/controller/payload_file.h"
+#include "ui/controller/reality_findings.h"
 #include "ui/controller/workspace.h"
 #include "ui/export_panel/export_text.h"
 #include "ui/export_panel/file_preview.h"
 #include "ui/export_panel/mounted_list.h"
+#include "ui/reality_panel/open_question.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/stepper.h"
 
 namespace heft {
 namespace {
@@ -37,6 +43,8 @@ ExportPanel::ExportPanel(const StudioParts& parts) : StepPanel(parts), preview_(
   connect(&workspace(), &Workspace::openedChanged, this, &ExportPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &ExportPanel::refresh);
   connect(&workspace(), &Workspace::exportChanged, this, &ExportPanel::refresh);
+  connect(&workspace(), &Workspace::correctionsChanged, this, &ExportPanel::refresh);
+  connect(onlyChild<RealityFindings>(workspace()), &RealityFindings::changed, this, &ExportPanel::refresh);
   refresh();
 }
 
@@ -48,6 +56,7 @@ StepState ExportPanel::state() const {
     return {P::done, Light::measured, tr("saved as %1").arg(QFileInfo(savedAs_).fileName())};
   if (!workspace().report()) return {P::later, Light::measured, tr("nothing saved yet")};
   const bool asked = workspace().session().exporting.role != ExportChoice::Role::unasked;
+  if (!text_.empty() && !mayBeSaved()) return {P::ready, Light::look, tr("see the warnings")};
   return {P::ready, Light::measured,
           text_.empty() ? tr("cannot be written yet")
           : asked       ? tr("ready to save")
@@ -79,6 +88,7 @@ void ExportPanel::refresh() {
   const auto opened = workspace().opened();
   const auto report = workspace().report();
   text_.clear();
+  refusal_.clear();
   if (!opened || !report) {
     page()->restart(tr("Where do the numbers go?"), tr("First comes a result."))->addStretch(1);
     page()->setMainButton(opened ? tr("Go to the result") : tr("Go to Record"),
@@ -91,19 +101,26 @@ void ExportPanel::refresh() {
   const ExportChoice choice = choiceNow();
   QVBoxLayout* column =
       page()->restart(tr("Where do the numbers go?"), tr("You see the whole file before anything is written."));
-  const auto file = payloadFile(*opened, *report, choice);
+  const auto file = fileNow(choice);
+  doubts_.clear();
+  if (file)
+    for (const Finding& finding : file->findings)
+      if (finding.code == "doubtful") doubts_ << QString::fromStdString(finding.text);
+  if (!doubts_.isEmpty()) addDoubts(column, *file, choice);
   addFormats(column, choice);
   addRole(column, choice);
   addMounted(column, choice, file ? file->onFlange.mass : -1.0);
+  addToolCentre(column, choice);
   if (file) {
     text_ = file->text;
     const QString text = QString::fromStdString(text_);
     preview_->showFile(suggestedName(), text, doubtfulLines(text.split('\n'), *report));
     preview_->setSaved(!savedAs_.isEmpty() && savedText_ == text);
   } else {
+    refusal_ = file.error().message;
     preview_->showNothing(tr("cannot be written"));
   }
-  addChecks(column, choice);
+  addChecks(column, file, choice);
   column->addStretch(1);
   page()->setSecondButton(
       tr("Copy"), [this] { copy(); }, "copy");
@@ -111,8 +128,10 @@ void ExportPanel::refresh() {
   page()->setMainButton(
       tr("Save the payload file …"), [this] { save(); }, "save");
   const bool asked = choice.role != ExportChoice::Role::unasked;
-  page()->setMainEnabled(!text_.empty() && asked, asked ? tr("This file cannot be written; see above.")
-                                                        : tr("Answer the question above first."));
+  page()->setMainEnabled(!text_.empty() && asked && mayBeSaved(), !asked ? tr("Answer the question above first.")
+                                                                  : text_.empty()
+                                                                      ? tr("This file cannot be written; see above.")
+                                                                      : tr("Read the warnings above first."));
   page()->setScrollPosition(position);
   emit stateChanged();
 }
@@ -194,11 +213,94 @@ void ExportPanel::addMounted(QVBoxLayout* column, const ExportChoice& choice, do
   column->addWidget(list);
 }
 
-void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
+Result<PayloadFile> ExportPanel::fileNow(const ExportChoice& choice) const {
+  std::vector<std::string> cautions;
+  const OpenQuestion open = openQuestion(workspace());
+  for (const QString& cause : open.causes)
+    cautions.push_back(tr("The reality check found a cause that is not applied: %1").arg(cause).toStdString());
+  if (!open.change.isEmpty())
+    cautions.back() += " " + tr("With it the result changes: %1.").arg(open.change).toStdString();
+  return payloadFile(*workspace().opened(), *workspace().report(), choice, cautions, confirmed());
+}
+
+void ExportPanel::addToolCentre(QVBoxLayout* column, const ExportChoice& choice) {
+  const ExportFormat* format = findExportFormat(choice.format);
+  if (!format || !carriesTool(*format)) return;
   QWidget* content = page()->content();
-  const auto file = payloadFile(*workspace().opened(), *workspace().report(), choice);
+  column->addSpacing(4);
+  auto* head = new QHBoxLayout;
+  head->addWidget(styledLabel(tr("Tool centre point"), "sectionTitle", content));
+  head->addStretch(1);
+  head->addWidget(styledLabel(tr("from the flange, its axes"), "caption", content));
+  column->addLayout(head);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  for (int i = 0; i < 3; ++i) {
+    const QString axis(QChar('x' + i));
+    auto* field = new Stepper(axis, QStringLiteral("mm"), {-2000.0, 2000.0, 1.0, 1}, content);
+    field->setObjectName(QStringLiteral("tcp_") + axis);
+    field->setValue(1e3 * choice.tcp(i));
+    connect(field, &Stepper::begun, this, [this] { tcpKey_ = workspace().newMergeKey(); });
+    connect(field, &Stepper::changed, this, [this, i](double millimetres) {
+      ExportChoice next = workspace().session().exporting;
+      next.tcp(i) = 1e-3 * millimetres;
+      workspace().setExport(next, tr("tool centre point"), tcpKey_);
+    });
+    auto* cell = new QVBoxLayout;
+    cell->setSpacing(2);
+    cell->addWidget(styledLabel(axis, "caption", content));
+    cell->addWidget(field);
+    row->addLayout(cell, 1);
+  }
+  column->addLayout(row);
+}
+
+void ExportPanel::addAllTheSame(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  auto* box = new QCheckBox(tr("Save all the same"), content);
+  box->setObjectName("saveAllTheSame");
+  box->setChecked(mayBeSaved());
+  connect(box, &QCheckBox::toggled, this, [this](bool on) {
+    accepted_ = on ? doubts_ : QStringList();
+    refresh();
+  });
+  column->addWidget(box);
+  // To where more is said about it.
+  const bool cause = !openQuestion(workspace()).causes.isEmpty();
+  auto* back = new QPushButton(cause ? tr("Back to the reality check") : tr("Back to the result"), content);
+  back->setObjectName("smallButton");
+  back->setProperty("role", "doubts");
+  connect(back, &QPushButton::clicked, this,
+          [this, cause] { parts().goTo(cause ? Step::realityCheck : Step::result); });
+  column->addWidget(back, 0, Qt::AlignLeft);
+  column->addSpacing(6);
+}
+
+void ExportPanel::addChecks(QVBoxLayout* column, const Result<PayloadFile>& file, const ExportChoice& choice) {
+  QWidget* content = page()->content();
+  const auto report = workspace().report();
   column->addSpacing(4);
   column->addWidget(styledLabel(tr("Before you save"), "sectionTitle", content));
+  if (!file && report->trust == Trust::none && !confirmed()) {
+    const Card card = makeCard("cardBad", content);
+    card.layout->addWidget(
+        wrappedLabel(tr("Nothing in this result can be trusted, so no file is written."), "cardTitle", content));
+    card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whyNoTrust), "body", content));
+    card.layout->addWidget(wrappedLabel(QString::fromStdString(report->whatToDo), "caption", content));
+    auto* row = new QHBoxLayout;
+    auto* look = new QPushButton(tr("Look for what is wrong"), content);
+    look->setObjectName("acceptButton");
+    connect(look, &QPushButton::clicked, this, [this] { parts().goTo(Step::realityCheck); });
+    row->addWidget(look);
+    row->addStretch(1);
+    auto* anyway = new QPushButton(tr("Write it all the same …"), content);
+    anyway->setObjectName("writeUntrusted");
+    connect(anyway, &QPushButton::clicked, this, &ExportPanel::confirmUntrusted);
+    row->addWidget(anyway);
+    card.layout->addLayout(row);
+    column->addWidget(card.frame);
+    return;
+  }
   if (!file) {
     const Card card = makeCard("cardBad", content);
     card.layout->addWidget(wrappedLabel(QString::fromStdString(file.error().message), "body", content));
@@ -206,7 +308,7 @@ void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
     return;
   }
   const ExportFormat* format = findExportFormat(choice.format);
-  auto checks = checksBeforeSaving(*workspace().report(), file->onFlange, file->findings, choice, *format);
+  auto checks = checksBeforeSaving(*report, file->onFlange, file->findings, choice, *format);
   if (!choice.mountedAnswered) {
     const QString asks = choice.mounted.empty() ? tr("The sensor itself weighs something, too: add it under “Something "
                                                      "else …” unless the controller knows it "
@@ -214,30 +316,43 @@ void ExportPanel::addChecks(QVBoxLayout* column, const ExportChoice& choice) {
                                                 : tr("The sensor itself weighs something, too: tick it above unless "
                                                      "the controller knows it already, or tick "
                                                      "“Nothing else”.");
-    checks.insert(checks.begin(), {Severity::warning, false, asks});
+    checks.insert(checks.begin(), {Severity::warning, false, false, asks});
   }
   if (choice.role == ExportChoice::Role::unasked)
     checks.insert(
         checks.begin(),
-        {Severity::warning, false,
+        {Severity::warning, false, false,
          tr("Say above whether this is the robot’s own tool or something it picked up; then it can be saved.")});
-  for (const Check& check : checks) {
-    const bool warns = !check.good;
-    const Light light = check.good                            ? Light::measured
-                        : check.severity == Severity::error   ? Light::notPossible
-                        : check.severity == Severity::warning ? Light::look
-                                                              : Light::info;
-    auto* row = new QHBoxLayout;
-    row->setSpacing(10);
-    row->addWidget(new LightIcon(light, 18, content), 0, Qt::AlignTop);
-    row->addWidget(wrappedLabel(check.text, warns ? "body" : "answer", content), 1);
-    if (warns) {
-      const Card card = makeCard("cardLook", content);
-      card.layout->addLayout(row);
-      column->addWidget(card.frame);
-    } else {
-      column->addLayout(row);
-    }
+  for (const Check& check : checks)
+    if (!check.doubt) addCheck(column, check);
+}
+
+/// What speaks against the numbers stands before everything else: the button below waits for it.
+void ExportPanel::addDoubts(QVBoxLayout* column, const PayloadFile& file, const ExportChoice& choice) {
+  const auto checks =
+      checksBeforeSaving(*workspace().report(), file.onFlange, file.findings, choice, *findExportFormat(choice.format));
+  for (const Check& check : checks)
+    if (check.doubt) addCheck(column, check);
+  addAllTheSame(column);
+}
+
+void ExportPanel::addCheck(QVBoxLayout* column, const Check& check) {
+  QWidget* content = page()->content();
+  const bool warns = !check.good;
+  const Light light = check.good                            ? Light::measured
+                      : check.severity == Severity::error   ? Light::notPossible
+                      : check.severity == Severity::warning ? Light::look
+                                                            : Light::info;
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(new LightIcon(light, 18, content), 0, Qt::AlignTop);
+  row->addWidget(wrappedLabel(check.text, warns ? "body" : "answer", content), 1);
+  if (warns) {
+    const Card card = makeCard("cardLook", content);
+    card.layout->addLayout(row);
+    column->addWidget(card.frame);
+  } else {
+    column->addLayout(row);
   }
 }
 
@@ -272,7 +387,8 @@ void ExportPanel::save() {
 }
 
 Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
-  if (text_.empty()) return Error{tr("There is no payload file to save yet.").toStdString()};
+  if (text_.empty())
+    return Error{refusal_.empty() ? tr("There is no payload file to save yet.").toStdString() : refusal_};
   if (!replace && QFileInfo::exists(path))
     return Error{tr("%1 exists already and was not replaced.").arg(path).toStdString()};
   auto written = writeTextFile(path.toStdString(), text_);
@@ -282,6 +398,33 @@ Result<bool> ExportPanel::saveTo(const QString& path, bool replace) {
   preview_->setSaved(true);
   emit stateChanged();
   return true;
+}
+
+bool ExportPanel::confirmed() const {
+  const auto report = workspace().report();
+  return report && confirmed_.lock() == report;
+}
+
+void ExportPanel::confirmUntrusted() {
+  const auto report = workspace().report();
+  if (!report) return;
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("Heft Studio"),
+                      tr("Write a payload that nothing in the recording supports?"), QMessageBox::NoButton, this);
+  box->setObjectName("confirmUntrusted");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setInformativeText(
+      tr("%1\n\nA robot that is told a wrong load drifts when it is guided, stops without a reason, or does not stop "
+         "when it should.")
+          .arg(QString::fromStdString(report->whyNoTrust)));
+  auto* yes = box->addButton(tr("I know that these numbers are wrong; write them"), QMessageBox::DestructiveRole);
+  box->setDefaultButton(box->addButton(tr("Do not write"), QMessageBox::RejectRole));
+  connect(yes, &QAbstractButton::clicked, this, [this, report] {
+    if (workspace().report() != report) return;
+    confirmed_ = report;
+    QMetaObject::invokeMethod(this, &ExportPanel::refresh, Qt::QueuedConnection);
+  });
+  box->open();
 }
 
 void ExportPanel::copy() {

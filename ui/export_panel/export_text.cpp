@@ -55,6 +55,10 @@ FormatName formatName(const ExportFormat& format) {
                {"kuka", {"KUKA", "LOAD_DATA", "KRL"}},
                {"abb", {"ABB", "loaddata", "RAPID"}},
                {"fanuc", {"FANUC", Words::tr("payload schedule"), {}}},
+               {"xarm", {"xArm", "set_tcp_load", "Python"}},
+               {"ros2-control", {"ros2_control", Words::tr("gravity compensation"), "YAML"}},
+               {"force-torque-tools", {"force_torque_tools", Words::tr("calibration"), "YAML"}},
+               {"mc-rtc", {"mc_rtc", Words::tr("calibration"), {}}},
                {"json", {"Heft JSON", Words::tr("for programs"), "JSON"}}};
   for (const auto& [id, name] : names)
     if (id == format.id) return name;
@@ -80,8 +84,13 @@ QString roleAdvice(std::string_view formatId, ExportChoice::Role role) {
 std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payload& onFlange, const Findings& findings,
                                       const ExportChoice& choice, const ExportFormat& format) {
   std::vector<Check> checks;
-  const auto warn = [&](const QString& text) { checks.push_back({Severity::warning, false, text}); };
+  const auto warn = [&](const QString& text) { checks.push_back({Severity::warning, false, false, text}); };
   if (const QString advice = roleAdvice(format.id, choice.role); !advice.isEmpty()) warn(advice);
+  if (report.trust == Trust::none) {
+    warn(Words::tr("You chose to write numbers that nothing in the recording supports. %1")
+             .arg(QString::fromStdString(report.whyNoTrust)));
+    return checks;
+  }
   if (report.identifiability.mass == Source::none) warn(Words::tr("The mass is not known from this motion."));
   if (anyUnknown(report)) {
     warn(Words::tr(
@@ -93,17 +102,25 @@ std::vector<Check> checksBeforeSaving(const EstimateReport& report, const Payloa
         "work."));
   }
   for (const Finding& finding : findings) {
+    if (finding.code == "tool_centre_unset") {
+      warn(
+          Words::tr("The tool centre point is written at the flange. Loading the file puts the controller’s TCP there: "
+                    "state it above if it is elsewhere."));
+      continue;
+    }
     if (finding.severity == Severity::info) continue;
     // Said above in the worker's words, as long as it concerns the inertia alone.
     if (centreMeasured(report) && (finding.code == "not_known" || finding.code == "rests_on_prior")) continue;
-    checks.push_back(
-        {finding.severity, false, QString::fromStdString(errorAt({}, finding.text, finding.remedy).message)});
+    checks.push_back({finding.severity, false, finding.code == "doubtful",
+                      QString::fromStdString(errorAt({}, finding.text, finding.remedy).message)});
   }
+  // What speaks against the numbers comes first.
+  std::stable_partition(checks.begin(), checks.end(), [](const Check& check) { return check.doubt; });
   if (checkPhysical(onFlange).physical)
-    checks.push_back({Severity::info, true, Words::tr("A real body can have these numbers.")});
+    checks.push_back({Severity::info, true, false, Words::tr("A real body can have these numbers.")});
   if (format.heaviest > 0 && onFlange.mass < 0.9 * format.heaviest)
-    checks.push_back(
-        {Severity::info, true, Words::tr("Well inside the arm’s limit of %1 kg.").arg(numberText(format.heaviest, 0))});
+    checks.push_back({Severity::info, true, false,
+                      Words::tr("Well inside the arm’s limit of %1 kg.").arg(numberText(format.heaviest, 0))});
   return checks;
 }
 

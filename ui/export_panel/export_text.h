@@ -28,8 +28,9 @@ QString roleAdvice(std::string_view formatId, ExportChoice::Role role);
 /// A line before saving: a light and a sentence.
 struct Check {
   Severity severity = Severity::info;
-  bool good = false;  ///< Shown with a check mark.
-  QString text;
+  bool good = false;   ///< Shown with a check mark.
+  bool doubt = false;  ///< Speaks against the numbers: saving wants a word of the user's.
+  QString text = {};
 };
 
 /// Warnings first, then what is in order.

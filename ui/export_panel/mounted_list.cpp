@@ -16,6 +16,27 @@
 #include "ui/widgets/basics.h"
 
 namespace heft {
+namespace {
+
+/// What does not fit ends in dots.
+class FittedCheckBox : public QCheckBox {
+ public:
+  FittedCheckBox(const QString& text, QWidget* parent) : QCheckBox(text, parent), whole_(text) {
+    setAccessibleName(text);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QCheckBox::resizeEvent(event);
+    constexpr int kIndicator = 30;  // [px] with its gap
+    setText(fontMetrics().elidedText(whole_, Qt::ElideRight, width() - kIndicator));
+  }
+
+ private:
+  QString whole_;
+};
+
+}  // namespace
 
 MountedList::MountedList(QWidget* parent) : QWidget(parent) {
   rows_ = new QVBoxLayout(this);
@@ -42,7 +63,7 @@ void MountedList::showParts(const std::vector<MountedPart>& parts, bool nothingE
     rows_->addWidget(row);
   };
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    auto* box = new QCheckBox(QString::fromStdString(parts_[i].name), this);
+    auto* box = new FittedCheckBox(QString::fromStdString(parts_[i].name), this);
     box->setObjectName(QStringLiteral("mounted%1").arg(i));
     box->setChecked(parts_[i].present);
     box->setToolTip(

@@ -60,6 +60,7 @@ LiveLearner::LiveLearner(const LearnerSetup& setup, PlainSamples plain, OnlineEs
     : setup_(setup),
       plain_(std::move(plain)),
       estimator_(std::move(estimator)),
+      watch_(setup.meta, setup.robot.get()),
       tool_(tool),
       guide_(tool, setup.meta.gravity) {}
 
@@ -98,6 +99,8 @@ void LiveLearner::add(const LiveSample& read) {
                                 : std::nullopt;
     return;
   }
+  watch_.add(now);
+  watch_.news();
   if (estimator_.add(now)) {
     const OnlineState& state = estimator_.state();
     if (state.estimated && now.time - lastKnown_ >= knownStep_) {
@@ -146,27 +149,9 @@ void LiveLearner::simulate() {
   const double span = newest_.back().time - newest_.front().time;
   const auto stride =
       static_cast<std::size_t>(std::max(1.0, std::floor(static_cast<double>(newest_.size()) / span / 400.0)));
-  const auto rows = static_cast<Eigen::Index>(newest_.size() / stride);
-  Recording recording;
-  recording.meta = setup_.meta;
-  recording.meta.numbersArePlain();
-  recording.time.resize(rows);
-  recording.wrench.resize(rows, 6);
-  const bool poses = newest_.front().pose.has_value();
-  const bool positions = poses && newest_.front().pose->position.has_value();
-  const Eigen::Index dof = poses || !setup_.robot ? 0 : setup_.robot->dof();
-  recording.q.resize(dof > 0 ? rows : 0, dof);
-  if (poses) recording.quaternion.resize(rows, 4);
-  if (positions) recording.position.resize(rows, 3);
-  for (Eigen::Index k = 0; k < rows; ++k) {
-    const OnlineSample& sample = newest_[static_cast<std::size_t>(k) * stride];
-    recording.time(k) = sample.time;
-    recording.wrench.row(k) = sample.wrench.transpose();
-    if (dof > 0 && sample.q) recording.q.row(k) = Eigen::Map<const VectorXd>(sample.q->data(), dof).transpose();
-    if (poses && sample.pose) recording.quaternion.row(k) = sample.pose->orientation.normalized().coeffs().transpose();
-    if (positions && sample.pose && sample.pose->position)
-      recording.position.row(k) = sample.pose->position->transpose();
-  }
+  std::deque<OnlineSample> drawn;
+  for (std::size_t k = 0; k < newest_.size(); k += stride) drawn.push_back(newest_[k]);
+  const Recording recording = recordingOf(drawn, setup_.meta, setup_.robot ? setup_.robot->dof() : 0);
   MotionOptions options;
   options.cutoffHz = state.cutoffHz;
   const auto motion = motionOf(recording, setup_.robot.get(), options);
@@ -202,6 +187,7 @@ LiveView LiveLearner::view() {
   }
   view.wrench /= std::max(1, averaged);
   view.state = estimator_.state();
+  if (watch_.report()) view.conventions = *watch_.report();
   view.known = known_;
   view.path = path_;
   view.touched = touched_;

@@ -10,6 +10,7 @@
 #include "core/coach/pose_guide.h"
 #include "core/live/plain_samples.h"
 #include "core/live/source.h"
+#include "core/online/convention_watch.h"
 #include "core/online/online_estimator.h"
 #include "ui/wrench_plots/live_history.h"
 
@@ -39,7 +40,8 @@ struct LiveView {
   PoseResult poseResult;
   std::optional<NextPose> next;
   int posesWanted = 0;
-  std::string problem;  ///< Why samples cannot be used; empty while they can.
+  std::optional<conventions::Report> conventions;  ///< Where the samples do not mean what the meta says
+  std::string problem;                             ///< Why samples cannot be used; empty while they can.
 };
 
 struct LearnerSetup {
@@ -72,6 +74,7 @@ class LiveLearner {
   PlainSamples plain_;
   std::string problem_;
   OnlineEstimator estimator_;
+  ConventionWatch watch_;
   std::optional<GuidedTool> tool_;
   PoseGuide guide_;
   std::optional<NextPose> next_;

@@ -18,6 +18,14 @@ constexpr double kAdviseEvery = 2.5;   ///< [s] A ghost that is older stands whe
 constexpr double kFirstAdvice = 0.5;   ///< [s]
 constexpr double kLongestTick = 0.25;  ///< [s] After a hitch the virtual arm does not run after the time lost.
 
+/// A file of this name, with a number where it exists.
+QString freeName(const QString& folder, const QString& name) {
+  QString file = QDir(folder).filePath(name + ".csv");
+  for (int k = 2; QFileInfo::exists(file); ++k)
+    file = QDir(folder).filePath(QStringLiteral("%1-%2.csv").arg(name).arg(k));
+  return file;
+}
+
 }  // namespace
 
 LiveRun::LiveRun(QObject* parent) : QObject(parent) {
@@ -36,9 +44,7 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   if (!setup.poses) {
     if (!QDir().mkpath(setup.folder))
       return Error{tr("The folder %1 for recordings cannot be made.").arg(setup.folder).toStdString()};
-    file = QDir(setup.folder).filePath(setup.name + ".csv");
-    for (int k = 2; QFileInfo::exists(file); ++k)
-      file = QDir(setup.folder).filePath(QStringLiteral("%1-%2.csv").arg(setup.name).arg(k));
+    file = freeName(setup.folder, setup.name);
     // Without a robot the first samples tell that it is a Panda, which the meta then has to say, too.
     if (auto recorded = session->record(file.toStdString(), setup.meta); !recorded) return recorded.error();
   }
@@ -61,6 +67,8 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   paused_ = false;
   byClock_ = byClock;
   file_ = file;
+  folder_ = setup.folder;
+  name_ = setup.name;
   underWay_ = file.isEmpty() ? nullptr : std::make_unique<UnderWay>(file);
   learner_.reset();
   view_ = {};
@@ -267,6 +275,19 @@ QString LiveRun::stop() {
   coaching().cancel();
   emit ended();
   return file;
+}
+
+Result<QString> LiveRun::keep() {
+  if (!session_) return QString();
+  const bool poses = poses_;
+  const Recording kept = poses ? poseRecording() : Recording();
+  const QString file = stop();
+  if (!poses || kept.rows() < 2) return file;
+  if (!QDir().mkpath(folder_))
+    return Error{tr("The folder %1 for recordings cannot be made.").arg(folder_).toStdString()};
+  const QString path = freeName(folder_, name_);
+  if (auto written = writeRecording(kept, path.toStdString()); !written) return written.error();
+  return path;
 }
 
 void LiveRun::discard() {

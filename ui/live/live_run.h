@@ -24,6 +24,7 @@ struct LiveOrigin {
   std::vector<std::string> addresses;  ///< Of the sources; empty for the virtual arm
   RecordingMeta meta;                  ///< As the rig file says
   std::filesystem::path replayMeta;    ///< For a recording that is played: the rig file; empty: its own meta file
+  bool mountAssumed = false;           ///< Nobody said how the sensor sits on the flange.
 };
 
 struct LiveSetup {
@@ -72,6 +73,9 @@ class LiveRun : public QObject {
   bool outOfRoom() const { return outOfRoom_; }
   double adviceAge() const { return view_.time - advisedAt_; }  ///< [s]
   Recording poseRecording() const;
+  /// Ends and keeps what came: the file of a motion, or of two poses or more, which is written now. Empty where there
+  /// is too little to keep; an error where it could not be written.
+  Result<QString> keep();
   void removePose(int index);
   /// The virtual arm makes the coach's motion, or goes to the next pose. False without one.
   bool makeAdvised();
@@ -107,6 +111,7 @@ class LiveRun : public QObject {
   std::shared_ptr<LiveLearner> learner_;
   bool poses_ = false, paused_ = false, byClock_ = true, outOfRoom_ = false;
   QString file_;
+  QString folder_, name_;
   std::unique_ptr<UnderWay> underWay_;  ///< Lets the next start find the file if this program is killed.
   LiveView view_;
   std::optional<Advice> advice_;

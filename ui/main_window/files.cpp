@@ -104,9 +104,10 @@ bool Files::saveAs() {
 }
 
 bool Files::mayClose() {
+  if (mayEnd_ && !mayEnd_()) return false;
   // A recording that was only opened is not worth a question.
   if (!remembers_ || workspace_->undoStack()->isClean()) return true;
-  QMessageBox box(QMessageBox::Question, tr("Heft Studio"), tr("Save the session first?"),
+  QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("Save the session first?"),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   box.setInformativeText(tr("Marks, shape and settings since the last save would be gone."));
   const int answer = box.exec();

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QObject>
 #include <QStringList>
+#include <functional>
 #include <string>
 
 #include "core/base/findings.h"
@@ -28,6 +29,8 @@ class Files : public QObject {
   /// Saves the session where it lives, or asks where; true once it is saved.
   bool save();
   bool saveAs();
+  /// What else is asked before a session is closed: whether what is under way may end.
+  void setMayEnd(std::function<bool()> mayEnd) { mayEnd_ = std::move(mayEnd); }
   /// True if the session may be closed: saved, unchanged, or given up by the user.
   bool mayClose();
   void open(const QStringList& paths);
@@ -58,6 +61,7 @@ class Files : public QObject {
 
   Workspace* workspace_;
   bool remembers_;
+  std::function<bool()> mayEnd_;
   QWidget* window_;
 };
 

@@ -34,6 +34,7 @@
 #include "ui/steps/step_bar.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/wheel_guard.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -41,6 +42,13 @@ namespace {
 
 constexpr int kPanelWidth = 440;
 constexpr double kKeyStep = 0.1;  ///< [s] an arrow key moves the time
+/// [px] What a window manager's frame takes, before it is known: title bar and edges.
+constexpr QSize kFrame(12, 44);
+
+QSize roomOnScreen() {
+  const QScreen* screen = QGuiApplication::primaryScreen();
+  return screen ? screen->availableSize() - kFrame : QSize(1440, 900);
+}
 
 }  // namespace
 
@@ -50,10 +58,11 @@ MainWindow::MainWindow(Workspace* workspace, bool remembers, QWidget* parent)
   setWindowTitle(tr("Heft Studio"));
   setWindowIcon(applicationIcon());
   setAcceptDrops(true);
-  // Not larger than a small laptop's screen.
-  const QScreen* screen = QGuiApplication::primaryScreen();
-  resize(screen ? QSize(1440, 900).boundedTo(screen->availableSize()) : QSize(1440, 900));
-  setMinimumSize(960, 600);
+  guardWheel();
+  // Not larger than a small laptop's screen, its frame included.
+  const QSize room = roomOnScreen();
+  resize(QSize(1440, 900).boundedTo(room));
+  setMinimumSize(QSize(960, 600).boundedTo(room));
   assemble();
   MenuBuilder builder(this);
   const StudioMenus menus = builder.build(header_->menuBar());
@@ -114,6 +123,21 @@ bool MainWindow::focusNextPrevChild(bool next) {
   return true;
 }
 
+/// The next of the window's parts that takes the keyboard, as in other programs.
+void MainWindow::focusNextPart(int by) {
+  const QVector<QWidget*> parts{header_, steps_, message_, view_, below_, panelStack_};
+  const int count = static_cast<int>(parts.size());
+  int at = 0;
+  for (int k = 0; k < count; ++k)
+    if (parts[k]->isAncestorOf(QApplication::focusWidget())) at = k;
+  for (int k = 1; k <= count; ++k) {
+    QWidget* part = parts[((at + by * k) % count + count) % count];
+    if (!part->isVisible()) continue;
+    for (QWidget* each : tabWay(*this, {part}))
+      if (part->isAncestorOf(each)) return each->setFocus(Qt::TabFocusReason);
+  }
+}
+
 void MainWindow::addPanels(const StudioMenus& menus) {
   StudioParts parts;
   parts.workspace = workspace_;
@@ -126,6 +150,14 @@ void MainWindow::addPanels(const StudioMenus& menus) {
     showStep(step);
   };
   parts.say = [this](Severity severity, const QString& sentence) { message_->showMessage(severity, sentence); };
+  parts.offer = [this](Severity severity, const QString& sentence, const QString& action,
+                       std::function<void()> clicked) {
+    message_->showMessage(severity, sentence, action, std::move(clicked));
+  };
+  parts.remember = [this](const QString& path) { files_->remember(path); };
+  parts.editRig = [this] { files_->editRig(); };
+  parts.savePicture = [this](const QImage& image, const QString& what) { files_->savePicture(image, what); };
+  parts.asks = remembers_;
   parts.chooseFiles = [this] { files_->choose(); };
   parts.recentFiles = [this] { return files_->recent(); };
   parts.followJobs = [this](JobRunner* runner) {
@@ -148,6 +180,8 @@ void MainWindow::addPanels(const StudioMenus& menus) {
     });
     panel->addActions(menus);
   }
+  files_->setMayEnd(
+      [this] { return std::all_of(panels_.begin(), panels_.end(), [](StepPanel* panel) { return panel->mayEnd(); }); });
   panels_[step_]->entered();
   manual_ = new Manual([this](const QString& part) { return pictureOf(part); }, panelStack_);
   panelStack_->addWidget(manual_);
@@ -160,7 +194,7 @@ void MainWindow::connectParts() {
     details_ = shown;
     for (StepPanel* panel : panels_) panel->setDetailsShown(shown);
   });
-  connect(files_, &Files::opening, message_, &QWidget::hide);
+  connect(files_, &Files::opening, message_, &MessageBar::clear);
   connect(files_, &Files::said, this,
           [this](Severity severity, const QString& sentence) { message_->showMessage(severity, sentence); });
   connect(workspace_, &Workspace::openedChanged, this, &MainWindow::showOpened);
@@ -267,7 +301,8 @@ QImage MainWindow::pictureOf(const QString& part) {
     view_->renderNow();
     return view_->grab().toImage();
   }
-  if (part == "plots") return pane_->grab().toImage();
+  // What stands under the 3D view: in the reality check, the difference.
+  if (part == "plots") return (below_->currentWidget() ? below_->currentWidget() : pane_)->grab().toImage();
   if (part == "panel") return panelStack_->grab().toImage();
   if (part == "steps") return steps_->grab().toImage();
   const auto step = stepFromId(part.toStdString());
@@ -283,6 +318,10 @@ QImage MainWindow::picture() {
   return grab().toImage();
 }
 
+void MainWindow::keepUnderWay() {
+  for (StepPanel* panel : panels_) panel->keepUnderWay();
+}
+
 void MainWindow::showSaved() {
   const QString at = autosave_ && autosave_->lastSaved().isValid()
                          ? QLocale().toString(autosave_->lastSaved().time(), QLocale::ShortFormat)
@@ -295,8 +334,7 @@ void MainWindow::useAutosave(Autosave* autosave) {
   connect(autosave_, &Autosave::saved, this, &MainWindow::showSaved);
   showSaved();
   if (autosave_->leftBehind().isEmpty()) return offerUnfinished();
-  message_->showMessage(Severity::warning,
-                        tr("Heft Studio ended without closing last time. What you had open was kept."),
+  message_->showMessage(Severity::warning, tr("Your last session was not closed by hand. What you had open was kept."),
                         tr("Open it again"), [this] {
                           if (!autosave_->recover()) {
                             message_->showMessage(Severity::error, tr("What was kept could not be read."));
@@ -307,10 +345,10 @@ void MainWindow::useAutosave(Autosave* autosave) {
 }
 
 void MainWindow::offerUnfinished() {
-  const QStringList recordings = unfinishedRecordings(recordedFolder());
+  const QStringList recordings = unfinishedRecordings(recordedFolder()) + unfinishedRecordings(earlierRecordedFolder());
   if (recordings.isEmpty()) return;
   message_->showMessage(Severity::warning,
-                        tr("Heft Studio ended in the middle of a recording. What came until then was kept."),
+                        tr("The program ended in the middle of a recording. What came until then was kept."),
                         tr("Open the recording"), [this, recordings] {
                           for (const QString& recording : recordings) forgetUnfinished(recording);
                           workspace_->open(recordings);
@@ -344,6 +382,8 @@ void MainWindow::showFacts() {
   for (const StepPanel* panel : panels_) facts << panel->facts();
   facts.removeAll({});
   const auto opened = workspace_->opened();
+  // What is under way is not the recording that was open before.
+  if (!facts.isEmpty()) return status_->setFacts(facts.join(QStringLiteral(" · ")));
   if (opened) {
     const Recording& recording = opened->recording;
     facts << QFileInfo(opened->path).fileName();
@@ -353,7 +393,7 @@ void MainWindow::showFacts() {
       facts << tr("%1 s").arg(numberText(recording.duration(), 1)) << tr("%1 Hz").arg(numberText(rate_, 0));
     }
     if (!recording.meta.sensorModel.empty()) facts << QString::fromStdString(recording.meta.sensorModel);
-  } else if (facts.isEmpty()) {
+  } else {
     facts << tr("No recording open");
   }
   status_->setFacts(facts.join(QStringLiteral(" · ")));
@@ -364,6 +404,7 @@ void MainWindow::showNothing() {
   setWindowTitle(tr("Heft Studio"));
   showFacts();
   pane_->setRecording(nullptr, nullptr);
+  view_->showNothing();
   showStep(Step::record);
   arrangeFor(panels_[step_]);
   loadArm();
@@ -412,6 +453,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
       // As in a dialog: Enter presses the button that has the focus, not only Space.
       if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) button->click();
       return;
+    case Qt::Key_F6:
+      return focusNextPart(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
     case Qt::Key_Space:
       playback_.toggle();
       return;
@@ -447,8 +490,24 @@ void MainWindow::setLanguages(const QStringList& codes, const QString& current) 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   // Only now the splitters have a height to share out.
-  if (!arranged_) QTimer::singleShot(0, this, [this] { arrangeFor(panels_[step_]); });
+  if (!arranged_)
+    QTimer::singleShot(0, this, [this] {
+      keepOnScreen();
+      arrangeFor(panels_[step_]);
+    });
   arranged_ = true;
+}
+
+/// The frame is known only now.
+void MainWindow::keepOnScreen() {
+  const QScreen* on = screen();
+  if (!on || isMaximized() || isFullScreen() || (windowFlags() & Qt::FramelessWindowHint)) return;
+  const QRect room = on->availableGeometry();
+  const QSize frame = frameGeometry().size() - size();
+  resize(size().boundedTo(room.size() - frame));
+  const QRect now = frameGeometry();
+  move(std::clamp(now.left(), room.left(), std::max(room.left(), room.right() + 1 - now.width())),
+       std::clamp(now.top(), room.top(), std::max(room.top(), room.bottom() + 1 - now.height())));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow {
 
   /// Which languages the menu offers, and which one is in force.
   void setLanguages(const QStringList& codes, const QString& current);
+  /// Recordings under way are ended and kept; nothing is asked.
+  void keepUnderWay();
   /// Shows when it saved, and offers what an earlier program left behind. Must outlive the window.
   void useAutosave(Autosave* autosave);
 
@@ -92,6 +94,8 @@ class MainWindow : public QMainWindow {
   void offerUnfinished();
   void loadArm();
   void arrangeFor(StepPanel* panel);
+  void keepOnScreen();
+  void focusNextPart(int by);
 
   Workspace* workspace_;
   bool remembers_;

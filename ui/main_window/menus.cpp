@@ -42,7 +42,7 @@ void MenuBuilder::finish(QMenuBar*, const StudioMenus& menus) {
 void MenuBuilder::buildFile(QMenu* menu) {
   menu->addAction(tr("&New"), w_->files_, &Files::startAfresh)->setShortcut(QKeySequence::New);
   menu->addAction(tr("&Open …"), w_->files_, &Files::choose)->setShortcut(QKeySequence::Open);
-  w_->files_->fillRecent(menu->addMenu(tr("Opened &lately")));
+  w_->files_->fillRecent(menu->addMenu(tr("Open &recent")));
   menu->addSeparator();
   menu->addAction(tr("&Save the session"), w_->files_, &Files::save)->setShortcut(QKeySequence::Save);
   menu->addAction(tr("Save the session &as …"), w_->files_, &Files::saveAs)->setShortcut(QKeySequence("Ctrl+Shift+S"));
@@ -80,7 +80,7 @@ void MenuBuilder::buildView(QMenu* menu) {
   menu->addSeparator();
   menu->addAction(tr("Whole &recording in the plots"), w_, [w = w_] { w->pane_->timeAxis()->showAll(); })
       ->setShortcut(QKeySequence("Ctrl+0"));
-  QAction* details = menu->addAction(tr("&Details"), w_, [w = w_] { w->showDetails(!w->detailsShown()); });
+  QAction* details = menu->addAction(tr("D&etails"), w_, [w = w_] { w->showDetails(!w->detailsShown()); });
   details->setShortcut(QKeySequence("Ctrl+D"));
   menu->addSeparator();
   auto* themes = new QActionGroup(menu);

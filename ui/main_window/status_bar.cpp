@@ -38,7 +38,10 @@ StatusBar::StatusBar(QWidget* parent) : QWidget(parent) {
   cancel_->setIconSize(QSize(14, 14));
   row->addWidget(cancel_);
   connect(cancel_, &QToolButton::clicked, this, [this] {
-    if (shown_) shown_->cancel();
+    if (!shown_) return;
+    job_->setText(tr("Stopping …"));
+    cancel_->setEnabled(false);
+    shown_->cancel();
   });
   saved_ = styledLabel({}, "saved", this);
   row->addWidget(saved_);
@@ -82,6 +85,7 @@ void StatusBar::setSaved(const QString& text) { saved_->setText(text); }
 
 void StatusBar::showJob(JobRunner* jobs) {
   shown_ = jobs;
+  cancel_->setEnabled(true);
   if (jobs) {
     job_->setText(jobs->title());
     bar_->setValue(static_cast<int>(jobs->fraction() * 1000));

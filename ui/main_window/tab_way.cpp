@@ -34,6 +34,7 @@ QVector<QWidget*> tabWay(const QWidget& window, const QVector<QWidget*>& parts) 
     int part;
     int block;  ///< [px] Top of what it scrolls in; what is scrolled out of sight below comes before what stands there
     QRect place;
+    bool scrolls;  ///< It stands in something that scrolls.
   };
   QVector<Stop> stops;
   for (auto* widget : window.findChildren<QWidget*>()) {
@@ -43,18 +44,25 @@ QVector<QWidget*> tabWay(const QWidget& window, const QVector<QWidget*>& parts) 
                                    [&](const QWidget* p) { return p == widget || p->isAncestorOf(widget); });
     const QRect place(widget->mapTo(&window, QPoint()), widget->size());
     int block = place.top();
+    bool scrolls = false;
     for (const QWidget* p = widget->parentWidget(); p && p != &window; p = p->parentWidget())
-      if (qobject_cast<const QScrollArea*>(p)) block = p->mapTo(&window, QPoint()).y();
-    stops.push_back({widget, static_cast<int>(part - parts.begin()), block, place});
+      if (qobject_cast<const QScrollArea*>(p)) {
+        block = p->mapTo(&window, QPoint()).y();
+        scrolls = true;
+      }
+    stops.push_back({widget, static_cast<int>(part - parts.begin()), block, place, scrolls});
   }
   std::stable_sort(stops.begin(), stops.end(), [](const Stop& a, const Stop& b) {
     return std::tuple(a.part, a.block, a.place.top()) < std::tuple(b.part, b.block, b.place.top());
   });
   QVector<QWidget*> way;
   for (auto row = stops.begin(); row != stops.end();) {
-    // What begins above the middle of the row's first stands beside it.
+    // What begins above the middle of the row's first stands beside it; what is scrolled out of sight stands beside
+    // nothing below.
     auto end = row + 1;
-    while (end != stops.end() && end->part == row->part && end->place.top() < row->place.center().y()) ++end;
+    while (end != stops.end() && end->part == row->part && end->scrolls == row->scrolls &&
+           end->place.top() < row->place.center().y())
+      ++end;
     std::stable_sort(row, end, [](const Stop& a, const Stop& b) { return a.place.left() < b.place.left(); });
     for (; row != end; ++row) way.push_back(row->widget);
   }

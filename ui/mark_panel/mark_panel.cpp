@@ -22,6 +22,7 @@
 #include "ui/timeline/playback.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/stepper.h"
 #include "ui/wrench_plots/recording_pane.h"
 
 namespace heft {
@@ -48,6 +49,9 @@ MarkPanel::MarkPanel(const StudioParts& parts) : StepPanel(parts) {
   connect(&workspace(), &Workspace::openedChanged, this, &MarkPanel::refresh);
   connect(&workspace(), &Workspace::reportChanged, this, &MarkPanel::refresh);
   connect(&workspace(), &Workspace::marksChanged, this, &MarkPanel::refresh);
+  connect(&workspace(), &Workspace::busyChanged, this, [this] {
+    if (shown().first.empty()) refresh();
+  });
   if (parts.plots) {
     connect(parts.plots, &RecordingPane::painted, this,
             [this](double from, double to, MarkLabel label) { workspace().paint(from, to, label); });
@@ -76,7 +80,9 @@ StepState MarkPanel::state() const {
   if (!opened) return {P::later, Light::measured, tr("after recording")};
   if (opened->recording.meta.kind == RecordingKind::poses) return {P::done, Light::measured, tr("all poses are used")};
   const auto [segments, suggested] = shown();
-  if (segments.empty()) return {P::ready, Light::measured, tr("being looked at …")};
+  if (segments.empty())
+    return workspace().busy() ? StepState{P::ready, Light::measured, tr("checking …")}
+                              : StepState{P::ready, Light::look, tr("nothing found")};
   const MarkSummary summary = summarise(segments, suggested, opened->recording.duration());
   if (summary.suggestions > 0) return {P::ready, Light::look, tr("%n suggestion(s) to check", "", summary.suggestions)};
   return {P::done, summary.enough ? Light::measured : Light::look,
@@ -115,7 +121,10 @@ void MarkPanel::refresh() {
   QVBoxLayout* column =
       page()->restart(tr("When did the tool touch nothing?"),
                       poses ? tr("Standing poses are all used.")
-                            : (segments.empty() ? tr("Heft is looking at the recording …") : markAnswer(summary)));
+                            : (segments.empty() ? workspace().busy() ? tr("Heft is looking at the recording …")
+                                                  : workspace().lastFailure().isEmpty() ? tr("Nothing was found.")
+                                                                                        : workspace().lastFailure()
+                                                : markAnswer(summary)));
   if (!poses && !segments.empty()) {
     if (summary.suggestions > 0) {
       column->addWidget(styledLabel(tr("Heft suggests"), "sectionTitle", page()->content()));
@@ -131,6 +140,7 @@ void MarkPanel::refresh() {
     addSummary(column, summary);
     addDecided(column, segments, suggested);
   }
+  if (!poses) addTrim(column);
   column->addStretch(1);
   page()->setSecondButton(tr("Back"), [this] { parts().goTo(Step::record); });
   const QString accept = summary.suggestions == 1   ? tr("Accept it and go on")
@@ -230,6 +240,28 @@ void MarkPanel::addPainting(QVBoxLayout* column) {
   }
   connect(brushes_, &Segments::picked, this, [this](int i) { chooseBrush(kLabels[static_cast<std::size_t>(i)]); });
   column->addWidget(brushes_);
+}
+
+/// Why less is used than is free, and how to change it: of a short recording the ends are most.
+void MarkPanel::addTrim(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  column->addSpacing(4);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(wrappedLabel(tr("Also left out at each end, where arms are gripped and let go"), "caption", content),
+                 1);
+  auto* trim = new Stepper(tr("Left out at each end"), QStringLiteral("%"), {0.0, 45.0, 1.0, 0}, content);
+  trim->setObjectName("trim");
+  trim->setFixedWidth(130);
+  trim->setValue(100.0 * workspace().session().settings.trim);
+  connect(trim, &Stepper::begun, this, [this] { trimKey_ = workspace().newMergeKey(); });
+  connect(trim, &Stepper::changed, this, [this](double percent) {
+    EstimateSettings settings = workspace().session().settings;
+    settings.trim = 0.01 * percent;
+    workspace().setSettings(settings, tr("left out at each end"), trimKey_);
+  });
+  row->addWidget(trim);
+  column->addLayout(row);
 }
 
 void MarkPanel::addSummary(QVBoxLayout* column, const MarkSummary& summary) {

@@ -39,6 +39,7 @@ class MarkPanel : public StepPanel {
   void addDecided(QVBoxLayout* column, const std::vector<Segment>& segments, const std::vector<bool>& suggested);
   void addPainting(QVBoxLayout* column);
   void addSummary(QVBoxLayout* column, const MarkSummary& summary);
+  void addTrim(QVBoxLayout* column);
   void chooseBrush(MarkLabel label);
   void decide(const Segment& segment, MarkLabel label);
   void acceptAll();
@@ -51,6 +52,7 @@ class MarkPanel : public StepPanel {
   bool here_ = false;
   QColor drawnIn_;  ///< The theme's text colour when that was last asked.
   Segments* brushes_ = nullptr;
+  int trimKey_ = 0;  ///< Steps of one change are one edit.
 };
 
 }  // namespace heft

@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "core/base/doubts.h"
 #include "ui/models/numbers.h"
 
 namespace heft {
@@ -14,6 +14,8 @@ namespace {
 struct ResultWords {
   Q_DECLARE_TR_FUNCTIONS(ResultText)
 };
+
+constexpr double kOutside = 1.96;  ///< Own deviations to the edge of a 95 % interval
 
 QString capitalised(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -197,25 +199,40 @@ std::vector<ShareText> shareTexts(const EstimateReport& report) {
   if (!report.evidence.hasPrior) return rows;
   const auto add = [&](const QString& name, double share, int first, int count, double scale, const QString& unit) {
     const bool mostlyData = share >= 0.5;
+    double farthest = 0.0;
     const QString percent = numberText(100 * (mostlyData ? share : 1 - share), 0);
     QStringList lines;
     for (int k = first; k < first + count; ++k) {
       const double data = scale * report.evidence.data(k), told = scale * report.evidence.prior(k);
       const double shift = report.evidence.shift(k);
+      if (std::isfinite(shift)) farthest = std::max(farthest, std::abs(shift));
       if (!std::isfinite(data) || !std::isfinite(told)) continue;
       lines << ResultWords::tr("The motion alone said %1 %3, your shape said %2 %3.")
                    .arg(numberText(data, 3), numberText(told, 3), unit);
       if (std::isfinite(shift)) lines << ResultWords::tr("That moved the result by %1 σ.").arg(numberText(shift, 1));
     }
-    rows.push_back(
-        {name, share,
-         mostlyData ? ResultWords::tr("%1 % data").arg(percent) : ResultWords::tr("%1 % your shape").arg(percent),
-         lines.join('\n')});
+    // By more than its interval: then it is not the motion's number, whatever the widths say.
+    const bool pulled = farthest > kOutside && mostlyData;
+    rows.push_back({name, share,
+                    pulled       ? ResultWords::tr("moved by your shape, %1 σ").arg(numberText(farthest, 1))
+                    : mostlyData ? ResultWords::tr("%1 % data").arg(percent)
+                                 : ResultWords::tr("%1 % your shape").arg(percent),
+                    lines.join('\n'), pulled});
   };
   add(ResultWords::tr("Mass"), report.identifiability.massShare, 0, 1, 1.0, ResultWords::tr("kg"));
   add(ResultWords::tr("Centre"), report.identifiability.comShare, 1, 3, 1e3, ResultWords::tr("mm"));
   add(ResultWords::tr("Inertia"), report.identifiability.inertiaShare, 4, 6, 1e4, ResultWords::tr("kg cm²"));
   return rows;
+}
+
+/// Rows of the inertia that a cause would move out of their intervals.
+void doubtInertia(std::vector<NumberText>& rows, const Vector10d& moved) {
+  // As payloadShift() has them: xx, xy, xz, yy, yz, zz from the fifth on.
+  static const std::pair<const char*, int> kPlaces[] = {{"Ixx", 4}, {"Iyy", 7}, {"Izz", 9},
+                                                        {"Ixy", 5}, {"Ixz", 6}, {"Iyz", 8}};
+  for (NumberText& row : rows)
+    for (const auto& [name, place] : kPlaces)
+      if (row.name.contains(QLatin1String(name)) && moved(place) > kOutside) row.doubted = true;
 }
 
 std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPayload& known) {
@@ -246,6 +263,27 @@ std::vector<DetailText> knownTexts(const EstimateReport& report, const PartialPa
   return rows;
 }
 
+/// What is wrong and what to do next, in place of numbers.
+void withholdNumbers(const EstimateReport& report, ResultText& out) {
+  out.withheld = true;
+  out.question = ResultWords::tr("No weight can be told yet.");
+  out.answer = capitalised(QString::fromStdString(report.whyNoTrust));
+  out.advice = capitalised(QString::fromStdString(report.whatToDo));
+  std::erase_if(out.findings, [](const FindingText& finding) { return finding.noTrust; });
+  const auto hide = [](NumberText& number) {
+    number.value = QString(QChar(0x2014));
+    number.plusMinus.clear();
+    number.tip = ResultWords::tr("The readings do not tell it as they are understood.");
+    number.source = Source::none;
+  };
+  hide(out.mass);
+  std::ranges::for_each(out.com, hide);
+  std::ranges::for_each(out.inertia, hide);
+  for (QString* note : {&out.massNote, &out.comNote, &out.inertiaNote}) note->clear();
+  out.shares.clear();
+  out.known.clear();
+}
+
 }  // namespace
 
 QString sourceWord(Source source) {
@@ -266,8 +304,9 @@ Source jointSource(const std::vector<NumberText>& numbers) {
   return joint;
 }
 
-ResultText describeResult(const EstimateReport& report, const PartialPayload& stated) {
+ResultText describeResult(const EstimateReport& report, const KnownPayload& known, const OpenQuestion& open) {
   ResultText out;
+  const PartialPayload& stated = known.payload;
   const auto& id = report.identifiability;
   const auto& interval = report.interval95;
 
@@ -277,7 +316,9 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
   out.massScale = massScale(report, stated.mass);
   if (stated.mass && *stated.mass > 0) {
     const double away = 100.0 * std::abs(report.payload.mass - *stated.mass) / *stated.mass;
-    out.massNote = ResultWords::tr("you stated %1 kg, %2 % away").arg(numberText(*stated.mass, 3), numberText(away, 1));
+    out.massNote = (known.byUser ? ResultWords::tr("you stated %1 kg, %2 % away")
+                                 : ResultWords::tr("the recording says %1 kg, %2 % away"))
+                       .arg(numberText(*stated.mass, 3), numberText(away, 1));
   }
 
   double comAway = -1.0;
@@ -288,19 +329,22 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
         ResultWords::tr("Centre of mass from the sensor's origin along its axis %1").arg(QChar("xyz"[i]))));
     out.com.back().plusMinus += ResultWords::tr(" mm");
   }
-  if (comAway >= 0) out.comNote = ResultWords::tr("%1 mm from the centre you stated").arg(numberText(comAway, 1));
+  if (comAway >= 0)
+    out.comNote = (known.byUser ? ResultWords::tr("%1 mm from the centre you stated")
+                                : ResultWords::tr("%1 mm from the centre that the recording states"))
+                      .arg(numberText(comAway, 1));
 
   // Small tools read better in g cm² than as 0.02 kg cm².
   const double largest = report.payload.inertiaCom.diagonal().cwiseAbs().maxCoeff();
   const bool small = largest * 1e4 < 0.5;
   out.inertiaUnit = small ? ResultWords::tr("kg mm²") : ResultWords::tr("kg cm²");
   out.inertia = inertiaNumbers(report, small ? 1e6 : 1e4, out.inertiaUnit);
-  if (report.relativeError && report.relativeError->hasInertia) {
-    out.inertiaNote =
-        ResultWords::tr("%1 % from the inertia you stated").arg(numberText(100 * report.relativeError->inertiaCom, 1));
-  }
-
   const Source comSource = jointSource(out.com), inertiaSource = jointSource(out.inertia);
+  // A placeholder is not compared.
+  if (report.relativeError && report.relativeError->hasInertia && inertiaSource != Source::none)
+    out.inertiaNote = (known.byUser ? ResultWords::tr("%1 % from the inertia you stated")
+                                    : ResultWords::tr("%1 % from the inertia that the recording states"))
+                          .arg(numberText(100 * report.relativeError->inertiaCom, 1));
   const double half = 0.5 * (interval.mass.upper - interval.mass.lower);
   out.question = id.mass == Source::none ? ResultWords::tr("This motion does not tell the mass.")
                                          : ResultWords::tr("Your tool weighs %1 kg.")
@@ -310,26 +354,45 @@ ResultText describeResult(const EstimateReport& report, const PartialPayload& st
   out.shares = shareTexts(report);
   out.known = knownTexts(report, stated);
 
-  static const std::set<std::string> kDoubts{"misfit",       "contact_left_out",  "known_disagrees",
-                                             "not_physical", "solver_not_usable", "shape_contradicts_data"};
   for (const Finding& finding : report.findings) {
     // Already said as advice.
     if (finding.code == "weak_direction" && capitalised(QString::fromStdString(finding.text)) == out.advice) continue;
-    out.findings.push_back({finding.severity, capitalised(QString::fromStdString(finding.text)),
-                            capitalised(QString::fromStdString(finding.remedy)),
-                            finding.severity != Severity::info && kDoubts.contains(finding.code)});
+    FindingText said;
+    said.severity = finding.severity;
+    said.text = capitalised(QString::fromStdString(finding.text));
+    said.remedy = capitalised(QString::fromStdString(finding.remedy));
+    said.doubt = doubtsNumbers(finding.severity, finding.code);
+    said.noTrust = finding.code == "no_trust";
+    if (finding.code == "shape_contradicts_data" || finding.code == "shape_left_out")
+      said.leads = FindingText::Leads::shape;
+    out.findings.push_back(std::move(said));
     out.doubtful = out.doubtful || out.findings.back().doubt;
   }
-  if (out.doubtful && id.mass != Source::none)
+  const bool massMoves = open.moved(0) > kOutside;
+  out.mass.doubted = massMoves;
+  for (int i = 0; i < 3; ++i) out.com[static_cast<std::size_t>(i)].doubted = open.moved(1 + i) > kOutside;
+  doubtInertia(out.inertia, open.moved);
+  out.doubted = out.doubtful || !open.causes.isEmpty();
+  if (!open.causes.isEmpty())
+    out.findings.push_back(
+        {Severity::warning,
+         open.causes.size() == 1
+             ? ResultWords::tr("The reality check found a cause that is not applied: %1").arg(open.causes.front())
+             : ResultWords::tr("The reality check found %1 causes that are not applied: %2")
+                   .arg(QString::number(open.causes.size()), open.causes.join(' ')),
+         open.change.isEmpty() ? QString() : ResultWords::tr("With it: %1.").arg(open.change), true, false,
+         FindingText::Leads::realityCheck});
+  if ((out.doubtful || massMoves) && id.mass != Source::none)
     out.question = ResultWords::tr("Your tool seems to weigh %1 kg.")
                        .arg(numberText(report.payload.mass, std::min(2, decimalsFor(half, 2))))
                        .replace(QStringLiteral(" kg"), QStringLiteral("\u00a0kg"));  // Not alone on the next line.
-  if (out.doubtful)
+  if (out.doubtful || open.moved.maxCoeff() > kOutside)
     out.answer = ResultWords::tr("Check the warnings first: these numbers may be off by more than they say.");
   std::stable_sort(out.findings.begin(), out.findings.end(), [](const FindingText& a, const FindingText& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
   out.details = detailTexts(report);
+  if (report.trust == Trust::none) withholdNumbers(report, out);
   return out;
 }
 

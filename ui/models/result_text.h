@@ -1,6 +1,7 @@
 #pragma once
 // What the result panel says, as plain data: words, numbers and lights of an estimate, computed without widgets.
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 #include "core/estimation/estimate.h"
@@ -13,7 +14,8 @@ struct NumberText {
   QString value;      ///< "16.0"
   QString plusMinus;  ///< "± 1.3"
   Source source = Source::none;
-  QString tip;  ///< The interval in full and what the number means.
+  QString tip;           ///< The interval in full and what the number means.
+  bool doubted = false;  ///< A cause that is not applied would move it out of its interval.
 };
 
 /// A position on the mass card's scale, 0 to 1.
@@ -26,7 +28,9 @@ struct MassScale {
 struct FindingText {
   Severity severity = Severity::info;
   QString text, remedy;
-  bool doubt = false;  ///< Says that the numbers themselves may be wrong.
+  bool doubt = false;    ///< Says that the numbers themselves may be wrong.
+  bool noTrust = false;  ///< Says why they are not shown.
+  enum class Leads { cause, realityCheck, shape } leads = Leads::cause;  ///< Where more is to be had
 };
 
 struct DetailText {
@@ -37,14 +41,17 @@ struct DetailText {
 struct ShareText {
   QString name;
   double data = 1.0;
-  QString words;  ///< "98 % data"
-  QString tip;    ///< What the data said, what was told, how far they pulled each other.
+  QString words;        ///< "98 % data"
+  QString tip;          ///< What the data said, what was told, how far they pulled each other.
+  bool pulled = false;  ///< What was told moved the number out of the interval that the data gave.
 };
 
 struct ResultText {
   QString question;       ///< "Your tool weighs 0.81 kg."
   QString answer;         ///< "Mass and centre are measured; inertia is not known from this motion."
   bool doubtful = false;  ///< A finding doubts the numbers: check before use.
+  bool withheld = false;  ///< Nothing in the result can be trusted: no number is shown.
+  bool doubted = false;   ///< So, or a cause that is not applied doubts some of them.
   NumberText mass;
   MassScale massScale;
   QString massNote;             ///< "you stated 0.815 kg, 0.4 % away"; may be empty
@@ -60,8 +67,20 @@ struct ResultText {
   std::vector<DetailText> details;
 };
 
-/// `stated` is what the recording's sidecar says about the payload.
-ResultText describeResult(const EstimateReport& report, const PartialPayload& stated);
+/// What is known of the payload from elsewhere, and who says so.
+struct KnownPayload {
+  PartialPayload payload;
+  bool byUser = true;  ///< Else it stands in the recording's meta file.
+};
+
+/// What the reality check found and nobody applied.
+struct OpenQuestion {
+  QStringList causes;                   ///< A sentence each
+  Vector10d moved = Vector10d::Zero();  ///< payloadShift(): mass, centre, inertia in their own deviations
+  QString change;                       ///< "Izz 29.3 → 12.3 kg cm²"
+};
+
+ResultText describeResult(const EstimateReport& report, const KnownPayload& known, const OpenQuestion& open = {});
 
 /// "measured", "from your shape", "not known from this motion".
 QString sourceWord(Source source);

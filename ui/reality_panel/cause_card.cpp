@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/diagnosis/report/report.h"
 #include "ui/controller/diagnosis.h"
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_words.h"
@@ -24,7 +25,7 @@ struct Say {
   Q_DECLARE_TR_FUNCTIONS(CauseCard)
 };
 
-/// Of forces or of torques, whichever the cause has more to do with.
+/// Of forces or of torques, as the curves of the cause.
 struct UnseenError {
   double before = 0.0, after = 0.0, noise = 0.0;
   bool torque = false;
@@ -40,9 +41,11 @@ UnseenError unseenError(const DiagnosisReport& report, const DiagnosedCause& cau
   const auto lost = [](double before, double after, double noise) {
     return noise > 0.0 ? (before * before - after * after) / (noise * noise) : 0.0;
   };
-  if (lost(gain.torqueBefore, gain.torqueAfter, report.noise.torque) >
-      lost(gain.forceBefore, gain.forceAfter, report.noise.force))
-    return {gain.torqueBefore, gain.torqueAfter, report.noise.torque, true};
+  // Bars, curves and sentence speak of the same.
+  const bool torque = cause.before.cols() > 0 ? telling(report, cause).channel >= 3
+                                              : lost(gain.torqueBefore, gain.torqueAfter, report.noise.torque) >
+                                                    lost(gain.forceBefore, gain.forceAfter, report.noise.force);
+  if (torque) return {gain.torqueBefore, gain.torqueAfter, report.noise.torque, true};
   return {gain.forceBefore, gain.forceAfter, report.noise.force, false};
 }
 
@@ -211,6 +214,9 @@ void addButtons(QVBoxLayout* column, const DiagnosedCause& cause, const CardStat
   more->setCheckable(true);
   more->setChecked(state.details);
   QObject::connect(more, &QPushButton::toggled, details, &QWidget::setVisible);
+  if (actions.detailsShown)
+    QObject::connect(more, &QPushButton::toggled, details,
+                     [actions, id = cause.id](bool on) { actions.detailsShown(id, on); });
   row->addWidget(more);
   column->addLayout(row);
   column->addWidget(details);
@@ -246,10 +252,6 @@ QVector<QPointF> pointsOf(const DiagnosisReport& report, const VectorXd& y, doub
 
 }  // namespace
 
-bool helpsUnseen(const DiagnosedCause& cause) {
-  return cause.direct || cause.gain.blocks == 0 || cause.gain.explainedFraction > 0.0;
-}
-
 QString newtonText(double value) {
   return QCoreApplication::translate("CauseCard", "%1 N").arg(numberText(value, value < 0.1 ? 3 : 2));
 }
@@ -258,7 +260,9 @@ StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& repo
   if (cause.direct) return {Say::tr("seen directly"), Say::tr("The readings themselves show it.")};
   const double over = cause.deltaBic / std::max(1.0, report.threshold);
   StrengthText out;
-  out.word = over > 3.0 ? Say::tr("very strong") : over > 1.5 ? Say::tr("strong") : Say::tr("just visible");
+  out.word = over > 3.0   ? Say::tr("very strong evidence")
+             : over > 1.5 ? Say::tr("strong evidence")
+                          : Say::tr("weak evidence");
   if (report.surrogates > 0) {
     const int alarms = std::max(0, static_cast<int>(std::lround(cause.pValue * (report.surrogates + 1))) - 1);
     out.meaning = Say::tr("%n false alarm(s) in %1 simulated clean runs.", "", alarms).arg(report.surrogates);
@@ -268,25 +272,70 @@ StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& repo
   return out;
 }
 
+QString effectOf(const DiagnosedCause& cause) {
+  // Shares of the squared error, in units of the noise.
+  const double share = cause.gain.explainedFraction;
+  return share > 0.5 ? Say::tr("large effect") : share > 0.15 ? Say::tr("moderate effect") : Say::tr("small effect");
+}
+
+bool leavesMuch(const DiagnosisReport& report, const DiagnosedCause& cause) {
+  if (cause.direct || cause.gain.blocks == 0) return false;
+  constexpr double kMuch = 3.0;  // Times the noise
+  const UnseenError unseen = unseenError(report, cause);
+  return unseen.noise > 0.0 && unseen.after > kMuch * unseen.noise;
+}
+
 ChangeText payloadChange(const DiagnosisReport& report) {
   const Payload &a = report.before.payload, &b = report.after.payload;
-  const Eigen::Vector4d moved = payloadShift(report);
-  ChangeText out;
+  const Vector10d moved = payloadShift(report);
+  struct Move {
+    double sigmas;
+    QString text;
+  };
+  std::vector<Move> moves;
   const auto offer = [&](double sigmas, const QString& before, const QString& after, const QString& text) {
-    if (before == after) return;  // Nothing that one could see.
-    if (!out.text.isEmpty() && sigmas <= out.sigmas) return;
-    out = {text.arg(before, after), sigmas};
+    if (before != after) moves.push_back({sigmas, text.arg(before, after)});  // Else nothing that one could see.
   };
   const int digits = std::abs(a.mass - b.mass) < 0.01 ? 4 : std::abs(a.mass - b.mass) < 0.1 ? 3 : 2;
   offer(moved(0), numberText(a.mass, digits), numberText(b.mass, digits), Say::tr("mass %1 → %2 kg"));
   for (int i = 0; i < 3; ++i)
     offer(moved(1 + i), numberText(1e3 * a.com(i), 1), numberText(1e3 * b.com(i), 1),
           Say::tr("centre %1 %2 → %3 mm").arg(QChar('x' + i)));
+  constexpr std::array<std::array<int, 2>, 6> kPlaces{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+  for (std::size_t k = 0; k < kPlaces.size(); ++k) {
+    const auto [i, j] = kPlaces[k];
+    // What is not known from the motion cannot be said to change.
+    if (report.before.identifiability.inertia[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] == Source::none)
+      continue;
+    offer(moved(4 + static_cast<int>(k)), numberText(1e4 * a.inertiaCom(i, j), 1),
+          numberText(1e4 * b.inertiaCom(i, j), 1),
+          Say::tr("I%1%2 %3 → %4 kg cm²").arg(QChar('x' + i)).arg(QChar('x' + j)));
+  }
+  std::stable_sort(moves.begin(), moves.end(), [](const Move& x, const Move& y) { return x.sigmas > y.sigmas; });
+  ChangeText out;
+  for (const Move& move : moves) {
+    if (out.text.isEmpty()) {
+      out = {move.text, move.sigmas, {}};
+    } else if (move.sigmas > kLeavesInterval) {
+      out.text += Say::tr(", ") + move.text;
+      break;
+    }
+  }
+  const auto half = [](const Interval& interval) { return 0.5 * (interval.upper - interval.lower); };
+  const double was = half(report.before.interval95.mass), is = half(report.after.interval95.mass);
+  constexpr double kMuchWider = 2.0;
+  if (was > 0.0 && is > kMuchWider * was)
+    out.wider =
+        Say::tr("mass ± %1 → ± %2 kg").arg(numberText(was, decimalsFor(was, 4)), numberText(is, decimalsFor(is, 4)));
   return out;
 }
 
+diagnosis::TellingStretch telling(const DiagnosisReport& report, const DiagnosedCause& cause) {
+  return diagnosis::tellingStretch(report.series, cause);
+}
+
 Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
-  const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
+  const auto stretch = telling(report, cause);
   Chart chart;
   const bool torque = stretch.channel >= 3;
   chart.yTitle = Say::tr("Error in %1 [%2]").arg(channelText(static_cast<int>(stretch.channel)), torque ? "N m" : "N");
@@ -302,7 +351,7 @@ Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
 }
 
 Chart overlayChart(const DiagnosisReport& report, const DiagnosedCause& cause) {
-  const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
+  const auto stretch = telling(report, cause);
   const VectorXd measured = report.series.measured.row(stretch.channel).transpose();
   Chart chart;
   chart.yTitle =
@@ -344,8 +393,12 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
   const Card card = makeCard(state.next ? "cardChosen" : "card", parent);
   card.frame->setProperty("cause", QString::fromStdString(cause.id));
   const StrengthText strength = strengthOf(cause, report);
-  card.layout->addLayout(tagRow(makeVerdictTag(Say::tr("Cause found"), Light::measured, true, card.frame),
-                                strength.word, strength.meaning, card.frame));
+  const bool much = leavesMuch(report, cause);
+  const QString words =
+      cause.direct || cause.gain.blocks == 0 ? strength.word : Say::tr("%1 · %2").arg(effectOf(cause), strength.word);
+  card.layout->addLayout(tagRow(much ? makeVerdictTag(Say::tr("Explains a part"), Light::partly, false, card.frame)
+                                     : makeVerdictTag(Say::tr("Cause found"), Light::measured, true, card.frame),
+                                words, strength.meaning, card.frame));
   QLabel* sentence = wrappedLabel(sentenceOf(cause, report), "cardTitle", card.frame);
   sentence->setProperty("role", "sentence");
   card.layout->addWidget(sentence);
@@ -366,6 +419,11 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
                          .arg(unseen.text(unseen.before), unseen.text(unseen.after), unseen.text(unseen.noise)),
                      "caption", card.frame));
   }
+  if (much)
+    card.layout->addWidget(wrappedLabel(
+        Say::tr("What is left is %1 times the noise: something else is at work, too, or instead.")
+            .arg(numberText(unseenError(report, cause).after / std::max(1e-12, unseenError(report, cause).noise), 0)),
+        "body", card.frame));
   if (const QString worse = worseText(cause); !worse.isEmpty() && !state.applied)
     card.layout->addWidget(wrappedLabel(worse, "caption", card.frame));
   if (!helpsUnseen(cause) && !state.applied) {
@@ -386,10 +444,9 @@ QWidget* makeCauseCard(const DiagnosisReport& report, const DiagnosedCause& caus
         boldFirst(strength.word.left(1).toUpper() + strength.word.mid(1) + ":", strength.meaning, card.frame));
   }
   if (cause.before.cols() > 0 && !state.applied) {
-    const auto stretch = diagnosis::tellingStretch(report.series, cause.before, cause.after);
-    auto* show = makeButton(Say::tr("Show this stretch in the plots"), "linkButton", card.frame);
-    QObject::connect(show, &QPushButton::clicked, card.frame,
-                     [actions, stretch] { actions.showStretch(stretch.from, stretch.to); });
+    auto* show = makeButton(Say::tr("Show it below the arm"), "linkButton", card.frame);
+    show->setToolTip(Say::tr("Measured and simulated, without and with this cause, where it shows best"));
+    QObject::connect(show, &QPushButton::clicked, card.frame, [actions, id = cause.id] { actions.show(id); });
     card.layout->addWidget(show, 0, Qt::AlignLeft);
   }
   addButtons(card.layout, cause, state, actions, card.frame, detailsOf(report, cause, card.frame));
@@ -405,8 +462,7 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
       tagRow(makeVerdictTag(two ? Say::tr("Two causes possible") : Say::tr("Several causes possible"), Light::twoCauses,
                             false, card.frame),
              Say::tr("this motion cannot tell"), {}, card.frame));
-  auto* grid = new QGridLayout;
-  grid->setSpacing(8);
+  // One below the other, each with what would be seen on the robot: the same kind of sentence for all.
   const auto box = [&](const QString& title, const QString& text) {
     auto* frame = new QFrame(card.frame);
     frame->setObjectName("tieBox");
@@ -415,19 +471,14 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
     column->setSpacing(2);
     column->addWidget(wrappedLabel(title, "sectionTitle", frame));
     if (!text.isEmpty()) column->addWidget(wrappedLabel(text, "caption", frame));
-    column->addStretch(1);
     return frame;
   };
-  grid->addWidget(box(titleOf(cause.id), sentenceOf(cause, report)), 0, 0);
-  grid->addWidget(styledLabel(Say::tr("or"), "caption", card.frame), 0, 1, Qt::AlignCenter);
-  grid->setColumnStretch(0, 1);
-  grid->setColumnStretch(2, 1);
-  int place = 1;
+  card.layout->addWidget(wrappedLabel(sentenceOf(cause, report), "body", card.frame));
+  card.layout->addWidget(box(titleOf(cause), checkOf(cause, report)));
   for (const auto& id : cause.alternatives) {
-    grid->addWidget(box(titleOf(id), checkOf(id)), place / 2, 2 * (place % 2));
-    ++place;
+    card.layout->addWidget(styledLabel(Say::tr("or"), "caption", card.frame), 0, Qt::AlignHCenter);
+    card.layout->addWidget(box(titleOf(id), checkOf(id)));
   }
-  card.layout->addLayout(grid);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(new IconLabel("bulb", 20, card.frame), 0, Qt::AlignTop);
@@ -447,6 +498,9 @@ QWidget* makeTieCard(const DiagnosisReport& report, const DiagnosedCause& cause,
   buttons->addWidget(record);
   buttons->addStretch(1);
   card.layout->addLayout(buttons);
+  card.layout->addWidget(
+      wrappedLabel(Say::tr("“Apply” takes out the first, “%1”, which fits a little better.").arg(titleOf(cause)),
+                   "caption", card.frame));
   if (cause.gain.forceBefore > 0.0) {
     const UnseenError unseen = unseenError(report, cause);
     card.layout->addWidget(

@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "ui/charts/chart.h"
-#include "ui/controller/diagnosis.h"
+#include "ui/controller/reality_findings.h"
 #include "ui/widgets/basics.h"
 
 namespace heft {
 
 struct CardActions {
   std::function<void(std::string)> apply, undo;
-  std::function<void(double, double)> showStretch;
-  std::function<void(std::string)> record;      ///< To decide about this cause; empty: the same motion again
+  std::function<void(std::string)> show;                ///< In the pane below the arm
+  std::function<void(std::string, bool)> detailsShown;  ///< So that a page that is built anew keeps them open
+  std::function<void(std::string)> record;              ///< To decide about this cause; empty: the same motion again
   std::function<void(std::string)> showMotion;  ///< That would decide; null where there is no arm to show it with
 };
 
@@ -25,21 +26,28 @@ struct CardState {
   bool details = false;
 };
 
-/// It made the error smaller on stretches that it was not fitted to, or needs no such proof.
-bool helpsUnseen(const DiagnosedCause& cause);
-
 /// How strong the evidence is, in a word and a sentence: "very strong", "0 false alarms in 200 simulated clean runs".
 struct StrengthText {
   QString word, meaning;
 };
 StrengthText strengthOf(const DiagnosedCause& cause, const DiagnosisReport& report);
 
-/// "mass 0.84 → 0.81 kg", the number that moves most in units of its uncertainty, and by how many of these.
+/// How much it matters: "large effect", by the share of the unexplained error that it takes away.
+QString effectOf(const DiagnosedCause& cause);
+/// With the cause there is still far more than noise: it is one of several, or not the cause.
+bool leavesMuch(const DiagnosisReport& report, const DiagnosedCause& cause);
+
+/// "mass 0.84 → 0.81 kg, Izz 29.3 → 12.3 kg cm²": the numbers that move most in units of their uncertainty, and by how
+/// many of these the first moves.
 struct ChangeText {
   QString text;
   double sigmas = 0.0;
+  QString wider;  ///< "mass ± 0.0014 → ± 0.23 kg": what becomes much less certain; empty if nothing does
 };
 ChangeText payloadChange(const DiagnosisReport& report);
+
+/// Where and on which channel a cause shows best.
+diagnosis::TellingStretch telling(const DiagnosisReport& report, const DiagnosedCause& cause);
 
 /// Error on the unseen stretch that tells most, before and after.
 Chart errorChart(const DiagnosisReport& report, const DiagnosedCause& cause);

@@ -3,9 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/wording/words.h"
 #include "ui/models/numbers.h"
 
 namespace heft {
@@ -25,6 +25,7 @@ QString typeset(const std::string& words) {
 }  // namespace
 
 QString titleOf(const std::string& id) { return typeset(causeTitle(id)); }
+QString titleOf(const DiagnosedCause& cause) { return typeset(causeTitle(cause)); }
 QString sentenceOf(const DiagnosedCause& cause, const DiagnosisReport& report) {
   return typeset(causeSentence(cause, report.mistake));
 }
@@ -37,20 +38,9 @@ QString looksOf(const std::string& id) { return typeset(causeLooks(id)); }
 QString channelText(int channel) { return typeset(channelWords(channel)); }
 QString parameterTitle(const CauseParameter& parameter) { return typeset(parameterName(parameter.name)); }
 QString parameterText(const CauseParameter& parameter) { return typeset(parameterWords(parameter)); }
-QString goesWithText(const std::string& goesWith) { return typeset(goesWithWords(goesWith)); }
+QString goesWithText(const diagnosis::Correlate& goesWith) { return typeset(goesWith.words()); }
 
-std::string causeMotion(const std::string& id) {
-  static const std::map<std::string, std::string> kMotions{
-      {"sensor_bias", "tilt-sideways"},   {"payload_change", "tilt-sideways"},
-      {"hysteresis", "tilt-sideways"},    {"bias_drift", "tilt-round"},
-      {"gain_error", "tilt-round"},       {"crosstalk", "tilt-round"},
-      {"time_offset", "shake-sideways"},  {"low_pass_lag", "shake-sideways"},
-      {"motion_lag", "turn-slowly"},      {"sensor_rotation", "tilt-forwards"},
-      {"viscous_drag", "swing-sideways"}, {"coulomb_friction", "swing-sideways"},
-      {"loose_mass", "shake-forwards"},   {"lever_arm", "wobble"}};
-  const auto it = kMotions.find(id);
-  return it == kMotions.end() ? std::string() : it->second;
-}
+std::string causeMotion(const std::string& id) { return std::string(diagnosis::infoOf(id).decidingMotion); }
 
 QStringList couldNotBeSeen(const DiagnosisReport& report, int most) {
   QStringList out;

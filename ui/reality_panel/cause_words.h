@@ -9,6 +9,8 @@
 namespace heft {
 
 QString titleOf(const std::string& id);
+/// With its numbers: of a negative delay, "Motion late".
+QString titleOf(const DiagnosedCause& cause);
 QString sentenceOf(const DiagnosedCause& cause, const DiagnosisReport& report);
 QString checkOf(const DiagnosedCause& cause, const DiagnosisReport& report);
 QString checkOf(const std::string& id);
@@ -16,7 +18,7 @@ QString decidesOf(const std::string& id);
 QString looksOf(const std::string& id);
 /// The coach's motion that comes next to that which decides; empty where none does.
 std::string causeMotion(const std::string& id);
-QString goesWithText(const std::string& goesWith);
+QString goesWithText(const diagnosis::Correlate& goesWith);
 /// "2.60 ± 0.10 N/m", in the unit of the parameter.
 QString parameterTitle(const CauseParameter& parameter);
 QString parameterText(const CauseParameter& parameter);

@@ -1,6 +1,8 @@
 #include "ui/reality_panel/difference_pane.h"
 
+#include <QApplication>
 #include <QButtonGroup>
+#include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -12,6 +14,10 @@
 
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_words.h"
+#include "ui/reality_panel/difference_traces.h"
+#include "ui/timeline/playback.h"
+#include "ui/timeline/playback_bar.h"
+#include "ui/timeline/time_axis.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/pane_header.h"
 
@@ -19,28 +25,84 @@ namespace heft {
 
 namespace {
 
+/// Of the chosen channel itself: what a delay or a filter shows best against.
+const QString kOwnRate = QStringLiteral("own_rate");
+
 QString witnessText(const std::string& id) { return QString::fromStdString(diagnosis::witnessWords(id)); }
+
+bool isLag(const std::string& id) { return id == "time_offset" || id == "low_pass_lag" || id == "motion_lag"; }
+
+/// Change of `y` a second, by central differences.
+VectorXd rateOf(const VectorXd& time, const VectorXd& y) {
+  VectorXd out = VectorXd::Zero(y.size());
+  for (Eigen::Index n = 1; n + 1 < y.size(); ++n) out(n) = (y(n + 1) - y(n - 1)) / (time(n + 1) - time(n - 1));
+  return out;
+}
 
 }  // namespace
 
-DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
+DifferencePane::DifferencePane(TimeAxis* axis, Playback* playback, QWidget* parent)
+    : QWidget(parent), axis_(axis ? axis : new TimeAxis(this)), playback_(playback) {
+  setObjectName("differencePane");
+  buildHeader();
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  says_ = styledLabel({}, "caption", this);
+  says_->setTextFormat(Qt::RichText);
+  says_->setContentsMargins(12, 6, 12, 0);
+  says_->setMinimumWidth(1);
+  column->addWidget(says_);
+  traces_ = new DifferenceTraces(axis_, this);
+  column->addWidget(traces_, 1);
+  charts_ = new QWidget(this);
+  auto* body = new QHBoxLayout(charts_);
+  body->setContentsMargins(12, 6, 12, 8);
+  body->setSpacing(16);
+  left_ = new ChartWidget(charts_);
+  right_ = new ChartWidget(charts_);
+  left_->setObjectName("chartLeft");
+  right_->setObjectName("chartRight");
+  body->addWidget(left_, 1);
+  body->addWidget(right_, 1);
+  column->addWidget(charts_, 1);
+  if (playback_) {
+    bar_ = new PlaybackBar(playback_, this, axis_);
+    column->addWidget(bar_);
+    connect(playback_, &Playback::timeChanged, this, &DifferencePane::showTime);
+    connect(traces_, &DifferenceTraces::timePicked, playback_, &Playback::setTime);
+    for (ChartWidget* chart : {left_, right_})
+      connect(chart, &ChartWidget::dotPicked, this, [this](int dot) {
+        if (view_ != View::motion || !report_) return;
+        const Eigen::Index n = 2 * static_cast<Eigen::Index>(dot);
+        if (n < report_->series.time.size()) playback_->setTime(report_->series.time(n));
+      });
+  }
+  connect(cause_, qOverload<int>(&QComboBox::activated), this,
+          [this](int) { showCause(cause_->currentData().toString().toStdString()); });
+  connect(channel_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { refresh(); });
+  connect(witness_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { refresh(); });
+  refresh();
+}
+
+void DifferencePane::buildHeader() {
   const PaneHeader top = dressAsPane(this, tr("The difference"), 40);
-  QVBoxLayout* column = top.column;
   QWidget* header = top.header;
   QHBoxLayout* row = top.row;
-  row->setSpacing(8);
+  row->setSpacing(6);
   auto* segmented = new QFrame(header);
   segmented->setObjectName("segmented");
   auto* choices = new QHBoxLayout(segmented);
   choices->setContentsMargins(1, 1, 1, 1);
   choices->setSpacing(0);
   auto* group = new QButtonGroup(this);
-  const QString names[] = {tr("over time"), tr("by frequency"), tr("against the motion")};
+  const QString names[] = {tr("Time"), tr("Spectrum"), tr("Correlation")};
+  const QString tips[] = {tr("Measured and simulated over time"), tr("What is left over, by frequency"),
+                          tr("What is left over, against what the robot did")};
   const char* ids[] = {"lookTime", "lookFrequency", "lookMotion"};
   for (int i = 0; i < 3; ++i) {
     views_[i] = new QPushButton(names[i], segmented);
     views_[i]->setObjectName(ids[i]);
     views_[i]->setCheckable(true);
+    views_[i]->setToolTip(tips[i]);
     // The chosen one is set bolder.
     views_[i]->setMinimumWidth(QFontMetrics(uiFont(type::kCaption, QFont::Bold)).horizontalAdvance(names[i]) + 26);
     group->addButton(views_[i]);
@@ -48,61 +110,122 @@ DifferencePane::DifferencePane(QWidget* parent) : QWidget(parent) {
     connect(views_[i], &QPushButton::clicked, this, [this, i] { setView(static_cast<View>(i)); });
   }
   row->addWidget(segmented);
-  channel_ = new QComboBox(header);
-  channel_->setObjectName("lookChannel");
-  channel_->setAccessibleName(tr("Channel"));
+  const auto addBox = [&](const char* name, const QString& title, int least, int most) {
+    auto* box = new QComboBox(header);
+    box->setObjectName(name);
+    box->setAccessibleName(title);
+    box->setToolTip(title);
+    // What does not fit is in the list; the panel beside it keeps its width.
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    box->setMinimumWidth(least);
+    row->addWidget(box, most);
+    return box;
+  };
+  cause_ = addBox("lookCause", tr("Which causes"), 60, 3);
+  channel_ = addBox("lookChannel", tr("Channel"), 60, 2);
   for (int c = 0; c < 6; ++c) channel_->addItem(channelText(c));
-  row->addWidget(channel_);
-  witness_ = new QComboBox(header);
-  witness_->setObjectName("lookWitness");
-  witness_->setAccessibleName(tr("Against"));
-  witness_->setMinimumWidth(180);
-  row->addWidget(witness_);
-  row->addStretch(1);
-  auto* close = new IconButton("close", tr("Back to the plots"), header);
-  close->setObjectName("closeDifference");
-  connect(close, &QToolButton::clicked, this, &DifferencePane::closeWanted);
-  row->addWidget(close);
-  says_ = styledLabel({}, "caption", this);
-  says_->setContentsMargins(12, 8, 12, 0);
-  column->addWidget(says_);
-  auto* body = new QHBoxLayout;
-  body->setContentsMargins(12, 6, 12, 8);
-  body->setSpacing(16);
-  left_ = new ChartWidget(this);
-  right_ = new ChartWidget(this);
-  body->addWidget(left_, 1);
-  body->addWidget(right_, 1);
-  column->addLayout(body, 1);
-  connect(channel_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { refresh(); });
-  connect(witness_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { refresh(); });
-  refresh();
+  witness_ = addBox("lookWitness", tr("Against"), 60, 3);
+  const auto addIcon = [&](const char* icon, const QString& tip, const char* name) {
+    auto* button = new IconButton(icon, tip, header);
+    button->setObjectName(name);
+    row->addWidget(button);
+    return button;
+  };
+  connect(addIcon("fit", tr("Show the whole recording"), "differenceAll"), &QToolButton::clicked, this,
+          [this] { axis_->showAll(); });
+  connect(addIcon("copy", tr("Copy this picture"), "differenceCopy"), &QToolButton::clicked, this,
+          [this] { QApplication::clipboard()->setImage(grab().toImage()); });
+  connect(addIcon("camera", tr("Save this picture"), "differencePicture"), &QToolButton::clicked, this,
+          &DifferencePane::pictureWanted);
+  connect(addIcon("close", tr("Show force and torque instead"), "closeDifference"), &QToolButton::clicked, this,
+          &DifferencePane::closeWanted);
+}
+
+const DiagnosedCause* DifferencePane::cause() const {
+  if (!report_) return nullptr;
+  const std::string id = cause_->currentData().toString().toStdString();
+  for (const DiagnosedCause& each : report_->causes)
+    if (each.id == id && each.before.cols() > 0) return &each;
+  return nullptr;
+}
+
+diagnosis::Wrenches DifferencePane::leftOver(bool after) const {
+  if (const DiagnosedCause* one = cause()) return after ? one->after : one->before;
+  const auto& s = report_->series;
+  return s.measured - (after ? s.after : s.before);
 }
 
 void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report,
-                                std::vector<diagnosis::Witness> witnesses) {
+                                std::vector<diagnosis::Witness> witnesses, bool secret) {
+  const bool same = report == report_ && secret == secret_;
   report_ = std::move(report);
   witnesses_ = std::move(witnesses);
-  const QSignalBlocker block(witness_), blockToo(channel_);
-  witness_->clear();
-  for (const auto& w : witnesses_) witness_->addItem(witnessText(w.id), QString::fromStdString(w.id));
-  // What the old difference goes with most, on the channel where it is largest.
-  if (report_ && !witnesses_.empty()) {
-    const diagnosis::Wrenches was = report_->series.measured - report_->series.before;
-    const Vector3d force = was.topRows<3>().rowwise().squaredNorm();
-    Eigen::Index channel = 0;
-    force.maxCoeff(&channel);
-    channel_->setCurrentIndex(static_cast<int>(channel));
-    double most = -1.0;
-    for (std::size_t i = 0; i < witnesses_.size(); ++i) {
-      const double r =
-          std::abs(diagnosis::correlation(report_->series, witnesses_[i].value, was.row(channel).transpose()));
-      if (r <= most) continue;
-      most = r;
-      witness_->setCurrentIndex(static_cast<int>(i));
+  secret_ = secret;
+  if (bar_) bar_->setRecording(playback_->upper() > playback_->lower(), false);
+  if (same) return refresh();
+  {
+    const QSignalBlocker block(witness_), blockToo(channel_), blockThree(cause_);
+    cause_->clear();
+    witness_->clear();
+    if (report_) {
+      cause_->addItem(tr("all causes"), QString());
+      for (const DiagnosedCause& each : report_->causes)
+        if (each.before.cols() > 0) cause_->addItem(titleOf(each), QString::fromStdString(each.id));
+      for (const auto& w : witnesses_) witness_->addItem(witnessText(w.id), QString::fromStdString(w.id));
+      witness_->addItem(tr("rate of change of the load"), kOwnRate);
     }
   }
+  if (!report_) return refresh();
+  // What is to be seen first is the first cause where it shows best.
+  const bool any = !secret_ && cause_->count() > 1;
+  showCause(any ? cause_->itemData(1).toString().toStdString() : std::string());
+}
+
+void DifferencePane::showCause(const std::string& id) {
+  if (!report_) return;
+  {
+    const QSignalBlocker block(channel_), blockToo(cause_);
+    const int index = cause_->findData(QString::fromStdString(id));
+    if (index >= 0) cause_->setCurrentIndex(index);
+    const diagnosis::Wrenches was = leftOver(false);
+    if (const DiagnosedCause* one = cause()) {
+      channel_->setCurrentIndex(telling(*report_, *one).channel);
+    } else if (was.cols() > 0) {
+      // Largest in units of the noise.
+      Vector6d size = was.rowwise().squaredNorm();
+      size.head<3>() /= std::max(1e-12, std::pow(report_->noise.force, 2));
+      size.tail<3>() /= std::max(1e-12, std::pow(report_->noise.torque, 2));
+      Eigen::Index channel = 0;
+      size.maxCoeff(&channel);
+      channel_->setCurrentIndex(static_cast<int>(channel));
+    }
+  }
+  chooseWitness();
+  zoomToTelling();
   refresh();
+}
+
+void DifferencePane::zoomToTelling() {
+  const DiagnosedCause* one = cause();
+  if (!one) return axis_->showAll();
+  const auto stretch = telling(*report_, *one);
+  axis_->show(stretch.from, stretch.to);
+}
+
+/// What the difference goes with most, on the chosen channel.
+void DifferencePane::chooseWitness() {
+  const QSignalBlocker block(witness_);
+  const DiagnosedCause* one = cause();
+  if (one && isLag(one->id)) return witness_->setCurrentIndex(witness_->findData(kOwnRate));
+  const diagnosis::Wrenches was = leftOver(false);
+  double most = -1.0;
+  for (std::size_t i = 0; i < witnesses_.size(); ++i) {
+    const double r = std::abs(
+        diagnosis::correlation(report_->series, witnesses_[i].value, was.row(channel_->currentIndex()).transpose()));
+    if (!(r > most)) continue;
+    most = r;
+    witness_->setCurrentIndex(static_cast<int>(i));
+  }
 }
 
 void DifferencePane::setView(View view) {
@@ -118,34 +241,41 @@ bool DifferencePane::setWitness(const QString& id) {
   return index >= 0;
 }
 
-Chart DifferencePane::timeChart() const {
-  Chart chart;
-  const int c = channel_->currentIndex();
-  const auto& s = report_->series;
-  chart.yTitle = tr("Difference in %1 [%2]").arg(channelText(c), c < 3 ? "N" : "N m");
-  chart.xTitle = tr("Time [s]");
-  chart.band = 2.0 * (c < 3 ? report_->noise.force : report_->noise.torque);
-  for (const bool after : {false, true}) {
-    QVector<QPointF> points;
-    for (Eigen::Index n = 0; n < s.time.size(); ++n)
-      points.push_back({s.time(n), s.judged[static_cast<std::size_t>(n)]
-                                       ? s.measured(c, n) - (after ? s.after : s.before)(c, n)
-                                       : std::nan("")});
-    chart.curves.push_back({after ? tr("with the causes") : tr("without"),
-                            after ? ChartCurve::Colour::after : ChartCurve::Colour::before, points, !after});
+void DifferencePane::showCurves() {
+  DifferenceCurves curves;
+  if (report_) {
+    const int c = channel_->currentIndex();
+    const auto& s = report_->series;
+    const diagnosis::Wrenches before = leftOver(false), after = leftOver(!secret_);
+    const double nan = std::nan("");
+    for (Eigen::Index n = 0; n < std::min(s.time.size(), before.cols()); ++n) {
+      const bool judged = s.judged[static_cast<std::size_t>(n)];
+      curves.time.push_back(s.time(n));
+      curves.measured.push_back(s.measured(c, n));
+      curves.without.push_back(judged ? s.measured(c, n) - before(c, n) : nan);
+      curves.with.push_back(judged && !secret_ ? s.measured(c, n) - after(c, n) : nan);
+    }
+    curves.noise = 2.0 * (c < 3 ? report_->noise.force : report_->noise.torque);
+    curves.channel = channelText(c);
+    curves.unit = c < 3 ? QStringLiteral("N") : QStringLiteral("N m");
+    if (const DiagnosedCause* one = cause(); one && !secret_)
+      if (const CauseParameter* delay = findParameter(one->parameters, "delay"); delay && one->id == "time_offset")
+        curves.delay = 1e-3 * delay->value;
   }
-  return chart;
+  traces_->setCurves(std::move(curves));
+  if (playback_) traces_->setTime(playback_->time());
 }
 
 Chart DifferencePane::frequencyChart(bool torque) const {
   const auto spectrum = diagnosis::spectrumOf(report_->series, torque);
   Chart chart;
-  chart.yTitle = torque ? tr("Torque difference [N m/√Hz]") : tr("Force difference [N/√Hz]");
+  chart.yTitle = torque ? tr("Torque left over [N m/√Hz]") : tr("Force left over [N/√Hz]");
   chart.xTitle = tr("Frequency [Hz]");
   chart.logX = chart.logY = true;
   chart.band = spectrum.floor;
   chart.nothing = tr("No stretch is long enough to tell frequencies.");
   for (const bool after : {false, true}) {
+    if (after && secret_) continue;
     QVector<QPointF> points;
     for (Eigen::Index i = 0; i < spectrum.frequency.size(); ++i)
       points.push_back({spectrum.frequency(i), (after ? spectrum.after : spectrum.before)(i)});
@@ -157,27 +287,48 @@ Chart DifferencePane::frequencyChart(bool torque) const {
 
 Chart DifferencePane::motionChart(bool after) const {
   Chart chart;
-  const int c = channel_->currentIndex(), w = witness_->currentIndex();
+  const int c = channel_->currentIndex();
   const auto& s = report_->series;
   chart.yTitle =
       (after ? tr("With the causes: %1 [%2]") : tr("Without: %1 [%2]")).arg(channelText(c), c < 3 ? "N" : "N m");
   chart.band = 2.0 * (c < 3 ? report_->noise.force : report_->noise.torque);
   chart.nothing = tr("Nothing to compare with.");
-  if (w < 0 || w >= static_cast<int>(witnesses_.size())) return chart;
-  const auto& witness = witnesses_[static_cast<std::size_t>(w)];
-  chart.xTitle = witness.unit.empty()
-                     ? witnessText(witness.id)
-                     : QStringLiteral("%1 [%2]").arg(witnessText(witness.id), QString::fromStdString(witness.unit));
+  const QString id = witness_->currentData().toString();
+  VectorXd value;
+  if (id == kOwnRate) {
+    value = rateOf(s.time, s.before.row(c).transpose());
+    chart.xTitle = QStringLiteral("%1 [%2]").arg(witness_->currentText(), c < 3 ? "N/s" : "N m/s");
+  } else {
+    const auto witness = std::find_if(witnesses_.begin(), witnesses_.end(),
+                                      [&](const auto& w) { return QString::fromStdString(w.id) == id; });
+    if (witness == witnesses_.end()) return chart;
+    value = witness->value;
+    chart.xTitle = witness->unit.empty()
+                       ? witnessText(witness->id)
+                       : QStringLiteral("%1 [%2]").arg(witnessText(witness->id), QString::fromStdString(witness->unit));
+  }
   // A sign has two values: beside one another, or a dot would hide all that lie below it.
-  const double width = witness.id.starts_with("velocity-sign") ? 0.3 : 0.0;
+  const double width = id.startsWith(QLatin1String("velocity-sign")) ? 0.3 : 0.0;
   const auto aside = [&](Eigen::Index n) {
     constexpr double kGolden = 0.6180339887498949;
     return width * (std::fmod(kGolden * static_cast<double>(n), 1.0) - 0.5);
   };
+  const diagnosis::Wrenches left = leftOver(after), without = leftOver(false);
+  const double now = playback_ ? playback_->time() : -1.0;
   QVector<QPointF> points;
-  for (Eigen::Index n = 0; n < std::min(s.time.size(), witness.value.size()); n += 2)
-    if (s.judged[static_cast<std::size_t>(n)])
-      points.push_back({witness.value(n) + aside(n), s.measured(c, n) - (after ? s.after : s.before)(c, n)});
+  double nearest = 0.05;  // [s] The blocks' own distance, and a little more
+  for (Eigen::Index n = 0; n < std::min({s.time.size(), value.size(), left.cols()}); n += 2) {
+    const bool judged = s.judged[static_cast<std::size_t>(n)];
+    points.push_back(judged ? QPointF(value(n) + aside(n), left(c, n)) : QPointF(std::nan(""), std::nan("")));
+    if (!judged) continue;
+    // One scale for both pictures.
+    chart.yLow = std::min(chart.yLow, without(c, n));
+    chart.yHigh = std::max(chart.yHigh, without(c, n));
+    if (std::abs(s.time(n) - now) < nearest) {
+      nearest = std::abs(s.time(n) - now);
+      chart.marker = points.back();
+    }
+  }
   chart.curves.push_back({{}, ChartCurve::Colour::dots, points, false});
   return chart;
 }
@@ -186,34 +337,56 @@ std::vector<Chart> DifferencePane::charts() const {
   if (!report_) return {};
   switch (view_) {
     case View::time:
-      return {timeChart()};
+      break;
     case View::frequency:
       return {frequencyChart(false), frequencyChart(true)};
     case View::motion:
+      if (secret_) return {motionChart(false)};
       return {motionChart(false), motionChart(true)};
   }
   return {};
 }
 
+void DifferencePane::showTime(double time) {
+  traces_->setTime(time);
+  if (view_ == View::motion && isVisible()) refresh();
+}
+
 void DifferencePane::refresh() {
   for (int i = 0; i < 3; ++i) views_[i]->setChecked(i == static_cast<int>(view_));
+  cause_->setVisible(!secret_ && view_ != View::frequency && cause_->count() > 1);
   channel_->setVisible(view_ != View::frequency);
   witness_->setVisible(view_ == View::motion);
+  traces_->setVisible(view_ == View::time);
   const auto charts = this->charts();
+  charts_->setVisible(view_ != View::time);
   right_->setVisible(charts.size() > 1);
   left_->setChart(charts.empty() ? Chart{} : charts[0], true);
   right_->setChart(charts.size() > 1 ? charts[1] : Chart{}, true);
+  if (view_ == View::time) showCurves();
+  const QString line = QStringLiteral("<span style=\"color:%1\">%2</span>&nbsp; ");
+  const Theme& t = theme();
+  QString legend = line.arg(t.text.name(), QStringLiteral("━━ ") + tr("measured")) +
+                   line.arg(t.text2.name(), QStringLiteral("╌╌ ") + tr("simulated as stated"));
+  if (!secret_) legend += line.arg(t.accent.name(), QStringLiteral("━━ ") + tr("with the cause corrected"));
   const QString words[] = {
-      tr("What the model misses, on stretches that it was not fitted to. Grey: twice the sensor’s noise."),
+      legend + tr("· grey: the sensor’s noise, ±2 σ"),
       tr("Grey: the level of the sensor’s fast noise. Slow noise may lie a few times higher; what rises far above is "
          "none."),
-      tr("A cloud that leans or bends goes with what is on the axis; a flat one does not.")};
+      tr("A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; "
+         "click on a dot to go to its time.")};
   says_->setText(words[static_cast<int>(view_)]);
+}
+
+void DifferencePane::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr int kRoomy = 760;  // [px] Less is needed for the choices.
+  if (auto* title = findChild<QLabel*>("plotTitle")) title->setVisible(width() >= kRoomy);
 }
 
 void DifferencePane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) update();
+  if (event->type() == QEvent::PaletteChange) refresh();
 }
 
 }  // namespace heft

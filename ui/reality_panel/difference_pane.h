@@ -1,6 +1,6 @@
 #pragma once
-// Under the 3D view: the difference by frequency over the noise floor, or against what the robot did, or over time,
-// before and after the causes found.
+// Under the 3D view in the reality check: what the simulation misses, over time (measured, simulated without and with
+// the causes, on the plots' own time axis), by frequency over the noise floor, or against what the robot did.
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -15,13 +15,20 @@ class QPushButton;
 
 namespace heft {
 
+class DifferenceTraces;
+class Playback;
+class PlaybackBar;
+class TimeAxis;
+
 class DifferencePane : public QWidget {
   Q_OBJECT
  public:
-  explicit DifferencePane(QWidget* parent = nullptr);
+  /// `axis` and `playback` are the plots', and must outlive the pane; without them it has an axis of its own.
+  explicit DifferencePane(TimeAxis* axis = nullptr, Playback* playback = nullptr, QWidget* parent = nullptr);
 
-  /// `witnesses` may be empty where the motion could not be worked out.
-  void showReport(std::shared_ptr<const DiagnosisReport> report, std::vector<diagnosis::Witness> witnesses);
+  /// `witnesses` may be empty where the motion could not be worked out. `secret`: what the causes explain is not shown.
+  void showReport(std::shared_ptr<const DiagnosisReport> report, std::vector<diagnosis::Witness> witnesses,
+                  bool secret = false);
 
   enum class View { time, frequency, motion };
   void setView(View view);
@@ -30,31 +37,50 @@ class DifferencePane : public QWidget {
   void setChannel(int channel);
   /// By its ID; false if there is none of that name.
   bool setWitness(const QString& id);
+  /// One cause alone, on the channel and in the stretch where it shows best; an empty ID: all of them together.
+  void showCause(const std::string& id);
 
-  /// For pictures and reports.
+  DifferenceTraces* traces() { return traces_; }
+  /// For pictures and reports: of the views by frequency and against the motion.
   std::vector<Chart> charts() const;
 
  signals:
   void closeWanted();
+  void pictureWanted();
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void buildHeader();
   void refresh();
-  Chart timeChart() const;
+  void showCurves();
+  void zoomToTelling();
+  void chooseWitness();
+  void showTime(double time);
+  const DiagnosedCause* cause() const;
+  /// Left over without or with what is chosen: all causes, or one.
+  diagnosis::Wrenches leftOver(bool after) const;
   Chart frequencyChart(bool torque) const;
   Chart motionChart(bool after) const;
 
   std::shared_ptr<const DiagnosisReport> report_;
   std::vector<diagnosis::Witness> witnesses_;
-  View view_ = View::frequency;
+  bool secret_ = false;
+  View view_ = View::time;
+  TimeAxis* axis_;
+  Playback* playback_;
   QPushButton* views_[3];
+  QComboBox* cause_;
   QComboBox* channel_;
   QComboBox* witness_;
   QLabel* says_;
+  DifferenceTraces* traces_;
+  QWidget* charts_;
   ChartWidget* left_;
   ChartWidget* right_;
+  PlaybackBar* bar_ = nullptr;
 };
 
 }  // namespace heft

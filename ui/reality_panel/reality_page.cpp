@@ -1,5 +1,6 @@
 #include "ui/reality_panel/reality_page.h"
 
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/diagnosis/correction/check_on_other.h"
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
@@ -23,8 +25,6 @@ struct Words {
 
 }  // namespace
 
-bool isTied(const DiagnosedCause& cause) { return !cause.direct && !cause.alternatives.empty(); }
-
 VerdictText verdictText(const DiagnosisReport& report, int applied) {
   const int total = static_cast<int>(report.causes.size());
   const int open = static_cast<int>(std::count_if(report.causes.begin(), report.causes.end(), isTied));
@@ -35,7 +35,8 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
     return {total == 0 ? Words::tr("Something unknown") : Words::tr("%n cause(s) found, something is left", "", total),
             where};
   if (applied > 0 && applied == total)
-    return {Words::tr("%n correction(s) applied", "", applied), Words::tr("Result, prediction and export use them.")};
+    return {Words::tr("%n correction(s) applied", "", applied),
+            Words::tr("Included in result, simulation and export.")};
   if (open == 0) return {Words::tr("%n cause(s) found", "", total), where};
   if (open == total)
     return {open == 1 ? Words::tr("Two causes are possible") : Words::tr("%n findings are still open", "", open),
@@ -43,23 +44,12 @@ VerdictText verdictText(const DiagnosisReport& report, int applied) {
   return {Words::tr("%n cause(s) found, ", "", total - open) + Words::tr("%n still open", "", open), where};
 }
 
-bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& segments) {
-  if (!cause.direct || (cause.id != "contact" && cause.id != "payload_change")) return false;
-  double touched = 0, left = 0;
-  for (const auto& [from, to] : cause.when) {
-    touched += to - from;
-    for (const Segment& segment : segments)
-      if (segment.label != MarkLabel::free)
-        left += std::max(0.0, std::min(to, segment.to) - std::max(from, segment.from));
-  }
-  constexpr double kNearlyAll = 0.85;  // The edges of a contact are told a little differently.
-  return touched > 0 && left > kNearlyAll * touched;
-}
-
-void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool applied) {
+void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, int count) {
   if (report.causes.empty()) return;
   const ChangeText change = payloadChange(report);
-  const bool much = change.sigmas >= 2.0;
+  const bool much = change.sigmas >= 2.0 || !change.wider.isEmpty();
+  const bool several = report.causes.size() > 1;
+  const bool applied = count > 0;
   const Card card = makeCard("cardQuiet", parent);
   card.frame->setProperty("role", "change");
   auto* row = new QHBoxLayout;
@@ -67,42 +57,102 @@ void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repo
   row->addWidget(new LightIcon(much && !applied ? Light::look : Light::measured, 20, card.frame));
   QLabel* text = wrappedLabel({}, "body", card.frame);
   text->setTextFormat(Qt::RichText);
-  if (change.text.isEmpty()) {
-    text->setText(applied ? Words::tr("Your result stayed the same.") : Words::tr("Your result stays the same."));
-    row->addWidget(text, 1);
-    card.layout->addLayout(row);
-    card.layout->addWidget(
-        wrappedLabel(Words::tr("Mass and centre change by less than their last digit here."), "caption", card.frame));
-    return column->addWidget(card.frame);
-  }
-  const QString begin = applied ? Words::tr("Your result changed:") : Words::tr("Your result changes:");
-  text->setText(QStringLiteral("%1 <b>%2</b>").arg(begin.toHtmlEscaped(), change.text.toHtmlEscaped()));
   row->addWidget(text, 1);
   card.layout->addLayout(row);
-  card.layout->addWidget(wrappedLabel(change.sigmas >= 0.95
-                                          ? Words::tr("That is %1 times the uncertainty it was stated with.")
-                                                .arg(numberText(change.sigmas, change.sigmas < 10 ? 1 : 0))
-                                          : Words::tr("That is less than the uncertainty it was stated with."),
-                                      "caption", card.frame));
+  const auto caption = [&](const QString& words) {
+    card.layout->addWidget(wrappedLabel(words, "caption", card.frame));
+  };
+  if (change.text.isEmpty()) {
+    text->setText((applied   ? Words::tr("Your result stayed the same.")
+                   : several ? Words::tr("With all causes applied your result stays the same.")
+                             : Words::tr("If you apply it, your result stays the same."))
+                      .toHtmlEscaped());
+    caption(Words::tr("Mass, centre and inertia change by less than their last digit here."));
+  } else {
+    const QString begin = applied   ? Words::tr("Your result changed:")
+                          : several ? Words::tr("With all causes applied your result changes:")
+                                    : Words::tr("If you apply it, your result changes:");
+    text->setText(QStringLiteral("%1 <b>%2</b>").arg(begin.toHtmlEscaped(), change.text.toHtmlEscaped()));
+    caption(change.sigmas >= 0.95 ? Words::tr("That is %1 times the uncertainty it was stated with.")
+                                        .arg(numberText(change.sigmas, change.sigmas < 10 ? 1 : 0))
+                                  : Words::tr("That is less than the uncertainty it was stated with."));
+  }
+  if (!change.wider.isEmpty())
+    caption(Words::tr("It becomes less certain: %1. Motion and cause are hard to tell apart here.").arg(change.wider));
   column->addWidget(card.frame);
 }
 
-void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report,
-                     const std::function<void()>& save) {
+namespace {
+
+/// "rotation 4.8°, 0.2°, −0.1°" instead of seventeen digits of radians; entries of other kinds as name and value.
+QStringList metaWords(const nlohmann::json& changes) {
+  QStringList out;
+  for (const auto& [key, value] : changes.items()) {
+    const QString name = QString::fromStdString(key);
+    if (value.is_object()) {
+      out << metaWords(value);
+    } else if (value.is_array() && value.size() == 3 && value[0].is_number()) {
+      const bool angle = name.endsWith(QLatin1String("_rad")), length = name.endsWith(QLatin1String("_m"));
+      QStringList numbers;
+      for (const auto& each : value) {
+        const double v = each.get<double>();
+        numbers << (angle ? numberText(v * 180.0 / M_PI, 1) + QStringLiteral("°")
+                          : numberText(length ? 1e3 * v : v, length ? 1 : 3));
+      }
+      const QString what = name == QLatin1String("rpy_rad") ? Words::tr("Rotation of the sensor about x, y, z")
+                           : name == QLatin1String("xyz_m") ? Words::tr("Place of the sensor in x, y, z")
+                           : name.startsWith("gravity")     ? Words::tr("Gravity in x, y, z")
+                                                            : name;
+      out << QStringLiteral("%1: %2%3")
+                 .arg(what, numbers.join(QStringLiteral(", ")),
+                      length                       ? QStringLiteral(" mm")
+                      : name.startsWith("gravity") ? QStringLiteral(" m/s²")
+                                                   : QString());
+    } else {
+      const QString text = value.is_string()   ? QString::fromStdString(value.get<std::string>())
+                           : value.is_number() ? numberText(value.get<double>(), 4)
+                                               : QString::fromStdString(value.dump());
+      out << QStringLiteral("%1: %2").arg(name, text);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool details,
+                     const std::function<void()>& save, const std::function<void()>& edit) {
   const nlohmann::json changes = report.metaChanges();
   if (changes.empty()) return;
   const Card card = makeCard("card", parent);
   card.frame->setProperty("role", "meta");
-  card.layout->addWidget(styledLabel(Words::tr("The meta file should say this instead"), "sectionTitle", card.frame));
-  QLabel* text = wrappedLabel(QString::fromStdString(changes.dump(1)), "code", card.frame);
-  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  card.layout->addWidget(text);
-  auto* button = new QPushButton(Words::tr("Save the corrected meta file …"), card.frame);
+  card.layout->addWidget(wrappedLabel(Words::tr("Enter this under Robot and sensor"), "sectionTitle", card.frame));
+  for (const QString& line : metaWords(changes)) {
+    QLabel* text = wrappedLabel(line, "body", card.frame);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    card.layout->addWidget(text);
+  }
+  if (details) {
+    QLabel* text = wrappedLabel(QString::fromStdString(changes.dump(1)), "code", card.frame);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    card.layout->addWidget(text);
+  }
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  if (edit) {
+    auto* open = new QPushButton(Words::tr("Robot and sensor …"), card.frame);
+    open->setObjectName("editMeta");
+    QObject::connect(open, &QPushButton::clicked, parent, [edit] { edit(); });
+    row->addWidget(open);
+  }
+  auto* button = new QPushButton(Words::tr("Save as a meta file …"), card.frame);
   button->setObjectName("saveMeta");
   button->setToolTip(
       Words::tr("Writes a copy of the meta file with these entries; later recordings then start out right."));
   QObject::connect(button, &QPushButton::clicked, parent, [save] { save(); });
-  card.layout->addWidget(button, 0, Qt::AlignLeft);
+  row->addWidget(button);
+  row->addStretch(1);
+  card.layout->addLayout(row);
   column->addWidget(card.frame);
 }
 
@@ -125,13 +175,24 @@ void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& repor
     row->addWidget(text, 1);
     column->addLayout(row);
   }
-  int index = 0;
-  for (const QString& name : names) {
-    auto* button = new QPushButton(Words::tr("Check on %1").arg(name), parent);
-    button->setObjectName(QStringLiteral("checkOn%1").arg(index));
-    QObject::connect(button, &QPushButton::clicked, parent, [check, index] { check(index); });
+  if (names.size() == 1) {
+    auto* button = new QPushButton(Words::tr("Check on %1").arg(names.front()), parent);
+    button->setObjectName("checkOn0");
+    QObject::connect(button, &QPushButton::clicked, parent, [check] { check(0); });
     column->addWidget(button, 0, Qt::AlignLeft);
-    ++index;
+  } else if (!names.isEmpty()) {
+    auto* row = new QHBoxLayout;
+    auto* which = new QComboBox(parent);
+    which->setObjectName("checkWhich");
+    which->setAccessibleName(Words::tr("Recording to check on"));
+    which->addItems(names);
+    which->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    row->addWidget(which, 1);
+    auto* button = new QPushButton(Words::tr("Check"), parent);
+    button->setObjectName("checkOn0");
+    QObject::connect(button, &QPushButton::clicked, which, [check, which] { check(which->currentIndex()); });
+    row->addWidget(button);
+    column->addLayout(row);
   }
   if (names.isEmpty()) {
     auto* button = new QPushButton(Words::tr("Open another recording of the same rig …"), parent);
@@ -169,9 +230,12 @@ void addConsidered(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& 
   head->setObjectName("consideredButton");
   head->setProperty("role", "plain");
   head->setCheckable(true);
-  auto* list = wrappedLabel(names.join(QStringLiteral(" · ")) + QStringLiteral(". ") +
-                                Words::tr("None of them explains anything beyond noise."),
-                            "caption", parent);
+  QString items;
+  for (const QString& name : names) items += QStringLiteral("<li>%1</li>").arg(name.toHtmlEscaped());
+  auto* list = wrappedLabel({}, "caption", parent);
+  list->setTextFormat(Qt::RichText);
+  list->setText(Words::tr("None of them explains anything beyond noise.").toHtmlEscaped() +
+                QStringLiteral("<ul style=\"margin-left:-22px\">%1</ul>").arg(items));
   list->hide();
   QObject::connect(head, &QPushButton::toggled, list, &QWidget::setVisible);
   column->addWidget(head);

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <functional>
 
-#include "ui/controller/diagnosis.h"
+#include "ui/controller/reality_findings.h"
 
 class QVBoxLayout;
 class QWidget;
@@ -17,14 +17,12 @@ struct VerdictText {
   QString question, answer;
 };
 VerdictText verdictText(const DiagnosisReport& report, int applied);
-bool isTied(const DiagnosedCause& cause);
-/// A contact whose stretches the estimate leaves out anyway, by the marks or by Heft's own suggestion.
-bool leftOutAlready(const DiagnosedCause& cause, const std::vector<Segment>& segments);
 
-void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool applied);
+/// `applied`: how many causes are.
+void addChange(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, int applied);
 /// Only where the diagnosis says that the meta file is wrong.
-void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report,
-                     const std::function<void()>& save);
+void addMetaProposal(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, bool details,
+                     const std::function<void()>& save, const std::function<void()>& edit);
 /// `names`: other recordings that are open.
 void addCheck(QVBoxLayout* column, QWidget* parent, const DiagnosisReport& report, const QStringList& names,
               const std::function<void(int)>& check, const std::function<void()>& open);

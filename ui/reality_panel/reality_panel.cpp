@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
@@ -9,14 +10,18 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/json_file.h"
-#include "core/diagnosis/pull.h"
+#include "core/diagnosis/correction/check_on_other.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/wording/cable_force.h"
 #include "core/recording/csv_reader.h"
 #include "core/recording/meta_file.h"
 #include "core/simulation/practice.h"
@@ -25,6 +30,7 @@
 #include "ui/controller/workspace.h"
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_card.h"
+#include "ui/reality_panel/cause_marks.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/deciding_motion.h"
 #include "ui/reality_panel/difference_pane.h"
@@ -32,6 +38,7 @@
 #include "ui/reality_panel/reality_page.h"
 #include "ui/report/session_report.h"
 #include "ui/robot_view/robot_view.h"
+#include "ui/theme/theme.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/recording_pane.h"
 
@@ -41,6 +48,7 @@ namespace {
 struct Looked {
   std::shared_ptr<const DiagnosisReport> report;
   std::vector<diagnosis::Witness> witnesses;
+  std::optional<ReadingCurves> curves;
   std::string json;
 };
 
@@ -52,7 +60,9 @@ Result<Looked> lookAt(const Snapshot& now, const Progress& progress) {
   auto report = diagnose(recording, now.robot(), options, progress);
   if (!report) return report.error();
   Looked out;
-  if (auto witnesses = diagnosis::witnesses(recording, now.robot())) out.witnesses = std::move(*witnesses);
+  if (recording.meta.kind == RecordingKind::motion)
+    if (auto witnesses = diagnosis::witnesses(recording, now.robot())) out.witnesses = std::move(*witnesses);
+  out.curves = readingCurves(recording, now.robot(), *report);
   out.json = toJson(*report).dump();
   out.report = std::make_shared<const DiagnosisReport>(std::move(*report));
   return out;
@@ -69,7 +79,10 @@ Result<bool> refusal(const QString& sentence) { return Error{sentence.toStdStrin
 }  // namespace
 
 RealityPanel::RealityPanel(const StudioParts& parts)
-    : StepPanel(parts), pane_(new DifferencePane), found_(onlyChild<RealityFindings>(*parts.workspace)->found) {
+    : StepPanel(parts),
+      pane_(new DifferencePane(parts.plots ? parts.plots->timeAxis() : nullptr, parts.playback)),
+      findings_(onlyChild<RealityFindings>(*parts.workspace)),
+      found_(findings_->found) {
   parts.followJobs(&jobs_);
   if (parts.view) {
     motion_ = new DecidingMotion(parts.workspace, parts.view, parts.playback, this);
@@ -81,6 +94,9 @@ RealityPanel::RealityPanel(const StudioParts& parts)
     if (bar_) bar_->setValue(static_cast<int>(1000 * fraction));
   });
   connect(pane_, &DifferencePane::closeWanted, this, [this] { look(false); });
+  connect(pane_, &DifferencePane::pictureWanted, this, [this] {
+    if (this->parts().savePicture) this->parts().savePicture(pane_->grab().toImage(), tr("difference"));
+  });
   connect(&workspace(), &Workspace::openedChanged, this, [this] {
     failure_.clear();
     if (motion_) motion_->hide();
@@ -93,13 +109,8 @@ RealityPanel::RealityPanel(const StudioParts& parts)
   refresh();
 }
 
-RealityPanel::Found* RealityPanel::found() {
-  const auto opened = workspace().opened();
-  const auto it = opened ? found_.find(opened->path) : found_.end();
-  // A file that was read again may have other contents.
-  return it == found_.end() || !it->report || it->of.lock() != opened ? nullptr : &*it;
-}
-const RealityPanel::Found* RealityPanel::found() const { return const_cast<RealityPanel*>(this)->found(); }
+RealityPanel::Found* RealityPanel::found() { return const_cast<Found*>(std::as_const(*this).found()); }
+const RealityPanel::Found* RealityPanel::found() const { return findings_->current(workspace()); }
 
 std::shared_ptr<const DiagnosisReport> RealityPanel::report() const { return found() ? found()->report : nullptr; }
 
@@ -115,6 +126,11 @@ bool RealityPanel::applied(const std::string& cause) const {
 
 bool RealityPanel::outdated() const { return found() && !sameMarks(found()->marks, workspace().snapshot().marks); }
 
+bool RealityPanel::isOfPoses() const {
+  const auto opened = workspace().opened();
+  return opened && opened->recording.meta.kind == RecordingKind::poses;
+}
+
 bool RealityPanel::riddle() const {
   const auto opened = workspace().opened();
   return opened && practiceSeed(opened->path) && found_.value(opened->path).guess.empty();
@@ -126,21 +142,15 @@ StepState RealityPanel::state() const {
   if (riddle()) return {P::ready, Light::measured, tr("what is wrong?")};
   if (jobs_.running()) return {P::ready, Light::measured, tr("looking …")};
   const int count = static_cast<int>(workspace().corrections().causes.size());
-  if (workspace().opened()->recording.meta.kind == RecordingKind::poses)
-    return {P::done, Light::unknown, tr("needs a motion")};
   if (!found()) {
     if (count > 0) return {P::done, Light::measured, tr("%n correction(s) applied", "", count)};
     return {P::ready, Light::measured, tr("not looked yet")};
   }
   const DiagnosisReport& report = *found()->report;
-  int toApply = 0;
   const std::vector<Segment> segments = workspace().segments();
-  std::size_t leftOut = 0;
-  for (const auto& cause : report.causes) {
-    const bool left = leftOutAlready(cause, segments);
-    leftOut += left ? 1 : 0;
-    toApply += canApply(report, cause) && !left && helpsUnseen(cause) && !applied(cause.id) && !isTied(cause) ? 1 : 0;
-  }
+  const auto leftOut = static_cast<std::size_t>(std::count_if(
+      report.causes.begin(), report.causes.end(), [&](const auto& cause) { return leftOutAlready(cause, segments); }));
+  const int toApply = static_cast<int>(openCauses(workspace()).causes.size());
   if (outdated()) return {P::ready, Light::measured, tr("look again")};
   if (toApply > 0) return {P::done, Light::look, tr("%n cause(s) to apply", "", toApply)};
   if (report.verdict == Verdict::unexplained) return {P::done, Light::unknown, tr("something unknown")};
@@ -154,13 +164,27 @@ StepState RealityPanel::state() const {
 
 QWidget* RealityPanel::ownPane() { return pane_; }
 
-QString RealityPanel::hint() const { return tr("Apply a correction to see what it changes · Ctrl+Z takes it back"); }
+QString RealityPanel::hint() const {
+  return riddle() ? tr("Look at the curves below the arm, then guess")
+                  : tr("Apply a correction to see what it changes · Ctrl+Z to undo");
+}
+
+void RealityPanel::changeEvent(QEvent* event) {
+  StepPanel::changeEvent(event);
+  // Some drawings of the page are pictures in the colours of the theme.
+  if (event->type() != QEvent::PaletteChange || drawnIn_ == theme().text) return;
+  drawnIn_ = theme().text;
+  QTimer::singleShot(0, this, &RealityPanel::refresh);
+}
 
 void RealityPanel::left() {
   shown_ = false;
   markPull();
   if (motion_) motion_->hide();
-  if (parts().plots) parts().plots->highlight(0.0, 0.0, {});
+  if (!parts().plots) return;
+  parts().plots->highlight(0.0, 0.0, {});
+  // The zoom to what a cause shows best belongs to this step.
+  if (before_.second > before_.first) parts().plots->timeAxis()->show(before_.first, before_.second);
 }
 
 void RealityPanel::showMotion(const std::string& cause) {
@@ -180,8 +204,10 @@ void RealityPanel::recordFor(const std::string& cause) {
 void RealityPanel::markPull() {
   if (!parts().view) return;
   parts().view->showPull({});
+  parts().view->showCauses({});
   if (!shown_ || !found() || riddle()) return;
   const Found& now = *found();
+  parts().view->showCauses(causeMarks(*now.report));
   const auto cause = std::find_if(now.report->causes.begin(), now.report->causes.end(),
                                   [](const DiagnosedCause& c) { return c.id == "cable_pull"; });
   if (cause == now.report->causes.end()) return;
@@ -198,6 +224,7 @@ void RealityPanel::markPull() {
 
 void RealityPanel::entered() {
   shown_ = true;
+  if (parts().plots) before_ = {parts().plots->timeAxis()->lower(), parts().plots->timeAxis()->upper()};
   markPull();
   if (workspace().opened() && !found() && !jobs_.running() && failure_.isEmpty()) diagnose();
 }
@@ -210,6 +237,13 @@ void RealityPanel::setDetailsShown(bool shown) {
 void RealityPanel::look(bool on) {
   if (looking_ == on) return;
   looking_ = on;
+  arrange();
+}
+
+void RealityPanel::arrange() {
+  const bool own = below() == Below::own;
+  if (own == below_) return;
+  below_ = own;
   emit arrangementChanged();
 }
 
@@ -226,14 +260,17 @@ void RealityPanel::diagnose() {
           entry.of = now.opened;
           entry.report = result->report;
           entry.witnesses = std::move(result->witnesses);
+          entry.curves = std::move(result->curves);
           entry.json = std::move(result->json);
           entry.marks = now.marks;
+          entry.secret = practiceSeed(now.opened->path) && entry.guess.empty();
         } else {
           failure_ =
               result.error().cancelled ? tr("The search was stopped.") : QString::fromStdString(result.error().message);
         }
         // The runner still counts as running while it delivers.
         QMetaObject::invokeMethod(this, &RealityPanel::refresh, Qt::QueuedConnection);
+        findings_->tellChanged();
       });
   refresh();
 }
@@ -264,6 +301,8 @@ void RealityPanel::guess(const std::string& cause) {
   const auto opened = workspace().opened();
   if (!opened || !practiceSeed(opened->path)) return;
   found_[opened->path].guess = cause;
+  found_[opened->path].secret = false;
+  findings_->tellChanged();
   if (!found() && !jobs_.running()) diagnose();
   refresh();
 }
@@ -280,7 +319,11 @@ void RealityPanel::apply(const std::string& cause) {
     next.found = found()->json;
   }
   next.causes.push_back(cause);
-  workspace().setCorrections(next, tr("apply “%1”").arg(titleOf(cause)));
+  const auto& causes = found()->report->causes;
+  const auto it = std::ranges::find(causes, cause, &DiagnosedCause::id);
+  const bool reading = it != causes.end() && isReading(*found()->report, *it);
+  workspace().setCorrections(
+      next, reading ? tr("read the recording otherwise than stated") : tr("apply “%1”").arg(titleOf(cause)));
 }
 
 void RealityPanel::takeBack(const std::string& cause) {
@@ -375,7 +418,9 @@ void RealityPanel::saveReport() {
 void RealityPanel::showWaiting() {
   QVBoxLayout* column = page()->restart(
       tr("Looking for causes …"),
-      tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean ones."));
+      isOfPoses() ? tr("Heft compares the poses with each other, and with what gravity makes of a rigid tool.")
+                  : tr("Heft compares the recording with what the simulation expects, and with 200 simulated clean "
+                       "ones."));
   bar_ = new QProgressBar(page()->content());
   bar_->setRange(0, 1000);
   bar_->setValue(static_cast<int>(1000 * jobs_.fraction()));
@@ -384,16 +429,22 @@ void RealityPanel::showWaiting() {
   column->addWidget(bar_);
   column->addStretch(1);
   page()->setMainButton({});
-  page()->setSecondButton(tr("Stop"), [this] { jobs_.cancel(); });
+  page()->setSecondButton(tr("Stop"), [this] {
+    page()->secondButton()->setText(tr("Stopping …"));
+    page()->secondButton()->setEnabled(false);
+    jobs_.cancel();
+  });
 }
 
 void RealityPanel::refresh() {
   bar_ = nullptr;
   const auto opened = workspace().opened();
   const int position = page()->scrollPosition();
-  pane_->showReport(report(), witnesses());
+  pane_->showReport(report(), witnesses(), riddle());
+  arrange();
   markPull();
   page()->setSecondButton({});
+  page()->secondButton()->setEnabled(true);
   if (!opened) {
     page()
         ->restart(tr("What does the simulation get wrong?"),
@@ -404,22 +455,10 @@ void RealityPanel::refresh() {
     QVBoxLayout* column = page()->restart(tr("What is wrong with this recording?"),
                                           tr("One fault of the rig is hidden in it. Look, then guess."));
     addGuesses(column, page()->content(), [this](const std::string& id) { guess(id); });
-    auto* closer = new QPushButton(tr("Look at the difference more closely"), page()->content());
-    closer->setObjectName("lookCloser");
-    closer->setEnabled(found() != nullptr);
-    connect(closer, &QPushButton::clicked, this, [this] { look(true); });
-    column->addWidget(closer);
     column->addStretch(1);
     page()->setMainButton({});
   } else if (jobs_.running()) {
     showWaiting();
-  } else if (opened->recording.meta.kind == RecordingKind::poses) {
-    page()
-        ->restart(tr("What does the simulation get wrong?"), tr("Standing poses do not show it: causes need a motion. "
-                                                                "Mass and centre of mass can be exported as they are."))
-        ->addStretch(1);
-    page()->setSecondButton(tr("Record a motion"), [this] { parts().goTo(Step::record); });
-    page()->setMainButton(tr("Go on to Export"), [this] { parts().goTo(Step::exportFile); });
   } else if (!found()) {
     const int count = static_cast<int>(workspace().corrections().causes.size());
     page()
@@ -436,11 +475,97 @@ void RealityPanel::refresh() {
   emit stateChanged();
 }
 
+CardActions RealityPanel::actions() {
+  CardActions out;
+  out.apply = [this](const std::string& id) { apply(id); };
+  out.undo = [this](const std::string& id) { takeBack(id); };
+  out.record = [this](const std::string& id) { recordFor(id); };
+  if (motion_ && motion_->possible()) out.showMotion = [this](const std::string& id) { showMotion(id); };
+  out.show = [this](const std::string& id) {
+    if (!found()) return;
+    for (const DiagnosedCause& cause : found()->report->causes) {
+      if (cause.id != id || !parts().plots) continue;
+      // Framed in the plots, too, for whoever goes there.
+      const auto stretch = telling(*found()->report, cause);
+      parts().plots->highlight(stretch.from, stretch.to, tr("shows best here"));
+    }
+    pane_->setView(DifferencePane::View::time);
+    pane_->showCause(id);
+    look(true);
+  };
+  out.detailsShown = [this](const std::string& id, bool on) {
+    if (on) {
+      open_.insert(QString::fromStdString(id));
+    } else {
+      open_.remove(QString::fromStdString(id));
+    }
+  };
+  return out;
+}
+
+/// What changes the result comes first; what Heft allows for anyway is folded away below.
+void RealityPanel::addCards(QVBoxLayout* column, const Found& found, bool& someNext) {
+  const DiagnosisReport& report = *found.report;
+  QWidget* content = page()->content();
+  const std::vector<Segment> segments = workspace().segments();
+  const CardActions does = actions();
+  const auto stateOf = [&](const DiagnosedCause& cause) {
+    CardState state;
+    state.applied = applied(cause.id);
+    state.leftOut = !state.applied && leftOutAlready(cause, segments);
+    state.applicable = canApply(report, cause) && !state.leftOut;
+    state.details = details_ || open_.contains(QString::fromStdString(cause.id));
+    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause) &&
+                 !leavesMuch(report, cause);
+    someNext = someNext || state.next;
+    return state;
+  };
+  const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
+  if (reading != report.causes.end())
+    column->addWidget(makeReadingCard(report, *reading, found.curves ? &*found.curves : nullptr, stateOf(*reading),
+                                      does, content));
+  std::vector<QWidget*> handled;
+  for (auto it = report.causes.begin(); it != report.causes.end(); ++it) {
+    if (it == reading) continue;
+    const DiagnosedCause& cause = *it;
+    const CardState state = stateOf(cause);
+    QWidget* card = (isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, does, content);
+    if (state.applied || state.applicable || isTied(cause)) {
+      column->addWidget(card);
+    } else {
+      handled.push_back(card);
+    }
+  }
+  if (handled.empty()) return;
+  const bool only = handled.size() == report.causes.size();
+  if (!only) {
+    auto* fold =
+        new QPushButton(tr("%n finding(s) that Heft allows for", "", static_cast<int>(handled.size())), content);
+    fold->setObjectName("handledButton");
+    fold->setProperty("role", "plain");
+    fold->setCheckable(true);
+    fold->setChecked(handledShown_);
+    connect(fold, &QPushButton::toggled, this, [this, handled](bool on) {
+      handledShown_ = on;
+      for (QWidget* card : handled) card->setVisible(on);
+    });
+    column->addWidget(fold);
+  }
+  for (QWidget* card : handled) {
+    column->addWidget(card);
+    card->setVisible(only || handledShown_);
+  }
+}
+
 void RealityPanel::showReport(const Found& found) {
   const DiagnosisReport& report = *found.report;
   int count = 0;
   for (const auto& cause : report.causes) count += applied(cause.id) ? 1 : 0;
-  const VerdictText verdict = verdictText(report, count);
+  VerdictText verdict = verdictText(report, count);
+  const auto reading = std::ranges::find_if(report.causes, [&](const auto& c) { return isReading(report, c); });
+  if (reading != report.causes.end() && !applied(reading->id))
+    verdict = {tr("The numbers mean something else"),
+               tr("Read the recording as physics says first; the rest of this page takes it as read so.")};
   QVBoxLayout* column = page()->restart(verdict.question, verdict.answer);
   QWidget* content = page()->content();
   if (const auto seed = practiceSeed(workspace().opened()->path); seed && !found.guess.empty())
@@ -451,35 +576,21 @@ void RealityPanel::showReport(const Found& found) {
     card.layout->addWidget(wrappedLabel(tr("The marks changed since Heft looked."), "body", card.frame));
     column->addWidget(card.frame);
   }
-  CardActions actions;
-  actions.apply = [this](const std::string& id) { apply(id); };
-  actions.undo = [this](const std::string& id) { takeBack(id); };
-  actions.record = [this](const std::string& id) { recordFor(id); };
-  if (motion_ && motion_->possible()) actions.showMotion = [this](const std::string& id) { showMotion(id); };
-  actions.showStretch = [this](double from, double to) {
-    look(false);
-    if (parts().plots) parts().plots->highlight(from, to, tr("unseen stretch"));
-  };
   if (report.verdict == Verdict::clean) column->addWidget(makeCleanCard(report, content));
   bool someNext = outdated();
-  const std::vector<Segment> segments = workspace().segments();
-  for (const auto& cause : report.causes) {
-    CardState state;
-    state.applied = applied(cause.id);
-    state.leftOut = !state.applied && leftOutAlready(cause, segments);
-    state.applicable = canApply(report, cause) && !state.leftOut;
-    state.details = details_;
-    state.next = !someNext && !state.applied && state.applicable && helpsUnseen(cause) && !isTied(cause);
-    someNext = someNext || state.next;
-    column->addWidget((isTied(cause) ? makeTieCard : makeCauseCard)(report, cause, state, actions, content));
-    if (&cause == &report.causes.front()) addChange(column, content, report, count > 0);
-  }
-  if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions, content));
-  addMetaProposal(column, content, report, [this] { saveMeta(); });
-  auto* closer = new QPushButton(tr("Look at the difference more closely"), content);
+  addCards(column, found, someNext);
+  if (report.verdict == Verdict::unexplained) column->addWidget(makeUnknownCard(report, actions(), content));
+  addChange(column, content, report, count);
+  addMetaProposal(
+      column, content, report, details_, [this] { saveMeta(); }, parts().editRig);
+  auto* closer = new QPushButton(looking_ ? tr("Show force and torque") : tr("Show the difference"), content);
   closer->setObjectName("lookCloser");
-  closer->setToolTip(tr("By frequency over the sensor’s noise, and against what the robot did"));
-  connect(closer, &QPushButton::clicked, this, [this] { look(!looking_); });
+  closer->setToolTip(tr("What stands below the arm"));
+  closer->setVisible(!isOfPoses());  // Poses have no course in time.
+  connect(closer, &QPushButton::clicked, this, [this] {
+    look(!looking_);
+    refresh();
+  });
   column->addWidget(closer);
   QStringList names;
   for (const int k : others()) names << QFileInfo(workspace().openedAt(k)->path).fileName();

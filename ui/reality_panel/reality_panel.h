@@ -1,34 +1,26 @@
 #pragma once
 // The step "Reality check": what the simulation gets wrong, one card a cause, applied and taken back one by one.
+#include <QColor>
 #include <QMap>
+#include <QSet>
 #include <memory>
+#include <optional>
+#include <utility>
 
-#include "ui/controller/diagnosis.h"
+#include "ui/controller/reality_findings.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/reality_panel/reading_card.h"
 #include "ui/steps/step_panel.h"
 
 class QProgressBar;
+class QVBoxLayout;
 
 namespace heft {
 
 class DecidingMotion;
 class DifferencePane;
+struct CardActions;
 struct OpenRecording;
-
-/// What was found, by path. The workspace's only child of its kind.
-class RealityFindings : public QObject {
- public:
-  using QObject::QObject;
-  struct Found {
-    std::weak_ptr<const OpenRecording> of;
-    std::shared_ptr<const DiagnosisReport> report;
-    std::vector<diagnosis::Witness> witnesses;
-    std::string json;         ///< heft.diagnose/1
-    std::vector<Mark> marks;  ///< That it was made with.
-    std::string guess;        ///< Of a practice recording
-  };
-  QMap<QString, Found> found;
-};
 
 class RealityPanel : public StepPanel {
   Q_OBJECT
@@ -40,8 +32,9 @@ class RealityPanel : public StepPanel {
   void entered() override;
   void left() override;
   void setDetailsShown(bool shown) override;
-  Below below() const override { return looking_ ? Below::own : Below::plots; }
+  Below below() const override { return looking_ && found() ? Below::own : Below::plots; }
   QWidget* ownPane() override;
+  double viewShare() const override { return 0.5; }
   QString hint() const override;
   void addActions(const StudioMenus& menus) override;
   std::optional<Result<bool>> obey(const QStringList& words) override;
@@ -57,6 +50,9 @@ class RealityPanel : public StepPanel {
   /// Beside the report: what the difference can be drawn against.
   const std::vector<diagnosis::Witness>& witnesses() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   using Found = RealityFindings::Found;
   void refresh();
@@ -68,6 +64,7 @@ class RealityPanel : public StepPanel {
   bool outdated() const;
   /// A practice recording whose fault has not been guessed yet.
   bool riddle() const;
+  bool isOfPoses() const;
   void checkOnOther(int index);
   std::vector<int> others() const;
   void markPull();
@@ -78,14 +75,24 @@ class RealityPanel : public StepPanel {
   void saveReport();
   Result<bool> writeReport(const QString& file, bool replace);
   void look(bool on);
+  void arrange();
+  void addCards(QVBoxLayout* column, const Found& found, bool& someNext);
+  CardActions actions();
 
   JobRunner jobs_;
   DifferencePane* pane_;
   DecidingMotion* motion_ = nullptr;  ///< Null without a 3D view.
   QProgressBar* bar_ = nullptr;       ///< While looking; of the page.
+  RealityFindings* findings_;
   QMap<QString, Found>& found_;
   QString failure_;
-  bool details_ = false, looking_ = false, wanted_ = false, shown_ = false;
+  std::pair<double, double> before_{0.0, 0.0};  ///< What the plots showed when the step was entered [s]
+  QColor drawnIn_;                              ///< Text colour of the theme that the page was built in
+  bool details_ = false, wanted_ = false, shown_ = false;
+  bool looking_ = true;        ///< The difference stands below the arm, not force and torque.
+  bool below_ = false;         ///< What below() said last
+  QSet<QString> open_;         ///< Causes whose details are open
+  bool handledShown_ = false;  ///< Findings that Heft allows for are unfolded
 };
 
 }  // namespace heft

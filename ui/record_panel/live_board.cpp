@@ -164,7 +164,8 @@ void LiveBoard::refresh() {
   QStringList lines;
   for (const SourceStatus& source : status.sources) {
     QString line = tr("%1: %2").arg(QString::fromStdString(source.name), linkWord(source.state));
-    if (!source.text.empty()) line += QStringLiteral(". ") + QString::fromStdString(source.text);
+    if (!source.text.empty())
+      line += QStringLiteral("%1 ").arg(line.endsWith(QChar(0x2026)) ? "" : ".") + QString::fromStdString(source.text);
     lines << line;
   }
   lines << tr("%1 Hz, %2").arg(numberText(run_->view().rateHz, 0), countersText(status));
@@ -194,6 +195,12 @@ void LiveBoard::refreshCard() {
                                 : tr("Nothing answers yet. Heft goes on trying."));
     gain_->setText(view.any ? tr("What came so far is kept. Look at cable, network and the program at the other end.")
                             : tr("Is it switched on, and is its address right?"));
+    return;
+  }
+  if (view.conventions) {
+    kicker_->setText(tr("NOT WHAT THE RIG SAYS"));
+    sentence_->setText(QString::fromStdString(view.conventions->sentence));
+    gain_->setText(QString::fromStdString(view.conventions->check));
     return;
   }
   if (!view.any) {

@@ -1,12 +1,21 @@
 #include "ui/record_panel/record_panel.h"
 
+#include <QAction>
 #include <QButtonGroup>
 #include <QDateTime>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRandomGenerator>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <thread>
@@ -23,6 +32,7 @@
 #include "ui/record_panel/flange_guide.h"
 #include "ui/record_panel/live_board.h"
 #include "ui/record_panel/live_stage.h"
+#include "ui/record_panel/samples.h"
 #include "ui/record_panel/source_form.h"
 #include "ui/robot_view/robot_view.h"
 #include "ui/theme/icons.h"
@@ -70,6 +80,7 @@ RecordPanel::RecordPanel(const StudioParts& parts) : StepPanel(parts), run_(only
   for (JobRunner* runner : run_->runners()) parts.followJobs(runner);
   parts.followJobs(&looking_);
   parts.followJobs(&waiting_);
+  parts.followJobs(&sampling_);
   if (run_->running()) {
     follow();
   } else {
@@ -231,6 +242,32 @@ void RecordPanel::addFiles(QVBoxLayout* column) {
   column->addWidget(card.frame);
   addOpened(column);
   addRecent(column);
+  if (!workspace().opened()) addSamples(column);
+}
+
+/// For the first minutes: something to open, to guide, to find out.
+void RecordPanel::addSamples(QVBoxLayout* column) {
+  QWidget* content = page()->content();
+  column->addSpacing(6);
+  column->addWidget(styledLabel(tr("No recording at hand?"), "sectionTitle", content));
+  for (const Sample& sample : samples()) {
+    auto* button = new QPushButton(sample.title, content);
+    button->setObjectName("sampleButton");
+    button->setProperty("role", "plain");
+    button->setToolTip(tr("Makes this recording with the simulation and opens it"));
+    connect(button, &QPushButton::clicked, this, [this, sample] {
+      sampling_.start(
+          tr("Making a sample recording"), [sample](const Progress& progress) { return sampleFile(sample, progress); },
+          [this](Result<QString> made) {
+            if (!made) return parts().say(Severity::error, QString::fromStdString(made.error().message));
+            workspace().open(*made);
+          });
+    });
+    column->addWidget(button);
+  }
+  column->addWidget(wrappedLabel(tr("Or guide the virtual arm yourself (third tab above), or look for a hidden fault: "
+                                    "menu Practice."),
+                                 "caption", content));
 }
 
 void RecordPanel::addVirtual(QVBoxLayout* column) {
@@ -293,9 +330,14 @@ void RecordPanel::addRecent(QVBoxLayout* column) {
   const QStringList recent = parts().recentFiles();
   if (recent.isEmpty()) return;
   column->addSpacing(6);
-  column->addWidget(styledLabel(tr("Opened lately"), "sectionTitle", page()->content()));
+  column->addWidget(styledLabel(tr("Recent files"), "sectionTitle", page()->content()));
   for (const QString& path : recent) {
-    auto* button = new QPushButton(QFileInfo(path).fileName(), page()->content());
+    // Names alone repeat: with the folder and the day.
+    const QFileInfo file(path);
+    auto* button = new QPushButton(tr("%1   ·   %2, %3")
+                                       .arg(file.fileName(), QDir(file.absolutePath()).dirName(),
+                                            QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)),
+                                   page()->content());
     button->setObjectName("linkButton");
     button->setToolTip(path);
     button->setAccessibleName(tr("Open %1").arg(path));
@@ -330,13 +372,15 @@ void RecordPanel::startListening() {
   if (!addresses) return fail(QString::fromStdString(addresses.error().message));
   auto meta = form_->meta();
   if (!meta) return fail(QString::fromStdString(meta.error().message));
-  listenTo({0, std::move(*addresses), std::move(*meta), form_->rigFile().toStdString()}, false);
+  const bool assumed = form_->mountAssumed();
+  listenTo({0, std::move(*addresses), std::move(*meta), form_->rigFile().toStdString(), assumed}, false);
 }
 
 void RecordPanel::listenTo(LiveOrigin origin, bool poses) {
   LiveSetup setup;
+  const auto jointNames = jointNamesOf(origin.meta);
   for (const std::string& address : origin.addresses) {
-    auto source = makeLiveSource(address, origin.replayMeta);
+    auto source = makeLiveSource(address, origin.replayMeta, jointNames);
     if (!source) return fail(QString::fromStdString(source.error().message));
     setup.sources.push_back(std::move(*source));
   }
@@ -404,20 +448,24 @@ void RecordPanel::showLive() {
   column->addWidget(board_);
   column->addStretch(1);
   if (poses) {
-    page()->setSecondButton(tr("Discard"), [this] { obey({"live", "discard"}); });
+    page()->setSecondButton(tr("Discard"), [this] { discardPoses(); });
   } else {
-    page()->setSecondButton(
-        run_->paused() ? tr("Go on") : tr("Pause"),
-        [this] {
-          run_->setPaused(!run_->paused());
-          page()->secondButton()->setText(run_->paused() ? tr("Go on") : tr("Pause"));
-          emit stateChanged();
-        },
-        "pause");
+    showPause();
   }
   page()->setMainButton(
       tr("Stop and keep"), [this] { stopAndKeep(); }, "check");
   page()->setMainEnabled(false, tr("Nothing has come yet."));
+}
+
+void RecordPanel::showPause() {
+  page()->setSecondButton(
+      run_->paused() ? tr("Resume") : tr("Pause"),
+      [this] {
+        run_->setPaused(!run_->paused());
+        showPause();
+        emit stateChanged();
+      },
+      run_->paused() ? "play" : "pause");
 }
 
 void RecordPanel::liveRefreshed() {
@@ -436,7 +484,11 @@ void RecordPanel::liveRefreshed() {
 void RecordPanel::changeWay(bool poses) {
   const LiveOrigin origin = run_->origin();
   const bool virtualArm = virtualRun(), byClock = run_->byClock();
-  run_->discard();
+  // What came so far is a recording like any other.
+  const QString kept = keepAside();
+  if (!kept.isEmpty())
+    parts().offer(Severity::info, tr("What was recorded so far was kept: %1").arg(kept), tr("Open it"),
+                  [this, kept] { workspace().open(kept); });
   if (virtualArm) {
     startVirtual(origin.tool, poses, byClock);
   } else {
@@ -454,20 +506,100 @@ void RecordPanel::changeTool() {
     parts().say(Severity::error, QString::fromStdString(changed.error().message));
 }
 
+QString RecordPanel::keepAside() {
+  auto kept = run_->keep();
+  if (!kept) {
+    parts().say(Severity::error, QString::fromStdString(kept.error().message));
+    return {};
+  }
+  if (!kept->isEmpty()) parts().remember(*kept);
+  return *kept;
+}
+
 void RecordPanel::stopAndKeep() {
   if (!run_->running()) return;
-  const bool poses = run_->poses();
-  const Recording kept = poses ? run_->poseRecording() : Recording();
-  const QString file = run_->stop();
+  const bool assumed = !virtualRun() && run_->origin().mountAssumed;
+  const QString file = keepAside();
   way_ = Way::files;
   showNoLive();
-  if (poses && kept.rows() >= 2) {
-    workspace().addRecording(kept, recordedFolder(), nameNow("poses"));
-  } else if (!file.isEmpty()) {
-    workspace().open(file);
-  } else {
-    parts().say(Severity::warning, tr("Nothing was recorded."));
+  if (file.isEmpty()) return parts().say(Severity::warning, tr("Nothing was recorded."));
+  workspace().open(file);
+  parts().say(Severity::info, tr("Recording saved: %1").arg(file));
+  if (assumed && parts().editRig)
+    parts().offer(
+        Severity::warning,
+        tr("Nobody said how the sensor sits on the flange, so Heft took its axes for the flange’s. A sensor that "
+           "sits elsewhere makes the inertia and the exported numbers wrong."),
+        tr("Say it now …"), parts().editRig);
+}
+
+void RecordPanel::keepUnderWay() {
+  if (run_->running()) keepAside();
+}
+
+bool RecordPanel::mayEnd() {
+  if (!run_->running()) return true;
+  if (parts().asks) {
+    QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("A recording is under way. Stop it?"),
+                    QMessageBox::NoButton, this);
+    box.setInformativeText(tr("What has come so far is kept in %1.").arg(recordedFolder()));
+    auto* stop = box.addButton(tr("Stop and keep"), QMessageBox::AcceptRole);
+    auto* goOn = box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
+    box.setDefaultButton(goOn);
+    box.exec();
+    if (box.clickedButton() != stop) return false;
   }
+  keepAside();
+  way_ = Way::files;
+  showNoLive();
+  return true;
+}
+
+void RecordPanel::discardPoses() {
+  const int count = static_cast<int>(run_->view().poses.size());
+  if (parts().asks && count > 0) {
+    QMessageBox box(QMessageBox::NoIcon, tr("Heft Studio"), tr("Throw %n pose(s) away?", "", count),
+                    QMessageBox::NoButton, this);
+    auto* away = box.addButton(tr("Throw away"), QMessageBox::DestructiveRole);
+    auto* goOn = box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
+    box.setDefaultButton(goOn);
+    box.exec();
+    if (box.clickedButton() != away) return;
+  }
+  obey({"live", "discard"});
+}
+
+void RecordPanel::saveRecordingAs() {
+  const auto opened = workspace().opened();
+  if (!opened) return parts().say(Severity::info, tr("Open a recording first."));
+  const QFileInfo from(opened->path);
+  const QString to = QFileDialog::getSaveFileName(this, tr("Save the recording"), from.absoluteFilePath(),
+                                                  tr("Recordings (*.%1)").arg(from.suffix()));
+  if (to.isEmpty() || QFileInfo(to) == from) return;
+  // The dialog asked before an existing file is replaced.
+  const auto copy = [](const QString& source, const QString& target) {
+    if (QFileInfo::exists(target) && !QFile::remove(target)) return false;
+    return QFile::copy(source, target);
+  };
+  const auto metaOf = [](const QString& file) {
+    return QString::fromStdString(metaFileOf(file.toStdString()).string());
+  };
+  bool well = copy(opened->path, to);
+  if (QFileInfo::exists(metaOf(opened->path))) well = well && copy(metaOf(opened->path), metaOf(to));
+  if (!well)
+    return parts().say(Severity::error,
+                       tr("%1 could not be written: check that the folder exists and may be written to.").arg(to));
+  parts().remember(to);
+  parts().say(Severity::info, tr("Saved %1.").arg(to));
+}
+
+void RecordPanel::addActions(const StudioMenus& menus) {
+  menus.file->addAction(tr("Save &recording as …"), this, &RecordPanel::saveRecordingAs)
+      ->setObjectName("saveRecordingAs");
+  menus.file->addAction(tr("Open the recordings f&older"), this, [] {
+    QDir().mkpath(recordedFolder());
+    QDesktopServices::openUrl(QUrl::fromLocalFile(recordedFolder()));
+  });
 }
 
 std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
@@ -500,7 +632,7 @@ std::optional<Result<bool>> RecordPanel::obey(const QStringList& words) {
   if (what == "replay" && words.size() >= 3) {
     way_ = Way::live;
     form_ = nullptr;
-    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}, {}};
+    LiveOrigin origin{0, {"replay:" + words[2].toStdString() + "?speed=20"}, {}, {}, false};
     Findings findings;
     if (QFileInfo::exists(QString::fromStdString(metaFileOf(words[2].toStdString()).string()))) {
       auto meta = readMeta(metaFileOf(words[2].toStdString()), findings);

@@ -35,6 +35,10 @@ class RecordPanel : public StepPanel {
   QString hint() const override;
   QString facts() const override;
   bool keyPressed(QKeyEvent* event) override;
+  /// Asks whether to stop and keep, or to go on recording.
+  bool mayEnd() override;
+  void keepUnderWay() override;
+  void addActions(const StudioMenus& menus) override;
   /// live virtual SECONDS [TOOL] | live poses SECONDS [TOOL] | live pass SECONDS | live replay FILE |
   /// live guide DX DY DZ [RX RY RZ] | live show | live form | live stop | live discard
   std::optional<Result<bool>> obey(const QStringList& words) override;
@@ -52,16 +56,22 @@ class RecordPanel : public StepPanel {
  private:
   void refresh();
   void showLive();
+  void showPause();
   void addWays(QVBoxLayout* column);
   void addFiles(QVBoxLayout* column);
   void addVirtual(QVBoxLayout* column);
   void addOpened(QVBoxLayout* column);
   void addRecent(QVBoxLayout* column);
+  void addSamples(QVBoxLayout* column);
   void listenTo(LiveOrigin origin, bool poses);
   bool virtualRun() const { return run_->virtualArm() != nullptr; }
   void begin(LiveSetup setup, bool byClock);
   void follow();
   void changeWay(bool poses);
+  /// Ends the run and keeps what came, without opening it. Its file; empty if there is too little.
+  QString keepAside();
+  void discardPoses();
+  void saveRecordingAs();
   void showNoLive();
   void liveRefreshed();
   void changeTool();
@@ -70,6 +80,7 @@ class RecordPanel : public StepPanel {
   QPointer<RecordingPane> ownPane_;  ///< Plots of the live run; the window places it.
   LiveRun* run_;                     ///< The workspace's: it goes on when the window is replaced.
   JobRunner looking_;                ///< Loads what the robot looks like.
+  JobRunner sampling_;               ///< Makes a recording to try with.
   JobRunner waiting_;                ///< In scripts: until a replay has come to its end.
   Way way_ = Way::files;
   bool here_ = false;

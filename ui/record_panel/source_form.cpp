@@ -15,6 +15,7 @@
 #include "ui/widgets/basics.h"
 #include "ui/widgets/choice_card.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/stepper.h"
 
 namespace heft {
 namespace {
@@ -37,6 +38,7 @@ SourceForm::SourceForm(QWidget* parent) : QWidget(parent) {
   auto* group = new QButtonGroup(this);
   const std::tuple<Kind, QString, QString, const char*> cards[] = {
       {Kind::netFt, tr("Net F/T sensor"), tr("ATI, Schunk"), "sourceNetFt"},
+      {Kind::ur, tr("Universal Robots"), tr("joints and wrench"), "sourceUr"},
       {Kind::foxglove, tr("ROS, Foxglove bridge"), tr("joints and wrench"), "sourceFoxglove"},
       {Kind::rosbridge, tr("ROS, rosbridge"), tr("joints and wrench"), "sourceRosbridge"},
       {Kind::jsonUdp, tr("Own program"), tr("JSON over UDP"), "sourceUdp"},
@@ -63,7 +65,7 @@ void SourceForm::setKind(Kind kind) {
   if (jointsAddress_) lastJoints_ = jointsAddress_->text();
   lastRig_ = rig_->text();
   kind_ = kind;
-  const char* names[] = {"sourceNetFt", "sourceFoxglove", "sourceRosbridge", "sourceUdp", "sourceReplay"};
+  const char* names[] = {"sourceNetFt", "sourceUr", "sourceFoxglove", "sourceRosbridge", "sourceUdp", "sourceReplay"};
   if (auto* card = findChild<QAbstractButton*>(names[static_cast<int>(kind)])) card->setChecked(true);
   rebuild();
 }
@@ -86,12 +88,16 @@ void SourceForm::rebuild() {
   old->hide();
   old->deleteLater();
   jointsAddress_ = nullptr;
+  mounted_ = nullptr;
+  distance_ = nullptr;
   auto* column = new QVBoxLayout(fields_);
   column->setContentsMargins(0, 4, 0, 0);
   column->setSpacing(6);
   const Place places[] = {
       {tr("Address of the sensor, for instance 192.168.1.1"),
        tr("As its web page has it. Heft asks it for its data and changes nothing in it.")},
+      {tr("Address of the robot, for instance 192.168.0.10"),
+       tr("An e-Series of Universal Robots with its own force sensor. Heft reads and writes nothing to it.")},
       {tr("Address of the Foxglove bridge; empty: localhost:8765"), tr("Computer and port of foxglove_bridge")},
       {tr("Address of rosbridge; empty: localhost:9090"), tr("Computer and port of rosbridge_server")},
       {tr("Port that your program sends to; empty: 9870"),
@@ -119,8 +125,8 @@ void SourceForm::rebuild() {
   if (kind_ == Kind::netFt) {
     column->addSpacing(4);
     column->addWidget(styledLabel(tr("Who tells how the arm stands?"), "sectionTitle", fields_));
-    auto* choices = new Segments({tr("Foxglove"), tr("rosbridge"), tr("JSON, UDP")}, {}, fields_);
-    static constexpr Kind kKinds[] = {Kind::foxglove, Kind::rosbridge, Kind::jsonUdp};
+    auto* choices = new Segments({tr("Foxglove"), tr("rosbridge"), tr("JSON, UDP"), tr("UR")}, {}, fields_);
+    static constexpr Kind kKinds[] = {Kind::foxglove, Kind::rosbridge, Kind::jsonUdp, Kind::ur};
     choices->setChosen(static_cast<int>(std::find(std::begin(kKinds), std::end(kKinds), joints_) - std::begin(kKinds)));
     connect(choices, &Segments::picked, this, [this](int i) {
       joints_ = kKinds[i];
@@ -140,10 +146,51 @@ void SourceForm::rebuild() {
                   tr("Says which robot it is, how the sensor is mounted and which sign its forces have"));
   rig_->setText(lastRig_);
   addWithChooser(rig_, tr("Choose a rig file"), tr("Rig files (*.json)"));
-  column->addWidget(wrappedLabel(
-      kind_ == Kind::replay ? tr("Without it the recording's own is used.")
-                            : tr("Without it the arm is taken for a Franka Panda with the sensor at its flange."),
-      "caption", fields_));
+  if (kind_ == Kind::replay) {
+    column->addWidget(wrappedLabel(tr("Without it the recording’s own is used."), "caption", fields_));
+    return;
+  }
+  column->addWidget(
+      wrappedLabel(tr("Without it Heft takes the arm for a Franka Panda, and asks:"), "caption", fields_));
+  addMount(column);
+}
+
+/// Where S sits on the flange decides the inertia and what is exported: asked, not assumed in small print.
+void SourceForm::addMount(QVBoxLayout* column) {
+  column->addSpacing(4);
+  column->addWidget(styledLabel(tr("Where is the sensor’s measuring point?"), "sectionTitle", fields_));
+  mounted_ = new Segments({tr("At the flange"), tr("Below it"), tr("Not sure")},
+                          {"mountAtFlange", "mountBelow", "mountUnsure"}, fields_);
+  mounted_->setChosen(mountAnswer_);
+  column->addWidget(mounted_);
+  auto* below = new QWidget(fields_);
+  auto* row = new QHBoxLayout(below);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(styledLabel(tr("Distance along the flange’s axis"), "caption", below), 1);
+  distance_ = new Stepper(tr("Distance along the flange’s axis"), QStringLiteral("mm"), {0.0, 500.0, 1.0, 1}, below);
+  distance_->setObjectName("mountDistance");
+  distance_->setValue(lastDistance_);
+  connect(distance_, &Stepper::changed, this, [this](double millimetres) { lastDistance_ = millimetres; });
+  row->addWidget(distance_);
+  column->addWidget(below);
+  auto* note = wrappedLabel({}, "caption", fields_);
+  column->addWidget(note);
+  const auto show = [this, below, note] {
+    below->setVisible(mountAnswer_ == 1);
+    note->setText(mountAnswer_ == 2
+                      ? tr("Heft takes it for the flange’s own axes now and asks again after the recording.")
+                      : tr("Its axes are taken to lie as the flange’s; a rotated sensor needs a rig file."));
+  };
+  connect(mounted_, &Segments::picked, this, [this, show](int answer) {
+    mountAnswer_ = answer;
+    mounted_->setChosen(answer);
+    show();
+  });
+  show();
+}
+
+bool SourceForm::mountAssumed() const {
+  return kind_ != Kind::replay && rigFile().isEmpty() && mountAnswer_ != 0 && mountAnswer_ != 1;
 }
 
 QString SourceForm::rigFile() const { return rig_->text().trimmed(); }
@@ -155,6 +202,9 @@ Result<std::vector<std::string>> SourceForm::addresses() const {
       case Kind::netFt:
         if (address.isEmpty()) return Error{tr("The sensor's address is missing.").toStdString()};
         return "rdt:" + address.toStdString();
+      case Kind::ur:
+        if (address.isEmpty()) return Error{tr("The robot's address is missing.").toStdString()};
+        return "rtde:" + address.toStdString();
       case Kind::foxglove:
         return "foxglove:" + (address.isEmpty() ? std::string("localhost") : address.toStdString());
       case Kind::rosbridge:
@@ -190,6 +240,10 @@ Result<RecordingMeta> SourceForm::meta() const {
     auto read = readMeta(file, findings);
     if (!read) return read.error();
     meta = std::move(*read);
+  } else if (kind_ != Kind::replay) {
+    if (mountAnswer_ < 0)
+      return Error{tr("Say where the sensor’s measuring point is, or choose a rig file.").toStdString()};
+    if (mountAnswer_ == 1) meta.mount.xyz.z() = 1e-3 * lastDistance_;
   }
   if (meta.kind == RecordingKind::poses) return Error{tr("Standing poses cannot be played as a motion.").toStdString()};
   // A replayed recording is brought to the plain form when it is read.

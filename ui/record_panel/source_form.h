@@ -11,10 +11,13 @@ class QVBoxLayout;
 
 namespace heft {
 
+class Segments;
+class Stepper;
+
 class SourceForm : public QWidget {
   Q_OBJECT
  public:
-  enum class Kind { netFt, foxglove, rosbridge, jsonUdp, replay };
+  enum class Kind { netFt, ur, foxglove, rosbridge, jsonUdp, replay };
   explicit SourceForm(QWidget* parent = nullptr);
 
   void setKind(Kind kind);
@@ -24,16 +27,23 @@ class SourceForm : public QWidget {
   /// Of the rig file, of the replayed recording, or the usual rig.
   Result<RecordingMeta> meta() const;
   QString rigFile() const;
+  /// Neither a rig file nor the user says how the sensor sits on the flange.
+  bool mountAssumed() const;
 
  private:
   void rebuild();
+  void addMount(QVBoxLayout* column);
   QLineEdit* addField(QVBoxLayout* column, const QString& label, const QString& name, const QString& tip);
 
   Kind kind_ = Kind::netFt;
   Kind joints_ = Kind::foxglove;  ///< With Net F/T, which measures forces only
   QWidget* fields_ = nullptr;
   QLineEdit *address_ = nullptr, *jointsAddress_ = nullptr, *rig_ = nullptr;
-  QString lastAddress_[5], lastJoints_, lastRig_;
+  Segments* mounted_ = nullptr;  ///< Not sure, on the flange, at a distance along its axis
+  Stepper* distance_ = nullptr;
+  int mountAnswer_ = -1;
+  double lastDistance_ = 0.0;  ///< [mm]
+  QString lastAddress_[6], lastJoints_, lastRig_;
 };
 
 }  // namespace heft

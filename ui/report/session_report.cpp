@@ -1,5 +1,6 @@
 #include "ui/report/session_report.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
@@ -8,6 +9,8 @@
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +20,7 @@
 #include "ui/models/result_text.h"
 #include "ui/reality_panel/cause_card.h"
 #include "ui/reality_panel/cause_words.h"
+#include "ui/reality_panel/open_question.h"
 #include "ui/reality_panel/reality_page.h"
 
 namespace heft {
@@ -27,6 +31,7 @@ struct Words {
 };
 
 constexpr int kWidth = 680;  // [px] of pictures
+const QString kBodyMargin = QStringLiteral("margin:24px auto");
 
 QString escaped(const QString& text) { return text.toHtmlEscaped(); }
 
@@ -106,13 +111,8 @@ QString recordingPart(const OpenRecording& opened) {
   return heading(Words::tr("Recording")) + table(rows);
 }
 
-QString resultPart(const Workspace& workspace, const EstimateReport& report) {
-  PartialPayload known = workspace.opened()->recording.meta.knownPayload;
-  const PartialPayload& said = workspace.session().settings.known;
-  if (said.mass) known.mass = said.mass;
-  if (said.com) known.com = said.com;
-  if (said.inertiaCom) known.inertiaCom = said.inertiaCom;
-  const ResultText text = describeResult(report, known);
+QString resultPart(Workspace& workspace, const EstimateReport& report) {
+  const ResultText text = describeResult(report, knownPayload(workspace), openQuestion(workspace));
   QString out = heading(text.question) + paragraph(text.answer);
   QString rows = row(
       {Words::tr("Number"), Words::tr("Value"), Words::tr("95 %"), Words::tr("Unit"), Words::tr("Known from")}, true);
@@ -218,17 +218,17 @@ QString diagnosisPart(const Workspace& workspace, const DiagnosisReport& report)
 }  // namespace
 
 QString sessionReportHtml(const ReportParts& parts) {
-  const Workspace& workspace = *parts.workspace;
+  Workspace& workspace = *parts.workspace;
   const auto opened = workspace.opened();
   const QString title = Words::tr("Heft report: %1").arg(opened ? QFileInfo(opened->path).fileName() : QString());
   QString out =
       QStringLiteral(
           "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><title>%2</title>\n<style>"
           "body{font-family:Inter,'Noto "
-          "Sans',sans-serif;font-size:14px;color:#1C2630;background:#fff;max-width:720px;margin:24px auto}"
+          "Sans',sans-serif;font-size:14px;color:#1C2630;background:#fff;max-width:720px;%3}"
           "h1{font-size:24px}h2{font-size:18px;margin-top:24px}h3{font-size:14px}"
           "td,th{padding:3px 16px 3px 0;vertical-align:top}th{color:#4C5966}</style></head><body>\n<h1>%2</h1>\n")
-          .arg(QLocale().name().left(2), escaped(title));
+          .arg(QLocale().name().left(2), escaped(title), kBodyMargin);
   out += paragraph(Words::tr("Heft Studio %1, %2")
                        .arg(QCoreApplication::applicationVersion(),
                             QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat)));
@@ -246,6 +246,25 @@ QString sessionReportHtml(const ReportParts& parts) {
   return out + QStringLiteral("</body></html>\n");
 }
 
+namespace {
+
+/// A table that a page's end would cut begins on the next page, if one page holds it.
+void keepTogether(QTextDocument& document) {
+  const double high = document.pageSize().height();
+  for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (!table) continue;
+    const QRectF place = document.documentLayout()->frameBoundingRect(table);
+    const bool cut = std::floor(place.top() / high) != std::floor((place.bottom() - 1.0) / high);
+    if (!cut || place.height() > 0.9 * high) continue;
+    QTextTableFormat format = table->format();
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    table->setFormat(format);
+  }
+}
+
+}  // namespace
+
 Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, bool replace) {
   const bool pdf = file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
   if (!pdf && !file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive))
@@ -260,13 +279,21 @@ Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, b
                      .toStdString()};
   QPdfWriter writer(file);
   writer.setPageSize(QPageSize(QPageSize::A4));
-  writer.setPageMargins(QMarginsF(16, 16, 16, 16), QPageLayout::Millimeter);
-  writer.setResolution(110);
+  writer.setPageMargins(QMarginsF(14, 14, 14, 14), QPageLayout::Millimeter);
+  writer.setResolution(150);
   writer.setTitle(Words::tr("Heft report"));
   writer.setCreator(QStringLiteral("Heft Studio"));
   QTextDocument document;
   document.setDefaultFont(uiFont(type::kSection));
-  document.setHtml(html);
+  document.setDocumentMargin(0.0);
+  // The page's margins are the paper's.
+  document.setHtml(QString(html).replace(kBodyMargin, QStringLiteral("margin:0")));
+  // Laid out as wide as its pictures and printed to fit: with no page size of its own Qt adds margins and cuts them
+  // off.
+  const QRectF paper = writer.pageLayout().paintRectPixels(writer.resolution());
+  const double wide = kWidth + 8.0, high = std::floor(wide * paper.height() / paper.width());
+  document.setPageSize(QSizeF(wide, high));
+  keepTogether(document);
   document.print(&writer);
   return true;
 }

@@ -11,7 +11,7 @@
 namespace heft {
 
 struct ReportParts {
-  const Workspace* workspace = nullptr;
+  Workspace* workspace = nullptr;
   std::shared_ptr<const DiagnosisReport> diagnosis;  ///< Null: nobody looked for causes.
   QImage view;                                       ///< Of the arm; may be null.
 };

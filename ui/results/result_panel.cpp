@@ -35,6 +35,10 @@ Light jointLight(const std::vector<NumberText>& numbers, bool doubtful) {
   return all ? (doubtful ? Light::look : Light::measured) : any ? Light::partly : Light::unknown;
 }
 
+bool anyDoubted(const std::vector<NumberText>& numbers) {
+  return std::any_of(numbers.begin(), numbers.end(), [](const NumberText& n) { return n.doubted; });
+}
+
 QString tagText(Source source, bool doubtful) {
   return doubtful && source == Source::data ? ResultPanel::tr("measured, check first") : sourceWord(source);
 }
@@ -61,7 +65,7 @@ ResultPanel::ResultPanel(QWidget* parent) : PanelPage(parent) {}
 void ResultPanel::showNothing() {
   again_ = [this] { showNothing(); };
   restart(tr("What does your tool weigh?"), tr("Open a recording first, or make one under Record."))->addStretch(1);
-  setMainButton({});
+  setMainButton(tr("Go to Record"), [this] { emit recordWanted(); });
   setSecondButton({});
 }
 
@@ -93,11 +97,17 @@ void ResultPanel::showResult(const ResultText& result) {
         .push_back(finding);
   }
   if (!first.empty()) addFindings(column, first);
+  if (result.withheld && !result.advice.isEmpty()) {
+    const Card card = makeCard("cardLook", content);
+    card.layout->addWidget(styledLabel(tr("What to do"), "sectionTitle", content));
+    card.layout->addWidget(wrappedLabel(result.advice, "body", content));
+    column->addWidget(card.frame);
+  }
   addMass(column, result);
   addCentre(column, result);
   addInertia(column, result);
   if (!result.shares.empty()) addShares(column, result.shares);
-  if (!result.advice.isEmpty()) addAdvice(column, result.advice);
+  if (!result.advice.isEmpty() && !result.withheld) addAdvice(column, result.advice);
   if (!later.empty()) addFindings(column, later);
   if (details_) {
     addDetails(column, result.details);
@@ -111,7 +121,11 @@ void ResultPanel::showResult(const ResultText& result) {
   column->addStretch(1);
   setSecondButton(
       tr("All methods"), [this] { emit methodsWanted(); }, "table");
-  setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
+  if (result.withheld) {
+    setMainButton(tr("Look for what is wrong"), [this] { emit causeWanted(); });
+  } else {
+    setMainButton(tr("Export these numbers"), [this] { emit exportWanted(); });
+  }
 }
 
 void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
@@ -120,7 +134,7 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   card.frame->setToolTip(result.mass.tip);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(lightOf(result.mass.source, result.doubtful), 22, content));
+  row->addWidget(new LightIcon(lightOf(result.mass.source, result.doubtful || result.mass.doubted), 22, content));
   row->addWidget(styledLabel(tr("Mass"), "cardTitle", content));
   row->addStretch(1);
   QLabel* value = styledLabel(result.mass.value, "bigNumber", content);
@@ -128,11 +142,11 @@ void ResultPanel::addMass(QVBoxLayout* column, const ResultText& result) {
   row->addWidget(value);
   row->addWidget(styledLabel(result.mass.plusMinus, "plusMinusLarge", content));
   card.layout->addLayout(row);
-  card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
+  if (!result.withheld) card.layout->addWidget(new MassScaleWidget(result.massScale, result.mass.source, content));
   auto* foot = new QHBoxLayout;
-  foot->addWidget(
-      makeTag(tagText(result.mass.source, result.doubtful), lightOf(result.mass.source, result.doubtful), content), 0,
-      Qt::AlignTop);
+  foot->addWidget(makeTag(tagText(result.mass.source, result.doubtful || result.mass.doubted),
+                          lightOf(result.mass.source, result.doubtful || result.mass.doubted), content),
+                  0, Qt::AlignTop);
   if (result.massNote.isEmpty()) {
     foot->addStretch(1);
   } else {
@@ -149,13 +163,14 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   const Card card = makeCard("card", content);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(jointLight(result.com, result.doubtful), 22, content));
+  row->addWidget(new LightIcon(jointLight(result.com, result.doubtful || anyDoubted(result.com)), 22, content));
   row->addWidget(styledLabel(tr("Centre of mass"), "cardTitle", content));
   row->addStretch(1);
   const Source joint = jointSource(result.com);
   const bool same =
       std::all_of(result.com.begin(), result.com.end(), [&](const NumberText& n) { return n.source == joint; });
-  if (same) row->addWidget(makeTag(shortTagText(joint), lightOf(joint, result.doubtful), content));
+  if (same)
+    row->addWidget(makeTag(shortTagText(joint), lightOf(joint, result.doubtful || anyDoubted(result.com)), content));
   card.layout->addLayout(row);
 
   // Side by side, or below each other where the numbers are long.
@@ -188,8 +203,8 @@ void ResultPanel::addCentre(QVBoxLayout* column, const ResultText& result) {
   if (!same) {
     auto* tags = new QHBoxLayout;
     for (const NumberText& n : result.com) {
-      tags->addWidget(
-          makeTag(n.name + QStringLiteral(": ") + shortTagText(n.source), lightOf(n.source, result.doubtful), content));
+      tags->addWidget(makeTag(n.name + QStringLiteral(": ") + shortTagText(n.source),
+                              lightOf(n.source, result.doubtful || n.doubted), content));
     }
     tags->addStretch(1);
     card.layout->addLayout(tags);
@@ -205,7 +220,7 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
   card.layout->setSpacing(0);
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
-  row->addWidget(new LightIcon(jointLight(result.inertia, result.doubtful), 22, content));
+  row->addWidget(new LightIcon(jointLight(result.inertia, result.doubtful || anyDoubted(result.inertia)), 22, content));
   row->addWidget(styledLabel(tr("Inertia"), "cardTitle", content));
   QLabel* unit = wrappedLabel(tr("about the centre, %1").arg(result.inertiaUnit), "caption", content);
   unit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -221,11 +236,11 @@ void ResultPanel::addInertia(QVBoxLayout* column, const ResultText& result) {
     auto* lineRow = new QHBoxLayout(line);
     lineRow->setContentsMargins(0, 0, 0, 0);
     lineRow->setSpacing(8);
-    lineRow->addWidget(new LightIcon(lightOf(n.source, result.doubtful), 18, line));
+    lineRow->addWidget(new LightIcon(lightOf(n.source, result.doubtful || n.doubted), 18, line));
     QLabel* name = styledLabel(n.name, "rowName", line);
     name->setMinimumWidth(40);
     lineRow->addWidget(name);
-    lineRow->addWidget(makeTag(shortTagText(n.source), lightOf(n.source, result.doubtful), line));
+    lineRow->addWidget(makeTag(shortTagText(n.source), lightOf(n.source, result.doubtful || n.doubted), line));
     lineRow->addStretch(1);
     QLabel* value = styledLabel(n.value, "smallNumber", line);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -263,12 +278,24 @@ void ResultPanel::addFindings(QVBoxLayout* column, const std::vector<FindingText
     row->addLayout(text, 1);
     card.layout->addLayout(row);
   }
-  if (std::any_of(findings.begin(), findings.end(), [](const FindingText& finding) { return finding.doubt; })) {
-    auto* look = new QPushButton(tr("Look for the cause"), content);
+  using Leads = FindingText::Leads;
+  const auto leadTo = [&](Leads where) {
+    return std::any_of(findings.begin(), findings.end(), [&](const FindingText& finding) {
+      return finding.leads == where && (finding.doubt || where == Leads::shape);
+    });
+  };
+  const auto addButton = [&](const QString& text, const char* role, void (ResultPanel::*wanted)()) {
+    auto* look = new QPushButton(text, content);
     look->setObjectName("smallButton");
-    look->setProperty("role", "cause");
-    connect(look, &QPushButton::clicked, this, &ResultPanel::causeWanted);
+    look->setProperty("role", role);
+    connect(look, &QPushButton::clicked, this, wanted);
     card.layout->addWidget(look, 0, Qt::AlignRight);
+  };
+  if (leadTo(Leads::shape)) addButton(tr("Check the shape"), "shape", &ResultPanel::shapeWanted);
+  if (leadTo(Leads::realityCheck)) {
+    addButton(tr("Show the cause"), "cause", &ResultPanel::causeWanted);
+  } else if (leadTo(Leads::cause)) {
+    addButton(tr("Look for the cause"), "cause", &ResultPanel::causeWanted);
   }
   column->addWidget(card.frame);
 }
@@ -305,6 +332,7 @@ void ResultPanel::addShares(QVBoxLayout* column, const std::vector<ShareText>& s
     QLabel* name = styledLabel(share.name, "rowName", content);
     QLabel* words = styledLabel(share.words, "rowName", content);
     auto* bar = new DataShareBar(share.data, content);
+    if (share.pulled) words->setProperty("role", "pulled");
     bar->setAccessibleName(share.name + QStringLiteral(": ") + share.words);
     for (QWidget* part : std::initializer_list<QWidget*>{name, words, bar}) part->setToolTip(share.tip);
     grid->addWidget(name, r, 0);

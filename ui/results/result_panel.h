@@ -31,6 +31,7 @@ class ResultPanel : public PanelPage {
   void exportWanted();
   void recordWanted();
   void causeWanted();
+  void shapeWanted();
   void methodsWanted();
   void knownWanted();
 

@@ -5,10 +5,13 @@
 #include <QMenu>
 
 #include "core/estimation/comparison.h"
+#include "ui/controller/only_child.h"
+#include "ui/controller/reality_findings.h"
 #include "ui/controller/workspace.h"
 #include "ui/models/method_table.h"
 #include "ui/models/numbers.h"
 #include "ui/models/result_text.h"
+#include "ui/reality_panel/open_question.h"
 #include "ui/results/known_values.h"
 #include "ui/results/method_pane.h"
 #include "ui/results/result_panel.h"
@@ -20,6 +23,9 @@ ResultStep::ResultStep(const StudioParts& parts)
   parts.followJobs(&jobs_);
   connect(panel_, &ResultPanel::recordWanted, this, [this] { this->parts().goTo(Step::record); });
   connect(panel_, &ResultPanel::causeWanted, this, [this] { this->parts().goTo(Step::realityCheck); });
+  connect(panel_, &ResultPanel::shapeWanted, this, [this] { this->parts().goTo(Step::shape); });
+  connect(onlyChild<RealityFindings>(workspace()), &RealityFindings::changed, this, &ResultStep::refresh);
+  connect(&workspace(), &Workspace::correctionsChanged, this, &ResultStep::refresh);
   connect(panel_, &ResultPanel::methodsWanted, this, &ResultStep::compare);
   connect(panel_, &ResultPanel::knownWanted, this, &ResultStep::askKnown);
   connect(methods_, &MethodPane::closeWanted, this, &ResultStep::endComparison);
@@ -41,9 +47,10 @@ StepState ResultStep::state() const {
     return workspace().busy() ? StepState{P::later, Light::measured, tr("being weighed …")}
                               : StepState{P::ready, Light::measured, tr("no estimate yet")};
   }
-  const ResultText text = describeResult(*report, known());
+  const ResultText text = describeResult(*report, known(), openQuestion(workspace()));
   const QString mass = tr("%1 kg").arg(numberText(report->payload.mass, 3));
-  if (text.doubtful) return {P::done, Light::look, tr("%1, check first").arg(mass)};
+  if (text.withheld) return {P::done, Light::look, tr("no weight yet")};
+  if (text.doubted) return {P::done, Light::look, tr("%1, check first").arg(mass)};
   if (report->identifiability.mass == Source::none) return {P::done, Light::unknown, tr("mass not known")};
   const bool all = jointSource(text.com) == Source::data && jointSource(text.inertia) == Source::data &&
                    report->identifiability.mass == Source::data;
@@ -52,18 +59,10 @@ StepState ResultStep::state() const {
 
 QWidget* ResultStep::ownPane() { return methods_; }
 
-PartialPayload ResultStep::known() const {
-  PartialPayload out;
-  if (const auto opened = workspace().opened()) out = opened->recording.meta.knownPayload;
-  const PartialPayload& said = workspace().session().settings.known;
-  if (said.mass) out.mass = said.mass;
-  if (said.com) out.com = said.com;
-  if (said.inertiaCom) out.inertiaCom = said.inertiaCom;
-  return out;
-}
+KnownPayload ResultStep::known() const { return knownPayload(workspace()); }
 
 void ResultStep::askKnown() {
-  KnownValuesDialog dialog(known(), this);
+  KnownValuesDialog dialog(known().payload, this);
   if (dialog.exec() != QDialog::Accepted) return;
   EstimateSettings settings = workspace().session().settings;
   settings.known = dialog.values();
@@ -116,7 +115,7 @@ void ResultStep::refresh() {
   const auto opened = workspace().opened();
   const auto report = workspace().report();
   if (opened && report) {
-    panel_->showResult(describeResult(*report, known()));
+    panel_->showResult(describeResult(*report, known(), openQuestion(workspace())));
   } else if (!opened) {
     panel_->showNothing();
   } else if (workspace().busy()) {

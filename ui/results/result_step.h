@@ -2,6 +2,7 @@
 // The step "Result": what the estimate on the open recording says.
 #include "core/payload/inertial_parameters.h"
 #include "ui/jobs/job_runner.h"
+#include "ui/models/result_text.h"
 #include "ui/steps/step_panel.h"
 
 namespace heft {
@@ -29,7 +30,7 @@ class ResultStep : public StepPanel {
   void refresh();
   void endComparison();
   void askKnown();
-  PartialPayload known() const;
+  KnownPayload known() const;
 
   ResultPanel* panel_;
   MethodPane* methods_;

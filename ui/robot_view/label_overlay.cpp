@@ -31,6 +31,12 @@ void LabelOverlay::setLabels(std::vector<ViewLabel> labels, std::vector<QRectF> 
   update();
 }
 
+QStringList LabelOverlay::titles() const {
+  QStringList out;
+  for (const ViewLabel& label : labels_) out << label.title;
+  return out;
+}
+
 void LabelOverlay::setAxisLetters(const std::array<QPointF, 3>& ends, bool shown) {
   axisEnds_ = ends;
   axesShown_ = shown;

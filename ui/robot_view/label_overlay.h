@@ -2,6 +2,7 @@
 // Names of what the 3D view shows: labels in the free column at the right, joined to their points by thin leaders.
 #include <QPointF>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <functional>
@@ -31,6 +32,7 @@ class LabelOverlay : public QWidget {
 
   /// Where the labels stand, in the order of the anchors' height.
   const std::vector<QRectF>& placed() const { return places_; }
+  QStringList titles() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -79,7 +79,7 @@ RobotView::RobotView(QWidget* parent)
       scene_(viewport_->scene()),
       parts_(std::make_unique<SceneParts>()) {
   setObjectName("robotView");
-  setMinimumSize(240, 180);
+  setMinimumSize(240, 120);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   viewport_->setObjectName("viewport");
@@ -200,6 +200,25 @@ void RobotView::showRecording(std::shared_ptr<const Recording> recording, std::s
   // A session that comes back in the step Shape is there before its recording.
   usePreset(editing_ ? Preset::tool : Preset::overview);
   updateNote();
+}
+
+void RobotView::showNothing() {
+  kept_.reset();
+  recording_.reset();
+  track_.reset();
+  clearEstimate();
+  pull_.reset();
+  causes_.clear();
+  sweep_.clear();
+  scene_.path.reset();
+  scene_.ghost.clear();
+  scene_.ghostWay.reset();
+  scene_.sensorShown = false;
+  robot_.reset();
+  look_.reset();
+  scene_.setRobot(nullptr, {});
+  updateNote();
+  viewport_->requestFrame();
 }
 
 void RobotView::beginLive(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look,
@@ -450,7 +469,14 @@ void RobotView::paintOver(QPainter& painter) const {
   const HandleSet::View view = viewport_->shownView();
   if (!dimensions_.empty()) paintDimensions(painter, placeDimensions(dimensions_, X_BS_, view));
   if (pull_) paintPull(painter, *pull_, X_BS_.translation(), view);
+  for (const CauseMark& cause : causes_) paintCause(painter, cause, X_BS_, scene_.down, view);
   if (handles_) handles_->paint(painter, view);
+}
+
+void RobotView::showCauses(std::vector<CauseMark> causes) {
+  causes_ = std::move(causes);
+  overlay_->update();
+  viewport_->requestFrame();
 }
 
 void RobotView::showPull(const std::optional<PullMark>& pull) {

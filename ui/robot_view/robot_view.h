@@ -11,6 +11,7 @@
 #include "core/payload/shape.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
+#include "ui/robot_view/cause_mark.h"
 #include "ui/robot_view/dimension_lines.h"
 #include "ui/robot_view/handles.h"
 #include "ui/robot_view/pull_mark.h"
@@ -45,6 +46,8 @@ class RobotView : public QWidget {
 
   /// An arm standing in its home posture, before any recording is open.
   void showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look);
+  /// Neither robot nor recording, nor anything that was found out about one.
+  void showNothing();
   /// A recording; robot and look are null where it carries poses only.
   void showRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot,
                      std::shared_ptr<const RobotLook> look);
@@ -72,6 +75,11 @@ class RobotView : public QWidget {
   void showGhostWay(const std::vector<Vector3d>& way);
   /// What pulls at the tool; nothing hides it. Taken out again by the step that put it in.
   void showPull(const std::optional<PullMark>& pull);
+  /// What else was found to act on arm and tool; likewise.
+  void showCauses(std::vector<CauseMark> causes);
+  const std::vector<CauseMark>& causes() const { return causes_; }
+  /// Titles of the labels shown; for tests.
+  QStringList labelTexts() const;
   /// Words at the end of that way.
   void setGhostLabel(const QString& title, const QString& note);
 
@@ -153,6 +161,7 @@ class RobotView : public QWidget {
   std::vector<DimensionLine> dimensions_;
   DimensionEditor* editor_;
   std::optional<PullMark> pull_;
+  std::vector<CauseMark> causes_;
   struct Kept;
   std::unique_ptr<Kept> kept_;  ///< What was shown before something live; null otherwise.
   std::optional<Vector3d> ghostEnd_;

@@ -35,6 +35,8 @@ void RobotView::updateLabels() {
     if (!ghostTitle_.isEmpty()) add(ghostEnd_, ghostTitle_, ghostNote_);
     if (editing_) add(anchors.sensor, tr("sensor, tool side"), tr("the shape sits on this face"));
   }
+  for (const CauseMark& cause : causes_)
+    labels.push_back({causePixel(cause, X_BS_, scene_.down, view), cause.title, cause.note});
   if (pull_) labels.push_back({pullPixel(*pull_, X_BS_.translation(), view), pull_->title, pull_->note});
   std::vector<QRectF> subjects = namedPlaces();
   for (const ViewLabel& label : labels) subjects.push_back(QRectF(label.anchor - QPointF(6, 6), QSizeF(12, 12)));
@@ -97,6 +99,8 @@ void RobotView::placeNote(const std::vector<QRectF>& subjects) {
   note_->setWordWrap(noteWay_ % 2 == 1);
   note_->setGeometry(placeOf(noteWay_).toRect());
 }
+
+QStringList RobotView::labelTexts() const { return overlay_->titles(); }
 
 std::vector<QRectF> RobotView::labelPlaces() const { return overlay_->placed(); }
 

@@ -116,7 +116,10 @@ void MeshForm::showMesh(const LoadedMesh& mesh) {
       longest < 1.0 ? tr("%1 cm").arg(numberText(100 * longest, 1)) : tr("%1 m").arg(numberText(longest, 2));
   column_->addWidget(wrappedLabel(
       mesh.unitGuessed ? tr("The longest side is %1 in the file. Heft guessed %2, because that makes a tool of %3.")
-                             .arg(numberText(mesh.longest, mesh.longest < 10 ? 3 : 0), unitName(index), size)
+                             .arg(numberText(mesh.longest, mesh.longest < 10     ? 3
+                                                           : mesh.longest < 1000 ? 1
+                                                                                 : 0),
+                                  unitName(index), size)
                        : tr("The longest side is then %1.").arg(size),
       "caption", this));
   if (mesh.unusable) {

@@ -67,6 +67,7 @@ void ShapePanel::rebuild() {
   wholeWeight_ = nullptr;
   place_ = nullptr;
   placeButton_ = nullptr;
+  verdict_ = nullptr;
   QVBoxLayout* column =
       page()->restart(tr("What does your tool look like?"), tr("Pick the closest picture. It need not be perfect."));
   addPictures(column);
@@ -74,6 +75,10 @@ void ShapePanel::rebuild() {
   if (given) addBodies(column);
   const bool described = choice().answer == Answer::given && !pendingMesh_ && !choice().shape.bodies.empty();
   if (described) {
+    verdict_ = wrappedLabel({}, "body", page()->content());
+    verdict_->setObjectName("shapeVerdict");
+    column->addWidget(verdict_);
+    showVerdict();
     addCertainty(column);
     addSubstance(column);
     addPlace(column);
@@ -86,7 +91,10 @@ void ShapePanel::rebuild() {
   }
   column->addStretch(1);
   page()->setSecondButton(tr("Back"), [this] { parts().goTo(Step::mark); });
-  if (described) {
+  if (pendingMesh_) {
+    page()->setMainButton(
+        tr("Choose a CAD file …"), [this] { chooseMesh(); }, "open");
+  } else if (described) {
     page()->setMainButton(
         tr("Use this shape"), [this] { parts().goTo(Step::result); }, "check");
   } else {
@@ -99,6 +107,19 @@ void ShapePanel::rebuild() {
   page()->setScrollPosition(position);
   if (!focusName.isEmpty())
     if (auto* again = findChild<QWidget*>(focusName)) again->setFocus();
+}
+
+/// What the motion says against the shape, beside the shape.
+void ShapePanel::showVerdict() {
+  emit stateChanged();
+  if (!verdict_) return;
+  QString text;
+  if (const auto report = workspace().report())
+    for (const Finding& finding : report->findings)
+      if (finding.code == "shape_left_out" || finding.code == "shape_contradicts_data")
+        text = QString::fromStdString(errorAt({}, finding.text, finding.remedy).message);
+  verdict_->setText(text);
+  verdict_->setVisible(!text.isEmpty());
 }
 
 void ShapePanel::addPictures(QVBoxLayout* column) {
@@ -129,6 +150,9 @@ void ShapePanel::addBodies(QVBoxLayout* column) {
   column->addSpacing(4);
   if (now == ToolPicture::mesh) {
     meshForm_ = new MeshForm(content);
+    if (pendingMesh_ && choice().answer == Answer::given)
+      column->addWidget(wrappedLabel(tr("Until a file is chosen, the result goes by: %1.").arg(shapeLine(choice())),
+                                     "caption", content));
     connect(meshForm_, &MeshForm::chooseWanted, this, &ShapePanel::chooseMesh);
     connect(meshForm_, &MeshForm::unitPicked, this, [this](double unit) {
       if (!mesh_) return;

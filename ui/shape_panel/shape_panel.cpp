@@ -29,6 +29,7 @@ ShapePanel::ShapePanel(const StudioParts& parts) : StepPanel(parts), handles_(Ha
   parts.followJobs(&meshJobs_);
   connect(&workspace(), &Workspace::shapeChanged, this, &ShapePanel::refresh);
   connect(&workspace(), &Workspace::openedChanged, this, &ShapePanel::refresh);
+  connect(&workspace(), &Workspace::reportChanged, this, &ShapePanel::showVerdict);
   connect(&handles_, &HandleSet::grabbed, this, [this](int id) {
     if (choosesBody(id)) return select(bodyOfHandle(id));
     dragStart_ = choice().shape;
@@ -61,15 +62,23 @@ ToolPicture ShapePanel::picture() const { return pendingMesh_ ? ToolPicture::mes
 StepState ShapePanel::state() const {
   using P = StepState::Progress;
   const ShapeChoice& now = choice();
+  const auto opened = workspace().opened();
+  const auto report = workspace().report();
+  const auto said = [&](const char* code) {
+    return report && std::any_of(report->findings.begin(), report->findings.end(),
+                                 [&](const Finding& finding) { return finding.code == code; });
+  };
+  if (pendingMesh_) return {P::ready, Light::look, tr("choose a CAD file")};
   switch (now.answer) {
     case Answer::notGiven:
-      return {P::ready, Light::measured, shapeLine(now)};
+      return {opened ? P::ready : P::later, Light::measured, shapeLine(now)};
     case Answer::unknown:
       return {P::done, Light::unknown, shapeLine(now)};
     case Answer::given:
       break;
   }
-  const bool fits = shapeProblem(now.shape).isEmpty();
+  if (said("shape_left_out")) return {P::done, Light::look, tr("does not fit, left out")};
+  const bool fits = shapeProblem(now.shape).isEmpty() && !said("shape_contradicts_data");
   return {P::done, fits ? Light::measured : Light::look, shapeLine(now)};
 }
 
@@ -168,26 +177,22 @@ void ShapePanel::pick(ToolPicture wanted) {
   }
   next.answer = Answer::given;
   next.picture = toString(wanted);
+  if (given) sketched_[picture()] = next.shape.bodies;
   if (!kept) {
-    std::optional<Vector3d> size;
-    Isometry3d place = Isometry3d::Identity();
-    if (given && !next.shape.bodies.empty() && picture() != ToolPicture::mesh) {
-      // The sizes said so far are of the same tool.
-      const ShapeBody& first = next.shape.bodies.front();
-      place.linear() = first.X_SB.linear();
-      place.translation() = nearEnd(first);
-      Shape upright = next.shape;
-      for (ShapeBody& body : upright.bodies) body.X_SB = place.inverse() * body.X_SB;
-      size = extentOf(upright).sizes();
-    }
-    // Several bodies begin with those that are there.
-    if (!(wanted == ToolPicture::several && size)) {
-      const std::optional<double> density = next.shape.bodies.empty() ? std::nullopt : next.shape.bodies[0].density;
-      next.shape.bodies = sketch(wanted, wanted == ToolPicture::plate ? std::nullopt : size);
-      for (ShapeBody& body : next.shape.bodies) {
-        body.X_SB = place * body.X_SB;
-        if (size) body.density = density;
+    // Several bodies begin with those that are there. Else each picture has its own sizes: those of another one are of
+    // another form.
+    const bool begins = wanted == ToolPicture::several && given && picture() != ToolPicture::mesh;
+    const auto before = sketched_.find(wanted);
+    if (!begins && before != sketched_.end()) {
+      next.shape.bodies = before->second;
+    } else if (!begins) {
+      Isometry3d place = Isometry3d::Identity();
+      if (given && !next.shape.bodies.empty() && picture() != ToolPicture::mesh) {
+        place.linear() = next.shape.bodies.front().X_SB.linear();
+        place.translation() = nearEnd(next.shape.bodies.front());
       }
+      next.shape.bodies = sketch(wanted);
+      for (ShapeBody& body : next.shape.bodies) body.X_SB = place * body.X_SB;
     }
     selected_ = 0;
     mode_ = ToolMode::size;

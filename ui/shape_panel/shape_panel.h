@@ -62,6 +62,7 @@ class ShapePanel : public StepPanel {
   void refresh();
   void rebuild();
   QString structure() const;
+  void showVerdict();
   void addPictures(QVBoxLayout* column);
   void addBodies(QVBoxLayout* column);
   void addCertainty(QVBoxLayout* column);
@@ -103,6 +104,8 @@ class ShapePanel : public StepPanel {
   std::map<std::string, std::shared_ptr<const Mesh>> meshes_;  ///< By file.
   std::optional<LoadedMesh> mesh_;                             ///< The last one tried.
   QString meshProblem_;
+  std::map<ToolPicture, std::vector<ShapeBody>> sketched_;  ///< As each picture was left, to come back to
+  QLabel* verdict_ = nullptr;
   bool pendingMesh_ = false;  ///< The picture of a mesh is picked, but no file taken yet.
   bool here_ = false, placeShown_ = false;
   ToolMode mode_ = ToolMode::size;

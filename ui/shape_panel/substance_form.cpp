@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPalette>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -12,6 +13,7 @@
 #include "ui/models/numbers.h"
 #include "ui/shape_panel/body_form.h"
 #include "ui/shape_panel/shape_text.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/stepper.h"
@@ -26,6 +28,9 @@ WeightField::WeightField(const QString& name, const QString& id, const QString& 
   field_ = new QLineEdit(this);
   field_->setObjectName(id);
   field_->setPlaceholderText(placeholder);
+  QPalette pale = field_->palette();
+  pale.setColor(QPalette::PlaceholderText, theme().text3);
+  field_->setPalette(pale);
   field_->setAccessibleName(name);
   field_->setToolTip(tr("What the scale shows for everything behind the sensor; may be left open."));
   field_->setMinimumSize(60, 36);

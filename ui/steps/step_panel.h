@@ -42,7 +42,7 @@ class StepPanel : public QWidget {
   enum class Below { plots, marksOnly, own };
   virtual Below below() const { return Below::plots; }
   /// Share of the height that the 3D view gets at first; the user's splitter counts afterwards.
-  virtual double viewShare() const { return 0.58; }
+  virtual double viewShare() const { return 0.52; }
   /// With Below::own: a widget that the window places and the panel owns.
   virtual QWidget* ownPane() { return nullptr; }
 
@@ -50,6 +50,11 @@ class StepPanel : public QWidget {
   virtual QString hint() const { return {}; }
   /// What is under way in this step, in place of the open recording's facts; empty: nothing.
   virtual QString facts() const { return {}; }
+
+  /// The session or the program is to be closed: keeps what is under way, or lets the user go on with it (false).
+  virtual bool mayEnd() { return true; }
+  /// The program has to end at once: keeps what is under way without asking.
+  virtual void keepUnderWay() {}
 
   /// A key that no control wanted while this step is shown; true if it was used.
   virtual bool keyPressed(QKeyEvent*) { return false; }

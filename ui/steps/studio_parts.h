@@ -1,5 +1,6 @@
 #pragma once
 // What a step's panel may use of the window around it. The window fills it in before it makes the panels.
+#include <QImage>
 #include <QString>
 #include <QStringList>
 #include <functional>
@@ -24,9 +25,19 @@ struct StudioParts {
   std::function<void(Step)> goTo = [](Step) {};
   /// One sentence in the bar at the top of the window.
   std::function<void(Severity, const QString&)> say = [](Severity, const QString&) {};
+  /// The same with a button that does something about it.
+  std::function<void(Severity, const QString&, const QString&, std::function<void()>)> offer =
+      [](Severity, const QString&, const QString&, const std::function<void()>&) {};
   /// Asks for files and opens them.
   std::function<void()> chooseFiles = [] {};
   std::function<QStringList()> recentFiles = [] { return QStringList(); };
+  /// Puts a file among the recent ones.
+  std::function<void(const QString&)> remember = [](const QString&) {};
+  /// Robot and sensor of the open recording, in a dialog; null where there is none.
+  std::function<void()> editRig;
+  /// Asks where to and saves a picture; `what` becomes part of its name. Null in tests of a panel alone.
+  std::function<void(const QImage&, const QString&)> savePicture;
+  bool asks = false;  ///< A person sits before it who can answer; else nothing is asked and everything is kept.
   /// Shows the runner's work in the status line and counts it as the window being busy. The runner must live as long
   /// as the panel.
   std::function<void(JobRunner*)> followJobs = [](JobRunner*) {};

@@ -39,6 +39,8 @@ Studio::Studio(QApplication& application, const StudioOptions& options) : applic
   }
   applyTheme(application_, theme == "dark" ? ThemeKind::dark : ThemeKind::light);
   useTexts(languages().contains(language) ? language : QStringLiteral("en"));
+  // Scripts leave the user's documents alone.
+  if (options_.offscreen) setRecordedFolder(earlierRecordedFolder());
   if (!options_.offscreen) autosave_ = std::make_unique<Autosave>(&workspace_, stateFolder());
   buildWindow();
 }
@@ -118,6 +120,12 @@ bool Studio::setLanguage(const QString& language) {
 void Studio::setSize(QSize size) {
   options_.size = size;
   window_->setGeometry(QRect(QPoint(0, 0), size));
+}
+
+void Studio::endBySystem() {
+  window_->keepUnderWay();
+  if (autosave_) autosave_->leaveForNextStart();
+  QApplication::quit();
 }
 
 void Studio::show() { window_->show(); }

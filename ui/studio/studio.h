@@ -38,6 +38,8 @@ class Studio : public QObject {
   bool setLanguage(const QString& language);
   QString language() const { return language_; }
   void setSize(QSize size);
+  /// Somebody logs out: recordings and what is open are kept for the next start.
+  void endBySystem();
   void show();
 
   /// Codes of the languages that there are texts for.

@@ -23,6 +23,8 @@ QString words(Remedy way, const QString& subject) {
       return Words::tr("Choose which column is the time, under Tools, “Where the numbers come from”.");
     case Remedy::stateOffset:
       return Words::tr("If you know by how much, say it under Tools, “Where the numbers come from”.");
+    case Remedy::stateRate:
+      return Words::tr("If the file has no clock, state its rate, rate_hz, in the map file beside it.");
     case Remedy::nameRobot:
       return Words::tr("Choose it under Tools, “Robot and sensor”.");
     case Remedy::mountSensor:
@@ -45,6 +47,9 @@ QString words(Remedy way, const QString& subject) {
     case Remedy::giveCentre:
       return Words::tr("Say in Shape what the tool looks like.");
     case Remedy::readSo:
+      return Words::tr(
+                 "The step Reality check reads it so with one click; or say it under Tools, “Robot and sensor”: %1.")
+          .arg(subject);
     case Remedy::keepReading:
       return Words::tr("Say it under Tools, “Robot and sensor”, “Conventions of the numbers”: %1.").arg(subject);
     case Remedy::giveInertia:

@@ -16,6 +16,7 @@ void Playback::setRange(double lower, double upper, bool poses) {
   upper_ = std::max(lower, upper);
   rate_ = poses ? 2.0 : 1.0;
   time_ = lower_;
+  loopFrom_ = loopTo_ = 0.0;
   emit timeChanged(time_);
 }
 
@@ -25,6 +26,11 @@ void Playback::setTime(double time) {
   if (time == time_) return;
   time_ = time;
   emit timeChanged(time_);
+}
+
+void Playback::setLoop(double from, double to) {
+  loopFrom_ = std::clamp(from, lower_, upper_);
+  loopTo_ = std::clamp(to, lower_, upper_);
 }
 
 void Playback::setPlaying(bool playing) {
@@ -42,7 +48,8 @@ void Playback::setPlaying(bool playing) {
 
 void Playback::advance() {
   // By the wall clock, so that a slow frame is skipped instead of slowing the motion down.
-  setTime(time_ + rate_ * static_cast<double>(clock_.restart()) / 1000.0);
+  setTime(time_ + speed_ * rate_ * static_cast<double>(clock_.restart()) / 1000.0);
+  if (loops() && (time_ >= loopTo_ || time_ < loopFrom_)) return setTime(loopFrom_);
   if (time_ >= upper_) setPlaying(false);
 }
 

@@ -17,6 +17,13 @@ class Playback : public QObject {
   double upper() const { return upper_; }
   double time() const { return time_; }
   bool playing() const { return timer_.isActive(); }
+  double speed() const { return speed_; }
+  bool loops() const { return loopTo_ > loopFrom_; }
+
+  /// So many times as fast as it happened.
+  void setSpeed(double factor) { speed_ = factor; }
+  /// Plays this stretch again and again; an empty one: to the end, once.
+  void setLoop(double from, double to);
 
  public slots:
   void setTime(double time);
@@ -32,7 +39,7 @@ class Playback : public QObject {
 
   QTimer timer_;
   QElapsedTimer clock_;
-  double lower_ = 0.0, upper_ = 0.0, time_ = 0.0, rate_ = 1.0;
+  double lower_ = 0.0, upper_ = 0.0, time_ = 0.0, rate_ = 1.0, speed_ = 1.0, loopFrom_ = 0.0, loopTo_ = 0.0;
 };
 
 }  // namespace heft

@@ -1,8 +1,13 @@
 #include "ui/timeline/playback_bar.h"
 
+#include <QAction>
+#include <QActionGroup>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <cmath>
 
 #include "ui/models/numbers.h"
@@ -13,29 +18,46 @@
 namespace heft {
 namespace {
 constexpr int kSteps = 10000;
-}
+constexpr int kKnob = 14;        ///< [px] As in the style sheet
+constexpr double kFrame = 0.02;  ///< [s] One step of an arm that is told at 50 Hz
+}  // namespace
 
-PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent) : QWidget(parent), playback_(playback) {
+PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent, TimeAxis* axis)
+    : QWidget(parent), playback_(playback), axis_(axis) {
   setObjectName("playbackBar");
   setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 2, TimeAxis::kRight, 6);
-  row->setSpacing(8);
-  play_ = new IconButton("play", tr("Play (Space)"), this);
+  // The knob's middle stands under the cursor of the plots: the slider reaches half a knob beyond the time axis.
+  row->setContentsMargins(6, 0, TimeAxis::kRight - kKnob / 2, 4);
+  row->setSpacing(0);
+  auto* head = new QWidget(this);
+  head->setFixedWidth(TimeAxis::kLeft - 6 - kKnob / 2);
+  auto* left = new QHBoxLayout(head);
+  left->setContentsMargins(0, 0, 2, 0);
+  left->setSpacing(0);
+  play_ = new IconButton("play", tr("Play (Space)"), head);
   play_->setObjectName("playButton");
-  row->addWidget(play_);
-  row->addSpacing(TimeAxis::kLeft - 12 - play_->sizeHint().width() - 2 * row->spacing());
+  play_->setFixedWidth(28);
+  left->addWidget(play_);
+  time_ = styledLabel({}, "playbackTick", head);
+  time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  left->addWidget(time_, 1);
+  row->addWidget(head);
   slider_ = new QSlider(Qt::Horizontal, this);
   slider_->setObjectName("timeSlider");
   slider_->setRange(0, kSteps);
   slider_->setAccessibleName(tr("Time in the recording"));
   slider_->setToolTip(tr("Drag to move through the recording"));
   row->addWidget(slider_, 1);
-  time_ = styledLabel({}, "playbackTime", this);
-  time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  // Fixed, since Qt 5 has no tabular figures and the slider must not move with every digit.
-  time_->setFixedWidth(112);
-  row->addWidget(time_);
+  speed_ = new QToolButton(head);
+  speed_->setObjectName("speedButton");
+  speed_->setFixedWidth(26);
+  speed_->setPopupMode(QToolButton::InstantPopup);
+  speed_->setToolTip(tr("Speed, loop and single steps"));
+  speed_->setAccessibleName(speed_->toolTip());
+  left->insertWidget(1, speed_);
+  buildMenu();
+  showSpeed();
 
   connect(play_, &QToolButton::clicked, playback_, &Playback::toggle);
   connect(playback_, &Playback::playingChanged, this, &PlaybackBar::showPlaying);
@@ -45,6 +67,44 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent) : QWidget(parent),
     playback_->setTime(playback_->lower() + span * value / kSteps);
   });
   setRecording(false, false);
+}
+
+void PlaybackBar::buildMenu() {
+  auto* menu = new QMenu(speed_);
+  auto* group = new QActionGroup(menu);
+  for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
+    QAction* action = menu->addAction(tr("%1 times").arg(numberText(factor, factor < 1 ? 2 : 0)), this, [this, factor] {
+      playback_->setSpeed(factor);
+      showSpeed();
+    });
+    action->setCheckable(true);
+    action->setChecked(factor == playback_->speed());
+    group->addAction(action);
+  }
+  menu->addSeparator();
+  if (axis_) {
+    QAction* loop = menu->addAction(tr("Loop what the plots show"));
+    loop->setCheckable(true);
+    connect(loop, &QAction::toggled, this,
+            [this](bool on) { playback_->setLoop(on ? axis_->lower() : 0.0, on ? axis_->upper() : 0.0); });
+    connect(axis_, &TimeAxis::visibleChanged, this, [this] {
+      if (playback_->loops()) playback_->setLoop(axis_->lower(), axis_->upper());
+    });
+    connect(menu, &QMenu::aboutToShow, loop, [this, loop] {
+      const QSignalBlocker quiet(loop);
+      loop->setChecked(playback_->loops());
+    });
+  }
+  menu->addAction(tr("One step back"), this, [this] { playback_->setTime(playback_->time() - kFrame); })
+      ->setShortcut(QKeySequence(Qt::Key_Comma));
+  menu->addAction(tr("One step on"), this, [this] { playback_->setTime(playback_->time() + kFrame); })
+      ->setShortcut(QKeySequence(Qt::Key_Period));
+  speed_->setMenu(menu);
+}
+
+void PlaybackBar::showSpeed() {
+  const double speed = playback_->speed();
+  speed_->setText(tr("%1×").arg(numberText(speed, speed < 0.2 ? 1 : speed < 1 ? 2 : 0)));
 }
 
 void PlaybackBar::setRecording(bool present, bool poses) {
@@ -66,7 +126,8 @@ void PlaybackBar::showTime() {
   } else if (poses_) {
     time_->setText(tr("%1 of %2").arg(timeText(playback_->time(), true), numberText(playback_->upper(), 0)));
   } else {
-    time_->setText(tr("%1 of %2 s").arg(numberText(playback_->time(), 2), numberText(playback_->upper(), 1)));
+    time_->setText(tr("%1 s").arg(numberText(playback_->time(), playback_->upper() < 100.0 ? 2 : 1)));
+    time_->setToolTip(tr("%1 of %2 s").arg(numberText(playback_->time(), 2), numberText(playback_->upper(), 1)));
   }
 }
 

@@ -4,27 +4,34 @@
 
 class QLabel;
 class QSlider;
+class QToolButton;
 
 namespace heft {
 
 class IconButton;
 class Playback;
+class TimeAxis;
 
 class PlaybackBar : public QWidget {
   Q_OBJECT
  public:
   /// `playback` must outlive the bar.
-  explicit PlaybackBar(Playback* playback, QWidget* parent = nullptr);
+  /// With `axis`, which must outlive it too, the stretch that the plots show can be played again and again.
+  explicit PlaybackBar(Playback* playback, QWidget* parent = nullptr, TimeAxis* axis = nullptr);
 
   /// Call after the playback's range changed.
   void setRecording(bool present, bool poses);
 
  private:
   void showTime();
+  void showSpeed();
+  void buildMenu();
   void showPlaying(bool playing);
 
   Playback* playback_;
+  TimeAxis* axis_;
   IconButton* play_;
+  QToolButton* speed_;
   QSlider* slider_;
   QLabel* time_;
   bool poses_ = false;

@@ -3,37 +3,34 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
+#include <QStringList>
+#include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "ui/widgets/basics.h"
 
 namespace heft {
+namespace {
+
+constexpr std::size_t kMost = 3;  ///< Messages at once
+constexpr int kReadable = 10000;  ///< [ms] Information stands so long.
+
+}  // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
-  setObjectName("messageBar");
+  setObjectName("messageBars");
   setAccessibleName(tr("Message"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 8, 8, 8);
-  row->setSpacing(10);
-  icon_ = new LightIcon(Light::info, 20, this);
-  row->addWidget(icon_, 0, Qt::AlignTop);
-  text_ = styledLabel({}, "messageText", this);
-  text_->setWordWrap(true);
-  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  row->addWidget(text_, 1);
-  action_ = new QPushButton(this);
-  action_->setObjectName("messageAction");
-  connect(action_, &QPushButton::clicked, this, [this] {
-    const auto clicked = clicked_;  // It may show the next message.
-    hide();
-    if (clicked) clicked();
+  rows_ = new QVBoxLayout(this);
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(0);
+  fades_.setSingleShot(true);
+  fades_.setInterval(kReadable);
+  connect(&fades_, &QTimer::timeout, this, [this] {
+    const auto messages = messages_;
+    for (const Message& message : messages)
+      if (!message.stays) close(message.row);
   });
-  row->addWidget(action_, 0, Qt::AlignTop);
-  auto* close = new IconButton("close", tr("Close this message"), this);
-  close->setObjectName("messageClose");
-  row->addWidget(close, 0, Qt::AlignTop);
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
   hide();
 }
 
@@ -41,20 +38,72 @@ void MessageBar::showMessage(Severity severity, const QString& text) { showMessa
 
 void MessageBar::showMessage(Severity severity, const QString& text, const QString& action,
                              std::function<void()> clicked) {
-  action_->setText(action);
-  action_->setVisible(!action.isEmpty());
-  clicked_ = std::move(clicked);
-  icon_->setLight(severity == Severity::error     ? Light::notPossible
-                  : severity == Severity::warning ? Light::look
-                                                  : Light::info);
-  setProperty("severity", severity == Severity::error ? "error" : severity == Severity::warning ? "warning" : "info");
-  style()->unpolish(this);
-  style()->polish(this);
-  text_->setText(text);
-  setAccessibleDescription(text);
+  const auto before = messages_;
+  for (const Message& message : before)
+    // The same once more, perhaps now with a button; or information that has been said.
+    if (message.text == text || !message.stays) close(message.row);
+  while (messages_.size() >= kMost) close(messages_.front().row);
+  Message message{severity, text, nullptr, severity != Severity::info || !action.isEmpty()};
+  message.row = addRow(message, action, clicked);
+  rows_->addWidget(message.row);
+  messages_.push_back(message);
+  setAccessibleDescription(this->text());
+  if (!message.stays) fades_.start();
   show();
 }
 
-QString MessageBar::text() const { return text_->text(); }
+QWidget* MessageBar::addRow(const Message& message, const QString& action, const std::function<void()>& clicked) {
+  auto* frame = new QFrame(this);
+  frame->setObjectName("messageBar");
+  frame->setProperty("severity", message.severity == Severity::error     ? "error"
+                                 : message.severity == Severity::warning ? "warning"
+                                                                         : "info");
+  auto* row = new QHBoxLayout(frame);
+  row->setContentsMargins(16, 8, 8, 8);
+  row->setSpacing(10);
+  row->addWidget(new LightIcon(message.severity == Severity::error     ? Light::notPossible
+                               : message.severity == Severity::warning ? Light::look
+                                                                       : Light::info,
+                               20, frame));
+  QLabel* label = styledLabel(message.text, "messageText", frame);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row->addWidget(label, 1);
+  auto* button = new QPushButton(action, frame);
+  button->setObjectName("messageAction");
+  button->setVisible(!action.isEmpty());
+  connect(button, &QPushButton::clicked, this, [this, frame, clicked] {
+    const auto then = clicked;  // It may show the next message.
+    close(frame);
+    if (then) then();
+  });
+  row->addWidget(button);
+  auto* shut = new IconButton("close", tr("Close this message"), frame);
+  shut->setObjectName("messageClose");
+  connect(shut, &QToolButton::clicked, this, [this, frame] { close(frame); });
+  row->addWidget(shut);
+  return frame;
+}
+
+void MessageBar::close(QWidget* row) {
+  messages_.erase(
+      std::remove_if(messages_.begin(), messages_.end(), [row](const Message& each) { return each.row == row; }),
+      messages_.end());
+  rows_->removeWidget(row);
+  row->hide();
+  row->deleteLater();
+  if (messages_.empty()) hide();
+}
+
+void MessageBar::clear() {
+  const auto messages = messages_;
+  for (const Message& message : messages) close(message.row);
+}
+
+QString MessageBar::text() const {
+  QStringList all;
+  for (const Message& message : messages_) all << message.text;
+  return all.join(QLatin1Char('\n'));
+}
 
 }  // namespace heft

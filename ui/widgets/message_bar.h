@@ -1,16 +1,16 @@
 #pragma once
-// One sentence at the top of the window instead of a dialog in its middle.
+// Sentences at the top of the window instead of a dialog in its middle. A warning or an error stays until it is closed,
+// also when another one comes; plain information gives way to the next message and goes by itself.
 #include <QFrame>
+#include <QTimer>
 #include <functional>
+#include <vector>
 
 #include "core/base/findings.h"
 
-class QLabel;
-class QPushButton;
+class QVBoxLayout;
 
 namespace heft {
-
-class LightIcon;
 
 class MessageBar : public QFrame {
   Q_OBJECT
@@ -20,13 +20,24 @@ class MessageBar : public QFrame {
   void showMessage(Severity severity, const QString& text);
   /// With a button that does something about it and closes the message.
   void showMessage(Severity severity, const QString& text, const QString& action, std::function<void()> clicked);
+  /// Of all messages shown, one a line.
   QString text() const;
+  /// Closes all of them.
+  void clear();
 
  private:
-  LightIcon* icon_;
-  QLabel* text_;
-  QPushButton* action_;
-  std::function<void()> clicked_;
+  struct Message {
+    Severity severity;
+    QString text;
+    QWidget* row;
+    bool stays;
+  };
+  void close(QWidget* row);
+  QWidget* addRow(const Message& message, const QString& action, const std::function<void()>& clicked);
+
+  QVBoxLayout* rows_;
+  std::vector<Message> messages_;
+  QTimer fades_;
 };
 
 }  // namespace heft

@@ -70,6 +70,35 @@ class PanelContent : public QWidget {
   QTimer later_;
 };
 
+/// Where both buttons have no room beside each other, the second one is its icon alone.
+class FootFitter : public QObject {
+ public:
+  FootFitter(QWidget* foot, QPushButton* main, QPushButton* second)
+      : QObject(foot), foot_(foot), main_(main), second_(second) {
+    foot->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Resize && event->type() != QEvent::LayoutRequest) return false;
+    if (!second_->text().isEmpty()) whole_ = second_->text();
+    if (second_->isHidden() || second_->icon().isNull() || main_->isHidden()) return false;
+    const int gaps = 2 * 20 + 10, words = QFontMetrics(second_->font()).horizontalAdvance(whole_);
+    const int icon = second_->sizeHint().width() - (second_->text().isEmpty() ? 0 : words);
+    const bool fits = main_->sizeHint().width() + icon + words + gaps <= foot_->width();
+    if (fits == !second_->text().isEmpty()) return false;
+    second_->setText(fits ? whole_ : QString());
+    second_->setToolTip(fits ? QString() : whole_);
+    second_->setAccessibleName(whole_);
+    return false;
+  }
+
+ private:
+  QWidget* foot_;
+  QPushButton *main_, *second_;
+  QString whole_;
+};
+
 }  // namespace
 
 PanelPage::PanelPage(QWidget* parent) : QWidget(parent) {
@@ -107,6 +136,7 @@ PanelPage::PanelPage(QWidget* parent) : QWidget(parent) {
     const Clicked clicked = secondClicked_;
     if (clicked) clicked();
   });
+  new FootFitter(foot_, main_, second_);
   main_->hide();
   second_->hide();
   foot_->hide();

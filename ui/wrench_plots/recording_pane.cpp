@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <limits>
@@ -39,6 +40,28 @@ class LegendFitter : public QObject {
  private:
   LegendEntry* entry_;
   QString short_;
+  QWidget* header_;
+};
+
+/// A title that makes room for what can be clicked.
+class TitleFitter : public QObject {
+ public:
+  TitleFitter(QWidget* title, QWidget* header) : QObject(header), title_(title), header_(header) {
+    header->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Resize) {
+      const int others =
+          header_->layout()->minimumSize().width() - (title_->isHidden() ? 0 : title_->sizeHint().width());
+      title_->setVisible(others + title_->sizeHint().width() <= header_->width());
+    }
+    return false;
+  }
+
+ private:
+  QWidget* title_;
   QWidget* header_;
 };
 
@@ -80,6 +103,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     if (what == Shown::z) row->addSpacing(10);
     if (what == Shown::difference) header->installEventFilter(new LegendFitter(entry, tr("difference"), header));
   }
+  if (auto* title = header->findChild<QLabel*>("plotTitle")) new TitleFitter(title, header);
   row->addStretch(1);
   paint_ = new QPushButton(tr("Paint"), header);
   paint_->setObjectName("paintButton");
@@ -116,7 +140,7 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   foldedHeader_->hide();
   column->addWidget(foldedHeader_);
   column->addWidget(body, 1);
-  bar_ = new PlaybackBar(playback, this);
+  bar_ = new PlaybackBar(playback, this, &axis_);
   column->addWidget(bar_);
 
   connect(all, &QToolButton::clicked, &axis_, &TimeAxis::showAll);

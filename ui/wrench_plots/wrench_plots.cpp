@@ -2,12 +2,18 @@
 
 #include <qcustomplot.h>
 
+#include <QAction>
 #include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "ui/models/numbers.h"
@@ -75,6 +81,8 @@ class PlotCanvas : public QCustomPlot {
     });
   }
   void setBrush(std::optional<MarkLabel> brush) { brush_ = brush; }
+  bool freeScale() const { return freeScale_; }
+  void setRescale(std::function<void()> rescale) { rescale_ = std::move(rescale); }
   void setSecond(double time) { second_ = time; }
 
  protected:
@@ -106,7 +114,32 @@ class PlotCanvas : public QCustomPlot {
     }
   }
 
+  void contextMenuEvent(QContextMenuEvent* event) override {
+    QMenu menu(this);
+    menu.addAction(WrenchPlots::tr("Show the whole recording"), axis_, &TimeAxis::showAll);
+    QAction* free = menu.addAction(WrenchPlots::tr("Scale to the free parts"));
+    free->setCheckable(true);
+    free->setChecked(freeScale_);
+    free->setToolTip(WrenchPlots::tr("A contact may go out of the picture, so that the rest can be seen"));
+    connect(free, &QAction::toggled, this, [this](bool on) {
+      freeScale_ = on;
+      if (rescale_) rescale_();
+    });
+    menu.addSeparator();
+    menu.addAction(WrenchPlots::tr("Copy picture"), this,
+                   [this] { QApplication::clipboard()->setImage(owner_->grab().toImage()); });
+    menu.exec(event->globalPos());
+  }
+
+  void leaveEvent(QEvent* event) override {
+    QCustomPlot::leaveEvent(event);
+    pointer_ = {-1, -1};
+    update();
+  }
+
   void mouseMoveEvent(QMouseEvent* event) override {
+    pointer_ = event->buttons() == Qt::NoButton ? event->pos() : QPoint(-1, -1);
+    if (event->buttons() == Qt::NoButton) update();
     if (mode_ == Mode::second) return emit owner_->secondPicked(axis_->toTime(event->pos().x(), width()));
     if (mode_ == Mode::none || !(event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) return;
     if ((event->pos() - pressed_).manhattanLength() > 4) moved_ = true;
@@ -147,7 +180,7 @@ class PlotCanvas : public QCustomPlot {
       painter.setPen(QPen(theme().accent, 2));
       painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
-    if (band_.first == band_.second) return;
+    if (band_.first == band_.second) return paintValues(painter);
     QColor fill = brush_ ? markColour(*brush_) : theme().text2;
     fill.setAlpha(brush_ ? 110 : 40);
     const QRectF area(std::min(band_.first, band_.second), 0, std::abs(band_.second - band_.first), height());
@@ -158,7 +191,58 @@ class PlotCanvas : public QCustomPlot {
   }
 
  private:
+  /// Under the pointer: the time, and what the lane's curves read there.
+  void paintValues(QPainter& painter) const {
+    const int lane = axisRectIndex(pointer_);
+    const auto& traces = *owner_->traces();
+    if (lane < 0 || traces.empty() || pointer_.x() < TimeAxis::kLeft || pointer_.x() > width() - TimeAxis::kRight)
+      return;
+    const double time = axis_->toTime(pointer_.x(), width());
+    const int first = firstChannel(lane), decimals = first == 0 ? 2 : 3;
+    QStringList rows{timeText(time, traces.poses())};
+    for (int c = 0; c < 3; ++c) {
+      const auto read = [&](WrenchTraces::Kind kind) {
+        const double value = traces.valueAt(kind, first + c, time);
+        return std::isfinite(value) ? numberText(value, decimals) : QString(QChar(0x2013));
+      };
+      const QString name = QString(QChar('x' + c));
+      rows << (isDifference(lane) ? QStringLiteral("%1  %2").arg(name, read(WrenchTraces::Kind::difference))
+               : traces.hasSimulated()
+                   ? QStringLiteral("%1  %2  (%3)")
+                         .arg(name, read(WrenchTraces::Kind::measured), read(WrenchTraces::Kind::simulated))
+                   : QStringLiteral("%1  %2").arg(name, read(WrenchTraces::Kind::measured)));
+    }
+    painter.setFont(uiFont(type::kCaption));
+    const QFontMetrics metrics(painter.font());
+    int wide = 0;
+    for (const QString& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row));
+    const int line = metrics.height(), high = line * static_cast<int>(rows.size()) + 10;
+    QRect box(pointer_ + QPoint(14, -high / 2), QSize(wide + 18, high));
+    if (box.right() > width() - TimeAxis::kRight) box.moveRight(pointer_.x() - 14);
+    box.moveTop(std::clamp(box.top(), 2, std::max(2, height() - high - 2)));
+    const Theme& t = theme();
+    QColor ground = t.panel;
+    ground.setAlpha(235);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(t.line, 1));
+    painter.setBrush(ground);
+    painter.drawRoundedRect(box, 6, 6);
+    for (int r = 0; r < rows.size(); ++r) {
+      painter.setPen(r == 0 ? t.text2 : t.axis[static_cast<std::size_t>(r - 1)]);
+      painter.drawText(QRect(box.left() + 9, box.top() + 5 + r * line, wide, line), Qt::AlignLeft | Qt::AlignVCenter,
+                       rows[r]);
+    }
+  }
+  int axisRectIndex(const QPoint& at) const {
+    for (int lane = 0; lane < axisRectCount(); ++lane)
+      if (axisRect(lane)->visible() && axisRect(lane)->rect().contains(at)) return lane;
+    return -1;
+  }
+
   enum class Mode { none, band, pan, second };
+  QPoint pointer_{-1, -1};
+  bool freeScale_ = false;
+  std::function<void()> rescale_;
   TimeAxis* axis_;
   WrenchPlots* owner_;
   Mode mode_ = Mode::none;
@@ -191,13 +275,13 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
   setAccessibleDescription(
       tr("Measured, simulated and difference over time. Arrow keys move the time, plus and minus zoom."));
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumHeight(160);
+  setMinimumHeight(96);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   Parts& p = *parts_;
   p.canvas = new PlotCanvas(axis, this);
   p.canvas->setFocusProxy(this);
-  p.canvas->setMinimumSize(100, 100);
+  p.canvas->setMinimumSize(100, 90);
   p.canvas->setNoAntialiasingOnDrag(false);
   p.canvas->setPlottingHints(QCP::phCacheLabels | QCP::phImmediateRefresh);
   layout->addWidget(p.canvas);
@@ -211,7 +295,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     auto* rect = new QCPAxisRect(p.canvas, true);
     p.rects[lane] = rect;
     p.canvas->plotLayout()->addElement(lane, 0, rect);
-    p.canvas->plotLayout()->setRowStretchFactor(lane, isDifference(lane) ? 0.5 : 1.1);
+    p.canvas->plotLayout()->setRowStretchFactor(lane, isDifference(lane) ? 0.75 : 1.1);
     rect->setAutoMargins(QCP::msNone);
     rect->setMargins(QMargins(TimeAxis::kLeft, lane == 0 ? 6 : 0, TimeAxis::kRight, lane == kLanes - 1 ? 4 : 0));
     rect->setMinimumSize(40, 14);
@@ -265,6 +349,7 @@ WrenchPlots::WrenchPlots(TimeAxis* axis, QWidget* parent)
     }
   }
   connect(axis_, &TimeAxis::visibleChanged, this, &WrenchPlots::refresh);
+  p.canvas->setRescale([this] { refresh(); });
   restyle();
 }
 
@@ -429,6 +514,9 @@ void WrenchPlots::rebuildBackgrounds() {
 
 void WrenchPlots::refresh() {
   Parts& p = *parts_;
+  // The canvas learns its ratio when it is made, before it knows its screen.
+  if (p.canvas->bufferDevicePixelRatio() != p.canvas->devicePixelRatioF())
+    p.canvas->setBufferDevicePixelRatio(p.canvas->devicePixelRatioF());
   const double from = axis_->lower(), to = axis_->upper();
   const int pixels = std::max(50, width() - TimeAxis::kLeft - TimeAxis::kRight);
   p.points = 0;
@@ -445,7 +533,17 @@ void WrenchPlots::refresh() {
       p.noise[lane]->topLeft->setCoords(0, band);
       p.noise[lane]->bottomRight->setCoords(1, -band);
     } else {
-      const MinMax extremes = traces_->visibleRange(first, from, to);
+      MinMax extremes = traces_->visibleRange(first, from, to);
+      if (p.canvas->freeScale()) {
+        MinMax free{std::nan(""), std::nan("")};
+        for (const Segment& segment : segments_) {
+          if (segment.label != MarkLabel::free || segment.to < from || segment.from > to) continue;
+          const MinMax part = traces_->visibleRange(first, std::max(from, segment.from), std::min(to, segment.to));
+          free.lowest = std::fmin(free.lowest, part.lowest);
+          free.highest = std::fmax(free.highest, part.highest);
+        }
+        if (std::isfinite(free.lowest)) extremes = free;
+      }
       lower = std::isfinite(extremes.lowest) ? extremes.lowest : -1.0;
       upper = std::isfinite(extremes.highest) ? extremes.highest : 1.0;
       const double least = first == 0 ? 0.1 : 0.005;

@@ -5,8 +5,12 @@
 #include <mutex>
 #include <utility>
 
+#include "core/base/say.h"
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
@@ -38,7 +42,37 @@ class BiasDrift final : public Cause {
   enum Course { kSteady, kSettling, kCurved, kRamp, kBoth, kSetsIn, kAnyCourse };  // form.choice
 
  public:
-  std::string_view id() const override { return "bias_drift"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::biasDrift,
+        .family = Family::sensorZero,
+        .title = heft::toSay("Sensor zero drifts (bias drift)"),
+        .check = heft::toSay("Let the sensor warm up for half an hour, keep draughts off it, and zero it often."),
+        .decides = heft::toSay("Come back to the same pose three times: a drift reads differently each time."),
+        .looks = heft::toSay("The difference climbs or sinks slowly over the whole recording and ignores the motion."),
+        .decidingMotion = "tilt-round",
+        .effect = "bias_drift",
+        .zeroMoves = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    const CauseParameter* p = v.strongest();
+    if (!p) return {};
+    const std::string channel = channelWords(channelOf(p->name)), size = plusMinus(p->value, p->std);
+    if (const auto per = p->unit.find("/pose"); per != std::string::npos)
+      return heft::say("The sensor's zero drifts: {} by {} {} from each pose to the next.", channel, size,
+                       p->unit.substr(0, per));
+    if (p->unit.ends_with("/s"))
+      return heft::say("The sensor's zero drifts: {} by {} {} per second.", channel, size,
+                       p->unit.substr(0, p->unit.size() - 2));
+    if (v.find("time_constant") && v.find("time"))
+      return heft::say("From {} s on, the sensor's zero drifts until it settles: {} by {} {}.",
+                       numberWords(v.value("time"), 1), channel, size, p->unit);
+    if (v.find("course_w4") || v.find("course_w5"))
+      return heft::say("The sensor's zero drifts back and forth: {} by {} {} in total.", channel,
+                       plusMinus(std::abs(p->value), p->std), p->unit);
+    return heft::say("The sensor's zero drifts until it settles: {} by {} {}.", channel, size, p->unit);
+  }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
@@ -185,7 +219,30 @@ class BiasDrift final : public Cause {
 
 class SensorBias final : public Cause {
  public:
-  std::string_view id() const override { return "sensor_bias"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::sensorBias,
+        .family = Family::sensorZero,
+        .title = heft::toSay("Sensor zero jumped (bias step)"),
+        .check = heft::toSay("Was there a knock, a loose plug, or a program that zeroed the sensor while recording?"),
+        .decides = heft::toSay(
+            "Turn the tool to another pose after the jump and hold: a jump stays, a load turns with gravity."),
+        .looks = heft::toSay("The difference is flat, steps once, and is flat again, however the tool is held."),
+        .decidingMotion = "tilt-sideways",
+        .effect = "sensor_bias",
+        .begins = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (const CauseParameter* last = v.find("after_pose"))
+      return heft::say("After pose {} the sensor's zero jumped by {} N and {} N m.", numberWords(last->value, 0),
+                       v.norm({"fx", "fy", "fz"}), v.norm({"tx", "ty", "tz"}));
+    return v.find("fx") || v.find("fy") || v.find("fz")
+               ? heft::say("At {} s the sensor's zero jumped by {} N.", numberWords(v.value("time"), 1),
+                           v.norm({"fx", "fy", "fz"}))
+               : heft::say("At {} s the sensor's zero jumped by {} N m.", numberWords(v.value("time"), 1),
+                           v.norm({"tx", "ty", "tz"}));
+  }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "bias_drift"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
@@ -213,9 +270,12 @@ class SensorBias final : public Cause {
   }
 };
 
-class Wandering final : public Cause {
+class RandomWalk final : public Cause {
  public:
-  std::string_view id() const override { return kWandering; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{.id = ids::wandering, .family = Family::sensorZero, .zeroMoves = true};
+    return kInfo;
+  }
   std::vector<std::string> lookAlikes() const override { return {"bias_drift"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Parameter> parameters;
@@ -246,7 +306,7 @@ class Wandering final : public Cause {
 
 }  // namespace
 
-std::unique_ptr<Cause> makeWandering() { return std::make_unique<Wandering>(); }
+std::unique_ptr<Cause> makeRandomWalk() { return std::make_unique<RandomWalk>(); }
 std::unique_ptr<Cause> makeBiasDrift() { return std::make_unique<BiasDrift>(); }
 std::unique_ptr<Cause> makeSensorBias() { return std::make_unique<SensorBias>(); }
 

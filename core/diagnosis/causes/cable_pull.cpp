@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -18,8 +21,8 @@ bool hasLength(int kind) { return kind == kTaut || kind == kHardens; }
 
 /// Where the tool was at the middle of each of up to 200 parts of the recording.
 std::vector<Vector3d> places(const Signals& signals) {
-  constexpr Eigen::Index kMost = 200;
-  const Eigen::Index n = signals.position.cols(), step = std::max<Eigen::Index>(1, n / kMost);
+  constexpr Eigen::Index kMostPlaces = 200;
+  const Eigen::Index n = signals.position.cols(), step = std::max<Eigen::Index>(1, n / kMostPlaces);
   std::vector<Vector3d> out;
   for (Eigen::Index k = step / 2; k < n; k += step) out.emplace_back(signals.position.col(k));
   return out;
@@ -78,7 +81,43 @@ Form hardeningForm(const Cause* cause, const Form& taut) {
 
 class CablePull final : public Cause {
  public:
-  std::string_view id() const override { return "cable_pull"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::cablePull,
+        .family = Family::externalForce,
+        .title = heft::toSay("Cable or hose pulls"),
+        .check = heft::toSay("Does the cable or hose hang free of the wrist, with slack in every pose?"),
+        .decides =
+            heft::toSay("Move the tool through a larger space, to where the cable is taut and where it is slack."),
+        .looks =
+            heft::toSay("The difference goes with the place of the tool: the same spot, the same pull, at any speed."),
+        .effect = "cable_pull"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.value("twist_stiffness") < 0.0)
+      return heft::say("A torque grows as the tool rotates and drives it further: {} N m per radian.",
+                       v.size("twist_stiffness"));
+    if (v.value("stiffness") < 0.0)
+      return heft::say("Something, such as a bent hose, pushes the tool away from one spot: {} N per metre.",
+                       v.size("stiffness"));
+    if (v.find("twist_stiffness"))
+      return heft::say("A cable twists back as the tool turns: {} N m per radian.", v.size("twist_stiffness"));
+    if (v.find("hardening"))
+      return heft::say(
+          "A cable or hose, fixed to one spot, pulls the tool back: {} N per metre where it begins to stretch, and "
+          "more "
+          "the further it does.",
+          v.size("stiffness"));
+    if (v.find("length"))
+      return heft::say(
+          "A cable or hose, fixed to one spot and {} mm long when slack, pulls the tool back: {} N per metre.",
+          v.size("length"), v.size("stiffness"));
+    if (v.find("stiffness"))
+      return heft::say("A cable or hose pulls the tool towards one spot: {} N per metre.", v.size("stiffness"));
+    return heft::say("A cable or hose pulls the tool back, by up to {} N per metre.",
+                     numberWords(v.mostAlongAnyLine("stiffness"), 1));
+  }
   std::vector<std::string> lookAlikes() const override { return {"constant_pull", "gravity_tilt"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;

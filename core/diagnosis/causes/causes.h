@@ -2,7 +2,7 @@
 // One factory a cause.
 #include <memory>
 
-#include "core/diagnosis/cause.h"
+#include "core/diagnosis/model/cause.h"
 
 namespace heft::diagnosis {
 
@@ -28,6 +28,12 @@ std::unique_ptr<Cause> makeSensorRotation();
 std::unique_ptr<Cause> makeTimeOffset();
 std::unique_ptr<Cause> makeTouch();
 std::unique_ptr<Cause> makeViscousDrag();
-std::unique_ptr<Cause> makeWandering();
+std::unique_ptr<Cause> makeRandomWalk();
+
+std::unique_ptr<Cause> makeSpikes();
+std::unique_ptr<Cause> makeDropouts();
+std::unique_ptr<Cause> makeJitter();
+std::unique_ptr<Cause> makeQuantisation();
+std::unique_ptr<Cause> makeFrameError();
 
 }  // namespace heft::diagnosis

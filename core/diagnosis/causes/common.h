@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/diagnosis/cause.h"
+#include "core/diagnosis/model/cause.h"
 #include "core/recording/channels.h"
 
 namespace heft::diagnosis {

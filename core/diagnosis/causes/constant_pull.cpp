@@ -1,8 +1,11 @@
 // A force that keeps its direction in the world, whatever the tool weighs: a spring balancer, a hose over a pulley.
 #include <algorithm>
 
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
@@ -10,7 +13,36 @@ namespace {
 
 class ConstantPull final : public Cause {
  public:
-  std::string_view id() const override { return "constant_pull"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::constantPull,
+        .family = Family::externalForce,
+        .title = heft::toSay("Steady pull from outside (constant force)"),
+        .check = heft::toSay("Is there a balancer, a hose or a weight that pulls in one direction?"),
+        .decides = heft::toSay("Record once more with a heavier tool: a tilt grows with the weight, a pull does not."),
+        .looks = heft::toSay("A difference that keeps its direction in the room, whatever the tool weighs."),
+        .effect = "constant_pull",
+        .begins = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    const std::string size = v.norm({"force_x", "force_y", "force_z"});
+    return v.find("time")
+               ? heft::say("From {} s on, something pulls on the tool with {} N, always in the same direction.",
+                           numberWords(v.value("time"), 1), size)
+               : heft::say("Something pulls on the tool with {} N, always in the same direction.", size);
+  }
+  /// Straight up all the time: a weight that is taken off the readings does exactly the same.
+  std::string check(const FoundValues& v, const Vector3d& gravity) const override {
+    constexpr double kAside = 0.03;  // Share of the force
+    const Vector3d force(v.value("force_x"), v.value("force_y"), v.value("force_z"));
+    const bool pullsUp = !v.find("time") && force.dot(gravity) < 0.0 &&
+                         force.cross(gravity).norm() < kAside * force.norm() * gravity.norm();
+    return pullsUp ? heft::say(
+                         "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? "
+                         "If not: is there a balancer or a hose that carries a part of it?")
+                   : Cause::check(v, gravity);
+  }
   std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "cable_pull"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     const std::vector<Parameter> pull{{"force_x", "N", 1.0, 0.3, -60.0, 60.0},

@@ -1,13 +1,34 @@
 // A load on one axis of the sensor shows on another.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class Crosstalk final : public Cause {
  public:
-  std::string_view id() const override { return "crosstalk"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::crosstalk,
+        .family = Family::sensor,
+        .title = heft::toSay("One channel leaks into another (crosstalk)"),
+        .check = heft::toSay("Is the sensor's own calibration matrix loaded (serial number)?"),
+        .decides = heft::toSay("Tilt the tool so that its weight lies on each axis of the sensor in turn."),
+        .looks = heft::toSay("The difference on one channel is a small copy of another channel."),
+        .decidingMotion = "tilt-round",
+        .effect = "crosstalk"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    const CauseParameter* p = v.strongest();
+    if (!p) return {};
+    const auto to = p->name.find("_to_");
+    return heft::say("{} of {} shows up in {}.", parameterWords(*p), channelWords(channelOf(p->name)),
+                     channelWords(to == std::string::npos ? 0 : channelOf(std::string_view(p->name).substr(to + 4))));
+  }
   std::vector<std::string> lookAlikes() const override { return {"sensor_rotation", "gain_error"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;

@@ -2,8 +2,11 @@
 // noisy; the faster the more where the motion was smoothed before it was recorded, inertial part x exp(-(T omega)^2 /
 // 2) as a bell of width T does, or 1 / (1 + (T omega)^4) as a Butterworth filter of order 2 that ran forward and
 // backward. Who reports poses may have smoothed positions alone.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -46,7 +49,58 @@ MatrixXd sharpened(const MatrixXd& value, int kind, double size, double rateHz) 
 
 class DerivativeNoise final : public Cause {
  public:
-  std::string_view id() const override { return "derivative_noise"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::derivativeNoise,
+        .family = Family::dynamicGain,
+        .title = heft::toSay("Accelerations wrong"),
+        .check = heft::toSay("Record joint angles at the full rate; check the size of gravity in the meta file."),
+        .decides = heft::toSay("Record once more with stronger smoothing and compare."),
+        .looks = heft::toSay(
+            "The fast parts of the motion are too large or too small in the simulation, the slow ones fit."),
+        .effect = "derivative_noise"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.find("noise"))
+      return heft::say(
+          "The reported velocities are noisy, by {} % of the motion's speed; Heft can use the positions instead.",
+          v.size("noise"));
+    if (v.find("window"))
+      return heft::say(
+          "The reported velocities are means over {} ms, so that what is fast in them is too small; Heft can use the "
+          "positions instead.",
+          v.size("window"));
+    if (v.find("force_noise"))
+      return heft::say(
+          "The recorded motion is noisy: accelerations from it are {} N off, so Heft smooths it more, from {} Hz on.",
+          numberWords(v.value("force_noise"), 2), numberWords(v.value("corner"), 0));
+    if (v.find("line"))
+      return heft::say(
+          "The motion is recorded every {} ms only, with straight lines between: accelerations from it are wrong at "
+          "every corner.",
+          numberWords(v.value("line"), 0));
+    if (v.find("step_angle"))
+      return heft::say("The joint angles come in steps of {} degrees: accelerations from them are rough.",
+                       numberWords(v.value("step_angle"), 2));
+    if (v.find("step_place"))
+      return heft::say("The positions come in steps of {} mm: accelerations from them are rough.",
+                       numberWords(v.value("step_place"), 2));
+    if (v.find("position_smoothing"))
+      return heft::say(
+          "The positions were smoothed before they were recorded, by {} ms to either side, so that what is fast in "
+          "them "
+          "is too small.",
+          v.size("position_smoothing"));
+    if (v.find("smoothing"))
+      return heft::say(
+          "The motion was smoothed before it was recorded, by {} ms to either side, so that what is fast in it is too "
+          "small.",
+          v.size("smoothing"));
+    return v.direct
+               ? heft::say("The reported velocities are {} % off; Heft can use the positions instead.", v.size("loss"))
+               : heft::say("The inertial forces differ by {} % from what the motion predicts.", v.size("loss"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"motion_lag", "flexible_mount"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;
@@ -55,7 +109,7 @@ class DerivativeNoise final : public Cause {
     for (const int kind : {kBell, kButterworth}) {
       const double power = kind == kBell ? 2.0 : 4.0;
       Parameter size{"smoothing", "ms", kMilli, std::pow(kTypical, power), 0.0, std::pow(kLongest, power)};
-      size.told = kind == kBell ? bellWidth : butterworthWidth;
+      size.reported = kind == kBell ? bellWidth : butterworthWidth;
       Form form = formOf(this, kind == kBell ? "smoothed" : "smoothed more sharply", {size});
       form.choice = {kind};
       form.alone = true;

@@ -1,8 +1,11 @@
 // Resistance that grows with speed, and friction that does not.
 #include <algorithm>
 
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -73,7 +76,41 @@ class Resistance : public Cause {
 
 class ViscousDrag final : public Resistance {
  public:
-  std::string_view id() const override { return "viscous_drag"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::viscousDrag,
+        .family = Family::externalForce,
+        .title = heft::toSay("Resistance grows with speed (viscous drag)"),
+        .check = heft::toSay("Does the tool drag along hoses full of liquid, dampers, bellows or covers?"),
+        .decides = heft::toSay("Repeat one movement slowly, faster and fast."),
+        .looks = heft::toSay("The difference follows the speed: none at rest, twice as much at twice the speed."),
+        .decidingMotion = "swing-sideways",
+        .effect = "viscous_drag"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.value("drag") < 0.0)
+      return heft::say(
+          "Something, such as a hand on the tool, pushes it in its direction of motion: {} N per metre per second.",
+          v.size("drag"));
+    if (v.value("turning_drag") < 0.0)
+      return heft::say("Something, such as a hand on the tool, drives its rotation: {} N m per radian per second.",
+                       v.size("turning_drag"));
+    if (v.find("drag"))
+      return heft::say("Something resists the tool's motion: {} N per metre per second.", v.size("drag"));
+    if (v.find("square_drag"))
+      return heft::say(
+          "Something resists the tool's motion with the square of its speed: {} N at one metre per second.",
+          v.size("square_drag"));
+    for (const char* what : {"drag", "tool_drag"})
+      if (v.find(std::string(what) + "_xy"))
+        return heft::say("Something resists the tool's motion by up to {} N per metre per second.",
+                         numberWords(v.mostAlongAnyLine(what), 2));
+    return v.find("drag_x")
+               ? heft::say("Something resists the tool's motion by up to {} N per metre per second.",
+                           v.most({"drag_x", "drag_y", "drag_z"}))
+               : heft::say("Something resists rotation: {} N m per radian per second.", v.size("turning_drag"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     const Parameter linear{"drag", "N s/m", 1.0, 0.3, -200.0, 200.0};
@@ -163,7 +200,32 @@ class ViscousDrag final : public Resistance {
 
 class CoulombFriction final : public Resistance {
  public:
-  std::string_view id() const override { return "coulomb_friction"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::coulombFriction,
+        .family = Family::externalForce,
+        .title = heft::toSay("Something rubs (Coulomb friction)"),
+        .check = heft::toSay("Does a cable rub in a clamp, a cover scrape, a sheath stiffen?"),
+        .decides = heft::toSay("Repeat one movement at several speeds, and reverse it after short and long distances."),
+        .looks = heft::toSay("The difference jumps to the other side whenever the motion reverses, at any speed."),
+        .decidingMotion = "swing-sideways",
+        .effect = "coulomb_friction"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.value("friction") < 0.0)
+      return heft::say("Something, such as a hand on the tool, pushes it in its direction of motion with {} N.",
+                       v.size("friction"));
+    if (v.value("turning_friction") < 0.0)
+      return heft::say("Something, such as a hand on the tool, drives its rotation with {} N m.",
+                       v.size("turning_friction"));
+    if (v.find("friction"))
+      return heft::say("Something rubs and resists the tool's motion with {} N.", v.size("friction"));
+    return v.find("friction_x")
+               ? heft::say("Something rubs and resists the tool's motion with up to {} N.",
+                           v.most({"friction_x", "friction_y", "friction_z"}))
+               : heft::say("Something rubs and resists rotation with {} N m.", v.size("turning_friction"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"viscous_drag", "hysteresis"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     const Parameter linear{"friction", "N", 1.0, 0.1, -60.0, 60.0};

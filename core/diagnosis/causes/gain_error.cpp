@@ -1,15 +1,55 @@
 // One channel of the sensor reads too much or too little: either way, or more to one side and less to the other. Or all
 // forces do against the torques: with the payload free, that is the sensor's place shifted along the way to the centre
 // of mass. Or gains change while the sensor warms up.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class GainError final : public Cause {
  public:
-  std::string_view id() const override { return "gain_error"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::gainError,
+        .family = Family::sensor,
+        .title = heft::toSay("One channel reads wrong (gain error)"),
+        .check = heft::toSay("Hang a known weight from each side of the sensor; check its calibration file."),
+        .decides = heft::toSay(
+            "Tilt the tool so that its weight lies on each axis in turn. Equal gains on all axes need a scale."),
+        .looks = heft::toSay("The difference on one channel is a small copy of that channel itself."),
+        .decidingMotion = "tilt-round",
+        .effect = "gain_error",
+        .scalesWithLoad = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    const CauseParameter* p = v.strongest();
+    if (!p) return {};
+    const std::string channel = p->name.substr(p->name.find('_') + 1, 2);
+    if (const CauseParameter* asymmetry = v.find("asymmetry_" + channel)) {
+      const CauseParameter* gain = v.find("gain_" + channel);
+      const double both = gain != nullptr ? gain->value : 0.0;
+      return heft::say("The channel {} is {:+.1f} % off in one direction and {:+.1f} % in the other.",
+                       channelWords(channelOf(channel)), both + asymmetry->value, both - asymmetry->value);
+    }
+    const std::string much = plusMinus(std::abs(p->value), p->std);
+    if (p->name.starts_with("gain_force"))
+      return p->value > 0.0 ? heft::say("All forces read {} % too much compared with the torques.", much)
+                            : heft::say("All forces read {} % too little compared with the torques.", much);
+    if (p->name == "growth")
+      return heft::say("The gain of all channels changes by {:+.1f} % during the recording, as when a sensor warms up.",
+                       p->value);
+    if (p->name.starts_with("growth_"))
+      return heft::say("The gain of {} changes by {:+.1f} % during the recording, as when a sensor warms up.",
+                       channelWords(channelOf(std::string_view(p->name).substr(7))), p->value);
+    const std::string which = channelWords(channelOf(std::string_view(p->name).substr(5)));
+    return p->value > 0.0 ? heft::say("The channel {} reads {} % too much.", which, much)
+                          : heft::say("The channel {} reads {} % too little.", which, much);
+  }
   std::vector<std::string> lookAlikes() const override { return {"crosstalk", "lever_arm"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;

@@ -2,15 +2,34 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class GravityTilt final : public Cause {
  public:
-  std::string_view id() const override { return "gravity_tilt"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::gravityTilt,
+        .family = Family::geometry,
+        .title = heft::toSay("Robot base tilted"),
+        .check = heft::toSay("Put a spirit level on the robot's base, or state the true gravity in the meta file."),
+        .decides = heft::toSay("Record once more with a heavier tool: a tilt grows with the weight, a pull does not."),
+        .looks = heft::toSay("A difference that keeps its direction in the room and grows with the tool's weight."),
+        .effect = "gravity_tilt"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.find("sinks_x"))
+      return heft::say("The robot's base tilts by {} degrees during the recording.", v.norm({"sinks_x", "sinks_y"}));
+    return heft::say("The robot's base is tilted by {} degrees against the stated gravity.",
+                     v.norm({"tilt_x", "tilt_y"}));
+  }
   std::vector<std::string> lookAlikes() const override { return {"constant_pull", "joint_offset"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     const double size = 1.0 / kDegrees, T = std::max(1.0, signals.duration());

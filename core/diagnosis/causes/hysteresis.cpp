@@ -2,15 +2,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class Hysteresis final : public Cause {
  public:
-  std::string_view id() const override { return "hysteresis"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::hysteresis,
+        .family = Family::sensor,
+        .title = heft::toSay("Sensor remembers its load (hysteresis)"),
+        .check = heft::toSay("Was the sensor overloaded, glued or pinched? Check its screws."),
+        .decides = heft::toSay("Load the sensor slowly up and down in one direction, in small and large steps."),
+        .looks = heft::toSay(
+            "The difference lags behind the load itself: one value on the way up, another on the way down."),
+        .decidingMotion = "tilt-sideways",
+        .effect = "hysteresis"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    const CauseParameter* p = v.strongest();
+    if (!p) return {};
+    const std::string much = plusMinus(std::abs(p->value), p->std);
+    if (p->name.starts_with("loop"))
+      return heft::say("The sensor remembers its load: loading and unloading differ by {} % of the load's range.",
+                       much);
+    return heft::say("The sensor remembers {} of its load: it reads differently while it is loaded and unloaded.",
+                     p->name.starts_with("memory") ? fmt::format("{} %", much) : parameterWords(*p));
+  }
   std::vector<std::string> lookAlikes() const override { return {"coulomb_friction", "low_pass_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;
@@ -43,8 +68,8 @@ class Hysteresis final : public Cause {
   /// No sensor remembers more: channels that are late, each by another time, look like one that does. Of 22 that were
   /// one, the largest was 7.5 %; of 15 unknown effects that looked like one, eleven had more than this.
   bool plausible(const Form& form, const VectorXd& v, const VectorXd&) const override {
-    constexpr double kMost = 0.1;
-    return v.head(form.subset ? v.size() : 1).cwiseAbs().maxCoeff() < kMost;
+    constexpr double kLargest = 0.1;
+    return v.head(form.subset ? v.size() : 1).cwiseAbs().maxCoeff() < kLargest;
   }
   bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }

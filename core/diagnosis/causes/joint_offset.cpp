@@ -1,13 +1,37 @@
 // One joint's angle is off by a constant, or once to and fro in a turn, as where a ring sits off its axis.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class JointOffset final : public Cause {
  public:
-  std::string_view id() const override { return "joint_offset"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::jointOffset,
+        .family = Family::geometry,
+        .title = heft::toSay("Joint angle off (encoder offset)"),
+        .check = heft::toSay("Check that joint's calibration and the robot description of this recording."),
+        .decides = heft::toSay("Visit poses in which the other joints stand very differently, elbow high and low."),
+        .looks = heft::toSay("A difference that depends on the pose: a tilt that is not the same everywhere."),
+        .effect = "joint_offset"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    const CauseParameter* p = v.strongest();
+    if (!p) return {};
+    if (const auto once = p->name.find("_once_"); once != std::string::npos) {
+      const std::string both = p->name.substr(0, once + 6);
+      return heft::say("The angle of joint {} is off by up to {} degrees, varying once per turn.",
+                       p->name.substr(1, once - 1), v.norm({both + "sine", both + "cosine"}));
+    }
+    return heft::say("The angle of joint {} is {} degrees off.", p->name.substr(1, 1),
+                     plusMinus(std::abs(p->value), p->std));
+  }
   std::vector<std::string> lookAlikes() const override { return {"gravity_tilt", "sensor_rotation"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;

@@ -1,13 +1,32 @@
 // The sensor's origin is elsewhere than the meta file says: s += alpha x d + omega x (omega x d).
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class LeverArm final : public Cause {
  public:
-  std::string_view id() const override { return "lever_arm"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::leverArm,
+        .family = Family::geometry,
+        .title = heft::toSay("Sensor position wrong (lever arm)"),
+        .check = heft::toSay("Measure from the flange to the sensor's origin and compare with the meta file."),
+        .decides = heft::toSay("Rotate the tool fast back and forth about all three axes."),
+        .looks =
+            heft::toSay("Slow motion fits; fast turning leaves a difference that grows with the square of its speed."),
+        .decidingMotion = "wobble",
+        .effect = "lever_arm",
+        .placesSensor = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    return heft::say("The sensor's origin is {} mm from where the meta file puts it.", v.norm({"dx", "dy", "dz"}));
+  }
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (!signals.positionKnown) return {};

@@ -1,14 +1,32 @@
 // A low-pass filter inside the sensor or its driver: T y' + y = w, the same with T / 2 twice, or the mean over the
 // last 2 T. Each makes slow readings late by T.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class LowPassLag final : public Cause {
  public:
-  std::string_view id() const override { return "low_pass_lag"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::lowPassLag,
+        .family = Family::timing,
+        .title = heft::toSay("Force readings smoothed (low-pass filter)"),
+        .check = heft::toSay("Is a filter or averaging switched on in the sensor's amplifier or driver?"),
+        .decides = heft::toSay(
+            "Shake the tool quickly for ten seconds: smoothing makes fast forces smaller, a delay does not."),
+        .looks = heft::toSay("Late like a delay, but peaks are also cut down, and the noise looks soft."),
+        .decidingMotion = "shake-sideways",
+        .effect = "low_pass_lag"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    return heft::say("The force readings are smoothed over {} ms.", v.size("time_constant"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"time_offset", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;

@@ -1,13 +1,33 @@
 // Velocities and accelerations come late while gravity is in time: the robot smooths its velocities.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class MotionLag final : public Cause {
  public:
-  std::string_view id() const override { return "motion_lag"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::motionLag,
+        .family = Family::timing,
+        .title = heft::toSay("Accelerations late (motion lag)"),
+        .check = heft::toSay("Record the plain joint angles at the full rate, without smoothing."),
+        .decides = heft::toSay(
+            "Turn the tool slowly through large angles: late readings show then too, late accelerations do not."),
+        .looks = heft::toSay("Slow turning fits well; only starts and stops leave a difference."),
+        .decidingMotion = "turn-slowly",
+        .effect = "motion_lag"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    return v.direct ? heft::say("The reported velocities come {} ms late; Heft can use the positions instead.",
+                                v.size("lag"))
+                    : heft::say("The accelerations lag by {} ms; the angles do not.", v.size("lag"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"time_offset", "derivative_noise"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;

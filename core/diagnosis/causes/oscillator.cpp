@@ -3,10 +3,13 @@
 #include <array>
 #include <iterator>
 
+#include "core/base/parallel.h"
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/hum.h"
-#include "core/diagnosis/two_threads.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
+#include "core/diagnosis/model/hum.h"
 
 namespace heft::diagnosis {
 namespace {
@@ -185,7 +188,7 @@ class Oscillator : public Cause {
       });
     };
     constexpr std::size_t kAtOnce = 4;
-    onTwoThreads((all.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t i) {
+    parallelFor((all.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t i) {
       const auto left = std::span<const Going>(all).subspan(kAtOnce * i);
       const auto some = left.first(std::min(kAtOnce, left.size()));
       some.size() > 1 ? swung.template operator()<kAtOnce>(some) : swung.template operator()<1>(some);
@@ -265,7 +268,28 @@ class Oscillator : public Cause {
 
 class LooseMass final : public Oscillator {
  public:
-  std::string_view id() const override { return "loose_mass"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::looseMass,
+        .family = Family::dynamicGain,
+        .title = heft::toSay("Something is loose in the tool"),
+        .check = heft::toSay("Shake the tool by hand and listen: a loose part, a liquid, a hanging hose?"),
+        .decides =
+            heft::toSay("Move and stop abruptly a few times in different directions: a loose part keeps swinging."),
+        .looks = heft::toSay("After each stop the difference swings on for a while, a few times a second."),
+        .decidingMotion = "shake-forwards",
+        .effect = "loose_mass"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (const CauseParameter* mass = v.find("mass"); mass && v.value("damping") > 0.5)
+      return mass->std > 0.5 * mass->value
+                 ? heft::say("Something in the tool is loose and rolls to another place as the tool turns.")
+                 : heft::say("About {} g of the tool is loose and rolls to another place as the tool turns.",
+                             v.size("mass"));
+    return heft::say("About {} g of the tool is loose and swings {} times a second.", v.size("mass"),
+                     numberWords(v.value("frequency"), 1));
+  }
   std::vector<std::string> lookAlikes() const override { return {"flexible_mount", "low_pass_lag"}; }
   /// A part has a mass. Of 77 that were loose each was known to a sixth of it; of nine other things that swing, five to
   /// a third and worse.
@@ -356,7 +380,31 @@ class LooseMass final : public Oscillator {
 
 class FlexibleMount final : public Oscillator {
  public:
-  std::string_view id() const override { return "flexible_mount"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::flexibleMount,
+        .family = Family::dynamicGain,
+        .title = heft::toSay("The tool's mount gives (flexible mount)"),
+        .check = heft::toSay("Tighten the screws between arm, sensor and tool; look for rubber or thin adapters."),
+        .decides = heft::toSay("Tap the tool with a finger while the arm holds still."),
+        .looks = heft::toSay("A small, fast ringing after every jerk, always at the same frequency."),
+        .effect = "flexible_mount"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.find("strikes"))
+      return heft::say(
+          "Something that carries the tool gives and rings at {} Hz when it is struck: its mount, or what the "
+          "robot stands on.",
+          numberWords(v.value("frequency"), 0));
+    return heft::say("The tool's mount gives and rings at {} Hz.", numberWords(v.value("frequency"), 0));
+  }
+  std::string check(const FoundValues& v, const Vector3d& gravity) const override {
+    return v.find("strikes") ? heft::say(
+                                   "Tap the tool, then what the robot stands on: which of them rings at this pitch? "
+                                   "Tighten its screws.")
+                             : Cause::check(v, gravity);
+  }
   std::vector<std::string> lookAlikes() const override { return {"loose_mass", "derivative_noise"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     if (signals.rateHz < 100.0) return {};

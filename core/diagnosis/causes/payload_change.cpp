@@ -1,14 +1,56 @@
 // From some moment on the tool is heavier or lighter.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
-#include "core/diagnosis/model.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/forward_model.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class PayloadChange final : public Cause {
  public:
-  std::string_view id() const override { return "payload_change"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::payloadChange,
+        .family = Family::load,
+        .title = heft::toSay("Load changed during the recording"),
+        .check = heft::toSay("Was a part picked up or put down? Mark only the stretch that you mean."),
+        .decides =
+            heft::toSay("Turn the tool to another pose after the change: a load turns with gravity, a jump does not."),
+        .looks = heft::toSay("From one moment on there is a residual that turns with the tool, as a weight does."),
+        .decidingMotion = "tilt-sideways",
+        .effect = "payload_change",
+        .scalesWithLoad = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (const CauseParameter* last = v.find("after_pose")) {
+      const std::string pose = numberWords(last->value, 0);
+      return v.value("mass") > 0.0 ? heft::say("After pose {} the load was {} g heavier.", pose, v.size("mass"))
+                                   : heft::say("After pose {} the load was {} g lighter.", pose, v.size("mass"));
+    }
+    if (v.direct)
+      return v.when.size() == 1
+                 ? heft::say("From {} to {} s the tool carried {} g more.", numberWords(v.when[0].first, 1),
+                             numberWords(v.when[0].second, 1), v.size("mass"))
+                 : heft::say("The tool carried {} g more {} times, first from {} to {} s.", v.size("mass"),
+                             v.when.size(), numberWords(v.when[0].first, 1), numberWords(v.when[0].second, 1));
+    if (v.value("duration") > 1.0) {
+      const std::string from = numberWords(v.value("time") - 0.5 * v.value("duration"), 1),
+                        to = numberWords(v.value("time") + 0.5 * v.value("duration"), 1);
+      return v.value("mass") > 0.0
+                 ? heft::say("From {} to {} s the load became {} g heavier.", from, to, v.size("mass"))
+                 : heft::say("From {} to {} s the load became {} g lighter.", from, to, v.size("mass"));
+    }
+    if (v.find("mass") && std::abs(v.value("mass")) < 2.0 * v.find("mass")->std)
+      return heft::say("At {} s the load moved on the tool; its weight hardly changed ({} g).",
+                       numberWords(v.value("time"), 1), plusMinus(v.value("mass"), v.find("mass")->std));
+    return v.value("mass") > 0.0
+               ? heft::say("At {} s the load became {} g heavier.", numberWords(v.value("time"), 1), v.size("mass"))
+               : heft::say("At {} s the load became {} g lighter.", numberWords(v.value("time"), 1), v.size("mass"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"sensor_bias", "contact", "gain_error"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     std::vector<Form> out;

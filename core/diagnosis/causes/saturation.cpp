@@ -1,13 +1,35 @@
 // A channel gives way near the end of its range. One that is cut off flat is seen directly (sample_tests.h).
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class Saturation final : public Cause {
  public:
-  std::string_view id() const override { return "saturation"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::saturation,
+        .family = Family::sensor,
+        .title = heft::toSay("Sensor at its limit (saturation)"),
+        .check = heft::toSay("Use a range that fits the load, and check the sensor's zero."),
+        .decides = heft::toSay("Repeat the motion more slowly, or with a lighter tool."),
+        .looks = heft::toSay("The measured curve is cut off flat at the top."),
+        .effect = "saturation"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.direct) return heft::say("The sensor reached the end of its range in {} % of the readings.", v.size("share"));
+    const auto loss = std::find_if(v.parameters.begin(), v.parameters.end(),
+                                   [](const CauseParameter& p) { return p.name.starts_with("loss_"); });
+    return loss == v.parameters.end() ? std::string()
+                                      : heft::say("Near the end of its range the channel {} reads {} % too little.",
+                                                  channelWords(channelOf(std::string_view(loss->name).substr(5))),
+                                                  plusMinus(loss->value, loss->std));
+  }
   std::vector<std::string> lookAlikes() const override { return {"gain_error", "contact"}; }
   std::vector<Form> forms(const Signals&) const override {
     std::vector<Form> out;

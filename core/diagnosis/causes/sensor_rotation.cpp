@@ -1,13 +1,31 @@
 // The sensor is mounted turned against what the meta file says.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class SensorRotation final : public Cause {
  public:
-  std::string_view id() const override { return "sensor_rotation"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::sensorRotation,
+        .family = Family::geometry,
+        .title = heft::toSay("Sensor rotated on its mount"),
+        .check = heft::toSay("Compare the arrows printed on the sensor with the mount in the meta file."),
+        .decides = heft::toSay("Turn the last joint by half a turn and hold, then tilt the tool."),
+        .looks = heft::toSay("The weight shows up on the wrong axis of the sensor, always the same one."),
+        .decidingMotion = "tilt-forwards",
+        .effect = "sensor_rotation",
+        .placesSensor = true};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    return heft::say("The sensor is rotated by {} degrees.", v.norm({"rx", "ry", "rz"}));
+  }
   std::vector<std::string> lookAlikes() const override { return {"joint_offset", "crosstalk"}; }
   std::vector<Form> forms(const Signals&) const override {
     const double size = 1.0 / kDegrees;

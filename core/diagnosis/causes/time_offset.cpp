@@ -1,14 +1,36 @@
 // The wrench arrives later (or earlier) than the motion: y(t) = w(t - delay), by more and more where two clocks run
 // apart.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class TimeOffset final : public Cause {
  public:
-  std::string_view id() const override { return "time_offset"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::timeOffset,
+        .family = Family::timing,
+        .title = heft::toSay("Force readings late (delay)"),
+        .check = heft::toSay("Do force and joint angles get their time from one clock, at the source?"),
+        .decides = heft::toSay("Shake the tool quickly for ten seconds, two to four times a second."),
+        .looks = heft::toSay(
+            "The difference is large where the force changes fast and zero where it rests, with the full height kept."),
+        .decidingMotion = "shake-sideways",
+        .effect = "time_offset"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (v.find("clock_drift"))
+      return heft::say("The clocks of the force readings and of the motion drift apart by {} ms per second.",
+                       v.size("clock_drift"));
+    return v.value("delay") > 0.0 ? heft::say("The force readings arrive {} ms late.", v.size("delay"))
+                                  : heft::say("The motion arrives {} ms after the force readings.", v.size("delay"));
+  }
   std::vector<std::string> lookAlikes() const override { return {"low_pass_lag", "motion_lag"}; }
   std::vector<Form> forms(const Signals&) const override {
     const Parameter delay{"delay", "ms", kMilli, 0.005, -0.3, 0.3};

@@ -1,14 +1,41 @@
 // Something pushed for a moment, or held on to the tool for some seconds. Strong contact is set aside before anything
 // is fitted; this finds the light one.
+#include "core/base/say.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/model/found_values.h"
 
 namespace heft::diagnosis {
 namespace {
 
 class Touch final : public Cause {
  public:
-  std::string_view id() const override { return "contact"; }
+  const CauseInfo& info() const override {
+    static constexpr CauseInfo kInfo{
+        .id = ids::contact,
+        .family = Family::contact,
+        .title = heft::toSay("The tool touched something (contact)"),
+        .check = heft::toSay("Was the tool set down, bumped, or held by its front?"),
+        .decides = heft::toSay("Repeat the motion without touching anything."),
+        .looks = heft::toSay("Short, large differences at a few moments; between them everything fits."),
+        .effect = "contact"};
+    return kInfo;
+  }
+  std::string sentence(const FoundValues& v) const override {
+    if (!v.parameters.empty() && v.parameters.front().name.starts_with("pose")) {
+      std::string poses;
+      for (const CauseParameter& p : v.parameters)
+        if (p.name.starts_with("pose")) poses += (poses.empty() ? "" : ", ") + numberWords(p.value, 0);
+      return heft::say("These poses do not fit the others, by up to {} N: {}. The tool touched something, or moved.",
+                       numberWords(v.value("peak_force"), 2), poses);
+    }
+    const double most = v.value("peak_force");
+    const std::string peak = numberWords(most, most < 0.95 ? 2 : 1);
+    return v.when.size() == 1 ? heft::say("The tool touched something from {} to {} s, with up to {} N.",
+                                          numberWords(v.when[0].first, 1), numberWords(v.when[0].second, 1), peak)
+                              : heft::say("The tool touched something {} times, with up to {} N.", v.when.size(), peak);
+  }
   std::vector<std::string> lookAlikes() const override { return {"payload_change", "sensor_bias"}; }
   std::vector<Form> forms(const Signals& signals) const override {
     constexpr double kShortest = 0.08, kLongest = 2.5, kLongestHeld = 5.0;

@@ -1,6 +1,8 @@
 // A few fixed recordings of tests/benchmarks/conventions_study, and what holds for any.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -42,16 +44,6 @@ Motion motionFrom(const Recording& recording) {
   auto motion = poses ? standingPoses(recording, &robot) : motionOf(recording, &robot, MotionOptions{});
   EXPECT_TRUE(motion.ok());
   return std::move(*motion);
-}
-
-Question questionOf(const Recording& recording, const Motion& motion) {
-  Question q;
-  q.motion = &motion;
-  q.kind = recording.meta.kind;
-  q.stated = statedIn(recording.meta);
-  q.posesInFile = !recording.hasJoints();
-  q.mount = recording.meta.mount;
-  return q;
 }
 
 Report checkOf(const Recording& recording) {
@@ -207,7 +199,7 @@ TEST(Conventions, WronglyStated) {
   EXPECT_EQ(report.suggested->conventions.wrenchAxes, Conventions::WrenchAxes::sensor);
   EXPECT_EQ(report.suggested->conventions.wrenchOrder, Conventions::WrenchOrder::forceFirst);
   EXPECT_DOUBLE_EQ(report.suggested->conventions.force.si, 1.0);
-  const auto patch = metaPatch(stated, *report.suggested, q.mount, true);
+  const auto patch = metaPatch(stated, *report.suggested, plain.meta.mount, true);
   EXPECT_EQ(patch["sensor"]["wrench_axes"], "sensor");
   EXPECT_EQ(patch["sensor"]["wrench_order"], "force_first");
   EXPECT_EQ(patch["sensor"]["force_unit"], "N");
@@ -246,6 +238,127 @@ TEST(Conventions, ReadingBackAndForth) {
   EXPECT_LT((back.position - motion.position).cwiseAbs().maxCoeff(), 1e-9);
   for (std::size_t k = 0; k < motion.R_BS.size(); k += 50)
     EXPECT_LT((back.R_BS[k] - motion.R_BS[k]).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// What the user marked, or a label column says, is not asked; where poses are in the file, they are the motion.
+TEST(Conventions, TheQuestionLeavesOutWhatIsMarked) {
+  Recording recording = guided(toolOf(15), 15);
+  const Motion motion = motionFrom(recording);
+  EXPECT_TRUE(questionOf(recording, motion).use.empty());
+  EXPECT_FALSE(questionOf(recording, motion).posesInFile);
+  recording.meta.marks.push_back({2.0, 4.0, MarkLabel::contact});
+  const auto marked = questionOf(recording, motion);
+  ASSERT_EQ(marked.use.size(), static_cast<std::size_t>(motion.size()));
+  const auto at = [&](double time) {
+    return static_cast<std::size_t>(std::lround((time - motion.startTime) * motion.rateHz));
+  };
+  EXPECT_TRUE(marked.use[at(1.0)]);
+  EXPECT_FALSE(marked.use[at(3.0)]);
+  EXPECT_TRUE(marked.use[at(5.0)]);
+  recording.meta.marks.clear();
+  recording.labels.assign(static_cast<std::size_t>(recording.rows()), MarkLabel::free);
+  for (Eigen::Index k = 0; k < recording.rows(); ++k)
+    if (recording.time(k) > 6.0) recording.labels[static_cast<std::size_t>(k)] = MarkLabel::contact;
+  const auto labelled = questionOf(recording, motion);
+  EXPECT_TRUE(labelled.use[at(3.0)]);
+  EXPECT_FALSE(labelled.use[at(7.0)]);
+  Recording both = guided(toolOf(15), 15);
+  const MatrixXd q = both.q;
+  test::logPoses(RobotModel::panda(), both);
+  both.q = q;
+  EXPECT_TRUE(questionOf(both, motionFrom(both)).posesInFile);
+}
+
+// A sensor turned a little and a gain of the force bend mass and centre and leave hardly a trace: they are said.
+TEST(Conventions, ASmallTurnAndAGainAreSaid) {
+  const auto said = [](const Recording& recording, const char* code) {
+    const Report report = checkOf(recording);
+    EXPECT_EQ(report.verdict, Verdict::asStated);
+    return std::any_of(report.cautions.begin(), report.cautions.end(),
+                       [&](const Finding& caution) { return caution.code == code; });
+  };
+  const Vector3d down(0.0, 0.0, -9.81);
+  for (const std::uint64_t seed : {17, 18, 19}) {
+    const Payload payload = toolOf(seed);
+    const Recording plain = guided(payload, seed, down, MotionKind::excitation);
+    EXPECT_FALSE(said(plain, "sensor_turned")) << seed;
+    EXPECT_FALSE(said(plain, "force_and_torque")) << seed;
+    const Matrix3d turn = rotationFromVector(Vector3d(0.02, -0.02, 0.02));  // 2 degrees
+    Recording turned = plain;
+    for (const Eigen::Index from : {0, 3})
+      turned.wrench.middleCols<3>(from) = (plain.wrench.middleCols<3>(from) * turn).eval();
+    EXPECT_TRUE(said(turned, "sensor_turned")) << seed;
+    Recording gained = plain;
+    gained.wrench.leftCols<3>() *= 1.1;
+    EXPECT_FALSE(said(gained, "sensor_turned")) << seed;
+    // Poses show the turn and not the gain.
+    const Recording poses = test::standingRecording(payload, 24, down, 1.0, seed);
+    EXPECT_FALSE(said(poses, "sensor_turned")) << seed;
+    Recording other = poses;
+    for (const Eigen::Index from : {0, 3})
+      other.wrench.middleCols<3>(from) = (poses.wrench.middleCols<3>(from) * turn).eval();
+    EXPECT_TRUE(said(other, "sensor_turned")) << seed;
+    other = poses;
+    other.wrench.leftCols<3>() *= 1.1;
+    EXPECT_FALSE(said(other, "force_and_torque")) << seed;
+  }
+}
+
+// The force holds m c beside angular accelerations alone: a gain of it shows in a heavy tool that is swung.
+TEST(Conventions, AGainOfTheForceIsSaidOfAHeavyTool) {
+  Payload payload;
+  payload.mass = 2.5;
+  payload.com = {0.02, -0.01, 0.12};
+  payload.inertiaCom = Vector3d(0.02, 0.02, 0.01).asDiagonal();
+  const auto said = [](const Recording& recording) {
+    const Report report = checkOf(recording);
+    EXPECT_TRUE(report.agreement);
+    return std::any_of(report.cautions.begin(), report.cautions.end(),
+                       [](const Finding& caution) { return caution.code == "force_and_torque"; });
+  };
+  for (const std::uint64_t seed : {22, 23}) {
+    Recording recording = guided(payload, seed, {0.0, 0.0, -9.81}, MotionKind::excitation);
+    EXPECT_FALSE(said(recording)) << seed;
+    recording.wrench.leftCols<3>() *= 1.15;
+    EXPECT_TRUE(said(recording)) << seed;
+    recording.wrench.rightCols<3>() *= 1.15;
+    EXPECT_FALSE(said(recording)) << seed << ": both alike are a heavier tool";
+  }
+}
+
+// All signs of standing poses turned: the driver's sign, before a robot that hangs.
+TEST(Conventions, PosesWithTheOtherSignAreThat) {
+  for (const std::uint64_t seed : {20, 21}) {
+    Recording recording = test::standingRecording(toolOf(seed), 24, {0.0, 0.0, -9.81}, 1.0, seed);
+    for (const char* name : {"wrench_sign", "base_axes+wrench_sign"}) {
+      Recording other = recording;
+      test::rewriteAs(name, RobotModel::panda(), seed, other);
+      const Report report = checkOf(other);
+      ASSERT_TRUE(report.suggested) << name;
+      EXPECT_EQ(report.suggested->sign, WrenchSign::payloadOnSensor) << name;
+      EXPECT_EQ(report.suggested->gravity, Vector3d(0.0, 0.0, -9.81)) << name;
+    }
+  }
+}
+
+// What is left over falls where the reading is right, and stays where it is.
+TEST(Conventions, WhatIsLeftOver) {
+  const Payload payload = toolOf(16);
+  Recording recording = guided(payload, 16);
+  const auto sizeOf = [](const LeftOver& left) { return left.left.topRows<3>().norm(); };
+  const double plain = sizeOf(leftOver(questionOf(recording, motionFrom(recording))));
+  test::rewriteAs("base_axes", RobotModel::panda(), 16, recording);
+  const Motion motion = motionFrom(recording);
+  const Question question = questionOf(recording, motion);
+  const LeftOver stated = leftOver(question);
+  EXPECT_GT(sizeOf(stated), 10.0 * plain);
+  const Report report = check(question);
+  ASSERT_TRUE(report.suggested);
+  const Motion right = readSo(motion, question.stated, *report.suggested, false);
+  const LeftOver read = leftOver(questionOf(recording, right));
+  EXPECT_LT(sizeOf(read), 1.2 * plain);
+  EXPECT_EQ(read.time.size(), static_cast<std::size_t>(read.left.cols()));
+  EXPECT_NEAR(read.mass, payload.mass, 0.02 * payload.mass);
 }
 
 TEST(Conventions, TooLittleSaysNothing) {

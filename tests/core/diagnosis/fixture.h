@@ -167,7 +167,7 @@ inline bool finds(const DiagnosisReport& report, std::string_view code) {
 inline std::string said(const DiagnosisReport& report) {
   std::string out(toString(report.verdict));
   for (const auto& cause : report.causes) out += " " + cause.id;
-  return out + ", remaining " + report.remaining.goesWith;
+  return out + ", remaining " + report.remaining.goesWith.english();
 }
 
 }  // namespace heft::test

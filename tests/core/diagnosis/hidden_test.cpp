@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/correction/corrected.h"
+#include "core/diagnosis/report/report.h"
 #include "core/simulation/random.h"
 #include "tests/core/diagnosis/fixture.h"
 #include "tests/support/hidden_effects.h"
@@ -322,7 +323,7 @@ TEST(Diagnose, AShakingOfChangingFrequencyIsUnexplained) {
   }
   const auto report = diagnosed(recording);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
-  EXPECT_TRUE(report.remaining.goesWith.starts_with("a shaking of")) << said(report);
+  EXPECT_TRUE(report.remaining.goesWith.english().starts_with("a shaking of")) << said(report);
   EXPECT_NEAR(report.remaining.lowHz, 8.0, 1.6);
   EXPECT_NEAR(report.remaining.highHz, 14.0, 1.6);
 }

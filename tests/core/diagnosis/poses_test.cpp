@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "core/diagnosis/corrected.h"
+#include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/diagnose.h"
-#include "core/diagnosis/words.h"
+#include "core/diagnosis/report/report.h"
+#include "core/diagnosis/wording/words.h"
 #include "core/motion/motion.h"
 #include "tests/core/diagnosis/fixture.h"
 

@@ -14,7 +14,7 @@ namespace {
 
 const Payload kTool = test::boxPayload(0.8, {0.08, 0.10, 0.12}, {0.01, -0.005, 0.06});
 
-Recording recordingOf(MotionKind kind, const Payload& payload, unsigned seed, double duration = 10.0,
+Recording recordingToJoin(MotionKind kind, const Payload& payload, unsigned seed, double duration = 10.0,
                       double speed = 1.0) {
   SimulateOptions options;
   options.speed = speed;
@@ -28,7 +28,7 @@ Recording recordingOf(MotionKind kind, const Payload& payload, unsigned seed, do
 }
 
 /// Hardly any motion: nothing is learned beyond one direction of gravity.
-Recording heldStill(unsigned seed) { return recordingOf(MotionKind::excitation, kTool, seed, 6.0, 0.01); }
+Recording heldStill(unsigned seed) { return recordingToJoin(MotionKind::excitation, kTool, seed, 6.0, 0.01); }
 
 JointReport joined(const std::vector<Recording>& recordings, const EstimateOptions& options = {}) {
   std::vector<JointInput> inputs;
@@ -39,7 +39,7 @@ JointReport joined(const std::vector<Recording>& recordings, const EstimateOptio
 }
 
 TEST(Joint, TwoRecordingsWithTheirOwnBiasesNarrowTheIntervals) {
-  const std::vector recordings{recordingOf(MotionKind::free, kTool, 1), recordingOf(MotionKind::free, kTool, 2)};
+  const std::vector recordings{recordingToJoin(MotionKind::free, kTool, 1), recordingToJoin(MotionKind::free, kTool, 2)};
   const auto joint = joined(recordings);
   ASSERT_EQ(joint.pieces.size(), 2u);
   const auto& first = joint.pieces[0].report;
@@ -60,7 +60,7 @@ TEST(Joint, TwoRecordingsWithTheirOwnBiasesNarrowTheIntervals) {
 
 TEST(Joint, ARecordingWithoutMotionAddsNothing) {
   const auto joint = joined(
-      {heldStill(3), recordingOf(MotionKind::excitation, kTool, 4), recordingOf(MotionKind::excitation, kTool, 5)});
+      {heldStill(3), recordingToJoin(MotionKind::excitation, kTool, 4), recordingToJoin(MotionKind::excitation, kTool, 5)});
   EXPECT_EQ(joint.proposalText, "Use 2 and 3; 1 adds nothing.");
   EXPECT_THAT(joint.proposal, testing::ElementsAre(1u, 2u));
   EXPECT_LT(joint.pieces[0].adds.mass, 1.1);
@@ -70,8 +70,8 @@ TEST(Joint, ARecordingWithoutMotionAddsNothing) {
 TEST(Joint, AnotherToolIsLeftOutAndSaid) {
   Payload other = kTool;
   other.mass = 0.7;
-  const auto joint = joined({recordingOf(MotionKind::free, kTool, 6), recordingOf(MotionKind::free, other, 7),
-                             recordingOf(MotionKind::free, kTool, 8)});
+  const auto joint = joined({recordingToJoin(MotionKind::free, kTool, 6), recordingToJoin(MotionKind::free, other, 7),
+                             recordingToJoin(MotionKind::free, kTool, 8)});
   EXPECT_TRUE(joint.pieces[0].used);
   EXPECT_FALSE(joint.pieces[1].used);
   EXPECT_TRUE(joint.pieces[2].used);
@@ -85,14 +85,14 @@ TEST(Joint, AnotherToolIsLeftOutAndSaid) {
 
 TEST(Joint, TheSameToolIsNotTakenForAnother) {
   for (unsigned seed = 10; seed < 16; seed += 2) {
-    const auto joint = joined({recordingOf(MotionKind::free, kTool, seed, 6.0),
-                               recordingOf(MotionKind::pickAndPlace, kTool, seed + 1, 12.0)});
+    const auto joint = joined({recordingToJoin(MotionKind::free, kTool, seed, 6.0),
+                               recordingToJoin(MotionKind::pickAndPlace, kTool, seed + 1, 12.0)});
     EXPECT_TRUE(joint.pieces[0].used && joint.pieces[1].used) << seed;
   }
 }
 
 TEST(Joint, TheResultNamesEveryRecording) {
-  const auto joint = joined({recordingOf(MotionKind::free, kTool, 17), recordingOf(MotionKind::free, kTool, 18)});
+  const auto joint = joined({recordingToJoin(MotionKind::free, kTool, 17), recordingToJoin(MotionKind::free, kTool, 18)});
   const auto result = toJson(joint);
   EXPECT_EQ(result["schema"], "heft.estimate/1");
   EXPECT_EQ(result["recording"]["file"], "recording 17");
@@ -106,7 +106,7 @@ TEST(Joint, TheResultNamesEveryRecording) {
 
 TEST(Joint, FailsInOneSentence) {
   EXPECT_FALSE(estimateJointly({}, {}));
-  const Recording good = recordingOf(MotionKind::free, kTool, 19, 6.0);
+  const Recording good = recordingToJoin(MotionKind::free, kTool, 19, 6.0);
   Recording bad = good;
   bad.file = "bad.csv";
   bad.meta.marks = {{-1.0, 1e3, MarkLabel::ignore}};

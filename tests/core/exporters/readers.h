@@ -13,6 +13,11 @@ namespace heft {
 /// not as described. FANUC's has no products of inertia.
 Payload readBack(std::string_view format, const std::string& text);
 
+/// False for formats that hold no inertia; what readBack() gives of it is zero.
+inline bool holdsInertia(std::string_view format) {
+  return format != "xarm" && format != "ros2-control" && format != "force-torque-tools" && format != "mc-rtc";
+}
+
 /// The payload of the golden files.
 inline Payload goldenPayload() {
   Payload payload;

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <limits>
 #include <locale>
+#include <nlohmann/json.hpp>
 
+#include "core/exporters/flange.h"
 #include "tests/core/exporters/readers.h"
 
 namespace heft {
@@ -21,8 +23,9 @@ bool hasFinding(const Findings& findings, std::string_view code) {
 }
 
 TEST(Exporters, EveryFormatOfTheContractIsThere) {
-  for (const char* id : {"franka-desk", "franka-profile", "libfranka", "franka-ros", "franka-ros2", "urdf", "sdf",
-                         "mjcf", "ur", "kuka", "abb", "fanuc", "json"}) {
+  for (const char* id :
+       {"franka-desk", "franka-profile", "libfranka", "franka-ros", "franka-ros2", "urdf", "sdf", "mjcf", "ur", "kuka",
+        "abb", "fanuc", "json", "xarm", "ros2-control", "force-torque-tools", "mc-rtc"}) {
     const ExportFormat* format = findExportFormat(id);
     ASSERT_NE(format, nullptr) << id;
     EXPECT_EQ(format->id, id);
@@ -31,6 +34,39 @@ TEST(Exporters, EveryFormatOfTheContractIsThere) {
   }
   EXPECT_EQ(findExportFormat("doosan"), nullptr);
   EXPECT_EQ(findExportFormat(""), nullptr);
+}
+
+TEST(Exporters, WhatSpeaksAgainstTheNumbersStandsInTheFile) {
+  const nlohmann::json result = {
+      {"schema", "heft.estimate/1"},
+      {"trust", "low"},
+      {"payload",
+       {{"mass_kg", 0.8}, {"com_m", {0, 0, 0.06}}, {"inertia_com_kgm2", {{2e-3, 0, 0}, {0, 2e-3, 0}, {0, 0, 1e-3}}}}},
+      {"sensor_mount", {{"parent", "panda_link8"}, {"xyz_m", {0, 0, 0.04}}, {"rpy_rad", {0, 0, 0}}}},
+      {"findings",
+       {{{"severity", "warning"}, {"code", "misfit"}, {"text", "The model misses 0.9 N."}, {"remedy", "Look at it."}},
+        {{"severity", "info"}, {"code", "contact_left_out"}, {"text", "1 s was left out."}},
+        {{"severity", "warning"}, {"code", "weak_direction"}, {"text", "Turn it faster."}}}}};
+  FlangeOptions options;
+  options.cautions = {"A hose pulls."};
+  auto payload = toFlange(result, "r.json", options);
+  ASSERT_TRUE(payload.ok()) << payload.error().message;
+  EXPECT_EQ(std::count_if(payload->findings.begin(), payload->findings.end(),
+                          [](const Finding& f) { return f.code == "doubtful"; }),
+            2);
+  for (const char* id : {"kuka", "urdf", "libfranka", "json"}) {
+    const auto text = exportPayload(*findExportFormat(id), payload->input, payload->findings);
+    ASSERT_TRUE(text.ok()) << id;
+    EXPECT_THAT(*text, HasSubstr("The model misses 0.9 N.")) << id;
+    EXPECT_THAT(*text, HasSubstr("A hose pulls.")) << id;
+    EXPECT_THAT(*text, Not(HasSubstr("left out"))) << id;
+  }
+  options.cautions.clear();
+  nlohmann::json well = result;
+  well["findings"] = nlohmann::json::array();
+  payload = toFlange(well, "r.json", options);
+  ASSERT_TRUE(payload.ok());
+  EXPECT_THAT(*exportPayload(*findExportFormat("kuka"), payload->input, payload->findings), Not(HasSubstr("CAUTION")));
 }
 
 TEST(Exporters, UnphysicalPayloadsAreRefusedWithTheReason) {
@@ -98,6 +134,11 @@ TEST(Exporters, SaysWhatAFormatCannotHoldOrWhatIsUnverified) {
     EXPECT_TRUE(hasFinding(findingsOf(id, input), "format_unverified")) << id;
   for (const char* id : {"franka-desk", "libfranka", "franka-ros", "urdf", "sdf", "mjcf", "ur", "abb", "json"})
     EXPECT_FALSE(hasFinding(findingsOf(id, input), "format_unverified")) << id;
+  for (const char* id : {"xarm", "ros2-control", "force-torque-tools", "mc-rtc"})
+    EXPECT_TRUE(hasFinding(findingsOf(id, input), "inertia_left_out")) << id;
+  EXPECT_TRUE(hasFinding(findingsOf("mc-rtc", input), "bias_unknown"));
+  EXPECT_TRUE(hasFinding(findingsOf("ros2-control", input), "sensor_frame_unset"));
+  EXPECT_FALSE(hasFinding(findingsOf("sdf", input), "inertia_left_out"));
   input.payload.inertiaCom *= 1e5;
   EXPECT_TRUE(hasFinding(findingsOf("ur", input), "inertia_limit"));
   EXPECT_FALSE(hasFinding(findingsOf("urdf", input), "inertia_limit"));

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/base/say.h"
+#include "core/diagnosis/causes/catalogue.h"
 #include "core/import/import.h"
 #include "core/mesh/mesh.h"
 #include "core/payload/shape.h"
@@ -135,6 +136,16 @@ TEST_F(German, RobotsMeshesShapesAndSessions) {
   EXPECT_THAT(sentence(readSession(write("b.heft", "{\"schema\": \"heft.session/99999\"}"))),
               HasSubstr("Aktualisieren Sie Heft"));
   EXPECT_THAT(sentence(readSession(folder / "none.heft")), HasSubstr("Diese Datei gibt es nicht."));
+}
+
+TEST_F(German, CausesOfMisfit) {
+  for (const auto* list : {&diagnosis::catalogue(), &diagnosis::seenDirectly()})
+    for (const auto& cause : *list) {
+      const diagnosis::CauseInfo& info = cause->info();
+      if (info.id == diagnosis::kRandomWalk) continue;  // Nothing is said of it
+      for (const char* text : {info.title, info.check, info.decides, info.looks})
+        EXPECT_TRUE(dictionary().contains(text)) << info.id << ": " << text;
+    }
 }
 
 }  // namespace

@@ -118,6 +118,20 @@ TEST_F(Fuzz, DamagedHdf5) {
   EXPECT_GT(read, 10);
 }
 
+TEST_F(Fuzz, DamagedArrays) {
+  std::mt19937 random(8);
+  for (const char* const name : {"log.npz", "table.npy", "log.mat"}) {
+    const auto original = read(fixture(name));
+    int read = 0;
+    for (int round = 0; round < 400; ++round) {
+      auto bytes = original;
+      mutate(bytes, random);
+      read += survives(write("damaged", bytes)) ? 1 : 0;
+    }
+    EXPECT_GT(read, 10) << name;
+  }
+}
+
 TEST_F(Fuzz, DamagedText) {
   std::mt19937 random(7);
   std::string table =

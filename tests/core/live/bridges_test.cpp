@@ -88,6 +88,91 @@ TEST(Foxglove, SubscribesReadsAndComesBack) {
   source->stop();
 }
 
+const std::vector<std::string> kUr = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
+                                      "wrist_1_joint",      "wrist_2_joint",       "wrist_3_joint"};
+
+/// JSON of a JointState with those joints; the k-th position is `first` + k.
+std::string jointsJson(const std::vector<std::string>& names, double first, int stamp, const std::string& velocities) {
+  std::string quoted, positions;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    quoted += fmt::format("{}\"{}\"", k > 0 ? "," : "", names[k]);
+    positions += fmt::format("{}{}", k > 0 ? "," : "", first + static_cast<double>(k));
+  }
+  return fmt::format(
+      R"({{"header":{{"stamp":{{"sec":5,"nanosec":{}}}}},"name":[{}],"position":[{}],"velocity":[{}],"effort":[]}})",
+      1000000 * (stamp + 1), quoted, positions, velocities);
+}
+
+const std::vector<std::string> kUrSorted = {"elbow_joint",   "shoulder_lift_joint", "shoulder_pan_joint",
+                                            "wrist_1_joint", "wrist_2_joint",       "wrist_3_joint"};
+
+TEST(Foxglove, JointsAreFoundByTheRobotsNamesAndPublishersToldApart) {
+  FakeBridge bridge("foxglove.sdk.v1", [](FakeBridge& self) { self.sendText(kAdvertise); }, {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port(), kUr);
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  for (int k = 0; k < 40; ++k) {
+    if (k % 2 == 0) bridge.sendBinary(dataMessage(2, jointsJson({"left_finger", "right_finger"}, 70.0, k, "")));
+    if (k % 2 == 1) bridge.sendBinary(dataMessage(2, jointsJson(kUrSorted, 10.0, k, "NaN,NaN,NaN,NaN,NaN,NaN")));
+  }
+  ASSERT_TRUE(collected.reach(10));
+  for (const auto& sample : collected.samples()) {
+    ASSERT_TRUE(sample.q);
+    EXPECT_EQ(sample.joints, 6);
+    EXPECT_EQ((*sample.q)[0], 12.0);  // shoulder_pan_joint, which stands third
+    EXPECT_EQ((*sample.q)[2], 10.0);
+    EXPECT_EQ((*sample.q)[5], 15.0);
+    EXPECT_FALSE(sample.dq);
+  }
+  EXPECT_EQ(source->status().malformed, 0u);
+  EXPECT_THAT(source->status().notes, ::testing::UnorderedElementsAre(::testing::HasSubstr("several publishers"),
+                                                                      ::testing::HasSubstr("velocities of /js")));
+}
+
+TEST(Foxglove, SchemasAreTakenForWhatTheirEncodingSays) {
+  FakeBridge bridge(
+      "foxglove.sdk.v1",
+      [](FakeBridge& self) {
+        self.sendText(
+            R"({"op":"advertise","channels":[)"
+            R"({"id":10,"topic":"/ft","encoding":"cdr","schemaName":"geometry_msgs/msg/WrenchStamped","schema":"module geometry_msgs {","schemaEncoding":"ros2idl"},)"
+            R"({"id":11,"topic":"/js","encoding":"protobuf","schemaName":"my.JointState","schema":"AA==","schemaEncoding":"protobuf"},)"
+            R"({"id":12,"topic":"/franka","encoding":"cdr","schemaName":"franka_msgs/msg/FrankaState","schema":"struct","schemaEncoding":"omgidl"}]})");
+      },
+      {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  EXPECT_EQ(bridge.texts()[0], R"({"op":"subscribe","subscriptions":[{"channelId":10,"id":1}]})");
+  for (int k = 0; k < 20; ++k) bridge.sendBinary(dataMessage(1, cdrWrench(5, 1000000 * (k + 1), k)));
+  ASSERT_TRUE(collected.reach(5));
+  EXPECT_EQ(source->status().malformed, 0u);
+  EXPECT_THAT(source->status().notes,
+              ::testing::UnorderedElementsAre(::testing::HasSubstr("/js comes as protobuf"),
+                                              ::testing::HasSubstr("/franka describes its messages as omgidl")));
+}
+
+TEST(Foxglove, AFrankaTellsWhatItWasToldThatItCarries) {
+  FakeBridge bridge(
+      "foxglove.sdk.v1",
+      [](FakeBridge& self) {
+        self.sendText(R"({"op":"advertise","channels":[{"id":10,"topic":"/franka","encoding":"json",)"
+                      R"("schemaName":"franka_msgs/FrankaState","schema":"{}","schemaEncoding":"jsonschema"}]})");
+      },
+      {});
+  Collected collected;
+  const auto source = makeFoxgloveSource("127.0.0.1", bridge.port());
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !bridge.texts().empty(); }));
+  bridge.sendBinary(
+      dataMessage(1, R"({"q":[1,2,3,4,5,6,7],"m_ee":0.73,"F_x_Cee":[0,0,0.03],"m_load":0.0,"F_x_Cload":[0,0,0]})"));
+  ASSERT_TRUE(eventually([&] { return source->status().configured.has_value(); }));
+  EXPECT_EQ(*source->status().configured->payload.mass, 0.73);
+  EXPECT_EQ(source->status().configured->payload.com->z(), 0.03);
+}
+
 TEST(Foxglove, SurvivesDamagedMessages) {
   FakeBridge bridge("foxglove.websocket.v1", [](FakeBridge& self) { self.sendText(kAdvertise); }, {});
   Collected collected;
@@ -133,6 +218,21 @@ TEST(Rosbridge, AsksForTopicsAndReadsThem) {
   ASSERT_TRUE(collected.reach(10));
   ASSERT_TRUE(eventually([&] { return source->status().malformed == 2; }));
   EXPECT_EQ((*collected.samples()[9].wrench)(2), 19.0);
+}
+
+TEST(Rosbridge, NaNAndOtherOrdersOfNamesAreRead) {
+  FakeBridge bridge("", {}, {});
+  Collected collected;
+  const auto source = makeRosbridgeSource("127.0.0.1", bridge.port(), {"/ft", "/joint_states"}, kUr);
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return bridge.texts().size() == 2; }));
+  for (int k = 0; k < 20; ++k)
+    bridge.sendText(R"({"op":"publish","topic":"/joint_states","msg":)" +
+                    jointsJson(kUrSorted, 10.0, k, "NaN,NaN,NaN,NaN,NaN,-Infinity") + "}");
+  ASSERT_TRUE(collected.reach(8));
+  EXPECT_EQ(source->status().malformed, 0u);
+  EXPECT_EQ((*collected.samples()[0].q)[0], 12.0);
+  EXPECT_FALSE(collected.samples()[0].dq);
 }
 
 TEST(Rosbridge, SurvivesDamagedMessages) {

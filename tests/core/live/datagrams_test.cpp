@@ -57,6 +57,22 @@ TEST(NetFt, CountsBecomeNewtonsAndLossesAreCounted) {
   for (const auto& request : sensor.requests()) EXPECT_TRUE(request == kStart || request == kStop);
 }
 
+TEST(NetFt, BoxesThatSendSeveralRecordsAPacketAreRead) {
+  FakeNetFt sensor;
+  Collected collected;
+  const auto source = makeRdtSource(settingsFor(sensor));
+  ASSERT_TRUE(source->start(collected.sink()).ok());
+  ASSERT_TRUE(eventually([&] { return !sensor.requests().empty(); }));
+  std::string packet;
+  for (std::uint32_t number = 1; number <= 5; ++number) packet += rdtRecord(number, 0, {1000, 0, 0, 0, 0, 0});
+  sensor.send(packet);
+  sensor.send(packet.substr(0, 170));
+  ASSERT_TRUE(collected.reach(5));
+  ASSERT_TRUE(eventually([&] { return source->status().malformed == 1; }));
+  EXPECT_EQ(source->status().samples, 5u);
+  EXPECT_EQ(source->status().lost, 0u);
+}
+
 TEST(NetFt, ASilentSensorIsAskedAgain) {
   FakeNetFt sensor;
   Collected collected;

@@ -115,7 +115,7 @@ TEST(Online, ChoosesTheSmoothingAsTheBatchDoes) {
   const auto prepared = prepare(recording, &RobotModel::panda(), batchOptions(0.0), {});
   const auto batch = estimate(recording, &RobotModel::panda(), batchOptions(0.0));
   EXPECT_EQ(online.state().cutoffHz, prepared->cutoffHz);
-  EXPECT_LT(difference(online.state(), *batch), 0.1);
+  EXPECT_LT(difference(online.state(), *batch), 0.15) << "live filters the motion, the batch the wrench, too";
 }
 
 TEST(Online, InBetweenItIsNearlyTheBatchOfWhatCame) {

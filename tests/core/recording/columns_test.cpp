@@ -119,7 +119,7 @@ TEST(Columns, NumbersInPlaceOfTheHeader) {
   auto table = goodTable(Form::joints);
   table.names = table.rows.front();
   EXPECT_THAT(failureOf(table.text()),
-              AllOf(StartsWith("rec.csv:1: "), HasSubstr("no column names"), HasSubstr("header")));
+              AllOf(StartsWith("rec.csv:1: "), HasSubstr("looks like data"), HasSubstr("header")));
 }
 
 TEST(Columns, StrangeJointNamesAreUnknown) {

@@ -74,6 +74,9 @@ TEST(Meta, RobotPaths) {
   EXPECT_EQ(meta(R"({"robot": "../arm.urdf"})", findings)->robot, "/arm.urdf");
   EXPECT_THAT(failureOfMeta(R"({"robot": "fanuc"})"), HasSubstr("rec.meta.json: robot: "));
   EXPECT_THAT(failureOfMeta(R"({"robot": "arm.urdf.xacro"})"), HasSubstr("xacro"));
+  EXPECT_THAT(failureOfMeta(R"({"robot": "package://nobodys_arm/urdf/arm.urdf"})"),
+              testing::AllOf(HasSubstr("rec.meta.json: robot: \"package://nobodys_arm/urdf/arm.urdf\" was not found"),
+                             HasSubstr("AMENT_PREFIX_PATH")));
 }
 
 TEST(Meta, WrongValuesAreNamedWithTheirPath) {

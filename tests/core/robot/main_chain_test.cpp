@@ -43,6 +43,32 @@ bool isHeld(const RobotModel& model, const std::string& name) {
 const std::string kSlide =
     std::string("<axis xyz=\"0 1 0\"/>") + R"(<limit lower="0" upper="0.04" velocity="1" effort="1"/>)";
 
+TEST(MainChain, leadsToTheLinkThatCarriesTheSensor) {
+  const std::string arms = link("b") + chain("rrrrrrf", "b", "left_") + chain("rrrrrrf", "b", "right_");
+  const auto columnsFor = [&](const std::string& sensorLink) {
+    Findings findings;
+    return columns(RobotModel::fromUrdfText(samples::robot(arms), ".", findings, sensorLink).value());
+  };
+  EXPECT_THAT(columnsFor("right_l7"),
+              ElementsAre("right_j1", "right_j2", "right_j3", "right_j4", "right_j5", "right_j6"));
+  EXPECT_EQ(columnsFor("right_l3").size(), 6u);  // a sensor in the middle: the arm goes on behind it
+  EXPECT_EQ(columnsFor("right_l3")[0], "right_j1");
+  EXPECT_EQ(columnsFor("left_l7")[5], "left_j6");
+  EXPECT_EQ(columnsFor("")[0], "left_j1");
+  EXPECT_EQ(columnsFor("of another robot")[0], "left_j1");
+}
+
+TEST(MainChain, aShorterArmWithTheSensorIsTakenBeforeALongerOne) {
+  const std::string arms = link("b") + chain("rrrrrrr", "b", "long_") + chain("rrrrr", "b", "short_");
+  Findings findings;
+  const auto model = RobotModel::fromUrdfText(samples::robot(arms), ".", findings, "short_l5").value();
+  EXPECT_EQ(model.dof(), 5);
+  EXPECT_TRUE(isHeld(model, "long_j1"));
+  // A sensor on the palm does not let a hand's fingers move.
+  const std::string hand = link("b") + chain("rrrrrrf") + chain("rrr", "l7", "a_") + chain("rrr", "l7", "c_");
+  EXPECT_EQ(RobotModel::fromUrdfText(samples::robot(hand), ".", findings, "l7").value().dof(), 6);
+}
+
 TEST(MainChain, slidingFingersAreHeld) {
   Findings findings;
   const RobotModel model =

@@ -33,6 +33,7 @@ TEST(HiddenEffects, SameDrawSameBytes) {
     EXPECT_EQ(read->simulation.payload.mass, a.truth.simulation.payload.mass);
     const std::size_t count = kind == HiddenCase::clean || kind == HiddenCase::walking ? 0
                               : kind == HiddenCase::pair                               ? 2
+                              : kind == HiddenCase::triple                             ? 3
                                                                                        : 1;
     EXPECT_EQ(a.truth.ids.size(), count);
     EXPECT_TRUE(checkPhysical(a.truth.simulation.payload).physical);

@@ -1,0 +1,62 @@
+#include "core/diagnosis/artefacts/own_errors.h"
+
+#include <algorithm>
+
+#include "core/base/say.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/search/evidence.h"
+#include "core/diagnosis/wording/words.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kMuch = 300.0;  ///< Evidence from which on what is not named is told
+
+}  // namespace
+
+bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
+  constexpr double kPlain = 3.0 * kFaint;  // Evidence that speaks much for a cause
+  constexpr double kEnlarged = 2.5, kEnlargedByCorners = 3.5;
+  const std::string_view cause = found.cause;
+  if (std::ranges::find(hypothesis.motionArtefacts, found.cause) != hypothesis.motionArtefacts.end()) return true;
+  if ((lags(cause) || enlarges(cause)) && found.gain < leftByNoise(hypothesis.signals)) return true;
+  double over = 0.0, enough = found.gain > kPlain ? 0.0 : 1.0;
+  bool swings = false;
+  for (const Term& term : hypothesis.search.final.model.terms) {
+    const Cause& other = *term.form->cause;
+    swings = swings || other.id() == ids::flexibleMount;
+    if (other.id() != cause) continue;
+    over += other.overOwnErrors(*term.form, term.v, hypothesis.signals);
+    enough = std::max(enough, other.enoughIfPlain(*term.form));
+  }
+  return over < enough * (found.gain < 2.0 * kFaint ? kEnlargedByCorners : swings ? kEnlarged : 1.0);
+}
+
+void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {
+  const auto most = std::ranges::max_element(own, {}, &Found::gain);
+  if (most == own.end() || most->gain < kMuch) return;
+  out.findings.push_back(
+      {Severity::info,
+       "too_small_to_name",
+       heft::say("\"{}\" would explain some of the misfit, but it is so small that our own smoothing of the motion may "
+                 "leave as much. It is not named.",
+                 causeTitle(most->cause)),
+       heft::say("Nothing need be done: the payload allows for it."),
+       {}});
+}
+
+void saySmoothing(double cutoffHz, double evidence, DiagnosisReport& out) {
+  if (evidence < kMuch) return;
+  out.findings.push_back(
+      {Severity::info,
+       "motion_smoothed",
+       heft::say(
+           "The motion was smoothed to {:.0f} Hz, since above that its accelerations are noisier than the sensor; "
+           "what is faster cannot be judged.",
+           cutoffHz),
+       heft::say("Record angles with more digits and at a higher rate, if the robot has them."),
+       {}});
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,224 @@
+#include "core/diagnosis/data_quality/reported_velocities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/data_quality/between_rows.h"
+#include "core/diagnosis/signals/signals.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kEdge = 0.5;        ///< [s] left out at either end, where filters settle
+constexpr double kLongest = 0.4;     ///< [s] of lag that is looked for
+constexpr double kLagNamed = 0.003;  ///< [s]
+constexpr double kLossNamed = 0.03;
+constexpr double kNoiseNamed = 0.05;     ///< Of the motion's own speed
+constexpr double kNoiseMatters = 0.004;  ///< [rad/s, m/s]; less is how finely velocities are reported
+constexpr double kMemory = 0.05;         ///< [s] over which what is left over does not change
+
+/// Slope of the angles, or of the pose, `q` (D x K) as it would be reported with a lag [s].
+using Reporting = std::function<MatrixXd(const MatrixXd& q, const MatrixXd& slope, double lag, double rateHz)>;
+
+struct Match {
+  double lag = 0.0;     ///< [s]
+  double scale = 1.0;   ///< Reported velocity over that of the angles, at this lag
+  double left = 1e300;  ///< Sum of squares left over
+};
+
+class Comparison {
+ public:
+  Comparison(MatrixXd q, MatrixXd reported, double rateHz, double recordedHz)
+      : q_(std::move(q)),
+        slope_(rateOf(q_, rateHz)),
+        reported_(std::move(reported)),
+        rateHz_(rateHz),
+        halfStep_(0.5 / std::max(1.0, recordedHz)) {
+    edge_ = static_cast<Eigen::Index>(kEdge * rateHz_);
+    count_ = q_.cols() - 2 * edge_;
+  }
+
+  Match at(const Reporting& reporting, double lag) const {
+    const MatrixXd said = reporting(q_, slope_, lag, rateHz_);
+    const auto x = said.middleCols(edge_, count_), r = reported_.middleCols(edge_, count_);
+    Match out;
+    out.lag = lag;
+    const double energy = x.squaredNorm();
+    out.scale = energy > 0.0 ? (x.array() * r.array()).sum() / energy : 1.0;
+    out.left = (r - out.scale * x).squaredNorm();
+    return out;
+  }
+
+  /// The lag that fits best: on a coarse grid first, then by golden sections.
+  Match best(const Reporting& reporting) const {
+    constexpr double kStart = 0.001, kGrowth = 1.35, kGolden = 0.618;
+    Match out = at(reporting, kStart);
+    for (double lag = kStart * kGrowth; lag < kLongest; lag *= kGrowth)
+      if (const Match trial = at(reporting, lag); trial.left < out.left) out = trial;
+    double low = out.lag / kGrowth, high = std::min(kLongest, out.lag * kGrowth);
+    while (high - low > std::max(1e-4, 0.01 * low)) {
+      const Match left = at(reporting, high - kGolden * (high - low)),
+                  right = at(reporting, low + kGolden * (high - low));
+      (left.left < right.left ? high : low) = left.left < right.left ? right.lag : left.lag;
+      for (const Match& trial : {left, right})
+        if (trial.left < out.left) out = trial;
+    }
+    return out;
+  }
+
+  /// What the reported velocities lack of the slopes, in units of what a mean over `reach` [s] to either side would
+  /// take of themselves; noise of either makes it less, not more.
+  double lacks(double reach) const {
+    const MatrixXd mean = delayed(meanSince(reported_, 2.0 * reach, rateHz_), -reach, rateHz_);
+    const MatrixXd taken = (mean - reported_).middleCols(edge_, count_),
+                   lacking = (reported_ - slope_).middleCols(edge_, count_);
+    return (taken.array() * lacking.array()).sum() / std::max(1e-300, taken.squaredNorm());
+  }
+
+  /// Root mean square [rad/s, m/s] of what a match leaves, and of the motion's own speed.
+  double leftOver(const Match& match) const { return std::sqrt(match.left / static_cast<double>(count_ * q_.rows())); }
+  double speed() const {
+    return std::sqrt(slope_.middleCols(edge_, count_).squaredNorm() / static_cast<double>(count_ * q_.rows()));
+  }
+
+  /// Deviation of the lag [s], from how fast the misfit grows around it.
+  double deviation(const Reporting& reporting, const Match& match) const {
+    const double h = std::max(1e-3, 0.05 * match.lag);
+    const double bend =
+        (at(reporting, match.lag + h).left + at(reporting, std::max(1e-4, match.lag - h)).left - 2.0 * match.left) /
+        (h * h);
+    const double independent = static_cast<double>(count_ * q_.rows()) / std::max(1.0, kMemory * rateHz_);
+    // A filter in steps of the recording is no better known than to half a step.
+    return std::max(halfStep_, bend > 0.0 ? std::sqrt(2.0 * match.left / independent / bend) : match.lag);
+  }
+
+ private:
+  MatrixXd q_, slope_, reported_;
+  double rateHz_, halfStep_;  ///< [Hz], [s]
+  Eigen::Index edge_ = 0, count_ = 0;
+};
+
+/// Passed on late, through a low-pass, or as the mean since a while ago.
+const std::array<Reporting, 3>& reportings() {
+  static const std::array<Reporting, 3> kAll{
+      [](const MatrixXd&, const MatrixXd& slope, double lag, double rateHz) { return delayed(slope, lag, rateHz); },
+      [](const MatrixXd&, const MatrixXd& slope, double lag, double rateHz) { return onePole(slope, lag, rateHz); },
+      [](const MatrixXd& q, const MatrixXd&, double lag, double rateHz) -> MatrixXd {
+        return (q - delayed(q, 2.0 * lag, rateHz)) / (2.0 * lag);
+      }};
+  return kAll;
+}
+
+/// As the mean over so long to either side, which is not late.
+MatrixXd meanAround(const MatrixXd& q, const MatrixXd&, double reach, double rateHz) {
+  return (delayed(q, -reach, rateHz) - delayed(q, reach, rateHz)) / (2.0 * reach);
+}
+
+/// Rows of `values` (rows x D) at the motion's instants, D x K.
+template <typename Values>
+MatrixXd atInstants(const Recording& recording, const Values& values, const Motion& motion) {
+  MatrixXd out(values.cols(), motion.size());
+  BetweenRows rows(recording.time);
+  for (Eigen::Index k = 0; k < motion.size(); ++k) out.col(k) = rows.at(values, motion.time(k)).transpose();
+  return out;
+}
+
+/// How far S has turned about the axes of B since the start, 3 x K: what its angular velocity is the slope of.
+MatrixXd turnedSinceStart(const Motion& motion) {
+  MatrixXd out = MatrixXd::Zero(3, motion.size());
+  Vector3d last = Vector3d::Zero();
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    const Vector3d w = motion.R_BS[static_cast<std::size_t>(k)] * motion.omega.col(k);
+    if (k > 0) out.col(k) = out.col(k - 1) + 0.5 * (last + w) / motion.rateHz;
+    last = w;
+  }
+  return out;
+}
+
+/// Velocities that were reported, of joints or of S, against what they are the slope of; none where there are none.
+std::optional<Comparison> comparisonOf(const Recording& recording, const Motion& motion) {
+  const auto rate = motion.rateHz, recorded = recording.rateHz();
+  if (motion.q.cols() == motion.size()) {
+    if (recording.dq.rows() < 2) return {};
+    return Comparison(motion.q, atInstants(recording, recording.dq, motion), rate, recorded);
+  }
+  if (recording.twist.rows() < 2) return {};
+  const MatrixXd twist = atInstants(recording, recording.twist, motion), turned = turnedSinceStart(motion);
+  if (!motion.originAccelerationKnown) return Comparison(turned, twist.bottomRows(3), rate, recorded);
+  MatrixXd pose(6, motion.size());
+  pose << motion.position, turned;
+  return Comparison(std::move(pose), twist, rate, recorded);
+}
+
+}  // namespace
+
+void dropReportedVelocities(Recording& recording) {
+  recording.dq.resize(0, recording.dq.cols());
+  recording.twist.resize(0, 6);
+}
+
+std::vector<Direct> reportedVelocities(const Recording& recording, const Motion& motion) {
+  std::vector<Direct> out;
+  if (static_cast<double>(motion.size()) < 4.0 * kEdge * motion.rateHz + 50.0) return out;
+  const auto compared = comparisonOf(recording, motion);
+  if (!compared) return out;
+  const Comparison& comparison = *compared;
+  const Match plain = comparison.at(reportings()[0], 0.0);
+  Match late;
+  const Reporting* way = nullptr;
+  for (const Reporting& reporting : reportings())
+    if (const Match match = comparison.best(reporting); match.left < late.left) {
+      late = match;
+      way = &reporting;
+    }
+  // Less than a lag would gain by chance is none.
+  constexpr double kByChance = 0.98;
+  // A mean takes noise of the slopes, too, whatever was reported: hence the second question.
+  constexpr double kLacks = 0.3;
+  if (const Match mean = comparison.best(meanAround); mean.lag > kLagNamed &&
+                                                      mean.left < kByChance * std::min(plain.left, late.left) &&
+                                                      comparison.lacks(mean.lag) > kLacks) {
+    Direct found;
+    found.cause = ids::derivativeNoise;
+    found.ofVelocities = true;
+    found.parameters = {{"window", "ms", 2e3 * mean.lag, 2e3 * comparison.deviation(meanAround, mean)}};
+    out.push_back(std::move(found));
+    return out;
+  }
+  const bool lags = late.lag > kLagNamed && late.left < kByChance * plain.left;
+  if (lags) {
+    Direct found;
+    found.cause = ids::motionLag;
+    found.ofVelocities = true;
+    // A robot smooths its joints' velocities; what that makes of the tool's depends on how the arm stands.
+    constexpr double kOfJoints = 0.06;
+    const double ofJoints = motion.q.cols() == motion.size() ? 0.0 : kOfJoints * late.lag;
+    found.parameters = {{"lag", "ms", late.lag * 1e3, 1e3 * std::hypot(comparison.deviation(*way, late), ofJoints)}};
+    out.push_back(std::move(found));
+  }
+  const double scale = lags ? late.scale : plain.scale;
+  if (std::abs(scale - 1.0) > kLossNamed) {
+    Direct found;
+    found.cause = ids::derivativeNoise;
+    found.ofVelocities = true;
+    found.parameters = {{"loss", "%", 100.0 * (1.0 - scale), 0.5}};
+    out.push_back(std::move(found));
+  } else if (const double noise = comparison.leftOver(lags ? late : plain);
+             !lags && noise > std::max(kNoiseMatters, kNoiseNamed * comparison.speed())) {
+    Direct found;
+    found.cause = ids::derivativeNoise;
+    found.ofVelocities = true;
+    found.parameters = {{"noise", "%", 100.0 * noise / std::max(1e-9, comparison.speed()), 0.5}};
+    out.push_back(std::move(found));
+  }
+  return out;
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,185 @@
+#include "core/diagnosis/model/noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr int kMaxOrder = 8;
+constexpr Eigen::Index kShortestRun = 12;
+/// Share of the power that innovations keep at least. A misfit that is slow and large is no noise: with a memory of any
+/// length it would cost nothing, and the fit would follow what is fast and small instead.
+constexpr double kFloor = 0.01;
+
+/// All blocks equally loud.
+Noise fittedEven(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder) {
+  Noise out;
+  Vector6d counts;
+  for (int c = 0; c < 6; ++c) {
+    AutoCovariance sums(maxOrder);
+    double power = 0.0, count = 0.0;
+    for (const auto& s : stretches) {
+      const VectorXd part = residual.row(c).segment(s.from, s.to - s.from).transpose();
+      sums.add(part, VectorXd::Ones(part.size()));
+      power += part.squaredNorm();
+      count += static_cast<double>(part.size());
+    }
+    // A sample on its own adds to the power and to nothing else.
+    if (maxOrder > 0) sums.add(VectorXd::Constant(1, std::sqrt(kFloor * power)), VectorXd::Ones(1));
+    ArModel model = sums.fit();
+    model.sigma = std::max(model.sigma, 1e-9);
+    out.samples += count;
+    out.channels[static_cast<std::size_t>(c)] = model;
+    counts(c) = count;
+  }
+  const VectorXd innovations = whitened(flat(residual), out, stretches);
+  const Vector6d squares = Eigen::Map<const Wrenches>(innovations.data(), 6, residual.cols()).rowwise().squaredNorm();
+  for (int c = 0; c < 6; ++c) {
+    const ArModel& model = out.channels[static_cast<std::size_t>(c)];
+    double judged = 0.0;
+    for (const auto& s : stretches) judged += std::max(0.0, static_cast<double>(s.to - s.from - model.order()));
+    const double achieved = squares(c) / std::max(1.0, judged);
+    out.evidence -=
+        counts(c) * (2.0 * std::log(model.sigma) + achieved - 1.0) + model.order() * std::log(std::max(2.0, counts(c)));
+  }
+  return out;
+}
+
+/// Twice the log-likelihood that a loudness gains innovations without memory, `e`.
+double gainOfNoiseScale(const Eigen::Map<const Wrenches>& e, const std::vector<Stretch>& stretches,
+                        const NoiseScale::Level& level) {
+  Eigen::Array<double, 6, 1> was = Eigen::Array<double, 6, 1>::Constant(1e-300), is = was,
+                             logs = Eigen::Array<double, 6, 1>::Zero();
+  double count = 0.0;
+  for (const auto& s : stretches) {
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      was += e.col(n).array().square();
+      is += (e.col(n).array() * level.by.col(n).array()).square();
+      logs += level.logs.col(n).array();
+    }
+    count += static_cast<double>(s.to - s.from);
+  }
+  return (count * (was / is).log() - logs).sum();
+}
+
+Noise fitted(const Wrenches& residual, const std::vector<Stretch>& stretches, int maxOrder,
+             const std::shared_ptr<const NoiseScale>& noiseScale) {
+  Noise out = fittedEven(residual, stretches, maxOrder);
+  if (!noiseScale) return out;
+  const VectorXd innovations = whitened(flat(residual), out, stretches);
+  out.noiseScale = noiseScale;
+  const double price = std::log(std::max(2.0, out.samples));
+  double most = price;
+  const NoiseScale::Level* level = nullptr;
+  for (const NoiseScale::Level& one : noiseScale->levels()) {
+    const double gain = gainOfNoiseScale({innovations.data(), 6, residual.cols()}, stretches, one);
+    if (gain <= most) continue;
+    most = gain;
+    level = &one;
+  }
+  if (level == nullptr) return out;
+  Noise loud = fittedEven(residual.cwiseProduct(level->by), stretches, maxOrder);
+  for (const auto& s : stretches) loud.evidence -= level->logs.middleCols(s.from, s.to - s.from).sum();
+  loud.evidence -= price;
+  if (loud.evidence <= out.evidence) return out;
+  loud.noiseScale = noiseScale;
+  loud.level = level;
+  return loud;
+}
+
+}  // namespace
+
+std::vector<Stretch> stretchesOf(const std::vector<bool>& usable) {
+  std::vector<Stretch> out;
+  const auto n = static_cast<Eigen::Index>(usable.size());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!usable[static_cast<std::size_t>(k)]) continue;
+    const Eigen::Index from = k;
+    while (k < n && usable[static_cast<std::size_t>(k)]) ++k;
+    if (k - from >= kShortestRun) out.push_back({from, k});
+  }
+  return out;
+}
+
+WrenchRms rmsOf(const std::vector<Stretch>& stretches, const Wrenches& residual) {
+  WrenchRms out;
+  double count = 0.0;
+  for (const auto& s : stretches)
+    for (Eigen::Index n = s.from; n < s.to; ++n) {
+      out.force += residual.col(n).head<3>().squaredNorm();
+      out.torque += residual.col(n).tail<3>().squaredNorm();
+      count += 3.0;
+    }
+  out.force = std::sqrt(out.force / std::max(1.0, count));
+  out.torque = std::sqrt(out.torque / std::max(1.0, count));
+  return out;
+}
+
+Noise fitNoise(const Wrenches& residual, const std::vector<Stretch>& stretches,
+               const std::shared_ptr<const NoiseScale>& noiseScale) {
+  return fitted(residual, stretches, kMaxOrder, noiseScale);
+}
+
+Noise white(const Wrenches& residual, const std::vector<Stretch>& stretches,
+            const std::shared_ptr<const NoiseScale>& noiseScale) {
+  return fitted(residual, stretches, 0, noiseScale);
+}
+
+Wrenches evenWrench(const Wrenches& wrench, const Noise& noise) {
+  return noise.level == nullptr ? wrench : wrench.cwiseProduct(noise.level->by);
+}
+
+MatrixXd even(const MatrixXd& columns, const Noise& noise) {
+  if (noise.level == nullptr) return columns;
+  return flat(noise.level->by).asDiagonal() * columns;
+}
+
+void innovate(const Eigen::Ref<const VectorXd>& x, const Noise& noise, std::size_t channel,
+              const std::vector<Stretch>& stretches, Eigen::Index first, Eigen::Ref<VectorXd> out) {
+  const ArModel& model = noise.channels[channel];
+  const double scale = 1.0 / model.sigma;
+  const Eigen::Index order = model.order();
+  out.setZero();
+  for (const auto& judged : stretches) {
+    // The first ones only fill the memory.
+    const Eigen::Index from = std::max<Eigen::Index>(0, judged.from - first) + order,
+                       count = std::min(x.size(), judged.to - first) - from;
+    if (count <= 0) continue;
+    auto e = out.segment(from, count);
+    e = scale * x.segment(from, count);
+    for (Eigen::Index i = 0; i < order; ++i) e -= (model.coefficients(i) * scale) * x.segment(from - 1 - i, count);
+  }
+}
+
+void evenByChannel(const Eigen::Ref<const VectorXd>& rows, const Noise& noise, Eigen::Index first, ByChannel& out) {
+  const Eigen::Map<const Wrenches> wrench(rows.data(), 6, rows.size() / 6);
+  if (noise.level == nullptr)
+    out = wrench.transpose();
+  else
+    out = wrench.cwiseProduct(noise.level->by.middleCols(first, wrench.cols())).transpose();
+}
+
+Stretch reachOf(Stretch acts, Eigen::Index blocks) {
+  return {std::max<Eigen::Index>(0, acts.from - kMaxOrder), std::min(blocks, acts.to + kMaxOrder)};
+}
+
+MatrixXd whitened(const MatrixXd& columns, const Noise& noise, const std::vector<Stretch>& stretches) {
+  return whitened(columns, noise, stretches, 0);
+}
+
+MatrixXd whitened(const MatrixXd& rows, const Noise& noise, const std::vector<Stretch>& stretches, Eigen::Index first) {
+  const Eigen::Index blocks = rows.rows() / 6;
+  MatrixXd out(rows.rows(), rows.cols());
+  ByChannel x(blocks, 6), e(blocks, 6);
+  for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+    evenByChannel(rows.col(j), noise, first, x);
+    for (Eigen::Index c = 0; c < 6; ++c)
+      innovate(x.col(c), noise, static_cast<std::size_t>(c), stretches, first, e.col(c));
+    Eigen::Map<Wrenches>(out.col(j).data(), 6, blocks) = e.transpose();
+  }
+  return out;
+}
+
+}  // namespace heft::diagnosis

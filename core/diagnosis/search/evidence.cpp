@@ -1,0 +1,20 @@
+#include "core/diagnosis/search/evidence.h"
+
+#include <algorithm>
+
+#include "core/diagnosis/causes/catalogue.h"
+
+namespace heft::diagnosis {
+
+bool lags(std::string_view id) { return infoOf(id).family == Family::timing; }
+
+bool enlarges(std::string_view id) { return infoOf(id).family == Family::dynamicGain; }
+
+bool isMoreThanWalk(std::string_view cause, double gain, double walk) {
+  constexpr double kShareOfWalk = 0.75;
+  const Family family = infoOf(cause).family;
+  const bool likeAWalk = family == Family::sensorZero || family == Family::load || family == Family::contact;
+  return !likeAWalk && gain > std::max(kFaint, kShareOfWalk * walk);
+}
+
+}  // namespace heft::diagnosis

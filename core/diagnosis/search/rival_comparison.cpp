@@ -1,0 +1,309 @@
+#include "core/diagnosis/search/rival_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/base/say.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/search/evidence.h"
+#include "core/diagnosis/search/random_walk.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kSame = 4.0;    ///< Twice the log-likelihood that sets no two causes apart
+constexpr double kChance = 3.0;  ///< Twice the log-likelihood that an idle parameter hardly ever gains
+
+/// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it
+/// and together they may still reach `goal`.
+CandidateFit grown(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                   CandidateFit trial, std::span<const std::string_view> causes, std::size_t terms, double goal) {
+  /// Times what a first look promises, and a tie more: no fit in a hundred has gained that
+  constexpr double kMore = 1.5;
+  for (std::size_t i = 1; i < terms; ++i) {
+    const auto ranked = promises(signals, stretches, bank, trial.fit, causes);
+    if (ranked.empty()) break;
+    const double most = kMore * std::max(0.0, ranked.front().score) + kTie;
+    if (trial.gain + static_cast<double>(terms - i) * most < goal) break;
+    auto more = fitsOf(signals, stretches, trial.fit, chosenOf(ranked, kRivals, ranked.front().score));
+    if (more.empty() || more.front().gain < kThreshold) break;
+    more.front().cause = trial.cause;
+    more.front().gain += trial.gain;
+    more.front().penalty += trial.penalty;
+    trial = std::move(more.front());
+  }
+  return trial;
+}
+
+/// A walk has waves for anything that is slow: two or three causes together may explain clearly more, unless they are
+/// too many beside the `rest` of the model. `walk`: its gain; a faint one is left to be one.
+void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk,
+                 const Model& rest, std::vector<CandidateFit>& all) {
+  constexpr std::size_t kTop = 3, kTerms = 3;
+  constexpr double kNear = 0.25;  ///< Share of what the walk explains
+  if (walk < 2.0 * kFaint || causesIn(rest) + 1 >= kOverfitted) return;
+  std::vector<std::string_view> others, done;
+  for (const auto& cause : catalogue())
+    if (cause->id() != kRandomWalk) others.push_back(cause->id());
+  for (CandidateFit& trial : all) {
+    const auto id = causeOf(trial.fit.model.terms.back());
+    if (done.size() == kTop || trial.gain < kNear * walk) break;
+    if (id == kRandomWalk || std::ranges::find(done, id) != done.end()) continue;
+    done.push_back(id);
+    CandidateFit more = grown(signals, stretches, bank, trial, others, kTerms, walk + kBesideRandomWalk);
+    if (more.gain > walk + kBesideRandomWalk) trial = std::move(more);
+  }
+  sortByGain(all);
+}
+
+/// What took several terms of `cause` is compared with as many of others that come near with one.
+void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Model& model,
+                std::string_view cause, std::vector<CandidateFit>& all) {
+  constexpr double kNear = 0.6;  ///< Share of the best
+  const auto terms =
+      static_cast<std::size_t>(std::ranges::count_if(model.terms, [&](const Term& t) { return causeOf(t) == cause; }));
+  if (terms < 2 || all.empty()) return;
+  const double best = all.front().gain;
+  std::vector<std::string_view> done{cause};
+  for (CandidateFit& trial : all) {
+    const Form& form = *trial.fit.model.terms.back().form;
+    const std::array<std::string_view, 1> same{form.cause->id()};
+    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end())
+      continue;
+    done.push_back(same[0]);
+    trial = grown(signals, stretches, bank, std::move(trial), same, terms, 0.0);
+  }
+  sortByGain(all);
+}
+
+/// What was accepted has come to rest on a long way; where its own cause does not reach as much again, others that came
+/// as near are fitted as long.
+void settleRivals(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base, const Found& found,
+                  std::vector<CandidateFit>& all) {
+  const auto own = std::ranges::find_if(all, [&](const CandidateFit& t) { return t.cause == found.cause; });
+  if (own == all.end() || own->gain > found.gain - 0.5 * kTie) return;
+  const double near = own->gain - 2.0 * kTie;
+  std::vector<CandidateFit*> others;
+  for (CandidateFit& trial : all)
+    if (trial.gain > near && trial.cause != found.cause && others.size() < kFinished) others.push_back(&trial);
+  settleAll(signals, stretches, base, others);
+  sortByGain(all);
+}
+
+Rival rivalOf(const Found& found, const CandidateFit& trial, const Fit& accepted) {
+  const double behind = found.gain - trial.gain;
+  return {trial.cause,
+          behind,
+          behind - (trial.fit.complexity - accepted.complexity) - trial.penalty,
+          trial.fit.dimensions - accepted.dimensions,
+          takesAnyCourse(trial),
+          trial.fit.model.x.tail<10>()};
+}
+
+/// The best trial of each cause that is neither `cause` nor in the `rest` of the model. A drift of any course that is
+/// too faint for a name leaves its place to one of a simpler course that explains about as much.
+std::map<std::string, const CandidateFit*> bestOfEach(const std::vector<CandidateFit>& all, std::string_view cause,
+                                                      const Model& rest) {
+  std::map<std::string, const CandidateFit*> out;
+  for (const CandidateFit& trial : all) {  // The best first
+    if (trial.gain < -1e299 || trial.cause == cause || contains(rest, trial.cause)) continue;
+    const CandidateFit*& best = out.try_emplace(trial.cause, &trial).first->second;
+    if (takesAnyCourse(*best) && best->gain < kAnyCourse && !takesAnyCourse(trial) && trial.gain > best->gain - kTie)
+      best = &trial;
+  }
+  return out;
+}
+
+/// How far from the only term of `cause` in `model` the parameters of other trials of it lie that explain about as
+/// much: what a deviation, which looks around one answer, does not see. Empty if there are several terms.
+VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<CandidateFit>& all) {
+  const auto own = [&](const Term& t) { return causeOf(t) == cause; };
+  const auto& terms = model.terms;
+  if (std::ranges::count_if(terms, own) != 1) return {};
+  const Term& term = *std::ranges::find_if(terms, own);
+  VectorXd out = VectorXd::Zero(term.v.size());
+  double best = -1e300;
+  for (const CandidateFit& trial : all) {  // The best first
+    const Term& other = trial.fit.model.terms.back();
+    if (!own(other) || other.form->choice != term.form->choice || other.v.size() != term.v.size()) continue;
+    best = std::max(best, trial.gain);
+    if (trial.gain > best - kTie) out = out.cwiseMax((other.v - term.v).cwiseAbs());
+  }
+  return out;
+}
+
+/// Both smooth or delay fast forces, and so does whatever was done to the recorded motion; or both make them larger
+/// than the motion says, what swings below its resonance like motion that was smoothed; or something begins to pull
+/// where, as far as the tool turns, the zero may have jumped; or all gains grow like a load: how well either fits is
+/// not known better than to a share of what both explain.
+double slackBetween(std::string_view a, std::string_view b, double gain) {
+  constexpr double kShare = 0.05, kShareOfSwing = 0.07, kShareOfEvent = 0.1, kShareOfLoad = 0.01;
+  const CauseInfo &one = infoOf(a), &other = infoOf(b);
+  if (one.begins && other.begins) return kShareOfEvent * gain;
+  if (one.scalesWithLoad && other.scalesWithLoad) return kShareOfLoad * gain;
+  return lags(a) && lags(b) ? kShare * gain : enlarges(a) && enlarges(b) ? kShareOfSwing * gain : 0.0;
+}
+
+/// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm.
+/// Of a walk that is plain to see, a drift never explains as much (it was at least 14 behind in 60 simulated ones;
+/// where there was a drift, at most 9). Nor does a course that all channels take (10 behind or more in 60 others; where
+/// there was one, 10 ahead or more).
+/// `oneCourse`: whether a walk whose place is in question is one course of all channels.
+double leadFor(const Found& found, const Rival& rival, bool oneCourse) {
+  constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
+  const bool walkGoes = found.cause == kRandomWalk, walkComes = rival.cause == kRandomWalk;
+  if (!walkGoes && !walkComes) return kUsual;
+  if (oneCourse && walkGoes && rival.cause == ids::biasDrift) return -kOfOneCourse * found.gain;
+  if (walkGoes && rival.cause == ids::sensorBias) return kJump;
+  if (walkGoes && isMoreThanWalk(rival.cause, found.gain - rival.behind, found.gain)) return -found.gain;
+  if (walkComes && isMoreThanWalk(found.cause, found.gain, found.gain - rival.behind)) return found.gain;
+  if (walkGoes && rival.anyCourse) return kUsual;
+  if ((walkGoes ? rival.cause : found.cause) != ids::biasDrift) return walkGoes ? kFaintDrift : kUsual;
+  const double drift = walkGoes ? found.gain - rival.behind : found.gain;
+  const double ahead = drift < kFaint ? kFaintDrift : -kPlainWalk;  // Of the walk, for the drift to be named
+  return walkGoes ? ahead : -ahead;
+}
+
+/// The model fitted without `cause`; where others make no sense without it, without those, too, the last accepted
+/// first.
+Fit restWithout(const Signals& signals, const std::vector<Stretch>& stretches, const Model& model,
+                std::string_view cause, std::span<const std::string> order) {
+  Model less = without(model, cause);
+  Fit out = settled(signals, stretches, fitModel(signals, stretches, less));
+  for (std::size_t i = order.size(); i-- > 0 && !believable(out);) {
+    if (!contains(less, order[i])) continue;
+    less = without(less, order[i]);
+    out = settled(signals, stretches, fitModel(signals, stretches, less));
+  }
+  return out;
+}
+
+/// A fit with one term of either `cause` or a named one that it is easily taken for, instead of all terms of both,
+/// where that explains about as well: such as a pull at the tip that was told as a tilt and a pull at the sensor.
+std::optional<Fit> oneForTwo(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                             const Fit& final, std::string_view cause) {
+  for (const auto& other : findCause(cause)->lookAlikes()) {
+    if (!contains(final.model, other)) continue;
+    const std::array<std::string_view, 2> both{cause, other};
+    const Fit rest = fitModel(signals, stretches, without(without(final.model, cause), other));
+    const auto one = withOneOf(signals, stretches, bank, rest, both);
+    if (one && believable(*one) && one->evidence > final.evidence - 2.0 * kTie) return one;
+  }
+  return std::nullopt;
+}
+
+bool sameForms(const Model& a, const Model& b) {
+  return std::equal(a.terms.begin(), a.terms.end(), b.terms.begin(), b.terms.end(), [](const Term& s, const Term& t) {
+    return s.form->cause == t.form->cause && s.form->name == t.form->name;
+  });
+}
+
+}  // namespace
+
+bool tied(const Found& found, const Rival& rival) {
+  const double slack = slackBetween(found.cause, rival.cause, found.gain);
+  if (rival.behind < kTie + slack || (slack > 0.0 && rival.worse < slack)) return true;
+  const bool explains = rival.behind < found.gain;
+  if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
+  if (rival.worse > kSame) return false;
+  const auto alike = findCause(found.cause)->lookAlikes();
+  const bool faint = found.gain < kFaint;
+  return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
+}
+
+bool compareRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                   const SearchOptions& options, Search& search, const Progress& progress) {
+  // The last look changes nothing any more: what was found must be told whole.
+  constexpr int kLooks = 3;
+  bool changed = true, ever = false;
+  std::vector<CandidateFits> tried;
+  if (!search.accepted.all.empty()) tried.push_back(std::move(search.accepted));
+  const auto take = [&](const Fit& fit) {
+    search.final = settled(signals, stretches, prunedOf(signals, stretches, fit, options.threshold));
+    changed = ever = true;
+  };
+  for (int look = 0; look < kLooks && changed && !progress.cancelled(); ++look) {
+    changed = false;
+    search.found.clear();
+    for (const auto& cause : std::vector<std::string>(search.order)) {
+      if (!contains(search.final.model, cause) || progress.cancelled()) continue;
+      progress(0.8, heft::say("Comparing what could stand in its place"));
+      Found found;
+      found.cause = cause;
+      // What was tried around the same model before, such as before the last cause was accepted, is what stands against
+      // it now.
+      const Model bare = without(search.final.model, cause);
+      auto known = std::ranges::find_if(tried, [&](const CandidateFits& t) { return sameForms(bare, t.base.model); });
+      if (known == tried.end()) {
+        CandidateFits fresh{restWithout(signals, stretches, search.final.model, cause, search.order), {}};
+        const auto ranked = promises(signals, stretches, bank, fresh.base);
+        fresh.all = fitsOf(signals, stretches, fresh.base,
+                           chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
+        std::erase_if(fresh.all, [&](const CandidateFit& trial) { return !bank.knows(trial.cause); });
+        addAtThatMoment(signals, stretches, fresh.base, ranked, fresh.all);
+        addCompletions(signals, stretches, fresh.base, fresh.all);
+        known = tried.insert(tried.end(), std::move(fresh));
+      }
+      const Fit& rest = known->base;
+      std::vector<CandidateFit> all = known->all;
+      found.gain = search.final.evidence - rest.evidence;
+      if (cause == kRandomWalk)
+        outgrowWalk(signals, stretches, bank, found.gain, rest.model, all);
+      else
+        growRivals(signals, stretches, bank, search.final.model, cause, all);
+      settleRivals(signals, stretches, rest, found, all);
+      found.spread = spreadOf(search.final.model, cause, all);
+      // A richer form of it that promised little around what else was wrong by then.
+      const auto own = std::ranges::find_if(all, [&](const CandidateFit& t) { return t.cause == cause; });
+      if (own != all.end() && own->gain > found.gain + kTie && look + 1 < kLooks) {
+        take(own->fit);
+        break;
+      }
+      // What another of the named causes explains about as well needs no name of its own.
+      const auto other = std::ranges::find_if(all, [&](const CandidateFit& t) {
+        const Form& form = *t.fit.model.terms.back().form;
+        return t.gain > found.gain - kTie && t.cause != cause && contains(rest.model, t.cause) && !form.local &&
+               !form.walk;
+      });
+      if (other != all.end() && look + 1 < kLooks) {
+        take(other->fit);
+        std::erase(search.order, cause);
+        break;
+      }
+      if (const auto one =
+              look + 1 < kLooks ? oneForTwo(signals, stretches, bank, search.final, cause) : std::nullopt) {
+        take(*one);
+        std::erase_if(search.order, [&](const std::string& named) { return !contains(search.final.model, named); });
+        break;
+      }
+      const auto best = bestOfEach(all, cause, rest.model);
+      for (const auto& [id, trial] : best) found.rivals.push_back(rivalOf(found, *trial, search.final));
+      std::stable_sort(found.rivals.begin(), found.rivals.end(),
+                       [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
+      const bool oneCourse = cause == kRandomWalk && isOneCourse(search.final.model);
+      std::erase_if(found.rivals, [&](const Rival& r) {
+        return cause == ids::biasDrift && r.cause == kRandomWalk && isOneCourse(best.at(r.cause)->fit.model);
+      });
+      const auto better = std::find_if(found.rivals.begin(), found.rivals.end(),
+                                       [&](const Rival& r) { return r.behind < -leadFor(found, r, oneCourse); });
+      if (better != found.rivals.end() && look + 1 < kLooks) {
+        take(best.at(better->cause)->fit);
+        *std::find(search.order.begin(), search.order.end(), cause) = better->cause;
+        for (const Term& term : search.final.model.terms)
+          if (std::find(search.order.begin(), search.order.end(), causeOf(term)) == search.order.end())
+            search.order.emplace_back(causeOf(term));
+        break;
+      }
+      std::erase_if(found.rivals, [&](const Rival& r) { return !tied(found, r); });
+      search.found.push_back(std::move(found));
+    }
+  }
+  search.accepted = {};
+  return ever;
+}
+
+}  // namespace heft::diagnosis

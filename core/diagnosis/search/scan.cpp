@@ -1,0 +1,402 @@
+#include "core/diagnosis/search/scan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+
+#include "core/base/parallel.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/math/linear_algebra.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kFinerChoice = 6.0;
+
+/// Draws the waves of a walk (`amplitudes`, of `variances` from the data) to what a walk of the likeliest size makes of
+/// them; returns their price.
+double asWalk(VectorXd& amplitudes, const VectorXd& variances) {
+  const Eigen::Index count = amplitudes.size() / 6;
+  double price = 0.0;
+  Vector6d size = Vector6d::Zero();  // Of a walk's longest wave, squared; channels of one kind share it
+  for (Eigen::Index c = 0; c < 6; ++c)
+    for (Eigen::Index k = 0; k < count; ++k)
+      size.segment<3>(c - c % 3).array() += std::pow(static_cast<double>(k + 1), 2) *
+                                            (std::pow(amplitudes(6 * k + c), 2) - variances(6 * k + c)) /
+                                            static_cast<double>(3 * count);
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    VectorXd waves(count), spread(count);
+    const double longest = size(c);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      waves(k) = amplitudes(6 * k + c);
+      spread(k) = std::max(1e-300, variances(6 * k + c));
+    }
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const double prior = std::max(0.0, longest) / std::pow(static_cast<double>(k + 1), 2);
+      waves(k) *= prior / (prior + spread(k));
+      amplitudes(6 * k + c) = waves(k);
+    }
+    if (longest > 0.0) price += complexityOfRandomWalk(waves, spread, longest);
+  }
+  return price;
+}
+
+/// One way of weighting the rows.
+class Weighting {
+ public:
+  /// `jacobian`: of the fit's model. All others must outlive this.
+  Weighting(const Noise& noise, const std::vector<Stretch>& stretches, const Fit& fit, const MatrixXd& jacobian)
+      : noise_(noise),
+        stretches_(stretches),
+        fit_(fit),
+        jacobian_(jacobian, Noise{}, {{0, jacobian.rows() / 6}}),
+        J_(jacobian, noise, stretches) {
+    r_ = whitened(flat(fit.residual), noise, stretches);
+    inverse_ = Normal(J_, weakPrior(fit.model)).inverse();
+    Jr_ = J_.transposeTimes(r_);
+  }
+
+  struct Answer {
+    VectorXd gamma;
+    std::vector<bool> kept;
+    double gain = 0.0;     ///< Twice the log-likelihood
+    double squares = 0.0;  ///< The same, had the noise been known
+    double score = -1e300;
+    VectorXd others;  ///< How far all other parameters give way
+    double walkPrice = 0.0;
+  };
+
+  /// Standard deviation of each scanned parameter if it were the only one.
+  VectorXd deviations(const Signature& signature) const {
+    const ChannelColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
+    const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
+    const VectorXd squares = C.gram().diagonal();
+    VectorXd out(C.cols());
+    for (Eigen::Index i = 0; i < C.cols(); ++i) {
+      const double own = squares(i), left = own - JC.col(i).dot(inverse_ * JC.col(i));
+      out(i) = left > 1e-6 * own && own > 0.0 ? 1.0 / std::sqrt(left) : std::numeric_limits<double>::infinity();
+    }
+    return out;
+  }
+
+  /// Gain and score as the squares tell them, which is close where they are few.
+  Answer firstGuess(const Signature& signature, double lnN) const {
+    const ChannelColumns C(*signature.columns, noise_, stretches_, signature.reach.from);
+    const MatrixXd JC = J_.transposeTimes(C, signature.reach.from);
+    const MatrixXd own = C.gram();
+    const MatrixXd G = own - JC.transpose() * inverse_ * JC;
+    const VectorXd g = C.transposeTimes(r_.segment(6 * signature.reach.from, signature.columns->rows())) -
+                       JC.transpose() * (inverse_ * Jr_);
+    const Eigen::Index d = C.cols();
+    Answer out;
+    out.kept.assign(static_cast<std::size_t>(d), true);
+    // What bias and payload can do as well is no direction of the cause.
+    for (Eigen::Index i = 0; i < d; ++i)
+      if (!(G(i, i) > 1e-6 * own(i, i)) || own(i, i) <= 0.0) out.kept[static_cast<std::size_t>(i)] = false;
+    for (;;) {
+      std::vector<Eigen::Index> free;
+      for (Eigen::Index i = 0; i < d; ++i)
+        if (out.kept[static_cast<std::size_t>(i)]) free.push_back(i);
+      out.gamma = VectorXd::Zero(d);
+      if (free.empty()) return out;
+      const auto size = static_cast<Eigen::Index>(free.size());
+      MatrixXd Gf(size, size);
+      VectorXd gf(size);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        gf(i) = g(free[static_cast<std::size_t>(i)]);
+        for (Eigen::Index j = 0; j < size; ++j)
+          Gf(i, j) = G(free[static_cast<std::size_t>(i)], free[static_cast<std::size_t>(j)]);
+      }
+      const VectorXd s = Gf.diagonal().cwiseSqrt().cwiseInverse();
+      MatrixXd unit = s.asDiagonal() * Gf * s.asDiagonal();
+      unit.diagonal().array() += 1e-9;
+      const MatrixXd inverse = SymmetricSolver(unit).solveAll(MatrixXd::Identity(size, size));
+      const VectorXd gamma = s.asDiagonal() * (inverse * (s.asDiagonal() * gf));
+      // The least telling one goes, as long as its evidence does not pay for it.
+      Eigen::Index weakest = -1;
+      double least = lnN;
+      for (Eigen::Index i = 0; signature.form.subset && i < size; ++i) {
+        const double z2 = gamma(i) * gamma(i) / (s(i) * s(i) * std::max(1e-300, inverse(i, i)));
+        if (z2 < least) {
+          least = z2;
+          weakest = i;
+        }
+      }
+      if (weakest >= 0) {
+        out.kept[static_cast<std::size_t>(free[static_cast<std::size_t>(weakest)])] = false;
+        continue;
+      }
+      for (Eigen::Index i = 0; i < size; ++i) out.gamma(free[static_cast<std::size_t>(i)]) = gamma(i);
+      out.squares = gamma.dot(gf);
+      if (signature.form.walk && size == d)
+        out.walkPrice = asWalk(out.gamma, s.cwiseAbs2().cwiseProduct(inverse.diagonal()));
+      break;
+    }
+    out.others = inverse_ * (Jr_ - JC * out.gamma);
+    score(out, signature.form, out.squares, lnN);
+    return out;
+  }
+
+  /// The same with the noise learned anew, once the other parameters have given way.
+  void learnNoise(Answer& answer, const Signature& signature, double lnN) const {
+    if (answer.others.size() == 0) return;
+    Wrenches residual = fit_.residual;
+    Eigen::Map<VectorXd> left(residual.data(), residual.size());
+    left -= jacobian_.times(answer.others);
+    left.segment(6 * signature.reach.from, signature.columns->rows()) -= *signature.columns * answer.gamma;
+    score(answer, signature.form, fitNoise(residual, stretches_, fit_.noise.noiseScale).evidence - fit_.noise.evidence,
+          lnN);
+  }
+
+  Answer judge(const Signature& signature, double lnN) const {
+    Answer out = firstGuess(signature, lnN);
+    learnNoise(out, signature, lnN);
+    return out;
+  }
+
+ private:
+  static void score(Answer& answer, const Form& form, double gain, double lnN) {
+    const auto count = static_cast<double>(std::count(answer.kept.begin(), answer.kept.end(), true));
+    answer.gain = gain;
+    answer.score = gain - (form.walk     ? answer.walkPrice
+                           : form.subset ? count * lnN
+                                         : complexityPenalty(gain, count, lnN));
+  }
+
+  const Noise& noise_;
+  const std::vector<Stretch>& stretches_;
+  const Fit& fit_;
+  ChannelColumns jacobian_;  ///< As it is, not whitened: in what is about one channel alone, zeros need no product
+  ChannelColumns J_;
+  MatrixXd inverse_;
+  VectorXd r_, Jr_;
+};
+
+Signature signatureOf(Form form, const LinearisationPoint& surroundings) {
+  Signature out{std::move(form), {}, {}};
+  out.fill(surroundings.signatures(out.form));
+  return out;
+}
+
+}  // namespace
+
+void Signature::fill(const MatrixXd& all) {
+  const auto isNothing = [&](Eigen::Index block) { return all.middleRows(6 * block, 6).isZero(0.0); };
+  Stretch acts{0, all.rows() / 6};
+  while (acts.to > 0 && isNothing(acts.to - 1)) --acts.to;
+  while (acts.from < acts.to && isNothing(acts.from)) ++acts.from;
+  reach = reachOf(acts, all.rows() / 6);
+  columns = std::make_shared<const MatrixXd>(all.middleRows(6 * reach.from, 6 * (reach.to - reach.from)));
+}
+
+Signature signatureAt(double time, Form form, const LinearisationPoint& surroundings) {
+  form.start(0) = std::clamp(time, form.parameters[0].lower, form.parameters[0].upper);
+  return signatureOf(std::move(form), surroundings);
+}
+
+SignatureBank::SignatureBank(const Signals& signals, const std::vector<std::string>& hidden) {
+  for (const auto& cause : catalogue()) {
+    if (std::find(hidden.begin(), hidden.end(), cause->id()) != hidden.end()) continue;
+    for (auto& form : cause->forms(signals))
+      if (!form.later) plain_.push_back({std::move(form), {}, {}});
+  }
+}
+
+bool SignatureBank::knows(std::string_view cause) const {
+  return std::ranges::any_of(plain_, [&](const Signature& s) { return s.form.cause->id() == cause; });
+}
+
+namespace {
+
+bool bends(const Term& t) { return t.form->cause->bendsGeometry(); }
+
+bool isNearly(const Term& a, const Term& b) {
+  constexpr double kNear = 0.1;  // Of a realistic size: what a first look hardly sees
+  if (a.form->cause != b.form->cause || a.form->name != b.form->name) return false;
+  const Shift shift = shiftBetween(a, b);
+  return std::max(shift.amplitude, shift.shape) <= kNear;
+}
+
+}  // namespace
+
+SignatureBank::Changed& SignatureBank::changedBy(const Model& model) {
+  constexpr std::size_t kKept = 2;
+  std::vector<Term> by;
+  std::ranges::copy_if(model.terms, std::back_inserter(by), [](const Term& t) { return bends(t) || changesSums(t); });
+  const auto known = std::ranges::find_if(
+      changed_, [&](const Changed& changed) { return std::ranges::equal(changed.by, by, isNearly); });
+  if (known != changed_.end()) {
+    std::rotate(changed_.begin(), known, known + 1);
+  } else {
+    if (changed_.size() == kKept) changed_.pop_back();
+    changed_.insert(changed_.begin(), Changed{std::move(by), std::vector<Signature>(plain_.size())});
+  }
+  return changed_.front();
+}
+
+std::vector<Signature> SignatureBank::around(const Signals& signals, const Model& model,
+                                             const std::function<bool(const Form&)>& wanted) {
+  const bool bent = std::ranges::any_of(model.terms, bends),
+             matrixOnly = std::ranges::all_of(
+                 model.terms, [](const Term&t) { return !changesSums(t) || t.form->cause->isMatrix(*t.form); });
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < plain_.size(); ++i)
+    if (!wanted || wanted(plain_[i].form)) which.push_back(i);
+  std::vector<Signature> out(which.size());
+  const Model nothing;
+  const LinearisationPoint surroundings(signals, model), bare(signals, nothing);
+  const Matrix6d map = matrixOnly ? surroundings.sensorMatrix() : Matrix6d::Identity();
+  Changed* changed = bent || !matrixOnly ? &changedBy(model) : nullptr;
+  parallelFor(out.size(), [&](std::size_t i) {
+    Signature& known = plain_[which[i]];
+    const Cause& cause = *known.form.cause;
+    if (cause.bendsGeometry() || cause.changesSensor(known.form)) {
+      out[i] = signatureOf(known.form, surroundings);
+      return;
+    }
+    const bool moves = !matrixOnly || (bent && (cause.feelsMotion() || surroundings.turnsAxes()));
+    if (moves && !cause.addsToReadings()) {
+      Signature& there = changed->signatures[which[i]];
+      if (!there.columns) there = signatureOf(known.form, surroundings);
+      out[i] = there;
+      return;
+    }
+    if (!known.columns) known.fill(bare.signatures(known.form));
+    out[i] = known;
+    if (cause.addsToReadings() || map.isIdentity(0.0)) return;
+    const MatrixXd& columns = *known.columns;
+    MatrixXd mapped(columns.rows(), columns.cols());
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
+      Eigen::Map<Wrenches>(mapped.col(j).data(), 6, columns.rows() / 6).noalias() =
+          map * Eigen::Map<const Wrenches>(columns.col(j).data(), 6, columns.rows() / 6);
+    out[i].columns = std::make_shared<const MatrixXd>(std::move(mapped));
+  });
+  return out;
+}
+
+std::vector<VectorXd> leastVisible(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                                   const std::vector<Signature>& bank, double threshold) {
+  const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
+  const Weighting weighting(fit.noise, stretches, fit, jacobian);
+  std::vector<VectorXd> out(bank.size());
+  parallelFor(bank.size(), [&](std::size_t i) { out[i] = std::sqrt(threshold + lnN) * weighting.deviations(bank[i]); });
+  return out;
+}
+
+namespace {
+
+/// The candidate as the answer has it, its price for having been chosen left as it is.
+void take(Candidate& candidate, const Weighting::Answer& answer) {
+  const Form& form = candidate.form;
+  candidate.score = answer.score - candidate.choicePenalty;
+  candidate.v = form.start;
+  if (answer.score <= -1e299) return;
+  candidate.active.assign(form.parameters.size(), true);
+  for (std::size_t j = 0; j < form.scan.size(); ++j) {
+    const auto p = static_cast<std::size_t>(form.scan[j]);
+    const Parameter& parameter = form.parameters[p];
+    candidate.active[p] = answer.kept[j];
+    const double value = form.start(form.scan[j]) + answer.gamma(static_cast<Eigen::Index>(j));
+    candidate.v(form.scan[j]) = std::clamp(value, parameter.lower, parameter.upper);
+  }
+}
+
+}  // namespace
+
+std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                            const std::vector<Signature>& bank) {
+  const double lnN = std::log(std::max(2.0, fit.noise.samples));
+  // A cause has kinds of forms, and of some kinds many, such as one for each of several frequencies; rare ones have
+  // doubts of their own.
+  std::map<std::pair<const Cause*, bool>, std::map<std::vector<int>, int>> forms;
+  for (const auto& signature : bank) ++forms[{signature.form.cause, signature.form.rare}][signature.form.choice];
+  const Noise flatNoise = white(fit.residual, stretches, fit.noise.noiseScale);
+  const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
+  const Weighting coloured(fit.noise, stretches, fit, jacobian), plain(flatNoise, stretches, fit, jacobian);
+  // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does
+  // so the less, the fewer there are.
+  constexpr double kFew = 0.1, kHardlyAny = 4.0;
+  std::vector<std::array<Weighting::Answer, 2>> answers(bank.size());
+  parallelFor(bank.size(), [&](std::size_t i) {
+    answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)};
+  });
+  std::array<double, 2> many{kHardlyAny, kHardlyAny};
+  for (std::size_t i = 0; i < bank.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (!bank[i].form.walk) many[k] = std::max(many[k], kFew * answers[i][k].squares);
+  std::vector<Candidate> out(bank.size());
+  parallelFor(bank.size(), [&](std::size_t i) {
+    auto& [best, other] = answers[i];
+    if (bank[i].form.walk || best.squares > many[0] || other.squares > many[1]) {
+      coloured.learnNoise(best, bank[i], lnN);
+      plain.learnNoise(other, bank[i], lnN);
+      if (other.score > best.score) best = std::move(other);
+    }
+    const Form& form = bank[i].form;
+    Candidate& candidate = out[i];
+    candidate.form = form;
+    const auto& kinds = forms.at({form.cause, form.rare});
+    candidate.choicePenalty = 2.0 * std::log(static_cast<double>(std::ssize(kinds) * kinds.at(form.choice)));
+    // What moves between the forms, such as a frequency, has been chosen from more than their number.
+    if (form.scan.size() < form.parameters.size()) candidate.choicePenalty += kFinerChoice;
+    take(candidate, best);
+    if (best.score <= -1e299) return;
+    // The wrong sign of the one thing that a form is about: it does not explain anything.
+    const auto only = static_cast<std::size_t>(form.scan[0]);
+    const double lower = form.parameters[only].lower;
+    if (form.scan.size() == 1 && lower == form.start(form.scan[0]) && candidate.v(form.scan[0]) == lower)
+      candidate.score = -1e300;
+  });
+  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return out;
+}
+
+struct OnsetRefinement::Around {
+  Around(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, const CachedJacobian& columns)
+      : lnN(std::log(std::max(2.0, fit.noise.samples))),
+        flat(white(fit.residual, stretches, fit.noise.noiseScale)),
+        coloured(fit.noise, stretches, fit, columns.jacobian()),
+        plain(flat, stretches, fit, columns.jacobian()),
+        surroundings(signals, fit.model) {}
+
+  double lnN;
+  Noise flat;
+  Weighting coloured, plain;
+  LinearisationPoint surroundings;
+};
+
+OnsetRefinement::OnsetRefinement(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit,
+                                 const CachedJacobian& columns)
+    : block_(1.0 / signals.blockRate()), around_(std::make_unique<const Around>(signals, stretches, fit, columns)) {}
+OnsetRefinement::~OnsetRefinement() = default;
+
+Candidate OnsetRefinement::refined(const Candidate& candidate) const {
+  constexpr double kNear = 0.3, kStep = 0.1;  // [s]
+  const auto at = [&](double time) { return signatureAt(time, candidate.form, around_->surroundings); };
+  // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
+  double about = candidate.v(0), most = -1e300;
+  for (double off = -kNear; off < kNear + 0.5 * kStep; off += kStep) {
+    const double squares = around_->plain.firstGuess(at(candidate.v(0) + off), around_->lnN).squares;
+    if (squares <= most) continue;
+    most = squares;
+    about = candidate.v(0) + off;
+  }
+  Candidate best = candidate;
+  for (double off = -kStep; off < kStep + 0.5 * block_; off += block_) {
+    const Signature signature = at(about + off);
+    for (const Weighting* weighting : {&around_->coloured, &around_->plain}) {
+      Candidate trial = candidate;
+      trial.form = signature.form;
+      take(trial, weighting->judge(signature, around_->lnN));
+      if (trial.score > best.score) best = std::move(trial);
+    }
+  }
+  return best;
+}
+
+}  // namespace heft::diagnosis

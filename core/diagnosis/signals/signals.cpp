@@ -1,0 +1,255 @@
+#include "core/diagnosis/signals/signals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <type_traits>
+
+namespace heft::diagnosis {
+
+double leftByNoise(const Signals& signals) {
+  constexpr double kShare = 0.08, kMostEvidence = 300.0;
+  return std::min(kMostEvidence, kShare * signals.smoothedAway);
+}
+
+Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
+  Signals out;
+  out.startTime = motion.startTime;
+  out.rateHz = motion.rateHz;
+  out.kinematics = {motion.specificForce, motion.omega, motion.alpha, {}};
+  out.R_BS = motion.R_BS;
+  out.velocity = motion.velocity;
+  out.position = motion.position;
+  out.gravity = recording.meta.gravity;
+  out.positionKnown = motion.originAccelerationKnown;
+  if (robot != nullptr && motion.q.cols() == motion.size()) {
+    if (const auto link = robot->findLink(recording.meta.mount.parent)) {
+      out.robot = robot;
+      out.link = *link;
+      out.X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
+      out.q = motion.q;
+      out.dq = motion.dq;
+      out.ddq = motion.ddq;
+      out.sharpened = std::make_shared<Memo<Sharpening, Kinematics>>(8);
+      out.joints = std::make_shared<const JointTurns>(*robot, out.link, out.X_LS, out.q, out.dq, out.ddq);
+    }
+  }
+  out.samplesPerBlock = std::max(1, static_cast<int>(std::lround(motion.rateHz / 50.0)));
+  out.readings = motion.wrench;
+  out.measured = averaged(out, out.readings);
+  out.usable.assign(static_cast<std::size_t>(out.blocks()), true);
+  return out;
+}
+
+Kinematics kinematicsOf(const Signals& signals, const MatrixXd& q, const MatrixXd& dq, const MatrixXd& ddq) {
+  Kinematics out;
+  const Eigen::Index n = signals.size();
+  out.specificForce.resize(3, n);
+  out.omega.resize(3, n);
+  out.alpha.resize(3, n);
+  auto axes = std::make_shared<std::vector<Matrix3d>>(static_cast<std::size_t>(n));
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const FrameMotion frame = signals.robot->frameMotion(signals.link, signals.X_LS, q.col(k), dq.col(k), ddq.col(k));
+    const Matrix3d R = frame.X_BS.linear();
+    (*axes)[static_cast<std::size_t>(k)] = R;
+    out.specificForce.col(k) = R.transpose() * (frame.a_BSo_B - signals.gravity);
+    out.omega.col(k) = R.transpose() * frame.w_BS_B;
+    out.alpha.col(k) = R.transpose() * frame.alpha_BS_B;
+  }
+  out.turned = std::move(axes);
+  return out;
+}
+
+Wrenches averaged(const Signals& signals, const Wrenches& wrench) {
+  const int m = signals.samplesPerBlock;
+  Wrenches out(6, wrench.cols() / m);
+  for (Eigen::Index n = 0; n < out.cols(); ++n) {
+    Vector6d sum = wrench.col(n * m);
+    for (int i = 1; i < m; ++i) sum += wrench.col(n * m + i);
+    out.col(n) = sum / m;
+  }
+  return out;
+}
+
+namespace {
+
+/// Four samples around an instant so many samples away, and their shares in a cubic through them.
+struct Between {
+  Eigen::Index base;  ///< Of the second one
+  std::array<double, 4> weight;
+};
+
+Between between(double samples) {
+  const double whole = std::floor(samples), u = samples - whole;
+  return {static_cast<Eigen::Index>(std::clamp(whole, -1e6, 1e6)),
+          {-u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0, -(u + 1.0) * u * (u - 2.0) / 2.0,
+           (u + 1.0) * u * (u - 1.0) / 6.0}};
+}
+
+/// Rows that are known at compile time, 3 of a vector or 6 of a wrench, take a fraction of the time.
+template <int Rows>
+using MappedColumns = Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+template <int Rows>
+using ConstMappedColumns = Eigen::Map<const Eigen::Matrix<double, Rows, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+template <int Rows>
+using MappedColumn = Eigen::Matrix<double, Rows, 1>;
+
+/// work(ConstMappedColumns<Rows>, MappedColumns<Rows>) with `value` and what is returned.
+template <class Hypothesis>
+Eigen::MatrixXd columnwise(const Eigen::Ref<const Eigen::MatrixXd>& value, Hypothesis work) {
+  Eigen::MatrixXd out(value.rows(), value.cols());
+  const auto run = [&]<int Rows>(std::integral_constant<int, Rows>) {
+    work(ConstMappedColumns<Rows>(value.data(), value.rows(), value.cols(), Eigen::OuterStride<>(value.outerStride())),
+         MappedColumns<Rows>(out.data(), out.rows(), out.cols(), Eigen::OuterStride<>(out.rows())));
+  };
+  if (value.rows() == 3)
+    run(std::integral_constant<int, 3>());
+  else if (value.rows() == 6)
+    run(std::integral_constant<int, 6>());
+  else
+    run(std::integral_constant<int, Eigen::Dynamic>());
+  return out;
+}
+
+using EndWeights = std::array<double, 4>;
+
+/// Four columns of `u`, the first of them at `first`; before and after, the first and the last one go on.
+template <int Rows>
+MappedColumn<Rows> weighedAtEnds(const ConstMappedColumns<Rows>& u, Eigen::Index first, const EndWeights& w) {
+  const auto at = [&](Eigen::Index i) { return u.col(std::clamp<Eigen::Index>(first + i, 0, u.cols() - 1)); };
+  return w[0] * at(0) + w[1] * at(1) + w[2] * at(2) + w[3] * at(3);
+}
+
+template <int Rows>
+inline MappedColumn<Rows> weighed(const ConstMappedColumns<Rows>& u, Eigen::Index first, const EndWeights& w) {
+  if (first < 0 || first + 4 > u.cols()) return weighedAtEnds<Rows>(u, first, w);
+  return w[0] * u.col(first) + w[1] * u.col(first + 1) + w[2] * u.col(first + 2) + w[3] * u.col(first + 3);
+}
+
+}  // namespace
+
+Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, const VectorXd& delays, double rateHz) {
+  return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& in, MappedColumns<Rows> out) {
+    for (Eigen::Index k = 0; k < out.cols(); ++k) {
+      const Between by = between(-delays(k) * rateHz);
+      out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
+    }
+  });
+}
+
+Eigen::MatrixXd delayed(const Eigen::Ref<const Eigen::MatrixXd>& value, double delay, double rateHz) {
+  const Between by = between(-delay * rateHz);
+  return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& in, MappedColumns<Rows> out) {
+    for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = weighed<Rows>(in, k + by.base - 1, by.weight);
+  });
+}
+
+Eigen::MatrixXd meanSince(const Eigen::Ref<const Eigen::MatrixXd>& value, double duration, double rateHz) {
+  // Integrals of the cubic through u = -1, 0, 1, 2 from 0 to x.
+  const auto integral = [](double x) -> EndWeights {
+    const double a = x * x / 2.0, b = x * x * x / 3.0, c = x * x * x * x / 4.0;
+    return {-a / 3.0 + b / 2.0 - c / 6.0, x - a / 2.0 - b + c / 2.0, a + b / 2.0 - c / 2.0, (c - a) / 6.0};
+  };
+  const double samples = duration * rateHz, whole = std::floor(-samples), part = -samples - whole;
+  const EndWeights step = integral(1.0), beginning = integral(part);
+  const auto back = static_cast<Eigen::Index>(whole);  // To the sample before the mean begins, a negative number
+  return columnwise(value, [&]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    MappedColumn<Rows> sum = MappedColumn<Rows>::Zero(u.rows());  // From `back` to k
+    for (Eigen::Index k = back; k < 0; ++k) sum += weighed<Rows>(u, k - 1, step);
+    for (Eigen::Index k = 0; k < out.cols(); ++k) {
+      out.col(k) = (sum - weighed<Rows>(u, k + back - 1, beginning)) / samples;
+      sum += weighed<Rows>(u, k - 1, step) - weighed<Rows>(u, k + back - 1, step);
+    }
+  });
+}
+
+namespace {
+
+/// How y' = kappa rate (u - y), whose pole may be complex, goes on from sample to sample, exactly where u is a cubic
+/// between them: y(k + 1) = keep y(k) + sum_i weight_i u(k - 1 + i).
+template <class Scalar>
+struct Following {
+  Scalar keep;
+  std::array<Scalar, 4> weight;
+};
+
+template <class Scalar>
+Following<Scalar> following(Scalar kappa) {
+  // Moments I_i = int_0^1 u^i kappa e^(-kappa (1-u)) du of the response's weight over a step.
+  std::array<Scalar, 4> moment{};
+  const Scalar keep = std::exp(-kappa);
+  if (std::abs(kappa) > 1.0) {
+    moment[0] = 1.0 - keep;
+    for (std::size_t i = 1; i < 4; ++i) moment[i] = 1.0 - static_cast<double>(i) / kappa * moment[i - 1];
+  } else {
+    constexpr std::array<double, 5> kNode{0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
+                                          0.953089922969332};
+    constexpr std::array<double, 5> kWeight{0.118463442528095, 0.239314335249683, 0.284444444444444, 0.239314335249683,
+                                            0.118463442528095};
+    for (std::size_t j = 0; j < 5; ++j) {
+      Scalar power = kWeight[j] * kappa * std::exp(-kappa * (1.0 - kNode[j]));
+      for (std::size_t i = 0; i < 4; ++i) {
+        moment[i] += power;
+        power *= kNode[j];
+      }
+    }
+  }
+  // Cubic through u = -1, 0, 1, 2 in powers of u, integrated term by term.
+  return {keep,
+          {(-2.0 * moment[1] + 3.0 * moment[2] - moment[3]) / 6.0,
+           moment[0] - 0.5 * moment[1] - moment[2] + 0.5 * moment[3], moment[1] + 0.5 * moment[2] - 0.5 * moment[3],
+           (moment[3] - moment[1]) / 6.0}};
+}
+
+}  // namespace
+
+Eigen::MatrixXd onePole(const Eigen::Ref<const Eigen::MatrixXd>& value, double T, double rateHz) {
+  const auto [keep, weight] = following(1.0 / (T * rateHz));
+  return columnwise(value, [keep, weight]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    MappedColumn<Rows> y = u.col(0);
+    out.col(0) = y;
+    for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
+      y = keep * y + weighed<Rows>(u, k - 1, weight);
+      out.col(k + 1) = y;
+    }
+  });
+}
+
+Eigen::MatrixXd throughSpring(const Eigen::Ref<const Eigen::MatrixXd>& value, double frequencyHz, double damping,
+                              double rateHz) {
+  const double omega = 2.0 * std::numbers::pi * frequencyHz;
+  const std::complex<double> pole(-damping * omega, omega * std::sqrt(1.0 - damping * damping));
+  // Its two poles apart: G = 2 Re(p / (p - p*) P), P with the pole p and 1 at rest.
+  const std::complex<double> share = 2.0 * pole / std::complex<double>(0.0, 2.0 * pole.imag());
+  const auto [keep, weight] = following(-pole / rateHz);
+  std::array<double, 4> real{}, imaginary{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    real[i] = weight[i].real();
+    imaginary[i] = weight[i].imag();
+  }
+  return columnwise(value, [&, keep = keep]<int Rows>(const ConstMappedColumns<Rows>& u, MappedColumns<Rows> out) {
+    MappedColumn<Rows> x = u.col(0), y = 0.0 * x;
+    out.col(0) = share.real() * x;
+    for (Eigen::Index k = 0; k + 1 < out.cols(); ++k) {
+      const MappedColumn<Rows> next = keep.real() * x - keep.imag() * y + weighed<Rows>(u, k - 1, real);
+      y = keep.imag() * x + keep.real() * y + weighed<Rows>(u, k - 1, imaginary);
+      x = next;
+      out.col(k + 1) = share.real() * x - share.imag() * y;
+    }
+  });
+}
+
+Eigen::MatrixXd rateOf(const Eigen::MatrixXd& value, double rateHz) {
+  const Eigen::Index n = value.cols();
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(value.rows(), n);
+  for (Eigen::Index k = 1; k + 1 < n; ++k) out.col(k) = (value.col(k + 1) - value.col(k - 1)) * (0.5 * rateHz);
+  if (n > 2) {
+    out.col(0) = out.col(1);
+    out.col(n - 1) = out.col(n - 2);
+  }
+  return out;
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,424 @@
+#include "core/diagnosis/verdict/unknown.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/say.h"
+#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/common.h"
+#include "core/diagnosis/causes/ids.h"
+#include "core/diagnosis/change_detection/knocks.h"
+#include "core/diagnosis/model/hum.h"
+#include "core/diagnosis/model/step_candidates.h"
+#include "core/diagnosis/residual_analysis/band_excess.h"
+#include "core/diagnosis/search/random_walk.h"
+
+namespace heft::diagnosis {
+
+namespace {
+
+constexpr double kSeen = 1e3;  ///< Gain of what is seen without comparing likelihoods
+/// Of what the load was before, beyond what has waves for anything slow. Of 100 walks one came 30 beyond, the others
+/// hardly; what was hidden went 90 and more, a leak of a minute 41.
+constexpr double kBeyond = 60.0;
+constexpr double kBeyondCourse = 30.0;  ///< The same for a drift of any course: of three one came 15 beyond, a leak 40
+
+/// What remains where its share of the energy was not worked out.
+Structure seen(Correlate goesWith, double gain = kSeen) { return {goesWith, gain, 0.0, 0.0, 0.0}; }
+
+/// What a question of the table is about.
+struct Asked {
+  const Hypothesis& hypothesis;
+  const Recording& cleaned;
+  const ByReadings& by;
+  // Of the final model without a zero that walks, all blocks made equally loud; only where more than the readings'
+  // steps is left.
+  Fit steady;
+  Wrenches residual;
+  bool walks = false;  ///< The zero does, in the final model
+
+  Asked(const Hypothesis& h, const Recording& recording, const ByReadings& readings)
+      : hypothesis(h), cleaned(recording), by(readings) {
+    const Fit& final = h.search.final;
+    if (by.withinSteps) return;
+    walks = hasRandomWalk(final.model);
+    steady = walks ? fitModel(h.signals, h.stretches, without(final.model, kRandomWalk)) : final;
+    residual = evenWrench(steady.residual, steady.noise);
+  }
+};
+
+/// The answer: what would remain, if anything, and what is said of it.
+struct Claim {
+  std::optional<Structure> remaining = {};
+  Findings findings = {};
+};
+
+Finding warning(const char* code, std::string text, std::string remedy) {
+  return {Severity::warning, code, std::move(text), std::move(remedy), {}};
+}
+Finding info(const char* code, std::string text, std::string remedy) {
+  return {Severity::info, code, std::move(text), std::move(remedy), {}};
+}
+
+/// A walk has waves for anything that is slow, and the model for little else: what changes at once is neither.
+Claim suddenChanges(const Asked& asked, const WhatRemains&) {
+  constexpr std::size_t kFewestLeaps = 6;
+  constexpr std::ptrdiff_t kFewestFar = 2;
+  /// StepCandidate::size, and where nothing else was found: of 504 clean recordings one had three above 30, seven had
+  /// one, one had one above 40. What else is named may leave some.
+  constexpr double kFar = 80.0, kFarAlone = 40.0;
+  constexpr double kSlower = 0.4;  ///< [s] Smaller steps need longer means
+  const Hypothesis& h = asked.hypothesis;
+  auto steps = stepCandidatesIn(h.signals, h.stretches, asked.residual);
+  const auto far = [&](double size) {
+    return std::ranges::count_if(steps, [&](const StepCandidate& step) { return step.size > size; }) >= kFewestFar;
+  };
+  const bool alone = without(h.search.final.model, kRandomWalk).terms.empty();
+  bool switches = steps.size() >= kFewestLeaps || far(alone ? kFarAlone : kFar);
+  if (alone && !switches) {
+    steps = stepCandidatesIn(h.signals, h.stretches, asked.residual, kSlower);
+    switches = far(kFarAlone);
+  }
+  if (!switches) return {};
+  return {seen(heft::toSay("sudden changes")),
+          {warning("switches",
+                   heft::say("Something on the tool changes at once {} times, first at {:.1f} s.", std::ssize(steps),
+                             steps.front().time),
+                   heft::say("Look at what switches there: a gripper, a valve, a part that slides."))}};
+}
+
+Claim slowWaveInTime(const Asked& asked, const WhatRemains&) {
+  const double excess = slowWave(asked.hypothesis.signals, asked.hypothesis.stretches, asked.residual);
+  if (excess <= 1.0) return {};
+  return {seen(heft::toSay("a slow wave in time"), 2.0 * kUnexplained * excess)};
+}
+
+Claim unevenChannels(const Asked& asked, const WhatRemains&) {
+  const bool onlyZero = std::ranges::all_of(
+      asked.steady.model.terms, [](const Term& t) { return t.form->cause->info().family == Family::sensorZero; });
+  if (!onlyZero || !isUneven(asked.hypothesis.signals, asked.hypothesis.stretches, asked.residual)) return {};
+  return {seen(heft::toSay("some channels of the sensor alone, slowly"))};
+}
+
+/// What goes with the motion, beyond what the walk explains.
+Claim hiddenByTheWalk(const Asked& asked, const WhatRemains&) {
+  if (!asked.walks) return {};
+  const Hypothesis& h = asked.hypothesis;
+  const double enough = h.search.final.evidence - asked.steady.evidence + kBeyond;
+  const Structure hidden = structureBehindWalk(h.signals, h.stretches, asked.steady, enough);
+  return hidden.gain > enough ? Claim{hidden} : Claim{};
+}
+
+/// Where nothing hides behind it, the walk is said.
+Claim theWalkItself(const Asked& asked, const WhatRemains& soFar) {
+  if (!asked.walks || soFar.claimed) return {};
+  return {
+      {},
+      {info("zero_wanders", heft::say("The sensor's zero wanders slowly during the recording; this is allowed for."),
+            heft::say("Let the sensor warm up, and keep recordings short."))}};
+}
+
+/// A drift in place of what goes with the motion: where that explains as much as the drift and the walk together,
+/// neither is known.
+Claim hiddenByADrift(const Asked& asked, const WhatRemains&) {
+  constexpr double kAsMuch = 10.0;  ///< Less than the drift; of 27 that were one none came nearer than 40
+  constexpr double kPlain = 60.0;
+  const Hypothesis& h = asked.hypothesis;
+  const Fit& final = h.search.final;
+  Model bare = without(final.model, ids::biasDrift);
+  if (bare.terms.size() == final.model.terms.size()) return {};
+  // Of any course, it has waves for anything slow as a walk has: then what the load was before is asked for, too, and
+  // must explain more than everything that was named.
+  if (takesAnyCourse(final.model)) {
+    const Fit& null = h.search.null;
+    const double all = final.evidence - null.evidence + kBeyondCourse;
+    const Structure hidden = structureBehindWalk(h.signals, h.stretches, null, all);
+    return hidden.gain > all ? Claim{hidden} : Claim{};
+  }
+  const Fit fit = fitModel(h.signals, h.stretches, without(bare, kRandomWalk));
+  const double enough = std::max(kPlain, final.evidence - fit.evidence - kAsMuch);
+  const Structure hidden = structureIn(h.signals, h.stretches, fit, enough);
+  return hidden.gain > enough ? Claim{hidden} : Claim{};
+}
+
+/// What was set aside and is no contact is unknown, unless single readings are known to be wrong all over.
+Claim segmentsSetAside(const Asked& asked, const WhatRemains&) {
+  const Hypothesis& h = asked.hypothesis;
+  if (h.unexplained.empty()) return {};
+  const double evidence = evidenceOf(h.unexplained), lasts = durationOf(h.unexplained);
+  const std::string correlate = h.unexplainedCorrelate.words();
+  Claim out;
+  out.findings.push_back(warning(
+      "odd_stretches",
+      h.unexplained.size() == 1
+          ? heft::say("A segment of {:.1f} s was excluded: what acts there goes with {} and is not contact.", lasts,
+                      correlate)
+          : heft::say("{} segments, {:.1f} s in total, were excluded: what acts there goes with {} and is not contact.",
+                      std::ssize(h.unexplained), lasts, correlate),
+      heft::say("Check what switches, vibrates or rotates on the tool at these times.")));
+  if (!asked.by.known || h.unexplainedCorrelate == kOneChannel) out.remaining = seen(h.unexplainedCorrelate, evidence);
+  return out;
+}
+
+/// Stretches in which a cause did once more what it does elsewhere.
+Claim recurrences(const Asked& asked, const WhatRemains&) {
+  Claim out;
+  for (const Contact& contact : asked.hypothesis.recurrences)
+    out.findings.push_back(info(
+        "cause_again",
+        heft::say("From {:.1f} to {:.1f} s the zero or the load was another one once more; that stretch was left out.",
+                  contact.from, contact.to),
+        {}));
+  return out;
+}
+
+/// What rings harder than the motion can set it off was struck by something, and whether that is what carries the tool
+/// or the ground no recording tells.
+Claim blows(const Asked& asked, const WhatRemains&) {
+  const auto& ringing = asked.hypothesis.ringing;
+  if (!ringing || !ringing->struck) return {};
+  return {
+      seen(heft::toSay("blows from outside"), ringing->evidence),
+      {warning("struck",
+               heft::say("Something struck the tool or the ground, first at {:.1f} s: the motion alone sets nothing "
+                         "ringing so hard.",
+                         ringing->when.front().first),
+               heft::say("Find out what knocks, and record once more without it."))}};
+}
+
+/// Whether what remains is `hum` as blocks show it, folded down by their rate.
+bool isFolded(const Hum& hum, double blockRate, const Structure& remaining) {
+  const double folded = std::abs(hum.frequencyHz - blockRate * std::round(hum.frequencyHz / blockRate));
+  return remaining.highHz > 0.0 && folded > remaining.lowHz - 1.0 && folded < remaining.highHz + 1.0;
+}
+
+/// A line in the spectrum is said; one that makes up much of what is fast is unknown to the catalogue.
+Claim aHum(const Asked& asked, const WhatRemains& soFar) {
+  constexpr double kMuch = 0.2;
+  const auto hum = humIn(asked.cleaned, asked.hypothesis.signals);
+  if (!hum) return {};
+  const bool unknown = hum->share > kMuch;
+  Claim out;
+  out.findings.push_back(
+      {unknown ? Severity::warning : Severity::info,
+       "readings_hum",
+       heft::say("The readings hum at {:.0f} Hz, by {:.2g} N and {:.2g} N m.", hum->frequencyHz, hum->force,
+                 hum->torque),
+       hum->mains ? heft::say("That is the mains: check the sensor's shield and earth.")
+                  : heft::say("Switch off what runs nearby, such as a fan or a motor, and record once more."),
+       {}});
+  const bool free = soFar.structure.gain <= kUnexplained;
+  if (unknown && (free || isFolded(*hum, asked.hypothesis.signals.blockRate(), soFar.structure)))
+    out.remaining =
+        Structure{Correlate::rhythm(hum->frequencyHz), kSeen, hum->share, hum->frequencyHz, hum->frequencyHz};
+  return out;
+}
+
+/// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and
+/// slip.
+Claim knocks(const Asked& asked, const WhatRemains& soFar) {
+  constexpr std::size_t kFewest = 3;
+  const Hypothesis& h = asked.hypothesis;
+  const Model& final = h.search.final.model;
+  if (h.ringing || contains(final, ids::looseMass) || contains(final, ids::coulombFriction)) return {};
+  const auto at = knocksIn(h.signals, h.stretches, final);
+  if (at.size() < kFewest) return {};
+  Claim out{{},
+            {warning("knocks", heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(at), at.front()),
+                     heft::say("Shake the tool by hand and listen: is a part of it loose?"))}};
+  if (soFar.structure.gain <= kUnexplained) out.remaining = seen(heft::toSay("short knocks"));
+  return out;
+}
+
+/// Nor is noise that is many times louder again and again.
+Claim bursts(const Asked& asked, const WhatRemains&) {
+  constexpr std::size_t kFewest = 3;
+  const Hypothesis& h = asked.hypothesis;
+  if (h.ringing) return {};
+  const Fit& fit = h.search.final;
+  const auto at = burstsIn(h.signals, h.stretches, fit);
+  const bool some = at.size() >= kFewest;
+  if (!some && !noiseSwitches(h.signals, h.stretches, fit)) return {};
+  return {seen(heft::toSay("noise that comes and goes")),
+          {warning("bursts",
+                   some ? heft::say("The readings shake for a moment {} times, first at {:.1f} s.", std::ssize(at),
+                                    at.front())
+                        : heft::say("The readings shake in some parts of the recording, and not in others that move "
+                                    "alike."),
+                   heft::say("Check what switches, vibrates or rotates on the tool at these times."))}};
+}
+
+/// Where nothing else was found, one moment at which a reading is plainly wrong is no noise.
+Claim oneGlitch(const Asked& asked, const WhatRemains&) {
+  const Hypothesis& h = asked.hypothesis;
+  if (!h.contacts.empty() || !without(h.search.final.model, kRandomWalk).terms.empty()) return {};
+  const auto at = glitchIn(h.signals, h.stretches, h.search.final);
+  if (!at) return {};
+  return {seen(heft::toSay("a few moments alone")),
+          {warning("glitch", heft::say("At {:.2f} s the readings jump briefly to implausible values.", *at),
+                   heft::say("Check the sensor's cable and plug; mark the moment as \"ignore\"."))}};
+}
+
+Claim deadBandsOf(const Asked& asked, const WhatRemains&) {
+  Claim out;
+  for (const DeadBand& band : asked.by.deadBands)
+    out.findings.push_back(warning(
+        "dead_band",
+        heft::say("{} reads exactly {:.4g} {} wherever it would be less than {:.2g} away from that: {:.0f} % of its "
+                  "readings.",
+                  channelName(band.channel), band.reads, band.channel < 3 ? "N" : "N m", band.width,
+                  100.0 * band.share),
+        heft::say("Switch off the threshold or dead band in the sensor's driver and record once more.")));
+  if (!asked.by.deadBands.empty()) out.remaining = seen(heft::toSay("readings that stick at one value"));
+  return out;
+}
+
+Claim stuckBitsOf(const Asked& asked, const WhatRemains&) {
+  Claim out;
+  for (const StuckBit& bit : asked.by.stuckBits)
+    out.findings.push_back(
+        warning("stuck_bit",
+                heft::say("{} uses only every other step of {:.2g} {}: one bit of its converter appears to be stuck.",
+                          channelName(bit.channel), bit.worth, bit.channel < 3 ? "N" : "N m"),
+                heft::say("Restart the sensor's electronics; if that does not help, have them repaired.")));
+  if (!asked.by.stuckBits.empty()) out.remaining = seen(heft::toSay("steps that a channel never reads"));
+  return out;
+}
+
+Claim fewLeaps(const Asked& asked, const WhatRemains&) {
+  const Eigen::Index rows = asked.by.leaps;
+  if (rows == 0) return {};
+  return {
+      {},
+      {info(
+          "few_leaps",
+          rows == 1
+              ? heft::say("One reading jumps for a single row. It was replaced by interpolation.")
+              : heft::say(
+                    "{} readings jump for a single row, too few to determine why. They were replaced by interpolation.",
+                    rows),
+          heft::say("Look for what knocks or jerks, and check the sensor's plug, if there are more next time."))}};
+}
+
+Claim frozenChannelOf(const Asked& asked, const WhatRemains&) {
+  const auto& frozen = asked.by.frozen;
+  if (!frozen) return {};
+  return {seen(heft::toSay("readings that stick at one value")),
+          {warning("channel_stands_still",
+                   heft::say("{} stands still from {:.1f} to {:.1f} s, while the others go on.",
+                             channelName(frozen->channel), frozen->from, frozen->to),
+                   heft::say("Check that channel's cable and plug; mark the stretch as \"ignore\"."))}};
+}
+
+/// When a question is asked.
+enum class If {
+  always,
+  aboveSteps,     ///< More is left than the steps of the readings
+  readingsRight,  ///< No test of single readings found anything that has lines or leaps of its own
+};
+
+/// What a claim replaces.
+enum class Replaces {
+  anything,  ///< It was seen in the readings themselves, or decides by itself
+  weaker,    ///< What has no more evidence
+  faint,     ///< Nothing, or what is little above chance; otherwise it is not asked
+  nothing,   ///< Nothing: where something remains it is not asked
+};
+
+struct Unknown {
+  If asked;
+  Replaces replaces;
+  Claim (*claim)(const Asked& asked, const WhatRemains& soFar);
+};
+
+/// Hypotheses about what the catalogue lacks. Of those that replace nothing the first that holds is told: from what is
+/// most particular to what anything may look like. What single readings show stands last, since it needs no model and
+/// replaces whatever a model makes of it.
+constexpr std::array kUnknowns{Unknown{If::aboveSteps, Replaces::nothing, suddenChanges},
+                               Unknown{If::aboveSteps, Replaces::faint, slowWaveInTime},
+                               Unknown{If::aboveSteps, Replaces::nothing, unevenChannels},
+                               Unknown{If::aboveSteps, Replaces::nothing, hiddenByTheWalk},
+                               Unknown{If::aboveSteps, Replaces::anything, theWalkItself},
+                               Unknown{If::aboveSteps, Replaces::nothing, hiddenByADrift},
+                               Unknown{If::always, Replaces::weaker, segmentsSetAside},
+                               Unknown{If::always, Replaces::anything, recurrences},
+                               Unknown{If::always, Replaces::weaker, blows},
+                               Unknown{If::readingsRight, Replaces::anything, aHum},
+                               Unknown{If::readingsRight, Replaces::anything, knocks},
+                               Unknown{If::readingsRight, Replaces::nothing, bursts},
+                               Unknown{If::readingsRight, Replaces::nothing, oneGlitch},
+                               Unknown{If::always, Replaces::anything, deadBandsOf},
+                               Unknown{If::always, Replaces::anything, stuckBitsOf},
+                               Unknown{If::always, Replaces::anything, fewLeaps},
+                               Unknown{If::always, Replaces::anything, frozenChannelOf}};
+
+bool isAsked(const Unknown& unknown, const ByReadings& by, double gain) {
+  if (unknown.asked == If::aboveSteps && by.withinSteps) return false;
+  if (unknown.asked == If::readingsRight && by.known) return false;
+  if (unknown.replaces == Replaces::nothing) return gain <= kUnexplained;
+  return unknown.replaces != Replaces::faint || gain < 2.0 * kUnexplained;
+}
+
+}  // namespace
+
+WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, const ByReadings& by,
+                        const Structure& structure) {
+  WhatRemains out{structure, {}};
+  const Asked asked(hypothesis, cleaned, by);
+  for (const Unknown& unknown : kUnknowns) {
+    if (!isAsked(unknown, by, out.structure.gain)) continue;
+    Claim claim = unknown.claim(asked, out);
+    std::ranges::move(claim.findings, std::back_inserter(out.findings));
+    if (!claim.remaining) continue;
+    if (unknown.replaces == Replaces::weaker && claim.remaining->gain < out.structure.gain) continue;
+    out.structure = std::move(*claim.remaining);
+    out.claimed = true;
+    out.seen = out.structure.gain == kSeen;
+  }
+  return out;
+}
+
+FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
+                          const Structure& remaining) {
+  // Of 30 recordings in which something was touched, the faintest touch had 479, at a third of the visible size; of 47
+  // in which nothing was, 32 had less than this.
+  constexpr double kTouch = 350.0;
+  /// The same of one stretch beside which nothing is left: of 960 recordings two had such a one with less than kTouch,
+  /// 162 and 248, and both had been touched.
+  constexpr double kAlone = 150.0;
+  constexpr double kLittle = 0.15;  ///< Of the evidence of the other causes: what their forms do not quite have
+  constexpr double kNoise = 75.0;   ///< With nothing else, chance: of 190 clean recordings one had 60
+  const double evidence = evidenceOf(hypothesis.contacts), lasts = durationOf(hypothesis.contacts);
+  double others = 0.0;
+  if (evidence >= kTouch) return {};
+  const bool alone = fitted.empty() && hypothesis.contacts.size() == 1 && remaining.gain <= kUnexplained;
+  if (alone && evidence >= kAlone) return {};
+  for (const DiagnosedCause& cause : fitted) others += cause.deltaBic;
+  const bool counts = evidence > (fitted.empty() ? kNoise : kLittle * others);
+  FaintTouches out;
+  out.areFaint = true;
+  out.finding = {
+      counts ? Severity::warning : Severity::info,
+      "faint_stretches",
+      hypothesis.contacts.size() == 1
+          ? heft::say(
+                "A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
+                "else.",
+                lasts)
+          : heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
+                      "from anything else.",
+                      std::ssize(hypothesis.contacts), lasts),
+      heft::say("Record the motion once more and keep clear of everything."),
+      {}};
+  if (counts && evidence > remaining.gain) out.remaining = seen(heft::toSay("a few moments alone"), evidence);
+  return out;
+}
+
+}  // namespace heft::diagnosis

@@ -1,0 +1,47 @@
+#pragma once
+// The rows that a payload is fitted to: the blocks of a prepared recording, or a narrower band of them where the motion
+// is too noisy above it.
+#include <optional>
+
+#include "core/estimation/noise_model.h"
+
+namespace heft {
+
+/// Motion and wrench pass through the same filter (a Hann window over 2 x `stride` blocks, -6 dB at rate / (2 stride)),
+/// and every `stride`-th row is kept: a payload fits the rows as it fits the blocks, whatever the filter takes. Nothing
+/// is taken from beyond a run; `runs` become those of the rows that are returned.
+WrenchRows narrowed(const WrenchRows& blocks, int stride, std::vector<Run>& runs);
+
+/// A fit's rows with what was learned from them.
+struct FitRows {
+  WrenchRows rows;
+  std::vector<Run> runs;
+  int stride = 1;
+  NoiseModel noise, weighting;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> weights;
+  /// Sum of Y^T W Y over the part of Y that is noise, as the rows are weighted: it makes every acceleration look larger
+  /// than it was, and every inertia smaller.
+  Matrix10d motionNoise = Matrix10d::Zero();
+  Triangle whitened = Triangle::Zero();  ///< The whole problem with honest variances and without that bias
+  /// Largest bias that was taken out, in standard deviations of one of the ten parameters.
+  double bias = 0.0;
+  /// Share of what the fit leaves over that the motion's noise makes.
+  double share = 0.0;
+};
+
+/// The band in which the payload is known best, errors by what is not known of the motion's noise counted: all of the
+/// blocks, or what is below 1/2, 1/4 or 1/8 of their rate. `noisier`: the same blocks with twice the noise in the
+/// motion, if that is known.
+struct FitRowsQuestion {
+  const WrenchRows& blocks;
+  const std::vector<Run>& runs;
+  std::array<bool, 6> silent{};
+  std::optional<WrenchRows> noisier;
+  const LearnedNoise* learned = nullptr;  ///< From the blocks, if that has been done.
+  bool standing = false;  ///< Poses: no row is left out of the noise model.
+  int predicts = 1;    ///< The stride that predicts the wrench best.
+  bool fixed = false;  ///< No other will do.
+};
+FitRows fitRowsOf(const FitRowsQuestion& question);
+
+}  // namespace heft

@@ -1,0 +1,310 @@
+#include "core/import/table_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/base/say.h"
+#include "core/base/text.h"
+#include "core/import/date_time.h"
+#include "core/import/field_name.h"
+#include "core/import/time_column.h"
+#include "core/recording/number.h"
+
+namespace heft {
+
+namespace {
+
+constexpr std::size_t kLinesLookedAt = 200;  ///< A preamble is shorter.
+constexpr std::size_t kMostBytesLookedAt = 1u << 20;
+
+using Cells = std::vector<std::string_view>;
+
+std::string_view stripped(std::string_view cell) {
+  constexpr std::string_view kAround = " \t\r";
+  const auto first = cell.find_first_not_of(kAround);
+  if (first == std::string_view::npos) return {};
+  cell = cell.substr(first, cell.find_last_not_of(kAround) - first + 1);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+  return cell;
+}
+
+/// Runs of blanks count as one separator.
+Cells cellsOf(std::string_view line, char separator) {
+  Cells out;
+  bool quoted = false;
+  std::size_t start = 0;
+  const auto close = [&](std::size_t end) {
+    const auto cell = stripped(line.substr(start, end - start));
+    if (separator != ' ' || !cell.empty()) out.push_back(cell);
+    start = end + 1;
+  };
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (line[i] == separator && !quoted) close(i);
+  }
+  close(line.size());
+  return out;
+}
+
+bool isPlainNumber(std::string_view cell) {
+  double value = 0.0;
+  return !cell.empty() && csv::parseNumber(cell.data(), cell.data() + cell.size(), value) == cell.data() + cell.size();
+}
+
+/// "0,346" or "1,2e-3".
+bool isCommaNumber(std::string_view cell) {
+  const auto comma = cell.find(',');
+  if (comma == std::string_view::npos || cell.find(',', comma + 1) != std::string_view::npos) return false;
+  std::string point(cell);
+  point[comma] = '.';
+  return cell.find('.') == std::string_view::npos && isPlainNumber(point);
+}
+
+struct RowLook {
+  std::size_t cells = 0;
+  std::size_t numbers = 0;       ///< Dates count.
+  std::size_t commaNumbers = 0;  ///< Of the numbers.
+  bool data() const { return numbers >= 3 && 2 * numbers >= cells; }
+};
+
+RowLook lookAt(std::string_view line, char separator) {
+  RowLook out;
+  for (const auto cell : cellsOf(line, separator)) {
+    ++out.cells;
+    if (isPlainNumber(cell) || secondsOfDate(cell)) {
+      ++out.numbers;
+    } else if (separator != ',' && isCommaNumber(cell)) {
+      ++out.numbers;
+      ++out.commaNumbers;
+    }
+  }
+  return out;
+}
+
+std::string utf8FromUtf16(std::string_view bytes, bool bigEndian) {
+  std::string out;
+  const auto unit = [&](std::size_t at) {
+    const auto a = static_cast<unsigned char>(bytes[at]);
+    const auto b = static_cast<unsigned char>(bytes[at + 1]);
+    return static_cast<std::uint32_t>(bigEndian ? (a << 8) | b : (b << 8) | a);
+  };
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    std::uint32_t code = unit(i);
+    if (code >= 0xD800 && code < 0xDC00 && i + 3 < bytes.size()) {
+      code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 2) & 0x3FF);
+      i += 2;
+    }
+    if (code < 0x80) {
+      out += static_cast<char>(code);
+    } else if (code < 0x800) {
+      out += static_cast<char>(0xC0 | (code >> 6));
+      out += static_cast<char>(0x80 | (code & 0x3F));
+    } else {
+      if (code >= 0x10000) out += static_cast<char>(0xF0 | (code >> 18));
+      out += static_cast<char>(code >= 0x10000 ? 0x80 | ((code >> 12) & 0x3F) : 0xE0 | (code >> 12));
+      out += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
+      out += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+  return out;
+}
+
+/// Where names and numbers are.
+struct Layout {
+  char separator = ',';
+  std::size_t dataLine = 0;             ///< Index into the lines.
+  std::optional<std::size_t> nameLine;  ///< Nothing: no names.
+  std::optional<std::size_t> unitLine;
+  std::size_t cells = 0;
+  bool commaNumbers = false;
+};
+
+std::string_view withoutMark(std::string_view line) {
+  const auto first = line.find_first_not_of(" \t");
+  if (first != std::string_view::npos && line[first] == '#') return line.substr(first + 1);
+  return line;
+}
+
+bool isUnitCell(std::string_view cell) {
+  if (cell.empty() || cell == "-" || cell == "1") return true;
+  if (cell.size() > 1 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
+  const auto read = readFieldName(fmt::format("x ({})", cell));
+  return !read.unit.empty();
+}
+
+std::optional<Layout> findLayout(const std::vector<std::string_view>& lines) {
+  std::optional<Layout> best;
+  std::size_t bestNumbers = 0;
+  for (const char separator : {',', ';', '\t', ' '}) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const auto look = lookAt(lines[i], separator);
+      if (!look.data()) continue;
+      // The next row must look the same, so that "Samples, 1, 2, 3" of a preamble is none.
+      std::size_t next = i + 1;
+      while (next < lines.size() && stripped(lines[next]).empty()) ++next;
+      if (next < lines.size()) {
+        const auto second = lookAt(lines[next], separator);
+        if (!second.data() || second.cells != look.cells) continue;
+      }
+      if (look.numbers > bestNumbers) {
+        best = Layout{separator, i, std::nullopt, std::nullopt, look.cells, look.commaNumbers > 0};
+        bestNumbers = look.numbers;
+      }
+      break;
+    }
+  }
+  if (!best) return std::nullopt;
+  // Cells of a comma-separated file may hold no decimal comma in the first row alone.
+  if (best->separator != ',')
+    for (std::size_t i = best->dataLine; i < lines.size() && !best->commaNumbers; ++i)
+      best->commaNumbers = lookAt(lines[i], best->separator).commaNumbers > 0;
+  const auto above = [&](std::size_t line) -> std::optional<std::size_t> {
+    while (line > 0)
+      if (!stripped(lines[--line]).empty()) return line;
+    return std::nullopt;
+  };
+  const auto fits = [&](std::size_t line) {
+    const auto cells = cellsOf(withoutMark(lines[line]), best->separator).size();
+    return !lookAt(withoutMark(lines[line]), best->separator).data() && cells + 1 >= best->cells &&
+           cells <= best->cells + 1;
+  };
+  best->nameLine = above(best->dataLine);
+  if (best->nameLine && !fits(*best->nameLine)) best->nameLine.reset();
+  if (best->nameLine) {
+    const auto cells = cellsOf(withoutMark(lines[*best->nameLine]), best->separator);
+    const bool units = std::all_of(cells.begin(), cells.end(), &isUnitCell);
+    const auto higher = above(*best->nameLine);
+    if (units && higher && fits(*higher)) {
+      best->unitLine = best->nameLine;
+      best->nameLine = higher;
+    }
+  }
+  return best;
+}
+
+std::string quotedName(std::string_view name) {
+  if (name.find_first_of(",;\"") == std::string_view::npos) return std::string(name);
+  std::string out = "\"";
+  for (const char c : name) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string headerOf(const std::vector<std::string_view>& lines, const Layout& layout) {
+  std::vector<std::string> names;
+  if (layout.nameLine) {
+    for (const auto name : cellsOf(withoutMark(lines[*layout.nameLine]), layout.separator)) names.emplace_back(name);
+    // Row numbers without a name (write.table of R).
+    if (names.size() + 1 == layout.cells && !stripped(lines[layout.dataLine]).ends_with(layout.separator))
+      names.insert(names.begin(), std::string());
+    if (layout.unitLine) {
+      const auto units = cellsOf(lines[*layout.unitLine], layout.separator);
+      for (std::size_t i = 0; i < names.size() && i < units.size(); ++i) {
+        auto unit = units[i];
+        if (unit.size() > 2 && (unit.front() == '[' || unit.front() == '(')) unit = unit.substr(1, unit.size() - 2);
+        if (!unit.empty() && unit != "-" && unit != "1") names[i] += fmt::format(" ({})", unit);
+      }
+    }
+  } else {
+    for (std::size_t i = 1; i <= layout.cells; ++i) names.push_back(fmt::format("column{}", i));
+  }
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) out += ',';
+    out += quotedName(names[i]);
+  }
+  return out;
+}
+
+/// One row with commas between its cells and decimal points.
+void appendRow(std::string& out, std::string_view line, const Layout& layout) {
+  if (layout.separator == ',') {
+    out += line;
+    return;
+  }
+  const auto cells = cellsOf(line, layout.separator);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) out += ',';
+    if (cells[i].find(',') == std::string_view::npos) {
+      out += cells[i];
+    } else if (layout.commaNumbers && isCommaNumber(cells[i])) {
+      const auto comma = cells[i].find(',');
+      out += cells[i].substr(0, comma);
+      out += '.';
+      out += cells[i].substr(comma + 1);
+    } else {
+      out += quotedName(cells[i]);
+    }
+  }
+}
+
+}  // namespace
+
+bool looksLikeNumbers(std::string_view line) {
+  return std::any_of(std::begin(",;\t "), std::end(",;\t ") - 1,
+                     [&](char separator) { return lookAt(line, separator).data(); });
+}
+
+TableText readTableText(std::string text, const std::string& file, Findings& findings) {
+  const auto note = [&](const char* code, std::string what, long line = 0) {
+    findings.push_back({Severity::info, code, std::move(what), {}, {file, line, 0}});
+  };
+  const std::string_view start = text;
+  if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
+    const bool bigEndian = start[0] == '\xFE';
+    text = utf8FromUtf16(start.substr(2), bigEndian);
+    note("text_utf16", heft::say("The text is UTF-16 and was read as such."));
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+
+  std::vector<std::string_view> lines;
+  std::vector<std::size_t> starts;
+  const std::string_view whole = text;
+  for (std::size_t at = 0; at < whole.size() && lines.size() < kLinesLookedAt && at < kMostBytesLookedAt;) {
+    const auto stop = std::min(whole.find('\n', at), whole.size());
+    lines.push_back(whole.substr(at, stop - at));
+    starts.push_back(at);
+    at = stop + 1;
+  }
+  const auto layout = findLayout(lines);
+  if (!layout) return {std::move(text), false};
+  const bool asItIs = layout->separator == ',' && layout->nameLine == 0u && layout->dataLine == 1 &&
+                      withoutMark(lines[0]).size() == lines[0].size() &&
+                      cellsOf(lines[0], ',').size() == cellsOf(lines[1], ',').size();
+  if (asItIs) return {std::move(text), false};
+
+  TableText out;
+  out.namesMissing = !layout->nameLine;
+  out.text.reserve(text.size() + 4096);
+  // Without names there may be no line to put them into; then the lines count one more.
+  const std::size_t headerLine = layout->nameLine.value_or(layout->dataLine == 0 ? 0 : layout->dataLine - 1);
+  out.text.append(headerLine, '\n');
+  out.text += headerOf(lines, *layout);
+  out.text += '\n';
+  if (layout->dataLine > headerLine) out.text.append(layout->dataLine - headerLine - 1, '\n');
+  for (std::size_t at = starts[layout->dataLine]; at < whole.size();) {
+    const auto stop = std::min(whole.find('\n', at), whole.size());
+    auto line = whole.substr(at, stop - at);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (!line.starts_with('#') && !stripped(line).empty()) appendRow(out.text, line, *layout);
+    if (stop < whole.size()) out.text += '\n';
+    at = stop + 1;
+  }
+  if (layout->commaNumbers) note("decimal_commas", heft::say("Decimal commas were read as points."));
+  if (layout->nameLine && *layout->nameLine > 0)
+    note("preamble", heft::say("{} lines above the names of the columns were skipped.", *layout->nameLine),
+         static_cast<long>(*layout->nameLine) + 1);
+  if (layout->unitLine)
+    note("unit_row", heft::say("The row below the names was read as the columns' units."),
+         static_cast<long>(*layout->unitLine) + 1);
+  return out;
+}
+
+}  // namespace heft

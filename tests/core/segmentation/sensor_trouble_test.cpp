@@ -1,0 +1,80 @@
+#include "core/segmentation/sensor_trouble.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/segmentation/flat_tops.h"
+#include "core/segmentation/segmentation.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/random_tool.h"
+
+namespace heft {
+namespace {
+
+Recording aRecording(std::uint64_t seed) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  SimulateOptions options;
+  options.motion = MotionKind::excitation;
+  options.seed = seed;
+  options.duration = 8.0;
+  return simulate(RobotModel::panda(), test::randomTool(random).payload, options)->recording;
+}
+
+/// Cuts a channel off so that `share` of its rows are lost at either end.
+void cutBothEnds(Recording& recording, Eigen::Index channel, double share) {
+  std::vector<double> values(recording.wrench.col(channel).begin(), recording.wrench.col(channel).end());
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double p) {
+    return values[static_cast<std::size_t>(p * static_cast<double>(values.size() - 1))];
+  };
+  recording.wrench.col(channel) = recording.wrench.col(channel).cwiseMax(at(share)).cwiseMin(at(1.0 - share)).eval();
+}
+
+double troubled(const Recording& recording, SegmentMode mode) {
+  const auto motion = motionOf(recording, &RobotModel::panda(), {});
+  const auto labels = segmentRows(recording, rowsOf(*motion, 50.0), mode).labels;
+  return static_cast<double>(std::count(labels.begin(), labels.end(), MarkLabel::ignore)) /
+         static_cast<double>(labels.size());
+}
+
+TEST(SensorTrouble, BothEndsOfTwoChannelsAreSeen) {
+  for (const double share : {0.03, 0.1, 0.2}) {
+    Recording recording = aRecording(31);
+    cutBothEnds(recording, 1, share);
+    cutBothEnds(recording, 4, 0.5 * share);
+    const auto tops = flatTops(recording.wrench);
+    ASSERT_EQ(tops.size(), 4u) << share;
+    EXPECT_EQ(std::count_if(tops.begin(), tops.end(), [](const FlatTop& top) { return top.channel == 1; }), 2);
+    EXPECT_GT(troubled(recording, SegmentMode::automatic), 1.5 * share);
+  }
+  EXPECT_TRUE(flatTops(aRecording(31).wrench).empty());
+}
+
+TEST(SensorTrouble, WhatStandsStillOrIsMissingIsLeftOutAndCanBeTakenBack) {
+  const Recording whole = aRecording(32);
+  Recording alone = whole, hung = whole, gap = whole;
+  alone.wrench.col(3).segment(3000, 1000).setConstant(whole.wrench(3000, 3));
+  for (Eigen::Index i = 3000; i < 4000; ++i) hung.q.row(i) = whole.q.row(3000);
+  gap.time.tail(5000).array() += 0.05;
+  EXPECT_DOUBLE_EQ(troubled(whole, SegmentMode::automatic), 0.0);
+  for (Recording* recording : {&alone, &hung}) {
+    EXPECT_NEAR(troubled(*recording, SegmentMode::automatic), 0.125, 0.02);
+    recording->meta.marks = {{2.5, 4.5, MarkLabel::free}};
+    EXPECT_DOUBLE_EQ(troubled(*recording, SegmentMode::automatic), 0.0);
+  }
+  EXPECT_NEAR(troubled(gap, SegmentMode::automatic), 0.05 / 8.05, 0.006);
+  EXPECT_GT(troubled(gap, SegmentMode::automatic), 0.0);
+  EXPECT_DOUBLE_EQ(troubled(gap, SegmentMode::all), 0.0);
+}
+
+TEST(SensorTrouble, AChannelThatIsMostlyCutOffIsNamed) {
+  Recording recording = aRecording(33);
+  cutBothEnds(recording, 5, 0.3);
+  const auto cut = mostlyCutOff(flatTops(recording.wrench), recording.rows());
+  EXPECT_TRUE(cut[5]);
+  EXPECT_EQ(std::count(cut.begin(), cut.end(), true), 1);
+}
+
+}  // namespace
+}  // namespace heft
