@@ -36,11 +36,6 @@ bool CaseTest::enter(const std::string& name) {
   return true;
 }
 
-void CaseTest::enterOwn(const std::string& name) {
-  folder_ = path(name);
-  copyFolder(fs::path(HEFT_SOURCE_DIR) / "tests" / "data" / "cases" / name, folder_);
-}
-
 json CaseTest::expectTruth(const std::vector<std::string>& arguments, double massShare, double centreMm) const {
   std::vector<std::string> all{"estimate"};
   all.insert(all.end(), arguments.begin(), arguments.end());

@@ -18,8 +18,6 @@ class CaseTest : public CliTest {
  protected:
   /// Copies ../shared/cases/NAME and goes there; false where the shared inputs are absent (skip the test then).
   bool enter(const std::string& name);
-  /// Copies tests/data/cases/NAME and goes there.
-  void enterOwn(const std::string& name);
 
   Outcome heftHere(const std::vector<std::string>& arguments) const { return runHeft(arguments, folder_); }
   const std::filesystem::path& here() const { return folder_; }

@@ -56,15 +56,20 @@ std::string rdtRecord(std::uint32_t sequence, std::uint32_t status, const std::v
   return out;
 }
 
-FakeWebPage::FakeWebPage(std::string page) : page_(std::move(page)) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+int listenOnLoopback(std::uint16_t& port) {
+  const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t length = sizeof(address);
-  if (::bind(listener_, reinterpret_cast<sockaddr*>(&address), length) == 0 && ::listen(listener_, 4) == 0 &&
-      ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &length) == 0)
-    port_ = ntohs(address.sin_port);
+  if (::bind(listener, reinterpret_cast<sockaddr*>(&address), length) == 0 && ::listen(listener, 4) == 0 &&
+      ::getsockname(listener, reinterpret_cast<sockaddr*>(&address), &length) == 0)
+    port = ntohs(address.sin_port);
+  return listener;
+}
+
+FakeWebPage::FakeWebPage(std::string page) : page_(std::move(page)) {
+  listener_ = listenOnLoopback(port_);
   thread_ = std::jthread([this](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       pollfd descriptor{listener_, POLLIN, 0};

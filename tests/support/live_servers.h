@@ -29,6 +29,9 @@ class FakeNetFt {
 /// One RDT record from the specification: big-endian numbers.
 std::string rdtRecord(std::uint32_t sequence, std::uint32_t status, const std::vector<std::int32_t>& counts);
 
+/// A listening TCP socket on any free port of the loopback, which is put into `port`; the caller closes it.
+int listenOnLoopback(std::uint16_t& port);
+
 /// Answers every HTTP request with one page.
 class FakeWebPage {
  public:

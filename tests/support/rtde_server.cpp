@@ -1,6 +1,5 @@
 #include "tests/support/rtde_server.h"
 
-#include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -8,6 +7,8 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+
+#include "tests/support/live_servers.h"
 
 namespace heft::testing_support {
 
@@ -30,14 +31,7 @@ const std::map<std::string, std::pair<std::string, int>> kOutputTypes = {
 }  // namespace
 
 RtdeServer::RtdeServer(Options options) : options_(std::move(options)) {
-  listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof(address);
-  if (::bind(listener_, reinterpret_cast<sockaddr*>(&address), length) == 0 && ::listen(listener_, 4) == 0 &&
-      ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &length) == 0)
-    port_ = ntohs(address.sin_port);
+  listener_ = listenOnLoopback(port_);
   thread_ = std::jthread([this](const std::stop_token& stop) { serve(stop); });
 }
 
