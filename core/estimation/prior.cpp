@@ -14,7 +14,7 @@ namespace {
 
 /// A rough shape is a help where the motion says little, not a measurement: so many standard deviations away it is of
 /// another tool or place, and a blend would be what neither of the two says. Shapes a tenth off are up to 3.8 away, 40
-/// % off up to 20 (test_estimation --gtest_filter=ShapeGivesWay*).
+/// % off up to 20 (test_estimation_accuracy --gtest_filter=ShapeGivesWay*).
 constexpr double kRoughGivesWay = 12.0;
 
 /// Mass and centre of mass of a linear fit, held to what a hand can carry where the data say little.
