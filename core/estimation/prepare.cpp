@@ -104,10 +104,11 @@ WrenchRows heard(WrenchRows blocks, const std::array<bool, 6>& silent) {
   return blocks;
 }
 
-/// What the file's numbers mean as stated, and how they are to be understood instead.
+/// What the file's numbers mean as stated, how they are to be understood instead, and where they mean nothing.
 struct Understanding {
   conventions::Reading stated;
   std::optional<conventions::Reading> reading;
+  std::vector<Trouble> trouble;  ///< Where the sensor fails, whatever the numbers mean
   bool posesInFile = false;
   bool doubtful = false;  ///< The stated conventions are out, and nothing is read instead.
 };
@@ -115,6 +116,7 @@ struct Understanding {
 Understanding asStated(const Recording& recording) {
   Understanding out;
   out.stated = conventions::statedIn(recording.meta);
+  if (recording.meta.kind != RecordingKind::poses) out.trouble = sensorTrouble(recording);
   out.posesInFile = recording.hasOrientation();
   return out;
 }
@@ -146,8 +148,8 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
   const auto segmented = [&] {
-    return deaf ? segmentRows(recording, heard(out.blocks, options.silent), mode, options.firstEstimate)
-                : segmentRows(recording, out.blocks, mode, options.firstEstimate);
+    return segmentRows(recording, deaf ? heard(out.blocks, options.silent) : out.blocks, mode, options.firstEstimate,
+                       &as.trouble);
   };
   Segmentation segmentation = segmented();
   if (!out.motion.originAccelerationKnown) {
@@ -326,7 +328,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
-  Understanding as = asStated(recording);
+  Understanding as = asStated(cleaned);
   std::optional<conventions::Report> report;
   std::optional<Motion> first;
   if (checkConventions) {
@@ -336,7 +338,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     report = checkConventionsOf(recording, *first, options.conventions, as);
     // A swing that nobody recorded looks like anything, and so may be what is wrong.
     if (!first->originAccelerationKnown && report->verdict != conventions::Verdict::asStated) {
-      Understanding swung = asStated(recording);
+      Understanding swung = asStated(cleaned);
       if (const auto swinging = prepareMotion(cleaned, robot, trial, swung, *first)) {
         const auto other = checkConventionsOf(recording, swinging->motion, options.conventions, swung);
         if (other.verdict == conventions::Verdict::asStated) {

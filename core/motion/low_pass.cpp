@@ -22,17 +22,15 @@ std::vector<Biquad> butterworthLowPass(int order, double cutoffHz, double rateHz
   return sections;
 }
 
-Channels padded(const Channels& signal, Eigen::Index pad) {
+Channels padded(const Channels& signal, Eigen::Index before, Eigen::Index after) {
   const Eigen::Index n = signal.rows();
   if (n < 2) throw std::invalid_argument("padded: at least two rows are needed");
-  Channels out(n + 2 * pad, signal.cols());
-  out.middleRows(pad, n) = signal;
+  Channels out(before + n + after, signal.cols());
+  out.middleRows(before, n) = signal;
   // Where the padding is longer than the signal, the last reflected value is repeated.
-  for (Eigen::Index i = 1; i <= pad; ++i) {
-    const Eigen::Index j = std::min(i, n - 1);
-    out.row(pad - i) = 2.0 * signal.row(0) - signal.row(j);
-    out.row(pad + n - 1 + i) = 2.0 * signal.row(n - 1) - signal.row(n - 1 - j);
-  }
+  for (Eigen::Index i = 1; i <= before; ++i) out.row(before - i) = 2.0 * signal.row(0) - signal.row(std::min(i, n - 1));
+  for (Eigen::Index i = 1; i <= after; ++i)
+    out.row(before + n - 1 + i) = 2.0 * signal.row(n - 1) - signal.row(n - 1 - std::min(i, n - 1));
   return out;
 }
 

@@ -17,9 +17,10 @@ struct Biquad {
 /// Butterworth low-pass of even order by the bilinear transform, corner `cutoffHz` (-3 dB in one pass).
 std::vector<Biquad> butterworthLowPass(int order, double cutoffHz, double rateHz);
 
-/// Extends every channel at both ends by `pad` samples, mirrored through its end value (odd reflection), so that
-/// filters start without a jump in value or slope.
-Channels padded(const Channels& signal, Eigen::Index pad);
+/// Extends every channel at its ends by so many samples, mirrored through its end value (odd reflection), so that filters
+/// start without a jump in value or slope.
+Channels padded(const Channels& signal, Eigen::Index before, Eigen::Index after);
+inline Channels padded(const Channels& signal, Eigen::Index pad) { return padded(signal, pad, pad); }
 
 /// Runs the sections forward and backward over `signal` in place: no phase shift, |H|^2.
 void filterForwardBackward(const std::vector<Biquad>& sections, Channels& signal);

@@ -30,6 +30,31 @@ struct Output {
   Eigen::Index size = 0;
 };
 
+/// Channels of a recording as a uniform grid reads them, made where they are looked at: of an hour, only a stretch at a
+/// time lies in memory.
+struct Gridded {
+  const UniformGrid& grid;
+  const VectorXd& time;
+  const MatrixXd& values;  ///< Rows belong to `time`
+  bool linear = false;     ///< As for onGrid()
+
+  Eigen::Index channels() const { return values.cols(); }
+  Channels rows(Eigen::Index from, Eigen::Index to) const { return onGrid(grid, time, values, linear, from, to); }
+  Channels all() const { return rows(0, grid.size); }
+};
+
+/// Rows of the grid that are smoothed at a time: they stay in the processor's cache.
+constexpr Eigen::Index kStretchRows = Eigen::Index{1} << 15;
+/// What a filter forgets of where it began before its output counts.
+constexpr double kForgotten = 1e-12;
+
+/// Rows after which the slowest pole of `sections` has forgotten all but kForgotten.
+Eigen::Index settlingRows(const std::vector<Biquad>& sections) {
+  double slowest = 0.0;
+  for (const Biquad& s : sections) slowest = std::max(slowest, std::sqrt(std::abs(s.a2)));  // |pole| of a complex pair
+  return static_cast<Eigen::Index>(std::ceil(std::log(kForgotten) / std::log(slowest)));
+}
+
 /// One smoother for every channel of a recording, so that motion and wrench pass through the same filter.
 class Smoother {
  public:
@@ -53,6 +78,7 @@ class Smoother {
         kernels_[static_cast<std::size_t>(d)] = convolved(kernels_[0], centralDifferenceKernel(d, grid.rateHz));
       const double remembers = denoise_ ? 1.0 : 2.0 / cutoff_;  // [s]
       pad_ = static_cast<Eigen::Index>(std::ceil(remembers * grid.rateHz)) + output_.stride + 4;
+      settles_ = std::max(pad_, (twicing_ ? 2 : 1) * settlingRows(sections_));
     }
   }
 
@@ -63,39 +89,38 @@ class Smoother {
   double keptHz() const { return std::isfinite(keptHz_) ? keptHz_ : 0.0; }
 
   /// Derivatives up to `order` (0, 1 or 2); what is not asked for stays empty.
-  Derivatives run(const Channels& signal, int order) {
+  Derivatives run(const Gridded& signal, int order) {
     Derivatives out;
     if (kind_ == SmoothingKind::savitzkyGolay) {
-      out.value = picked(savitzkyGolay_.apply(signal, 0, rate_));
-      if (order > 0) out.first = picked(savitzkyGolay_.apply(signal, 1, rate_));
-      if (order > 1) out.second = picked(savitzkyGolay_.apply(signal, 2, rate_));
+      const Channels all = signal.all();
+      out.value = picked(savitzkyGolay_.apply(all, 0, rate_));
+      if (order > 0) out.first = picked(savitzkyGolay_.apply(all, 1, rate_));
+      if (order > 1) out.second = picked(savitzkyGolay_.apply(all, 2, rate_));
       return out;
     }
-    Channels work = padded(signal, pad_);
-    Channels taken;
-    if (twicing_) taken = work;
-    filterForwardBackward(sections_, work);
-    if (twicing_) {
-      taken -= work;
-      filterForwardBackward(sections_, taken);
-      work += taken;
-    }
-    if (denoise_) {
-      const Denoiser denoiser(signal, rate_);
-      denoiser.apply(work);
-      keptHz_ = std::max(keptHz_, denoiser.keptHz());
-    }
-    out.value = weighted(work, kernels_[0], pad_);
-    if (order > 0) out.first = weighted(work, kernels_[1], pad_);
-    if (order > 1) out.second = weighted(work, kernels_[2], pad_);
+    const std::array<Channels*, 3> wanted{&out.value, &out.first, &out.second};
+    for (int d = 0; d <= order; ++d) wanted[static_cast<std::size_t>(d)]->setZero(output_.size, signal.channels());
+    // A denoiser learns from the whole signal.
+    inStretches(signal, denoise_ ? signal.grid.size : kStretchRows, pad_, settles_,
+                [&](const Channels& part, Channels work, Eigen::Index row, Eigen::Index from, Eigen::Index to) {
+                  smooth(part, work);
+                  for (int d = 0; d <= order; ++d)
+                    addWeighted(work, kernels_[static_cast<std::size_t>(d)], row, from, to,
+                                *wanted[static_cast<std::size_t>(d)]);
+                });
     return out;
   }
 
   /// The wrench: averaged over the output interval but not low-passed, so that its noise keeps a spectrum that an
   /// autoregressive model can describe. With Savitzky-Golay the same polynomials as for the motion.
-  Channels wrench(const Channels& signal) const {
-    if (kind_ == SmoothingKind::savitzkyGolay) return picked(savitzkyGolay_.apply(signal, 0, rate_));
-    return weighted(padded(signal, output_.stride), kernels_[0], output_.stride);
+  Channels wrench(const Gridded& signal) const {
+    if (kind_ == SmoothingKind::savitzkyGolay) return picked(savitzkyGolay_.apply(signal.all(), 0, rate_));
+    Channels out = Channels::Zero(output_.size, signal.channels());
+    inStretches(signal, kStretchRows, output_.stride, output_.stride,
+                [&](const Channels&, const Channels& work, Eigen::Index row, Eigen::Index from, Eigen::Index to) {
+                  addWeighted(work, kernels_[0], row, from, to, out);
+                });
+    return out;
   }
 
  private:
@@ -104,18 +129,52 @@ class Smoother {
     for (Eigen::Index k = 0; k < output_.size; ++k) out.row(k) = all.row(output_.first + k * output_.stride);
     return out;
   }
-  /// Weighted sums about the output instants of a signal padded by `pad`.
-  Channels weighted(const Channels& signal, const VectorXd& kernel, Eigen::Index pad) const {
-    Channels out = Channels::Zero(output_.size, signal.cols());
-    const Eigen::Index first = pad + output_.first - kernel.size() / 2;
-    const Eigen::Index channels = signal.cols();
-    for (Eigen::Index k = 0; k < output_.size; ++k) {
-      double* sum = &out(k, 0);
-      const double* row = &signal(first + k * output_.stride, 0);
-      for (Eigen::Index i = 0; i < kernel.size(); ++i, row += channels)
-        for (Eigen::Index c = 0; c < channels; ++c) sum[c] += kernel(i) * row[c];
+  /// Calls work(part, extended, row, from, to) for stretches of the grid of about `length` rows that make the output
+  /// instants [from, to): `part` is what lies on the grid, with `margin` more rows on both sides where there are any;
+  /// `extended` is padded by `pad` where the recording ends; its first row is row `row` of the grid.
+  template <class Work>
+  void inStretches(const Gridded& signal, Eigen::Index length, Eigen::Index pad, Eigen::Index margin,
+                   const Work& work) const {
+    const Eigen::Index instants = std::max<Eigen::Index>(1, length / output_.stride);
+    const Eigen::Index reach = margin + kernels_[2].size() / 2;
+    for (Eigen::Index from = 0; from < output_.size;) {
+      // What would be left of less than half a stretch is done with this one.
+      const Eigen::Index to = output_.size - from < instants + instants / 2 ? output_.size : from + instants;
+      const Eigen::Index first = std::max<Eigen::Index>(0, output_.first + from * output_.stride - reach);
+      const Eigen::Index last =
+          std::min(signal.grid.size, output_.first + (to - 1) * output_.stride + reach + 1);
+      const Channels part = signal.rows(first, to == output_.size ? signal.grid.size : last);
+      const Eigen::Index before = first == 0 ? pad : 0, after = first + part.rows() == signal.grid.size ? pad : 0;
+      work(part, padded(part, before, after), first - before, from, to);
+      from = to;
     }
-    return out;
+  }
+  /// In place: the filter over what was padded; `part` without its padding.
+  void smooth(const Channels& part, Channels& work) {
+    Channels taken;
+    if (twicing_) taken = work;
+    filterForwardBackward(sections_, work);
+    if (twicing_) {
+      taken -= work;
+      filterForwardBackward(sections_, taken);
+      work += taken;
+    }
+    if (!denoise_) return;
+    const Denoiser denoiser(part, rate_);
+    denoiser.apply(work);
+    keptHz_ = std::max(keptHz_, denoiser.keptHz());
+  }
+  /// Weighted sums about the output instants [from, to) of a signal whose first row is row `row` of the grid.
+  void addWeighted(const Channels& signal, const VectorXd& kernel, Eigen::Index row, Eigen::Index from, Eigen::Index to,
+                   Channels& out) const {
+    const Eigen::Index first = output_.first - row - kernel.size() / 2;
+    const Eigen::Index channels = signal.cols();
+    for (Eigen::Index k = from; k < to; ++k) {
+      double* sum = &out(k, 0);
+      const double* at = &signal(first + k * output_.stride, 0);
+      for (Eigen::Index i = 0; i < kernel.size(); ++i, at += channels)
+        for (Eigen::Index c = 0; c < channels; ++c) sum[c] += kernel(i) * at[c];
+    }
   }
 
   SmoothingKind kind_ = SmoothingKind::lowPass;
@@ -126,26 +185,27 @@ class Smoother {
   SavitzkyGolay savitzkyGolay_;
   std::vector<Biquad> sections_;
   std::array<VectorXd, 3> kernels_;  ///< Average over an output interval, and its derivatives
-  Eigen::Index pad_ = 0;
+  Eigen::Index pad_ = 0, settles_ = 0;       ///< Rows beyond the recording's ends, and beyond a stretch's
 };
 
-/// Noise of a channel's samples: robust deviation of its second differences, which smooth motion hardly reaches.
-double sampleNoise(const Channels& signal, Eigen::Index column) {
-  std::vector<double> differences;
-  differences.reserve(static_cast<std::size_t>(signal.rows()));
-  for (Eigen::Index i = 2; i < signal.rows(); ++i)
-    differences.push_back(signal(i, column) - 2.0 * signal(i - 1, column) + signal(i - 2, column));
-  double sum = 0.0;  // A median would be zero for coarsely quantised channels that mostly repeat.
-  for (const double d : differences) sum += d * d;
-  return std::sqrt(sum / std::max<double>(1.0, static_cast<double>(differences.size())) / 6.0);
+/// Noise of each channel's samples, by their second differences, which smooth motion hardly reaches.
+VectorXd sampleNoise(const Gridded& signal) {
+  // A median would be zero for coarsely quantised channels that mostly repeat.
+  VectorXd sum = VectorXd::Zero(signal.channels());
+  for (Eigen::Index from = 0; from + 2 < signal.grid.size; from += kStretchRows) {
+    const Channels part = signal.rows(from, std::min(signal.grid.size, from + kStretchRows + 2));
+    for (Eigen::Index i = 2; i < part.rows(); ++i)
+      sum += (part.row(i) - 2.0 * part.row(i - 1) + part.row(i - 2)).cwiseAbs2().transpose();
+  }
+  return (sum / std::max<double>(1.0, static_cast<double>(signal.grid.size - 2)) / 6.0).cwiseSqrt();
 }
 
 /// Derivatives of positions, helped by reported velocities where these are the less noisy source of acceleration and
 /// agree in time. A lag of more than two milliseconds disqualifies them.
-Derivatives withReportedVelocity(Smoother& smoother, const Channels& positions, const Channels& velocities,
+Derivatives withReportedVelocity(Smoother& smoother, const Gridded& positions, const Gridded& velocities,
                                  const std::string& what, Findings& findings) {
   Derivatives fromPositions = smoother.run(positions, 2);
-  if (velocities.rows() == 0) return fromPositions;
+  if (velocities.values.rows() == 0) return fromPositions;
   Derivatives fromVelocities = smoother.run(velocities, 1);
   const double energy = fromPositions.second.squaredNorm();
   const Channels excess = fromVelocities.value - fromPositions.first;
@@ -164,11 +224,8 @@ Derivatives withReportedVelocity(Smoother& smoother, const Channels& positions, 
   }
   // In-band noise of the acceleration: positions are differentiated twice, velocities once.
   const double w = 2.0 * std::numbers::pi * (smoother.cutoffHz() > 0.0 ? smoother.cutoffHz() : 0.1 * smoother.rateHz());
-  double positionNoise = 0.0, velocityNoise = 0.0;
-  for (Eigen::Index c = 0; c < positions.cols(); ++c) {
-    positionNoise += std::pow(sampleNoise(positions, c) * w, 2) * 0.6;
-    velocityNoise += std::pow(sampleNoise(velocities, c), 2);
-  }
+  const double positionNoise = 0.6 * w * w * sampleNoise(positions).squaredNorm();
+  const double velocityNoise = sampleNoise(velocities).squaredNorm();
   if (velocityNoise < positionNoise) {
     fromPositions.first = std::move(fromVelocities.value);
     fromPositions.second = std::move(fromVelocities.first);
@@ -207,14 +264,13 @@ Result<bool> fromJoints(const Recording& recording, const RobotModel* robot, Smo
   const auto link = checkedJoints(recording, robot);
   if (!link) return link.error();
   const Isometry3d X_LS = poseFromXyzRpy(recording.meta.mount.xyz, recording.meta.mount.rpy);
-  const Channels q = onGrid(grid, recording.time, recording.q, false);
-  const Channels dq =
-      recording.dq.rows() > 0 ? onGrid(grid, recording.time, recording.dq, false) : Channels(0, recording.q.cols());
-  const Derivatives d = withReportedVelocity(smoother, q, dq, heft::say("joint"), motion.findings);
+  const Derivatives d =
+      withReportedVelocity(smoother, {grid, recording.time, recording.q}, {grid, recording.time, recording.dq},
+                           heft::say("joint"), motion.findings);
   motion.q = d.value.transpose();
   motion.dq = d.first.transpose();
   motion.ddq = d.second.transpose();
-  VectorXd qk(q.cols()), dqk(q.cols()), ddqk(q.cols());
+  VectorXd qk, dqk, ddqk;
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
     qk = d.value.row(k).transpose();
     dqk = d.first.row(k).transpose();
@@ -229,15 +285,13 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
   MatrixXd quaternion = recording.quaternion;
   for (Eigen::Index i = 1; i < quaternion.rows(); ++i)
     if (quaternion.row(i).dot(quaternion.row(i - 1)) < 0.0) quaternion.row(i) *= -1.0;
-  const Derivatives rotation = smoother.run(onGrid(grid, recording.time, quaternion, false), 2);
+  const Derivatives rotation = smoother.run({grid, recording.time, quaternion}, 2);
   Derivatives translation;
   motion.originAccelerationKnown = recording.hasPosition();
   if (recording.hasPosition()) {
-    const Channels position = onGrid(grid, recording.time, recording.position, false);
-    const Channels velocity = recording.twist.rows() > 0
-                                  ? onGrid(grid, recording.time, recording.twist.leftCols<3>(), false)
-                                  : Channels(0, 3);
-    translation = withReportedVelocity(smoother, position, velocity, heft::say("linear"), motion.findings);
+    const MatrixXd position = recording.position, velocity = recording.twist.leftCols<3>();
+    translation = withReportedVelocity(smoother, {grid, recording.time, position}, {grid, recording.time, velocity},
+                                       heft::say("linear"), motion.findings);
   }
   for (Eigen::Index k = 0; k < motion.size(); ++k) {
     FrameMotion frame;
@@ -343,7 +397,8 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
     return done.error();
   }
   motion.keptHz = smoother.keptHz();
-  motion.wrench = smoother.wrench(onGrid(grid, recording.time, recording.wrench, true)).transpose();
+  const MatrixXd wrench = recording.wrench;
+  motion.wrench = smoother.wrench({grid, recording.time, wrench, true}).transpose();
   return motion;
 }
 

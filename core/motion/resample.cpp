@@ -53,12 +53,15 @@ std::optional<std::array<Eigen::Index, 4>> bridge(const VectorXd& time, Eigen::I
 
 }  // namespace
 
-Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear) {
-  if (grid.exact) return values;
+Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear,
+                Eigen::Index from, Eigen::Index to) {
+  if (grid.exact) return values.middleRows(from, to - from);
   const Eigen::Index n = time.size();
-  Channels out(grid.size, values.cols());
-  Eigen::Index right = 1;  // first sample at or after t, at least 1
-  for (Eigen::Index k = 0; k < grid.size; ++k) {
+  Channels out(to - from, values.cols());
+  // First sample at or after t, at least 1
+  Eigen::Index right = std::lower_bound(time.data(), time.data() + n, grid.start + static_cast<double>(from) / grid.rateHz) - time.data();
+  right = std::clamp<Eigen::Index>(right, 1, n - 1);
+  for (Eigen::Index k = from; k < to; ++k) {
     const double t = std::min(grid.start + static_cast<double>(k) / grid.rateHz, time(n - 1));
     while (right < n - 1 && time(right) < t) ++right;
     const double left = time(right - 1);
@@ -70,11 +73,15 @@ Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<
       rows = {right - 2, right - 1, right, right + 1};
     const double u = (t - left) / (time(right) - left);
     if (rows)
-      interpolate(*rows, t, time, values, out.row(k));
+      interpolate(*rows, t, time, values, out.row(k - from));
     else
-      out.row(k) = (1.0 - u) * values.row(right - 1) + u * values.row(right);
+      out.row(k - from) = (1.0 - u) * values.row(right - 1) + u * values.row(right);
   }
   return out;
+}
+
+Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear) {
+  return onGrid(grid, time, values, linear, 0, grid.size);
 }
 
 }  // namespace heft

@@ -26,7 +26,10 @@ void interpolate(const std::array<Eigen::Index, 4>& rows, double t, const Vector
 
 /// Values on the grid: cubic Lagrange interpolation through the four nearest samples; across a gap of more than three
 /// steps through its ends and one sample as far beyond each as it is long. Linear where `linear` is set, where such a
-/// gap lasts more than half a second, and at the ends. Rows of `values` belong to `time`.
+/// gap lasts more than half a second, and at the ends. Rows of `values` belong to `time`. The rows [from, to) of the
+/// grid, or all of them.
+Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear,
+                Eigen::Index from, Eigen::Index to);
 Channels onGrid(const UniformGrid& grid, const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, bool linear);
 
 }  // namespace heft

@@ -272,11 +272,12 @@ void labelAllowing(const WrenchRows& rows, const Vector6d& allowed, const std::o
 
 }  // namespace
 
-void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks, Findings& findings) {
+void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, SegmentBlocks& blocks,
+                 Findings& findings) {
   constexpr std::size_t kListed = 3;
   const double half = 0.5 / rows.rateHz;
   std::vector<std::pair<std::string, std::vector<Trouble>>> byReason;
-  for (const auto& trouble : sensorTrouble(recording)) {
+  for (const auto& trouble : troubles) {
     const auto known = std::find_if(byReason.begin(), byReason.end(),
                                     [&](const auto& other) { return other.first == trouble.reason; });
     (known == byReason.end() ? byReason.emplace_back(trouble.reason, std::vector<Trouble>{}) : *known)
@@ -307,10 +308,8 @@ void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBloc
 
 /// Where a rigid tool explains next to nothing, the misfit is larger than usual rather than everything contact: more is
 /// allowed until a quarter of the recording is free.
-SegmentBlocks automaticBlocks(const Recording& recording, const WrenchRows& rows,
-                              const std::optional<PayloadGuess>& guess, Findings& findings) {
-  SegmentBlocks clean(rows.size());
-  markTrouble(recording, rows, clean, findings);
+SegmentBlocks automaticBlocks(const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
+                              const SegmentBlocks& clean, Findings& findings) {
   Vector6d allowed = allowancesOf(rows);
   SegmentBlocks blocks = clean;
   Findings changes;

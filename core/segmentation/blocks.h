@@ -38,12 +38,13 @@ struct SegmentBlocks {
   }
 };
 
-/// Labels what sensorTrouble() finds "ignore", and says so: a finding a reason.
-void markTrouble(const Recording& recording, const WrenchRows& rows, SegmentBlocks& blocks, Findings& findings);
+/// Labels these stretches "ignore", and says so: a finding a reason.
+void markTrouble(const std::vector<Trouble>& troubles, const WrenchRows& rows, SegmentBlocks& blocks,
+                 Findings& findings);
 
-/// What a rigid payload explains, what pushes, where the payload changes, where the sensor fails and where the tool
-/// rests, without looking at the user's marks.
-SegmentBlocks automaticBlocks(const Recording& recording, const WrenchRows& rows,
-                              const std::optional<PayloadGuess>& guess, Findings& findings);
+/// What a rigid payload explains, what pushes, where the payload changes and where the tool rests, without looking at
+/// the user's marks. `clean`: nothing but where the sensor fails (markTrouble()).
+SegmentBlocks automaticBlocks(const WrenchRows& rows, const std::optional<PayloadGuess>& guess,
+                              const SegmentBlocks& clean, Findings& findings);
 
 }  // namespace heft

@@ -120,11 +120,12 @@ SegmentMode defaultSegmentMode(const Recording& recording) {
 }
 
 Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, SegmentMode mode,
-                         const std::optional<PayloadGuess>& guess) {
+                         const std::optional<PayloadGuess>& guess, const std::vector<Trouble>* trouble) {
   Segmentation out;
-  SegmentBlocks blocks = mode == SegmentMode::automatic ? automaticBlocks(recording, rows, guess, out.findings)
-                                                        : SegmentBlocks(rows.size());
-  if (mode == SegmentMode::marks) markTrouble(recording, rows, blocks, out.findings);
+  SegmentBlocks blocks(rows.size());
+  if (mode != SegmentMode::all)
+    markTrouble(trouble ? *trouble : sensorTrouble(recording), rows, blocks, out.findings);
+  if (mode == SegmentMode::automatic) blocks = automaticBlocks(rows, guess, std::move(blocks), out.findings);
   const int byUser = static_cast<int>(blocks.reasons.size()) + 1;
   if (mode != SegmentMode::all) applyMarks(recording, rows, mode, blocks);
   out.segments = segmentsFrom(rows, blocks, mode, byUser);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/recording/recording.h"
+#include "core/segmentation/sensor_trouble.h"
 #include "core/wrench/rows.h"
 
 namespace heft {
@@ -54,8 +55,10 @@ struct Segmentation {
 /// a spike are contact, and the fit is repeated without them. With `guess` the fit starts from that payload, and gives
 /// way where the data say otherwise. Where two payloads explain two parts far better than one payload and a moved bias
 /// explain both, the part with more free motion (or the one that fits the guess) is used and the other left out.
+/// `trouble`: sensorTrouble() of the recording, where it is known already.
 Segmentation segmentRows(const Recording& recording, const WrenchRows& rows, SegmentMode mode,
-                         const std::optional<PayloadGuess>& guess = std::nullopt);
+                         const std::optional<PayloadGuess>& guess = std::nullopt,
+                         const std::vector<Trouble>* trouble = nullptr);
 
 /// Marks if the recording has any, otherwise automatic.
 SegmentMode defaultSegmentMode(const Recording& recording);
