@@ -11,9 +11,9 @@ namespace heft::conventions {
 
 namespace {
 
-/// What is less than this behind the best is not out: odds of 20 to 1. Below the price of a change, so that the simpler
-/// of two that fit alike is told.
-const double kTie = 2.0 * std::log(20.0);
+/// What is less than this behind the best is not out: odds of 80 to 1, as much as can be asked: below the price of a
+/// change, so that the simpler of two that fit alike is told.
+const double kTie = 2.0 * std::log(80.0);
 /// A convention overthrows the stated ones only if nobody could doubt it, and causes could not feign it: the prototype
 /// saw 370 and more in 24 poses, 6,500 and more in motions, and never more than that by chance.
 constexpr double kOverwhelming = 60.0;
