@@ -8,9 +8,9 @@ cd "$(dirname "$0")/.."
 gui=${HEFT_GUI:-ON}
 jobs=$(nproc)
 
-sh packaging/install-packages.sh
+HEFT_PYTHON=ON sh packaging/install-packages.sh
 echo "== Build: preset release, warnings are errors, build/release, $jobs at a time"
-cmake --preset release -DHEFT_WITH_GUI="$gui" -DHEFT_WERROR=ON -DHEFT_CONSUMER_TEST=ON
+cmake --preset release -DHEFT_WITH_GUI="$gui" -DHEFT_WITH_PYTHON=ON -DHEFT_WERROR=ON -DHEFT_CONSUMER_TEST=ON
 cmake --build --preset release -j "$jobs"
 sh packaging/compile-times.sh build/release | head -n 12
 echo "== Tests"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what building and testing Heft needs on Debian 12, and nothing if it is all there. Run by start.sh and check.sh.
 # libmujoco-dev and libsdformat-dev, 13 MB, read exported files back in the tests, which do without them, too.
-# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot. (locales: a decimal comma for the tests;
+# HEFT_GUI=OFF leaves out Qt, VTK and QCustomPlot; HEFT_PYTHON=ON adds what the Python module and its tests need. (locales: a decimal comma for the tests;
 # groff-base and the last four: validate.sh; dpkg-dev and file: cpack.)
 set -eu
 
@@ -11,8 +11,10 @@ core="g++ cmake ninja-build ccache mold pkg-config libeigen3-dev nlohmann-json3-
       groff-base dpkg-dev file"
 gui="libvtk9-qt-dev qtbase5-dev qttools5-dev libqt5svg5-dev libqcustomplot-dev xvfb libgl1-mesa-dri fonts-inter
      desktop-file-utils appstream shared-mime-info libxml2-utils"
+python="python3-dev pybind11-dev python3-numpy python3-matplotlib python3-pytest"
 
 packages=$core
+[ "${HEFT_PYTHON:-OFF}" = OFF ] || packages="$packages $python"
 [ "${HEFT_GUI:-ON}" = OFF ] || packages="$packages $gui"
 
 missing=

@@ -13,7 +13,10 @@ Input readInput(const std::string& file, const ImportOptions& options, const std
                 const Progress& progress) {
   ImportOptions known = options;
   known.robot = robot;
-  ReadRecording read = orFail(openRecording(file, known, progress));
+  return withArm(orFail(openRecording(file, known, progress)));
+}
+
+Input withArm(ReadRecording read) {
   Input input{std::move(read.recording), std::nullopt, std::move(read.findings)};
   Recording& recording = input.recording;
   if (!recording.hasJoints() || (recording.hasOrientation() && !recording.meta.robot)) {

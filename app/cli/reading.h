@@ -22,4 +22,7 @@ struct Input {
 Input readInput(const std::string& file, const ImportOptions& options, const std::string& robot,
                 const Progress& progress);
 
+/// The same for a recording that was read, checked or simulated already.
+Input withArm(ReadRecording read);
+
 }  // namespace heft::cli

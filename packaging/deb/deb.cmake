@@ -1,4 +1,5 @@
-# `cpack` in the build folder makes one package: heft, and heft-studio where it was built. The programs find their data beside
+# `cpack` in the build folder makes the package heft, with heft-studio where it was built, and python3-heft where the Python
+# module was. The programs find their data beside
 # themselves, so the build needs no prefix.
 set(doc ${CMAKE_INSTALL_DATADIR}/doc/heft)
 if(HEFT_WITH_GUI)
@@ -40,7 +41,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 # Everything but the library for other programs, which is not of use without a compiler.
 set(CPACK_COMPONENTS_ALL Unspecified)
-set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME heft)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -50,5 +52,13 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 get_property(on_demand GLOBAL PROPERTY HEFT_PACKAGES_ON_DEMAND)
 list(REMOVE_DUPLICATES on_demand)
 list(JOIN on_demand ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
+if(HEFT_WITH_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-heft)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy, ${CPACK_DEBIAN_PACKAGE_DEPENDS}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Heft as a Python module: import heft")
+endif()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)
