@@ -7,6 +7,7 @@
 #include <new>
 
 #include "app/cli/cli.h"
+#include "app/version.h"
 #include "core/base/text.h"
 
 namespace {
@@ -60,7 +61,7 @@ int runCommandLine(int argc, char** argv) {
       "Heft finds mass, centre of mass and inertia of what a robot carries, from a recording of its motion\n"
       "and of the force/torque sensor, and writes the payload file that the controller reads."};
   root.name("heft");
-  root.set_version_flag("--version", heft::cli::programVersion(), "Print the version and end");
+  root.set_version_flag("--version", heft::versionText("heft"), "Print the version and end");
   root.set_help_flag("-h,--help", "Print this help and end");
   root.get_formatter()->column_width(34);
   root.footer(

@@ -13,6 +13,7 @@
 
 #include <unistd.h>
 
+#include "app/version.h"
 #include "core/base/json_file.h"
 #include "ui/main_window/main_window.h"
 #include "ui/offscreen/private_display.h"
@@ -100,7 +101,7 @@ int run(int argc, char** argv, const Options& options) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setOrganizationName("heft");
   QApplication::setApplicationName("heft-studio");
-  QApplication::setApplicationVersion(HEFT_VERSION);
+  QApplication::setApplicationVersion(QString::fromUtf8(heft::version().data()));
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QApplication application(argc, argv);
   // Qt takes the user's locale over; numbers in files must not follow it.
@@ -136,7 +137,7 @@ int main(int argc, char** argv) {
   std::string size;
   CLI::App app{"Heft Studio shows a recording of a robot arm and its tool, and what the tool weighs."};
   app.name("heft-studio");
-  app.set_version_flag("--version", "heft-studio " HEFT_VERSION, "Print the version and end");
+  app.set_version_flag("--version", heft::versionText("heft-studio"), "Print the version and end");
   app.set_help_flag("-h,--help", "Print this help and end");
   app.add_option("FILE", options.file, "Recording (CSV, with NAME.meta.json beside it) to open");
   app.add_flag("--offscreen", options.offscreen, "Draw the window without a screen and save it as a picture");

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/numbers.h"
+#include "app/version.h"
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 
@@ -32,7 +33,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string programVersion() { return "heft " HEFT_VERSION; }
+std::string programVersion() { return "heft " + std::string(version()); }
 
 std::string didYouMean(std::string_view text, const std::vector<std::string>& candidates) {
   const std::string* best = nullptr;

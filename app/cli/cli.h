@@ -55,7 +55,7 @@ Command makeCompensateCommand(CLI::App& root);
 Command makeCoachCommand(CLI::App& root);
 Command makeExciteCommand(CLI::App& root);
 
-/// "heft 0.1.0"
+/// "heft 0.2.0"
 std::string programVersion();
 
 template <class T>

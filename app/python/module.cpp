@@ -16,6 +16,7 @@
 #include "app/cli/cli.h"
 #include "app/cli/default_tool.h"
 #include "app/cli/reading.h"
+#include "app/version.h"
 #include "core/base/json_file.h"
 #include "core/compensation/compensation.h"
 #include "core/diagnosis/correction/check_on_other.h"
@@ -435,7 +436,7 @@ PYBIND11_MODULE(_heft, module) {
     for (const auto& format : exportFormats()) all.emplace_back(format.id, format.title);
     return all;
   });
-  module.attr("version") = HEFT_VERSION;
+  module.attr("version") = version();
 }
 
 }  // namespace heft::python

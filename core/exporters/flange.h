@@ -24,7 +24,7 @@ struct FlangeOptions {
   std::string name = "tool";
   std::string sensorFrame;       ///< Its name in ROS, for formats that carry it
   std::string parentLink;        ///< See ExportInput
-  std::string program = "Heft";  ///< Writes: "heft 0.1.0"
+  std::string program = "Heft";  ///< Writes: "heft 0.2.0"
 };
 
 struct FlangePayload {

@@ -8,7 +8,7 @@ out=$1 heft=$2 studio=${3:-}
 mkdir -p "$out/man1" "$out/completions"
 rm -f "$out"/man1/* "$out"/completions/*
 
-version=$("$heft" --version)
+version=$("$heft" --version | head -n 1)
 help=$("$heft" --help)
 commands=$(printf '%s\n' "$help" | awk '/^[^ ]/ { inside = /^(Subcommands|Commands):/ } inside && /^  [a-z]/ { print $1 }')
 if [ -z "$commands" ]; then
