@@ -14,6 +14,8 @@
 #include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
 #include "core/recording/frozen.h"
+#include "core/recording/held.h"
+#include "core/recording/steps.h"
 #include "core/segmentation/flat_tops.h"
 
 namespace heft {
@@ -39,7 +41,7 @@ void calm(Prepared& out) {
 }
 
 void learnNoise(Prepared& out, bool poses) {
-  LearnedNoise learned = learnedNoise(out.blocks, out.runs, out.silent, poses);
+  LearnedNoise learned = learnedNoise(out.blocks, out.runs, {out.silent, out.rounding, poses});
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   NoiseModel plain = out.noise;
@@ -110,12 +112,14 @@ struct Understanding {
   std::optional<conventions::Reading> reading;
   bool posesInFile = false;
   bool doubtful = false;  ///< The stated conventions are out, and nothing is read instead.
+  HeldValues held;        ///< The wrench's own readings, where rows repeat them
 };
 
 Understanding asStated(const Recording& recording) {
   Understanding out;
   out.stated = conventions::statedIn(recording.meta);
   out.posesInFile = recording.hasOrientation();
+  if (recording.meta.kind == RecordingKind::motion) out.held = heldValues(recording.time, recording.wrench);
   return out;
 }
 
@@ -134,6 +138,32 @@ Motion understood(Motion motion, const Understanding& as) {
                     : std::move(motion);
 }
 
+/// Blocks of about kBlockRate. Of a wrench that the log repeats each reading counts once, beside the motion of its own
+/// moment: what repeats it is late.
+WrenchRows blocksOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
+  if (held.period <= 0.0) return rowsOf(motion, kBlockRate);
+  Motion at = motion;
+  const auto readings = static_cast<Eigen::Index>(held.rows.size());
+  const auto pick = [&](Eigen::Matrix3Xd& out, const Eigen::Matrix3Xd& in) {
+    out.resize(3, readings);
+    for (Eigen::Index i = 0; i < readings; ++i) {
+      const double k = (recording.time(held.rows[static_cast<std::size_t>(i)]) - motion.startTime) * motion.rateHz;
+      const auto before = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::floor(k)), 0, motion.size() - 2);
+      const double u = std::clamp(k - static_cast<double>(before), 0.0, 1.0);
+      out.col(i) = (1.0 - u) * in.col(before) + u * in.col(before + 1);
+    }
+  };
+  pick(at.specificForce, motion.specificForce);
+  pick(at.omega, motion.omega);
+  pick(at.alpha, motion.alpha);
+  at.wrench.resize(6, readings);
+  for (Eigen::Index i = 0; i < readings; ++i)
+    at.wrench.col(i) = recording.wrench.row(held.rows[static_cast<std::size_t>(i)]).transpose();
+  at.startTime = recording.time(held.rows.front());
+  at.rateHz = 1.0 / held.period;
+  return rowsOf(at, kBlockRate);
+}
+
 /// `ready`: the motion as stated, if it is known already.
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
@@ -142,7 +172,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   Prepared out;
   out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
-  out.blocks = rowsOf(out.motion, kBlockRate);
+  out.blocks = blocksOf(out.motion, recording, as.held);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
   const auto segmented = [&] {
@@ -153,7 +183,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   if (!out.motion.originAccelerationKnown) {
     if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
       addSwing(*point, out.motion);
-      out.blocks = rowsOf(out.motion, kBlockRate);
+      out.blocks = blocksOf(out.motion, recording, as.held);
       segmentation = segmented();
       out.findings.push_back({Severity::info,
                               "swing_assumed",
@@ -217,6 +247,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
   out.silent = options.silent;
+  out.rounding = roundingNoise(recording.wrench, span, 1.0 / out.blocks.rateHz);
   learnNoise(out, false);
   return out;
 }
@@ -238,6 +269,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   if (out.usedBlocks < 6)
     return Error{
         heft::say("Only {} standing poses are there; at least 6 in different tilts are needed.", out.usedBlocks)};
+  out.rounding = roundingNoise(recording.wrench, static_cast<double>(recording.rows()), 1.0);
   learnNoise(out, true);
   return out;
 }
@@ -250,15 +282,20 @@ std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotM
   options.outputRateHz = MotionOptions{}.outputRateHz;
   auto motion = motionOf(*noisier, robot, options);
   if (!motion) return std::nullopt;
-  return rowsOf(understood(std::move(*motion), as), kBlockRate);
+  return blocksOf(understood(std::move(*motion), as), recording, as.held);
 }
+
+/// FitRows::stride that readings of single moments need: above the motion's band there is nothing beside them, unless a
+/// block is the mean of several.
+int strideFor(const HeldValues& held) { return held.period * kBlockRate > 0.6 ? 2 : 1; }
 
 /// `widest`: the blocks of the motion at the widest band, if that was not told. Smoothing of another kind, and a tool
 /// that stands still, are taken as they are.
 FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                    const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest) {
   const LearnedNoise learned{prepared.noise, prepared.weights, {}};
-  FitRowsQuestion question{prepared.blocks, prepared.runs, prepared.silent, {}, &learned};
+  FitRowsQuestion question{prepared.blocks, prepared.runs, {prepared.silent, prepared.rounding}, {}, &learned};
+  question.atLeast = strideFor(as.held);
   if (prepared.cutoffHz <= 0.0 || prepared.still) return fitRowsOf(question);
   const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
   MotionOptions wide = options.motion;
@@ -266,14 +303,15 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   const bool fixed = !widest;
   if (fixed && stride > 1) {
     auto motion = motionOf(recording, robot, wide);
-    if (motion) widest = rowsOf(understood(std::move(*motion), as), kBlockRate);
+    if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
   }
   if (!prepared.motion.originAccelerationKnown || (widest && widest->size() != prepared.blocks.size()))
     return fitRowsOf(question);
   const bool own = stride == 1;
-  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, prepared.silent,
+  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, {prepared.silent, prepared.rounding},
                         noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr};
   about.predicts = stride;
+  about.atLeast = strideFor(as.held);
   about.fixed = fixed;
   return fitRowsOf(about);
 }
@@ -309,7 +347,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     auto poses = preparePoses(recording, robot, options.conventions, checkConventions);
     if (!poses) return poses.error();
     const LearnedNoise learned{poses->noise, poses->weights, {}};
-    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, poses->silent, {}, &learned, true});
+    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, {poses->silent, poses->rounding, true}, {}, &learned});
     return finish(std::move(*poses), fit);
   }
 
@@ -390,6 +428,14 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
          {}});
   progress(0.6, heft::say("Learning the sensor's noise"));
   const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));
+  if (as.held.period > 0.0)
+    best->findings.push_back({Severity::info,
+                              "wrench_held",
+                              heft::say("The log repeats each wrench for {:.0f} ms; each was used once, with the "
+                                        "motion of the moment at which it came.",
+                                        1e3 * as.held.period),
+                              {},
+                              {}});
   if (choose && fit.stride > 1)
     best->findings.push_back(
         {Severity::info,

@@ -8214,6 +8214,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} was deleted while it was written.</source>
         <translation>{} wurde gelöscht, während die Datei geschrieben wurde.</translation>
     </message>
+    <message>
+        <source>The log repeats each wrench for {:.0f} ms; each was used once, with the motion of the moment at which it came.</source>
+        <translation>Das Protokoll wiederholt jeden Messwert des Sensors {:.0f} ms lang; jeder wurde einmal verwendet, mit der Bewegung des Augenblicks, in dem er kam.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
