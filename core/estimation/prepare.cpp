@@ -141,16 +141,18 @@ Motion understood(Motion motion, const Understanding& as) {
 /// Blocks of about kBlockRate. Of a wrench that the log repeats each reading counts once, beside the motion of its own
 /// moment: what repeats it is late.
 WrenchRows blocksOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
-  if (held.period <= 0.0) return rowsOf(motion, kBlockRate);
+  if (held.period <= 0.0 || motion.size() < 4) return rowsOf(motion, kBlockRate);
   Motion at = motion;
   const auto readings = static_cast<Eigen::Index>(held.rows.size());
   const auto pick = [&](Eigen::Matrix3Xd& out, const Eigen::Matrix3Xd& in) {
     out.resize(3, readings);
     for (Eigen::Index i = 0; i < readings; ++i) {
       const double k = (recording.time(held.rows[static_cast<std::size_t>(i)]) - motion.startTime) * motion.rateHz;
-      const auto before = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::floor(k)), 0, motion.size() - 2);
-      const double u = std::clamp(k - static_cast<double>(before), 0.0, 1.0);
-      out.col(i) = (1.0 - u) * in.col(before) + u * in.col(before + 1);
+      // Lagrange's cubic: a line between 5 ms would take a hundredth of a tremor of 10 Hz.
+      const auto first = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::floor(k)) - 1, 0, motion.size() - 4);
+      const double u = std::clamp(k - static_cast<double>(first), 0.0, 3.0);
+      out.col(i) = (1 - u) * (2 - u) * (3 - u) / 6.0 * in.col(first) + u * (2 - u) * (3 - u) / 2.0 * in.col(first + 1) -
+                   u * (1 - u) * (3 - u) / 2.0 * in.col(first + 2) + u * (1 - u) * (2 - u) / 6.0 * in.col(first + 3);
     }
   };
   pick(at.specificForce, motion.specificForce);
@@ -247,7 +249,8 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
   out.silent = options.silent;
-  out.rounding = roundingNoise(recording.wrench, span, 1.0 / out.blocks.rateHz);
+  // Steps are those of the numbers as they came, not of what they are read as.
+  if (!as.reading) out.rounding = roundingNoise(recording.wrench, span, 1.0 / out.blocks.rateHz);
   learnNoise(out, false);
   return out;
 }
@@ -385,7 +388,10 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     }
     if (progress.cancelled()) return Error{"Stopped.", true};
     // Which channels say nothing was told of the numbers as stated.
-    if (as.reading) trial.silent = options.silent;
+    if (as.reading) {
+      trial.silent = options.silent;
+      as.held = {};
+    }
   }
   const auto prepareAt = [&](double cutoff) {
     EstimateOptions at = trial;

@@ -94,7 +94,8 @@ TEST(Loggers, CoarseStepsAreNoExactReadings) {
       y = ((y.array() / step).round() * step).matrix().eval();
     }
     const auto report = estimate(simulated.recording, &RobotModel::panda(), {});
-    if (report.ok()) EXPECT_EQ(beyond(*report, simulated.truth.payload, 5.0, claims), 0) << "seed " << seed;
+    if (!report) continue;  // Too coarse for anything
+    EXPECT_EQ(beyond(*report, simulated.truth.payload, 5.0, claims), 0) << "seed " << seed;
   }
   EXPECT_GT(claims, 5);
 }
