@@ -1,5 +1,6 @@
 // heft: the command line. It parses, calls one subcommand and turns every way to fail into an exit code and a sentence.
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -52,7 +53,7 @@ std::string explain(const CLI::ParseError& error, CLI::App& root, const CLI::App
 
 int wrongUsage(const CLI::App& at, const CLI::App& root, const std::string& message) {
   const std::string name = &at == &root ? "heft" : "heft " + at.get_name();
-  fmt::print(stderr, "{}: {}\nTry '{} --help'.\n", name, message, name);
+  heft::cli::tell(fmt::format("{}: {}\nTry '{} --help'.\n", name, message, name));
   return heft::cli::kWrongUsage;
 }
 
@@ -82,7 +83,7 @@ int runCommandLine(int argc, char** argv) {
     return list;
   }();
   if (argc < 2) {
-    fmt::print(stderr, "{}", helpText(root, root));
+    heft::cli::tell(fmt::format("{}", helpText(root, root)));
     return heft::cli::kWrongUsage;
   }
   if (const std::string first = argv[1]; !first.starts_with("-") && std::ranges::find(names, first) == names.end()) {
@@ -123,14 +124,15 @@ int runCommandLine(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is then an error like a full disk, and not the end.
   try {
     return runCommandLine(argc, argv);
   } catch (const heft::cli::Failed& error) {
-    fmt::print(stderr, "heft: {}\n", error.what());
+    heft::cli::tell(fmt::format("heft: {}\n", error.what()));
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "heft: There is not enough memory for this; use a shorter recording or a lower rate.\n");
+    heft::cli::tell("heft: There is not enough memory for this; use a shorter recording or a lower rate.\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "heft: Something inside the program went wrong ({}); please report it.\n", error.what());
+    heft::cli::tell(fmt::format("heft: Something inside the program went wrong ({}); please report it.\n", error.what()));
   }
   return heft::cli::kFailed;
 }

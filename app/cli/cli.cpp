@@ -94,9 +94,11 @@ void print(std::string_view text) {
   if (auto written = writeTextFile("-", text); !written) throw Failed(written.error().message);
 }
 
+void tell(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 void printFindings(const Findings& findings, bool all) {
   for (const auto& finding : findings)
-    if (all || finding.severity != Severity::info) fmt::print(stderr, "{}\n", toLine(finding));
+    if (all || finding.severity != Severity::info) tell(fmt::format("{}\n", toLine(finding)));
 }
 
 nlohmann::json toJson(const Findings& findings) {
@@ -166,7 +168,7 @@ void ProgressLine::show(double fraction, std::string_view what) {
   last_ = now;
   visible_ = true;
   const int percent = static_cast<int>(std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
-  fmt::print(stderr, "\r\033[K{:3d} %  {}", percent, what.substr(0, 60));
+  tell(fmt::format("\r\033[K{:3d} %  {}", percent, what.substr(0, 60)));
   std::fflush(stderr);
 }
 
@@ -174,7 +176,7 @@ void ProgressLine::clear() {
   const std::lock_guard lock(mutex_);
   if (!visible_) return;
   visible_ = false;
-  fmt::print(stderr, "\r\033[K");
+  tell("\r\033[K");
   std::fflush(stderr);
 }
 

@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "app/cli/cli.h"
+#include "core/base/file_replacement.h"
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 
@@ -57,6 +58,11 @@ class Lines {
   /// Whether the line that was there says why there is no result.
   bool failed(const std::string& file) const { return has(file) && there_.at(file); }
   void add(const json& line) { writeWhole(descriptor_, dump(line) + "\n", name_); }
+  /// All lines are on the disk after it.
+  void finish() {
+    if (const int reason = flushToDisk(descriptor_); reason != 0)
+      throw Failed(fmt::format("{}: cannot be written: {}.", name_, std::strerror(reason)));
+  }
 
  private:
   void readWhatIsThere(const std::filesystem::path& path) {
@@ -191,7 +197,7 @@ void forEachRecording(const EachRecording& wish, const std::function<json(const 
     failed += lines.failed(file) ? 1 : 0;
   }
   if (left.size() < asked.size())
-    fmt::print(stderr, "{} of {} recordings have a line already.\n", asked.size() - left.size(), asked.size());
+    tell(fmt::format("{} of {} recordings have a line already.\n", asked.size() - left.size(), asked.size()));
 
   const std::size_t jobs =
       wish.jobs > 0 ? static_cast<std::size_t>(wish.jobs) : std::max(1u, std::thread::hardware_concurrency());
@@ -210,6 +216,7 @@ void forEachRecording(const EachRecording& wish, const std::function<json(const 
              fmt::format("{} of {} recordings", done, left.size()));
   }
   shown.clear();
+  lines.finish();
   if (failed > 0)
     throw Failed(fmt::format("{} of {} recordings could not be estimated; the lines with \"error\" say why.", failed,
                              asked.size()));

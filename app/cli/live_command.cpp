@@ -44,15 +44,19 @@ struct LiveArguments {
 
 std::atomic<bool> interrupted = false;
 
-/// Ends the loop at Ctrl-C instead of the program, so that what came so far is estimated.
+/// Ends the loop at Ctrl-C or with the terminal instead of the program, so that what came so far is estimated and
+/// written. A terminal that closes says so several times, so it is not listened to again.
 class InterruptGuard {
  public:
   InterruptGuard() {
     interrupted = false;
-    struct sigaction action {};
+    struct sigaction action {}, before {};
     action.sa_handler = [](int) { interrupted = true; };
     ::sigaction(SIGINT, &action, &oldInterrupt_);
     ::sigaction(SIGTERM, &action, &oldTerminate_);
+    // Under nohup it stays ignored.
+    if (::sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+      ::sigaction(SIGHUP, &action, nullptr);
   }
   ~InterruptGuard() {
     ::sigaction(SIGINT, &oldInterrupt_, nullptr);
@@ -160,18 +164,18 @@ class StatusLine {
     if (now - last_ < (terminal_ ? kShowEvery : kLineEvery)) return;
     last_ = now;
     if (terminal_)
-      fmt::print(stderr, "\r\033[K{}", text);
+      tell(fmt::format("\r\033[K{}", text));
     else
-      fmt::print(stderr, "{}\n", text);
+      tell(fmt::format("{}\n", text));
     std::fflush(stderr);
   }
   /// A line that stays.
   void say(const std::string& text) {
-    fmt::print(stderr, "{}{}\n", terminal_ ? "\r\033[K" : "", text);
+    tell(fmt::format("{}{}\n", terminal_ ? "\r\033[K" : "", text));
     std::fflush(stderr);
   }
   ~StatusLine() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
+    if (terminal_) tell("\r\033[K");
   }
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
@@ -225,21 +229,31 @@ class LiveRun {
         const bool finished = allFinished();
         takeNew();
         const auto status = session_.status();
-        if (!status.recordingProblem.empty()) throw Failed(status.recordingProblem);
-        for (const auto& source : status.sources)
-          if (source.state == LinkState::failed) throw Failed(source.text);
+        if (recordingProblem_ != status.recordingProblem) {
+          recordingProblem_ = status.recordingProblem;
+          line.say(fmt::format("{} The estimate goes on.", recordingProblem_));
+        }
+        for (const auto& source : status.sources) {
+          if (source.state != LinkState::failed) continue;
+          if (kept_.empty()) throw Failed(source.text);
+          sourceProblem_ = source.text;
+        }
         if (running_)
           for (const auto& news : running_->news()) line.say(news);
         line.show((running_ ? running_->line() : waitingFor(status)) + troubleLine(status));
-        if (finished) break;
+        if (finished || !sourceProblem_.empty()) break;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
       }
     }
     session_.stop();
     takeNew();
     status_ = session_.status();
+    recordingProblem_ = status_.recordingProblem;
     session_.endRecording();
   }
+
+  /// What went wrong beside the estimate, or nothing.
+  std::string problem() const { return recordingProblem_.empty() ? sourceProblem_ : recordingProblem_; }
 
   EstimateReport report() {
     if (kept_.empty()) {
@@ -324,6 +338,7 @@ class LiveRun {
   std::vector<LiveSample> fresh_;
   std::uint64_t seen_ = 0;
   SessionStatus status_;
+  std::string recordingProblem_, sourceProblem_;
 };
 
 void run(const LiveArguments& options) {
@@ -346,14 +361,24 @@ void run(const LiveArguments& options) {
   LiveRun live(options, settings);
   live.run();
   const auto& status = live.status();
-  if (!options.record.empty() && options.json != "-")
-    print(fmt::format("{}: {} samples\n", options.record, status.recorded));
+  // What cannot be written may still be printed, and the other way round: the terminal may be gone, the disk full.
+  std::string problem = live.problem();
+  const auto attempt = [&problem](const auto& output) {
+    try {
+      output();
+    } catch (const Failed& failure) {
+      if (problem.empty()) problem = failure.what();
+    }
+  };
+  if (!options.record.empty() && options.json != "-" && status.recordingProblem.empty() && status.recorded > 0)
+    attempt([&] { print(fmt::format("{}: {} samples\n", options.record, status.recorded)); });
   const EstimateReport report = live.report();
   json result = heft::toJson(report);
   result["live"] = statusJson(status);
-  if (!options.json.empty()) writeOutput(options.json, fileText(result), overwrite);
-  if (options.json != "-") print(toText(report));
-  if (const auto trouble = troubleLine(status); !trouble.empty()) fmt::print(stderr, "heft:{}\n", trouble);
+  if (!options.json.empty()) attempt([&] { writeOutput(options.json, fileText(result), overwrite); });
+  if (options.json != "-") attempt([&] { print(toText(report)); });
+  if (const auto trouble = troubleLine(status); !trouble.empty()) tell(fmt::format("heft:{}\n", trouble));
+  if (!problem.empty()) throw Failed(problem);
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/cli/cli.h"
 #include "app/cli/default_tool.h"
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
+#include "core/recording/meta_file.h"
 #include "core/robot/robot_model.h"
 #include "core/simulation/effects/effect.h"
 
@@ -45,13 +47,29 @@ json truthJson(const SimulationTruth& truth, const SimulateArguments& options) {
           {"effects", effects}};
 }
 
-/// A recording that this command made can be made again; one of a real robot cannot.
-bool wasSimulated(const std::filesystem::path& csv) {
-  auto meta = csv;
-  meta.replace_extension(".meta.json");
-  Findings ignored;
-  const auto read = readMeta(meta, ignored);
-  return read && read->note.starts_with(kNote);
+/// The meta file as this command writes it, but for the note's motion, seed and rate; null if a person wrote or changed
+/// it, or if it belongs to a real recording.
+json asSimulated(const std::string& text) {
+  static const std::regex note(std::string(kNote) + ": [a-z-]+, seed [0-9]+, [0-9.e+]+ Hz");
+  json meta = json::parse(text, nullptr, false);
+  if (!meta.is_object() || !meta.contains("note") || !meta["note"].is_string() ||
+      !std::regex_match(meta["note"].get_ref<const std::string&>(), note))
+    return nullptr;
+  meta.erase("note");
+  return meta;
+}
+
+/// Throws Failed unless both files are missing or as this command made them: it can make those again, but neither a
+/// recording of a real robot nor what a person wrote into the meta file.
+void requireExpendable(const std::filesystem::path& csv, const RecordingMeta& meta, bool force) {
+  const auto metaFile = metaFileOf(csv);
+  const json fresh = asSimulated(orFail(metaText(meta, metaFile)));
+  const auto unchanged = [&](const std::string& text) { return asSimulated(text) == fresh; };
+  requireWritable(metaFile, {force, unchanged});
+  requireWritable(csv, {force, [&](const std::string&) {
+                          const auto old = readTextFile(metaFile);
+                          return old && unchanged(*old);
+                        }});
 }
 
 /// Every kind with the unit of its size, a clear size and its forms.
@@ -92,7 +110,6 @@ void run(SimulateArguments options) {
   const std::filesystem::path csv = options.output;
   if (csv.extension() != ".csv")
     throw WrongUsage(fmt::format("-o expects a name that ends in .csv, not '{}'.", options.output));
-  requireWritable(csv, {options.force, [&](const std::string&) { return wasSimulated(csv); }});
 
   Payload payload = defaultTool();
   if (!options.payload.empty())
@@ -106,13 +123,13 @@ void run(SimulateArguments options) {
   }();
   simulated.recording.meta.note =
       fmt::format("{}: {}, seed {}, {} Hz", kNote, words[motion], options.simulate.seed, options.simulate.rateHz);
+  requireExpendable(csv, simulated.recording.meta, options.force);
   orFail(writeRecording(simulated.recording, csv));
   if (!options.truth.empty())
     writeOutput(options.truth, fileText(truthJson(simulated.truth, options)),
                 {options.force, [](const std::string& old) { return hasSchema(old, "heft.truth/1"); }});
 
-  auto meta = csv;
-  meta.replace_extension(".meta.json");
+  const auto meta = metaFileOf(csv);
   if (!options.json.empty()) {
     json summary{{"schema", "heft.simulate/1"},
                  {"motion", options.motion},
@@ -194,7 +211,7 @@ Command makeSimulateCommand(CLI::App& root) {
   app->add_option("--truth", options->truth, "Write the hidden payload, biases, marks and effects to this file")
       ->type_name("FILE");
   app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace a recording that was not simulated");
+  app->add_flag("--force", options->force, "Replace a recording that was not simulated, or a meta file that was changed");
   app->footer(
       "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"

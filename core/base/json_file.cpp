@@ -1,7 +1,6 @@
 #include "core/base/json_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <memory>
 #include <system_error>
 
+#include "core/base/file_replacement.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 
@@ -115,34 +115,17 @@ Result<bool> writeTextFile(const std::filesystem::path& path, std::string_view t
     return true;
   }
   std::error_code ec;
-  if (std::filesystem::is_directory(path, ec))
-    return Error{heft::say("{} is a folder, not a file.", displayName(path))};
-  if (std::filesystem::exists(path, ec) && !std::filesystem::is_regular_file(path, ec)) {  // a pipe or /dev/null
+  if (std::filesystem::exists(path, ec) && !std::filesystem::is_regular_file(path, ec) &&
+      !std::filesystem::is_directory(path, ec)) {  // a pipe or /dev/null
     std::ofstream out(path, std::ios::binary);
     out << text << std::flush;
     if (!out) return Error{heft::say("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
     return true;
   }
-  auto temporary = path;
-  temporary += fmt::format(".{}.part", ::getpid());
-  {
-    std::ofstream out(temporary, std::ios::binary);
-    if (!out) return Error{heft::say("{} cannot be written: {}.", displayName(path), std::strerror(errno))};
-    out << text << std::flush;
-    if (!out) {
-      const int reason = errno;
-      out.close();
-      std::filesystem::remove(temporary, ec);
-      return Error{heft::say("{} cannot be written: {}.", displayName(path), std::strerror(reason))};
-    }
-  }
-  std::filesystem::rename(temporary, path, ec);
-  if (ec) {
-    const auto reason = ec.message();
-    std::filesystem::remove(temporary, ec);
-    return Error{heft::say("{} cannot be written: {}.", displayName(path), reason)};
-  }
-  return true;
+  auto file = FileReplacement::begin(path);
+  if (!file) return file.error();
+  if (auto written = file->write(text); !written) return written;
+  return file->commit();
 }
 
 }  // namespace heft

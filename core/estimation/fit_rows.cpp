@@ -101,8 +101,8 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.runs = of.runs;
   out.rows = narrowed(of.blocks, stride, out.runs);
   LearnedNoise learned =
-      withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.silent, of.standing),
-                out.rows, out.runs, of.silent, of.standing);
+      withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.known), out.rows,
+                out.runs, of.known);
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);
@@ -141,7 +141,7 @@ FitRows fitRowsOf(const FitRowsQuestion& of) {
     std::vector<Run> left = of.runs;
     return stride == 1 || 6 * narrowed(of.blocks, stride, left).size() >= kFewestEquations;
   };
-  int predicts = of.predicts;
+  int predicts = std::max(of.predicts, of.atLeast);
   while (!enough(predicts)) predicts = std::max(1, predicts / 2);
   if (!of.noisier || of.noisier->size() != of.blocks.size()) return rowsAt(predicts, of, std::nullopt);
   WrenchRows difference = of.blocks;
@@ -155,7 +155,7 @@ FitRows fitRowsOf(const FitRowsQuestion& of) {
     if (!enough(stride)) break;
     bands.push_back(rowsAt(stride, of, difference));
     const FitRows& band = bands.back();
-    const bool believed = band.share < kMostShare && mostlyMotion(band);
+    const bool believed = stride >= of.atLeast && band.share < kMostShare && mostlyMotion(band);
     const double score = believed ? fitOf(band.whitened).std.array().log().sum() : kHopeless - stride;
     if (score < least) {
       least = score;

@@ -35,11 +35,11 @@ struct FitRows {
 struct FitRowsQuestion {
   const WrenchRows& blocks;
   const std::vector<Run>& runs;
-  std::array<bool, 6> silent{};
+  KnownOfNoise known;
   std::optional<WrenchRows> noisier;
   const LearnedNoise* learned = nullptr;  ///< From the blocks, if that has been done.
-  bool standing = false;  ///< Poses: no row is left out of the noise model.
   int predicts = 1;    ///< The stride that predicts the wrench best.
+  int atLeast = 1;     ///< In wider bands motion and wrench are not filtered alike.
   bool fixed = false;  ///< No other will do.
 };
 FitRows fitRowsOf(const FitRowsQuestion& question);

@@ -13,6 +13,9 @@ namespace heft {
 
 namespace {
 constexpr double kIdentified = 0.30;  // largest relative standard deviation of an identified number
+/// How much less certain than the answer the data may be by themselves. Bodies that can exist end somewhere: at such an
+/// end, where a body is a rod or a point, the answer looks exact, and no reading made it so.
+constexpr double kSharpest = 3.0;
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 /// Three axes that directions are told about, with names a person can find on the tool.
@@ -131,7 +134,8 @@ Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSoluti
   const Vector10d alone = varianceOfData(R, solution.phi);
   // What is nobody's: too uncertain, and nothing was told that it could come from.
   const auto source = [&](int i, double scale, bool wasTold) {
-    const bool known = deviation(i) < kIdentified * scale && alone(i) < 2.0 * std::pow(kIdentified * scale, 2);
+    const bool known = deviation(i) < kIdentified * scale && alone(i) < 2.0 * std::pow(kIdentified * scale, 2) &&
+                       alone(i) < std::pow(kSharpest * deviation(i), 2);
     if (!wasTold) return known ? Source::data : Source::none;
     return share(i) > 0.5 && known ? Source::data : Source::prior;
   };

@@ -76,7 +76,7 @@ NoiseModel firstGuess() {
 }  // namespace
 
 NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std::vector<Run>& runs, int parameters,
-                    const Taken* taken) {
+                    const Taken* taken, const Vector6d& least) {
   NoiseModel noise;
   double used = 0.0, independent = 0.0, estimated = taken ? 0.0 : parameters;
   for (int c = 0; c < 6; ++c) {
@@ -128,7 +128,7 @@ NoiseModel fitNoise(const Wrenches& residual, const Wrenches& weights, const std
   }
   covariance *= freedom * student * student / std::max(1.0, count);
   // Correlations need many samples; with few the channels are taken as independent.
-  const Vector6d variance = covariance.diagonal().cwiseMax(Vector6d(Vector6d::Constant(1e-16)));
+  const Vector6d variance = covariance.diagonal().cwiseMax(least.cwiseAbs2()).cwiseMax(Vector6d::Constant(1e-16));
   covariance *= count / (count + 60.0);
   covariance.diagonal() = variance;
   for (int c = 0; c < 6; ++c) noise.channels[static_cast<std::size_t>(c)].sigma = std::sqrt(variance(c));
@@ -140,42 +140,41 @@ namespace {
 
 /// One round of fitting payload, noise and weights; the rows that `keep` zero are left out of the noise.
 void learnRound(LearnedNoise& out, Wrenches& keep, const WrenchRows& rows, const std::vector<Run>& runs,
-                const std::array<bool, 6>& silent, bool keepAll, bool withTaken) {
+                const KnownOfNoise& known, bool withTaken) {
   // The bounded model weights the fit from which the next noise model is learned, as it will weight the last one.
   const auto whitened = merged(whitenedTriangles(rows, bounded(out.noise), out.weights, runs, 1));
   out.residual = noiseResidualOf(rows, whitened);
   if (withTaken) {
     const Taken taken = takenBy(whitened, rows);
-    out.noise = fitNoise(out.residual, keep, runs, kColumns, &taken);
+    out.noise = fitNoise(out.residual, keep, runs, kColumns, &taken, known.least);
   } else {
-    out.noise = fitNoise(out.residual, keep, runs, kColumns);
+    out.noise = fitNoise(out.residual, keep, runs, kColumns, nullptr, known.least);
   }
-  if (std::ranges::find(silent, true) != silent.end()) out.noise = without(out.noise, silent);
+  if (std::ranges::find(known.silent, true) != known.silent.end()) out.noise = without(out.noise, known.silent);
   const Wrenches u = innovations(out.noise, out.residual, runs);
   // Huber weights: beyond three standard deviations an innovation counts with its sign only. What lies beyond five is
   // no part of the noise and leaves the noise model.
   out.weights = u.unaryExpr([](double e) { return std::abs(e) > 3.0 ? 3.0 / std::abs(e) : 1.0; });
-  if (!keepAll) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
+  if (!known.keepAll) keep = u.unaryExpr([](double e) { return std::abs(e) > 5.0 ? 0.0 : 1.0; });
 }
 
 }  // namespace
 
-LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
-                          bool keepAll) {
+LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const KnownOfNoise& known) {
   constexpr int kRounds = 4;
   LearnedNoise out;
   out.noise = firstGuess();
   out.weights = Wrenches::Ones(6, rows.size());
   Wrenches keep = out.weights;
-  for (int round = 0; round < kRounds; ++round) learnRound(out, keep, rows, runs, silent, keepAll, false);
+  for (int round = 0; round < kRounds; ++round) learnRound(out, keep, rows, runs, known, false);
   return out;
 }
 
 LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
-                       const std::array<bool, 6>& silent, bool keepAll) {
+                       const KnownOfNoise& known) {
   constexpr int kRounds = 2;
-  Wrenches keep = learned.weights.unaryExpr([&](double w) { return !keepAll && w < 3.0 / 5.0 ? 0.0 : 1.0; });
-  for (int round = 0; round < kRounds; ++round) learnRound(learned, keep, rows, runs, silent, keepAll, true);
+  Wrenches keep = learned.weights.unaryExpr([&](double w) { return !known.keepAll && w < 3.0 / 5.0 ? 0.0 : 1.0; });
+  for (int round = 0; round < kRounds; ++round) learnRound(learned, keep, rows, runs, known, true);
   return learned;
 }
 

@@ -29,10 +29,11 @@ using Taken = std::array<MatrixXd, 6>;
 
 /// Fits to residuals (6 x K); `weights` (6 x K in 0..1) leave spikes out. `parameters` is the number of parameters that
 /// the residual was fitted with, for the degrees of freedom; with `taken` the noise is that of the residual and of what
-/// the fit took together, and they need not be counted.
+/// the fit took together, and they need not be counted. No channel's innovations are taken to be below `least` [N, N m]:
+/// readings that stand still because the sensor's steps are coarse are not exact for it (roundingNoise()).
 NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
-                    int parameters, const Taken* taken = nullptr);
+                    int parameters, const Taken* taken = nullptr, const Vector6d& least = Vector6d::Zero());
 
 /// A noise model with the robust weights of the innovations that it was learned with.
 struct LearnedNoise {
@@ -40,15 +41,20 @@ struct LearnedNoise {
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;   ///< 0..1
   Eigen::Matrix<double, 6, Eigen::Dynamic> residual;  ///< That it was fitted to
 };
-/// Fits payload, noise and weights in turn. `keepAll`: however far off, no row is left out of the noise model.
-LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const std::array<bool, 6>& silent,
-                          bool keepAll);
+/// What is known of the readings before anything is fitted.
+struct KnownOfNoise {
+  std::array<bool, 6> silent{};         ///< Channels that say nothing
+  Vector6d least = Vector6d::Zero();    ///< As in fitNoise()
+  bool keepAll = false;                 ///< However far off, no row is left out of the noise model.
+};
+/// Fits payload, noise and weights in turn.
+LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const KnownOfNoise& known);
 
 /// Further rounds in which each channel gets back what the fit has taken from its noise, where in the spectrum it was
 /// taken (the expectation step of Dempster, Laird and Rubin 1977; its fixed point is Patterson and Thompson's restricted
 /// likelihood, 1971): a short recording's fit eats most of the slow noise, and what is left looks too quiet.
 LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
-                       const std::array<bool, 6>& silent, bool keepAll);
+                       const KnownOfNoise& known);
 
 /// The same with next to no weight on the channels that are `silent`.
 NoiseModel without(const NoiseModel& noise, const std::array<bool, 6>& silent);

@@ -14,6 +14,8 @@
 #include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
 #include "core/recording/frozen.h"
+#include "core/recording/held.h"
+#include "core/recording/steps.h"
 #include "core/segmentation/flat_tops.h"
 
 namespace heft {
@@ -39,7 +41,7 @@ void calm(Prepared& out) {
 }
 
 void learnNoise(Prepared& out, bool poses) {
-  LearnedNoise learned = learnedNoise(out.blocks, out.runs, out.silent, poses);
+  LearnedNoise learned = learnedNoise(out.blocks, out.runs, {out.silent, out.rounding, poses});
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   NoiseModel plain = out.noise;
@@ -111,6 +113,7 @@ struct Understanding {
   std::vector<Trouble> trouble;  ///< Where the sensor fails, whatever the numbers mean
   bool posesInFile = false;
   bool doubtful = false;  ///< The stated conventions are out, and nothing is read instead.
+  HeldValues held;        ///< The wrench's own readings, where rows repeat them
 };
 
 Understanding asStated(const Recording& recording) {
@@ -118,6 +121,7 @@ Understanding asStated(const Recording& recording) {
   out.stated = conventions::statedIn(recording.meta);
   if (recording.meta.kind != RecordingKind::poses) out.trouble = sensorTrouble(recording);
   out.posesInFile = recording.hasOrientation();
+  if (recording.meta.kind == RecordingKind::motion) out.held = heldValues(recording.time, recording.wrench);
   return out;
 }
 
@@ -136,6 +140,34 @@ Motion understood(Motion motion, const Understanding& as) {
                     : std::move(motion);
 }
 
+/// Blocks of about kBlockRate. Of a wrench that the log repeats each reading counts once, beside the motion of its own
+/// moment: what repeats it is late.
+WrenchRows blocksOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
+  if (held.period <= 0.0 || motion.size() < 4) return rowsOf(motion, kBlockRate);
+  Motion at = motion;
+  const auto readings = static_cast<Eigen::Index>(held.rows.size());
+  const auto pick = [&](Eigen::Matrix3Xd& out, const Eigen::Matrix3Xd& in) {
+    out.resize(3, readings);
+    for (Eigen::Index i = 0; i < readings; ++i) {
+      const double k = (recording.time(held.rows[static_cast<std::size_t>(i)]) - motion.startTime) * motion.rateHz;
+      // Lagrange's cubic: a line between 5 ms would take a hundredth of a tremor of 10 Hz.
+      const auto first = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(std::floor(k)) - 1, 0, motion.size() - 4);
+      const double u = std::clamp(k - static_cast<double>(first), 0.0, 3.0);
+      out.col(i) = (1 - u) * (2 - u) * (3 - u) / 6.0 * in.col(first) + u * (2 - u) * (3 - u) / 2.0 * in.col(first + 1) -
+                   u * (1 - u) * (3 - u) / 2.0 * in.col(first + 2) + u * (1 - u) * (2 - u) / 6.0 * in.col(first + 3);
+    }
+  };
+  pick(at.specificForce, motion.specificForce);
+  pick(at.omega, motion.omega);
+  pick(at.alpha, motion.alpha);
+  at.wrench.resize(6, readings);
+  for (Eigen::Index i = 0; i < readings; ++i)
+    at.wrench.col(i) = recording.wrench.row(held.rows[static_cast<std::size_t>(i)]).transpose();
+  at.startTime = recording.time(held.rows.front());
+  at.rateHz = 1.0 / held.period;
+  return rowsOf(at, kBlockRate);
+}
+
 /// `ready`: the motion as stated, if it is known already.
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
@@ -144,7 +176,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   Prepared out;
   out.motion = understood(std::move(*motion), as);
   out.cutoffHz = options.motion.smoothing == SmoothingKind::lowPass ? options.motion.cutoffHz : 0.0;
-  out.blocks = rowsOf(out.motion, kBlockRate);
+  out.blocks = blocksOf(out.motion, recording, as.held);
   const SegmentMode mode = options.segments.value_or(defaultSegmentMode(recording));
   const bool deaf = std::ranges::find(options.silent, true) != options.silent.end();
   const auto segmented = [&] {
@@ -155,7 +187,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
   if (!out.motion.originAccelerationKnown) {
     if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
       addSwing(*point, out.motion);
-      out.blocks = rowsOf(out.motion, kBlockRate);
+      out.blocks = blocksOf(out.motion, recording, as.held);
       segmentation = segmented();
       out.findings.push_back({Severity::info,
                               "swing_assumed",
@@ -219,6 +251,8 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
   out.silent = options.silent;
+  // Steps are those of the numbers as they came, not of what they are read as.
+  if (!as.reading) out.rounding = roundingNoise(recording.wrench, span, 1.0 / out.blocks.rateHz);
   learnNoise(out, false);
   return out;
 }
@@ -240,6 +274,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   if (out.usedBlocks < 6)
     return Error{
         heft::say("Only {} standing poses are there; at least 6 in different tilts are needed.", out.usedBlocks)};
+  out.rounding = roundingNoise(recording.wrench, static_cast<double>(recording.rows()), 1.0);
   learnNoise(out, true);
   return out;
 }
@@ -252,15 +287,20 @@ std::optional<WrenchRows> noisierBlocks(const Recording& recording, const RobotM
   options.outputRateHz = MotionOptions{}.outputRateHz;
   auto motion = motionOf(*noisier, robot, options);
   if (!motion) return std::nullopt;
-  return rowsOf(understood(std::move(*motion), as), kBlockRate);
+  return blocksOf(understood(std::move(*motion), as), recording, as.held);
 }
+
+/// FitRows::stride that readings of single moments need: above the motion's band there is nothing beside them, unless a
+/// block is the mean of several.
+int strideFor(const HeldValues& held) { return held.period * kBlockRate > 0.6 ? 2 : 1; }
 
 /// `widest`: the blocks of the motion at the widest band, if that was not told. Smoothing of another kind, and a tool
 /// that stands still, are taken as they are.
 FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                    const Understanding& as, const Prepared& prepared, std::optional<WrenchRows> widest) {
   const LearnedNoise learned{prepared.noise, prepared.weights, {}};
-  FitRowsQuestion question{prepared.blocks, prepared.runs, prepared.silent, {}, &learned};
+  FitRowsQuestion question{prepared.blocks, prepared.runs, {prepared.silent, prepared.rounding}, {}, &learned};
+  question.atLeast = strideFor(as.held);
   if (prepared.cutoffHz <= 0.0 || prepared.still) return fitRowsOf(question);
   const int stride = std::max(1, static_cast<int>(std::lround(kDefaultCutoffHz / prepared.cutoffHz)));
   MotionOptions wide = options.motion;
@@ -268,14 +308,15 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   const bool fixed = !widest;
   if (fixed && stride > 1) {
     auto motion = motionOf(recording, robot, wide);
-    if (motion) widest = rowsOf(understood(std::move(*motion), as), kBlockRate);
+    if (motion) widest = blocksOf(understood(std::move(*motion), as), recording, as.held);
   }
   if (!prepared.motion.originAccelerationKnown || (widest && widest->size() != prepared.blocks.size()))
     return fitRowsOf(question);
   const bool own = stride == 1;
-  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, prepared.silent,
+  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, {prepared.silent, prepared.rounding},
                         noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr};
   about.predicts = stride;
+  about.atLeast = strideFor(as.held);
   about.fixed = fixed;
   return fitRowsOf(about);
 }
@@ -311,7 +352,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     auto poses = preparePoses(recording, robot, options.conventions, checkConventions);
     if (!poses) return poses.error();
     const LearnedNoise learned{poses->noise, poses->weights, {}};
-    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, poses->silent, {}, &learned, true});
+    const FitRows fit = fitRowsOf({poses->blocks, poses->runs, {poses->silent, poses->rounding, true}, {}, &learned});
     return finish(std::move(*poses), fit);
   }
 
@@ -349,7 +390,10 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     }
     if (progress.cancelled()) return Error{"Stopped.", true};
     // Which channels say nothing was told of the numbers as stated.
-    if (as.reading) trial.silent = options.silent;
+    if (as.reading) {
+      trial.silent = options.silent;
+      as.held = {};
+    }
   }
   const auto prepareAt = [&](double cutoff) {
     EstimateOptions at = trial;
@@ -392,6 +436,14 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
          {}});
   progress(0.6, heft::say("Learning the sensor's noise"));
   const FitRows fit = fitRowsFor(cleaned, robot, trial, as, *best, std::move(widest));
+  if (as.held.period > 0.0)
+    best->findings.push_back({Severity::info,
+                              "wrench_held",
+                              heft::say("The log repeats each wrench for {:.0f} ms; each was used once, with the "
+                                        "motion of the moment at which it came.",
+                                        1e3 * as.held.period),
+                              {},
+                              {}});
   if (choose && fit.stride > 1)
     best->findings.push_back(
         {Severity::info,

@@ -183,9 +183,9 @@ class Joiner {
   /// An offset that is stated for something that is not there was misspelt.
   std::optional<Error> checkOffsets() const {
     for (const auto& [name, seconds] : wishes_.offset) {
-      const bool known = std::any_of(streams_.begin(), streams_.end(), [&](const Stream& stream) {
-        return name == stream.name || name == stream.file ||
-               name == std::filesystem::path(stream.file).filename().string();
+      const bool known = std::any_of(streams_.begin(), streams_.end(), [&wanted = name](const Stream& stream) {
+        return wanted == stream.name || wanted == stream.file ||
+               wanted == std::filesystem::path(stream.file).filename().string();
       });
       if (known) continue;
       std::vector<std::string> names;

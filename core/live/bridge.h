@@ -13,6 +13,10 @@
 namespace heft {
 
 class BridgeSource : public ThreadedSource {
+ public:
+  /// What happens to a message of the connection; false if it is malformed.
+  bool receive(const WebSocketMessage& arrived) { return message(arrived); }
+
  protected:
   BridgeSource(const std::string& what, std::string host, std::uint16_t port, std::string protocols,
                std::vector<std::string> jointNames);

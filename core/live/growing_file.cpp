@@ -1,6 +1,8 @@
 #include "core/live/growing_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/file_replacement.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 
@@ -18,16 +21,38 @@ namespace {
 constexpr std::chrono::seconds kSync{1};
 constexpr std::size_t kMost = 256U << 20U;  ///< [bytes] Ten minutes of a stalled disk at 1 kHz.
 
+/// Whether this program alone may write to the file: it is empty, still has its name, and no living program holds it.
+/// Where the file system knows no locks, only a file that was made just now is its maker's.
+bool claimed(const std::filesystem::path& file, int descriptor, bool made) {
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return made && errno != EWOULDBLOCK;
+  struct stat opened {}, named {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(file.c_str(), &named) == 0 && S_ISREG(opened.st_mode) &&
+         opened.st_size == 0 && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
+  int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+  const bool made = descriptor >= 0;
+  if (!made && errno == EEXIST) {
+    descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    errno = EEXIST;
+  }
+  if (descriptor >= 0 && !claimed(file, descriptor, made)) {
+    ::close(descriptor);
+    descriptor = -1;
+    errno = EEXIST;
+  }
+  if (descriptor < 0 && errno == EEXIST)
+    return Error{heft::say("{} exists; a recording never replaces a file. Choose another name.", displayName(file))};
   if (descriptor < 0) return Error{heft::say("{} cannot be made: {}.", displayName(file), std::strerror(errno))};
-  return std::unique_ptr<GrowingFile>(new GrowingFile(file, descriptor));
+  flushFolderOf(file);
+  return std::unique_ptr<GrowingFile>(new GrowingFile(file, descriptor, made));
 }
 
-GrowingFile::GrowingFile(std::filesystem::path file, int descriptor)
-    : file_(std::move(file)), descriptor_(descriptor), thread_([this] { run(); }) {}
+GrowingFile::GrowingFile(std::filesystem::path file, int descriptor, bool made)
+    : file_(std::move(file)), descriptor_(descriptor), made_(made), thread_([this] { run(); }) {}
 
 GrowingFile::~GrowingFile() {
   {
@@ -36,6 +61,7 @@ GrowingFile::~GrowingFile() {
   }
   changed_.notify_all();
   thread_.join();
+  flushToDisk(descriptor_);
   ::close(descriptor_);
 }
 
@@ -53,7 +79,12 @@ bool GrowingFile::append(std::string text) {
 bool GrowingFile::finish() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return !problem_.empty() || (waiting_.empty() && !writing_); });
+  if (problem_.empty()) problem_ = flush();
   return problem_.empty();
+}
+
+void GrowingFile::forget() {
+  if (std::exchange(made_, false)) ::unlink(file_.c_str());
 }
 
 std::string GrowingFile::problem() const {
@@ -61,14 +92,25 @@ std::string GrowingFile::problem() const {
   return problem_;
 }
 
+std::string GrowingFile::flush() const {
+  if (const int reason = flushToDisk(descriptor_); reason != 0) return cannotGrow(reason);
+  struct stat status {};
+  if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0)
+    return heft::say("{} was deleted while it was written.", displayName(file_));
+  return {};
+}
+
+std::string GrowingFile::cannotGrow(int reason) const {
+  return heft::say("{} cannot be written any further: {}. What is there can be read.", displayName(file_),
+                   std::strerror(reason));
+}
+
 std::string GrowingFile::write(const std::string& text) const {
   std::string_view left = text;
   while (!left.empty()) {
     const auto written = ::write(descriptor_, left.data(), left.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0)
-      return heft::say("{} cannot be written any further: {}. What is there can be read.", displayName(file_),
-                       std::strerror(errno));
+    if (written <= 0) return cannotGrow(written < 0 ? errno : ENOSPC);
     left.remove_prefix(static_cast<std::size_t>(written));
   }
   return {};
@@ -90,8 +132,9 @@ void GrowingFile::run() {
     changed_.notify_all();
     if (const auto now = std::chrono::steady_clock::now(); now - synced > kSync) {
       lock.unlock();
-      ::fdatasync(descriptor_);
+      problem = flush();
       lock.lock();
+      if (problem_.empty()) problem_ = std::move(problem);
       synced = now;
     }
   }

@@ -16,7 +16,8 @@ namespace heft {
 /// from any thread.
 class GrowingFile {
  public:
-  /// Fails if the file exists or cannot be made.
+  /// Fails if the file exists or cannot be made. An empty one that no living program writes to, as a killed one leaves
+  /// it, is taken. Of several programs that try at the same moment one succeeds.
   static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file);
   ~GrowingFile();  ///< Writes what is left.
   GrowingFile(const GrowingFile&) = delete;
@@ -24,18 +25,24 @@ class GrowingFile {
 
   /// Returns at once. False once the disk is full, gone, or far too slow; problem() says so.
   bool append(std::string text);
-  /// Waits until everything is handed to the system. False if there is a problem.
+  /// Waits until everything is on the disk. False if there is a problem.
   bool finish();
+  /// Takes the file's name away if create() made it: for one that nothing was written to.
+  void forget();
   std::string problem() const;
 
  private:
-  GrowingFile(std::filesystem::path file, int descriptor);
+  GrowingFile(std::filesystem::path file, int descriptor, bool made);
   void run();
   /// What went wrong, or nothing.
   std::string write(const std::string& text) const;
+  /// The same of what was written, handed to the disk.
+  std::string flush() const;
+  std::string cannotGrow(int reason) const;
 
   std::filesystem::path file_;
   int descriptor_;
+  bool made_;  ///< The file was not there before.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::string waiting_;

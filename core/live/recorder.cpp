@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/file_replacement.h"
+#include "core/base/json_file.h"
 #include "core/base/say.h"
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
+#include "core/recording/meta_file.h"
 
 namespace heft {
 
@@ -19,20 +22,37 @@ constexpr double kHandOver = 0.2;  ///< [s]
 
 Result<Recorder> Recorder::create(const std::filesystem::path& csv, const RecordingMeta& meta) {
   const auto metaFile = metaFileOf(csv);
-  for (const auto& file : {csv, metaFile})
-    if (std::filesystem::exists(file))
-      return Error{heft::say("{} exists; a recording never replaces a file. Choose another name.", displayName(file))};
-  if (const auto written = writeMeta(meta, metaFile); !written) return written.error();
+  const auto text = metaText(meta, metaFile);
+  if (!text) return text.error();
   Recorder out;
   out.file_ = csv;
+  // Who has the CSV has the meta file: of two programs only one comes this far.
   auto disk = GrowingFile::create(csv);
   if (!disk) return disk.error();
   out.disk_ = std::move(*disk);
+  std::error_code code;
+  if (std::filesystem::exists(metaFile, code)) {
+    // One that says the same is as good: a program that was killed may have left it, or a person wrote it before.
+    if (const auto old = readTextFile(metaFile); !old || *old != *text)
+      return Error{
+          heft::say("{} exists; a recording never replaces a file. Choose another name.", displayName(metaFile))};
+  } else {
+    if (const auto written = createTextFile(metaFile, *text); !written) return written.error();
+    out.madeMeta_ = true;
+  }
   return out;
 }
 
 Recorder::~Recorder() {
-  if (disk_) handOver();
+  if (!disk_) return;
+  if (rows_ > 0) {
+    handOver();
+    return;
+  }
+  // Empty files would only be in the next run's way.
+  disk_->forget();
+  std::error_code code;
+  if (madeMeta_) std::filesystem::remove(metaFileOf(file_), code);
 }
 
 void Recorder::begin(const LiveSample& first) {

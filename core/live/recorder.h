@@ -12,11 +12,13 @@
 namespace heft {
 
 /// A CSV whose rows are handed to the system every fifth of a second and to the disk every second, by a thread of its
-/// own: a killed program loses at most that, and what is there ends with a whole row. The meta file is written first.
+/// own: a killed program loses at most that, and what is there ends with a whole row. The meta file is there before the
+/// first row. Without any row neither file stays.
 /// Not safe to use from several threads at once.
 class Recorder {
  public:
-  /// Fails if a file exists (nothing is ever overwritten) or cannot be made. `meta.wrenchSign` and
+  /// Fails if a file exists (nothing is ever overwritten; but see GrowingFile, and a meta file that says the same will
+  /// do) or cannot be made; of two programs that try at once one succeeds, and the other leaves no trace. `meta.wrenchSign` and
   /// `meta.conventions` say what the samples' numbers mean; they are written as they come.
   static Result<Recorder> create(const std::filesystem::path& csv, const RecordingMeta& meta);
 
@@ -25,7 +27,7 @@ class Recorder {
 
   /// The first sample decides which columns there are. False once the disk is full or gone; problem() says so.
   bool add(const LiveSample& sample);
-  /// Waits until the system has every row. False as above.
+  /// Waits until the disk has every row. False as above.
   bool flush();
 
   std::uint64_t rows() const { return rows_; }
@@ -42,6 +44,7 @@ class Recorder {
   std::unique_ptr<GrowingFile> disk_;  ///< Null where moved from
   std::string pending_;
   bool failed_ = false;
+  bool madeMeta_ = false;
   std::uint64_t rows_ = 0;
   double origin_ = 0.0;
   double handed_ = 0.0;

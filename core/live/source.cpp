@@ -64,7 +64,7 @@ SourceStatus ThreadedSource::status() const {
 
 void ThreadedSource::passOn(const LiveSample& sample) {
   count([](SourceStatus& status) { ++status.samples; });
-  sink_(sample);
+  if (sink_) sink_(sample);
 }
 
 void ThreadedSource::setState(LinkState state, std::string text) {

@@ -61,7 +61,7 @@ Prepared learnedWith(const LaneBlocks& blocks, std::vector<MarkLabel> labels) {
   }
   calm(out);
   learnNoise(out, false);
-  LearnedNoise learned = withTaken({out.noise, out.weights, {}}, out.blocks, out.runs, out.silent, false);
+  LearnedNoise learned = withTaken({out.noise, out.weights, {}}, out.blocks, out.runs, {out.silent, out.rounding});
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   return out;

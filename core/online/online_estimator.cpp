@@ -31,9 +31,9 @@ constexpr Eigen::Index kFirstChoice = 100;
 constexpr Eigen::Index kAtOnce = 150;       // blocks that are learned from within a step,
 constexpr Eigen::Index kLearningTime = 10;  // and how many blocks later the result is taken over where there are more;
 constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the smoothing
-/// No number is told while the fit misses the force by more than half of what it does (standard deviations), and by more
-/// than so many times what the readings scatter by themselves: what is missed then is no noise.
-constexpr double kDescribes = 0.5, kAboveScatter = 5.0;
+/// No number is told while the fit misses the force by more than this share of what it does (standard deviations), and by
+/// more than so many times what the readings scatter by themselves: what is missed then is no noise.
+constexpr double kDescribes = 0.2, kAboveScatter = 5.0;
 constexpr std::size_t kFewestSteps = 200;  // Samples whose stamps tell the jitter
 constexpr double kJitterShare = 0.2;       // Of a step from which on it is told,
 constexpr double kJitter = 2e-4;           // and [s]
@@ -138,13 +138,14 @@ struct OnlineEstimator::Impl {
     return steps.size() < kFewestSteps ? 0.0 : robustStd({steps.begin(), steps.end()}) / std::numbers::sqrt2;
   }
 
-  /// Whether what the fit leaves over in the forces is anything like what the sensor scatters.
+  /// Whether what the fit leaves over in the forces is anything like what the sensor scatters. Contact counts, too: what
+  /// a fit calls so because it misses it says nothing for the fit; robust scatter lets half of it pass.
   bool fitAgrees() const {
     const LaneBlocks& all = lanes[chosen].blocks;
     const auto& judged = learner.judged();
     std::array<std::vector<double>, 3> left, bends, load;
     for (std::size_t k = 2; k < std::min(judged.size(), all.wrench.size()); ++k) {
-      if (judged[k] != Judged::free || judged[k - 1] != Judged::free || judged[k - 2] != Judged::free) continue;
+      if (!all.usable[k] || !all.usable[k - 1] || !all.usable[k - 2]) continue;
       const Vector6d missed = all.wrench[k] - learner.solution().bias - all.Y[k] * learner.solution().phi;
       const Vector6d bend = all.wrench[k] - 2.0 * all.wrench[k - 1] + all.wrench[k - 2];
       for (std::size_t c = 0; c < 3; ++c) {

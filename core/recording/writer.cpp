@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/recording/columns.h"
 #include "core/recording/csv_reader.h"
+#include "core/recording/meta_file.h"
 
 namespace heft {
 
@@ -121,6 +122,8 @@ std::string robotText(const std::string& robot, const std::filesystem::path& met
   return relative.empty() || *relative.begin() == ".." ? robot : relative.string();
 }
 
+}  // namespace
+
 Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::path& metaFile) {
   nlohmann::ordered_json root;
   root["robot"] = nullptr;
@@ -156,8 +159,6 @@ Result<std::string> metaText(const RecordingMeta& meta, const std::filesystem::p
                            displayName(metaFile))};
   }
 }
-
-}  // namespace
 
 Result<bool> writeMeta(const RecordingMeta& meta, const std::filesystem::path& file) {
   const auto text = metaText(meta, file);

@@ -40,7 +40,8 @@ std::vector<FrozenStretch> cutStretches(const FlatTop& flat, const VectorXd& tim
 }
 
 void addGaps(const VectorXd& time, std::vector<Trouble>& out) {
-  constexpr double kSteps = 3.0, kLeast = 0.02;  // Usual steps; [s]: a block of the estimate
+  // A row is missing, which a step that only jitters does not look like; [s]: a block of the estimate.
+  constexpr double kSteps = 1.75, kLeast = 0.02;
   std::vector<double> steps;
   for (Eigen::Index k = 1; k < time.size(); ++k) steps.push_back(time(k) - time(k - 1));
   const double usual = median(steps);

@@ -13,8 +13,8 @@ struct Trouble {
 };
 
 /// The whole wrench hung (no channel changes for 50 ms and twenty times longer than usual), one channel did
-/// (frozenAlone()), the posture did (hungPostures()), nothing was recorded (more than three steps and
-/// 20 ms without a row: what lies between was made up), or a channel is cut off at the end of its range
+/// (frozenAlone()), the posture did (hungPostures()), nothing was recorded (rows are missing for more
+/// than 20 ms: what lies between was made up), or a channel is cut off at the end of its range
 /// (flatTops()) in three rows or more with at most 40 ms between them. Of a channel that is cut off in most rows
 /// (mostlyCutOff()) nothing is said.
 std::vector<Trouble> sensorTrouble(const Recording& recording);

@@ -2327,10 +2327,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>%1 gibt es schon und wurde nicht ersetzt.</translation>
     </message>
     <message>
-        <source>%1 could not be written: check that the folder exists and may be written to.</source>
-        <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob es den Ordner gibt und ob er beschreibbar ist.</translation>
-    </message>
-    <message>
         <source>Heft report</source>
         <translation>Heft-Bericht</translation>
     </message>
@@ -8210,6 +8206,18 @@ Bitte prüfen Sie den Namen.</translation>
         <source>its columns could not be read again.</source>
         <translation>ihre Spalten konnten nicht noch einmal gelesen werden.</translation>
     </message>
+    <message>
+        <source>{} exists and was not replaced.</source>
+        <translation>{} gibt es schon; die Datei wurde nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>{} was deleted while it was written.</source>
+        <translation>{} wurde gelöscht, während die Datei geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The log repeats each wrench for {:.0f} ms; each was used once, with the motion of the moment at which it came.</source>
+        <translation>Das Protokoll wiederholt jeden Messwert des Sensors {:.0f} ms lang; jeder wurde einmal verwendet, mit der Bewegung des Augenblicks, in dem er kam.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
@@ -9000,10 +9008,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Bilder (*.png)</translation>
     </message>
     <message>
-        <source>%1 could not be written: check that the folder exists and may be written to.</source>
-        <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob es den Ordner gibt und ob man in ihn schreiben darf.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -9429,10 +9433,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <translation>Wieder öffnen</translation>
     </message>
     <message>
-        <source>What was kept could not be read.</source>
-        <translation>Was noch da war, konnte nicht gelesen werden.</translation>
-    </message>
-    <message>
         <source>%1 – Heft Studio</source>
         <translation>%1 – Heft Studio</translation>
     </message>
@@ -9479,6 +9479,18 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>The program ended in the middle of a recording. What came until then was kept.</source>
         <translation>Das Programm endete mitten in einer Aufnahme. Was bis dahin kam, wurde aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The session is not saved automatically at the moment: %1 Save it elsewhere.</source>
+        <translation>Die Sitzung wird zurzeit nicht selbsttätig gesichert: %1 Speichern Sie sie an einem anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>What was kept could not be read; it is now %1. %2</source>
+        <translation>Was aufgehoben wurde, konnte nicht gelesen werden; es liegt jetzt in %1. %2</translation>
     </message>
 </context>
 <context>
@@ -10663,10 +10675,6 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>Recordings (*.%1)</source>
         <translation>Aufnahmen (*.%1)</translation>
-    </message>
-    <message>
-        <source>%1 could not be written: check that the folder exists and may be written to.</source>
-        <translation>%1 konnte nicht geschrieben werden: Prüfen Sie, ob der Ordner da ist und beschrieben werden darf.</translation>
     </message>
     <message>
         <source>Saved %1.</source>

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <random>
 #include <string>
 #include <thread>
 
@@ -30,6 +31,45 @@ constexpr Encoder kEncoders[] = {{"exact", 0.0, 0.0, true},
                                  {"noise 1e-5", 1e-5, 0.0, false},
                                  {"noise 1e-4", 1e-4, 0.0, false},
                                  {"step 1e-4", 0.0, 1e-4, false}};
+
+/// What a logger does to a recording of 1 kHz: coarse steps of the sensor, values that are repeated until the next one
+/// comes, rows that are missing.
+struct Logger {
+  const char* name;
+  double stepN = 0.0;      ///< Of the forces; the torques' is a twentieth [N m]
+  int held = 0;            ///< [rows] Each value of the wrench is repeated so often
+  double longestGap = 0.0; ///< [s] Two gaps a second, of 5 ms to this
+};
+constexpr Logger kLoggers[] = {{"steps 1 N", 1.0},        {"steps 0.2 N", 0.2},       {"held 20 ms", 0.0, 20},
+                               {"held 50 ms", 0.0, 50},   {"gaps 44 ms", 0.0, 0, 0.044},
+                               {"steps 1 N held 20 ms", 1.0, 20}};
+
+void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
+  if (logger.held > 1)
+    for (Eigen::Index k = 0; k < recording.rows(); ++k)
+      recording.wrench.row(k) = recording.wrench.row(k / logger.held * logger.held).eval();
+  if (logger.stepN > 0.0)
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double step = c < 3 ? logger.stepN : logger.stepN / 20.0;
+      recording.wrench.col(c) = ((recording.wrench.col(c).array() / step).round() * step).matrix().eval();
+    }
+  if (logger.longestGap <= 0.0) return;
+  std::vector<Eigen::Index> kept;
+  std::uniform_real_distribution<double> length(0.005, logger.longestGap), pause(0.2, 0.8);
+  double next = pause(random), until = 0.0;
+  for (Eigen::Index k = 0; k < recording.rows(); ++k) {
+    const double t = recording.time(k);
+    if (t >= next) {
+      until = t + length(random);
+      next = until + pause(random);
+    }
+    if (t >= until) kept.push_back(k);
+  }
+  recording.time = recording.time(kept).eval();
+  recording.q = recording.q(kept, Eigen::all).eval();
+  if (recording.dq.rows() > 0) recording.dq = recording.dq(kept, Eigen::all).eval();
+  recording.wrench = recording.wrench(kept, Eigen::all).eval();
+}
 
 void printClass(const std::string& name, const test::CoverageOptions& options, int recordings, int threads) {
   std::vector<test::CoverageOptions> kinds;
@@ -58,7 +98,8 @@ void printClass(const std::string& name, const test::CoverageOptions& options, i
 int main(int argc, char** argv) {
   const int recordings = argc > 1 ? std::stoi(argv[1]) : 300;
   test::CoverageOptions options;
-  options.seed = argc > 2 ? static_cast<unsigned>(std::stoul(argv[2])) : 1;
+  const unsigned seed = argc > 2 ? static_cast<unsigned>(std::stoul(argv[2])) : 1;
+  options.seed = seed;
   const std::string only = argc > 3 ? argv[3] : "";
   const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   fmt::print("{} recordings a class, seed {}\n\n", recordings, options.seed);
@@ -80,4 +121,14 @@ int main(int argc, char** argv) {
         options.velocities = encoder.velocities;
         printClass(name, options, recordings, threads);
       }
+  for (const double duration : {5.0, 20.0})
+    for (const Logger& logger : kLoggers) {
+      const std::string name = fmt::format("{} s, {}", duration, logger.name);
+      if (name.find(only) == std::string::npos) continue;
+      options = {};
+      options.seed = seed;
+      options.duration = duration;
+      options.alter = [&logger](Recording& recording, std::mt19937& random) { logBy(logger, recording, random); };
+      printClass(name, options, recordings, threads);
+    }
 }

@@ -2,6 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +52,54 @@ Outcome runHeft(const std::vector<std::string>& arguments, const std::filesystem
   int status = 0;
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out), slurp(err)};
+}
+
+Running::Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 const std::string& name, Limits limits)
+    : out_(folder / ("." + name + ".stdout")), err_(folder / ("." + name + ".stderr")) {
+  std::vector<std::string> words{HEFT_BINARY};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  process_ = fork();
+  if (process_ < 0) throw std::runtime_error("fork failed");
+  if (process_ > 0) return;
+  if (chdir(folder.c_str()) != 0) _exit(126);
+  redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+  if (limits.terminal >= 0) {
+    // The terminal of this process and no other: closing it ends with SIGHUP.
+    setsid();
+    ioctl(limits.terminal, TIOCSCTTY, 0);
+    if (dup2(limits.terminal, STDOUT_FILENO) < 0 || dup2(limits.terminal, STDERR_FILENO) < 0) _exit(126);
+    close(limits.terminal);
+  } else {
+    redirect(STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
+    redirect(STDERR_FILENO, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
+  }
+  if (limits.fileSize > 0) {
+    const rlimit limit{limits.fileSize, limits.fileSize};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  execv(HEFT_BINARY, argv.data());
+  _exit(127);
+}
+
+Running::~Running() {
+  if (process_ < 0) return;
+  kill(process_, SIGKILL);
+  waitpid(process_, nullptr, 0);
+}
+
+void Running::signal(int number) const { kill(process_, number); }
+
+std::string Running::said() const { return slurp(err_); }
+
+Outcome Running::wait() {
+  int status = 0;
+  waitpid(process_, &status, 0);
+  process_ = -1;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out_), slurp(err_)};
 }
 
 CliTest::CliTest() {

@@ -2,6 +2,7 @@
 // Runs the real program, as a user or a script would.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,6 +19,31 @@ struct Outcome {
 /// Runs `heft` with these arguments in `folder`; `environment` is added to this process's own.
 Outcome runHeft(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                 const std::vector<std::pair<std::string, std::string>>& environment = {});
+
+/// A `heft` that runs beside the test; it is killed where the test forgets it.
+class Running {
+ public:
+  struct Limits {
+    std::uint64_t fileSize = 0;  ///< [bytes] No file may grow beyond it, as on a full disk; 0: no limit.
+    int terminal = -1;           ///< A descriptor for stdout and stderr instead of files.
+  };
+  Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& name,
+          Limits limits);
+  Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& name)
+      : Running(arguments, folder, name, Limits()) {}
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void signal(int number) const;
+  /// What has come on stderr so far.
+  std::string said() const;
+  Outcome wait();
+
+ private:
+  std::filesystem::path out_, err_;
+  int process_ = -1;
+};
 
 /// A fresh folder for each test, removed after it.
 class CliTest : public testing::Test {

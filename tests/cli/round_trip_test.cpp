@@ -1,5 +1,9 @@
 // The main job, end to end: simulate, estimate, export, with a truth to compare against.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
 
 #include "core/payload/inertial_parameters.h"
 #include "tests/cli/process.h"
@@ -208,6 +212,31 @@ TEST_F(RoundTripTest, HiddenEffectsAreNamedInTheTruthFileOnly) {
   const Outcome list = heft({"simulate", "--list-effects"});
   EXPECT_EQ(list.exitCode, 0);
   EXPECT_THAT(list.out, testing::HasSubstr("  loose_mass        g, for instance"));
+}
+
+TEST_F(RoundTripTest, AZeroOfAMillionNewtonsIsNoNoise) {
+  simulate("rec", {"--duration", "8", "--rate", "500", "--motion", "free", "--seed", "3"});
+  std::istringstream rows(read("rec.csv"));
+  std::string line, far;
+  std::getline(rows, line);
+  const auto header = line;
+  const auto column = std::count(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(header.find(",fx") + 1), ',');
+  far = header + "\n";
+  while (std::getline(rows, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (std::ptrdiff_t c = 0; std::getline(cells, cell, ','); ++c)
+      far += (c > 0 ? "," : "") + (c >= column && c < column + 3 ? fmt::format("{:.9f}", std::stod(cell) + 1e6) : cell);
+    far += "\n";
+  }
+  write("far.csv", far);
+  write("far.meta.json", read("rec.meta.json"));
+  for (const std::string name : {"rec", "far"})
+    ASSERT_EQ(heft({"diagnose", name + ".csv", "--json", name + ".json"}).exitCode, 0);
+  const auto near = readJson("rec.json"), moved = readJson("far.json");
+  EXPECT_NEAR(moved["baseline"]["noise_force_rms_n"].get<double>(), near["baseline"]["noise_force_rms_n"].get<double>(),
+              0.02);
+  EXPECT_EQ(moved["verdict"], near["verdict"]);
 }
 
 }  // namespace

@@ -247,7 +247,8 @@ TEST(Autosave, NothingIsLostByAKill) {
   Workspace workspace;
   Autosave autosave(&workspace, state, 50);
   ASSERT_EQ(autosave.leftBehind().size(), 1);
-  ASSERT_TRUE(autosave.recover());
+  const auto recovered = autosave.recover();
+  ASSERT_TRUE(recovered.opened && recovered.unreadable.isEmpty());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workspace.busy() && workspace.opened(); }, kPatience));
   EXPECT_EQ(workspace.opened()->path, folder.filePath("a.csv"));
   ASSERT_EQ(workspace.session().recordings[0].marks.size(), 1u);
@@ -258,6 +259,56 @@ TEST(Autosave, NothingIsLostByAKill) {
   EXPECT_TRUE(workspace.modified() && !workspace.undoStack()->isClean()) << "it stands in no file yet: closing asks";
   ASSERT_TRUE(workspace.save(folder.filePath("kept.heft")));
   EXPECT_FALSE(workspace.modified());
+}
+
+TEST(Autosave, WhatCannotBeReadIsMovedAsideAndNamed) {
+  QTemporaryDir folder;
+  Workspace earlier;
+  earlier.open(writeSine(folder, "a.csv"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !earlier.busy() && earlier.opened(); }, kPatience));
+  const QString good = folder.filePath("autosave-999997-0.heft");
+  ASSERT_TRUE(earlier.save(good));
+  std::string newer = *readTextFile(good.toStdString());
+  newer.replace(newer.find("heft.session/1"), 14, "heft.session/2");
+  const std::string damaged = newer.substr(0, newer.size() / 2);
+  // Newer than the good one, so that both are met first.
+  for (const auto& [name, text] : {std::pair{"autosave-999998-0.heft", newer}, {"autosave-999999-0.heft", damaged}}) {
+    QFile file(folder.filePath(name));
+    ASSERT_TRUE(writeTextFile(file.fileName().toStdString(), text));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime));
+  }
+  Workspace workspace;
+  Autosave autosave(&workspace, folder.path(), 50);
+  const auto recovered = autosave.recover();
+  EXPECT_TRUE(recovered.opened) << "the one that can be read";
+  ASSERT_EQ(recovered.unreadable.size(), 2);
+  QStringList texts;
+  for (const auto& [file, reason] : recovered.unreadable) {
+    EXPECT_TRUE(QFileInfo(file).fileName().startsWith("unreadable-autosave-99999")) << file.toStdString();
+    EXPECT_FALSE(reason.isEmpty());
+    texts << QString::fromStdString(*readTextFile(file.toStdString()));
+  }
+  EXPECT_TRUE(texts.contains(QString::fromStdString(newer)) && texts.contains(QString::fromStdString(damaged)));
+  EXPECT_TRUE(autosave.leftBehind().isEmpty()) << "it is not offered again";
+}
+
+TEST(Autosave, AFullDiskIsToldOnceAndTriedAgain) {
+  QTemporaryDir folder;
+  Workspace workspace;
+  Autosave autosave(&workspace, folder.filePath("state"), 20);
+  QStringList told;
+  QObject::connect(&autosave, &Autosave::failed, [&](const QString& why) { told << why; });
+  ASSERT_TRUE(QDir(folder.filePath("state")).removeRecursively());
+  for (const char* step : {"mark", "shape", "mark"}) {
+    workspace.setStep(step);
+    autosave.flush();
+  }
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_TRUE(told[0].contains("cannot be written")) << told[0].toStdString();
+  ASSERT_TRUE(QDir().mkpath(folder.filePath("state")));
+  autosave.flush();
+  EXPECT_TRUE(QFile::exists(autosave.file())) << "and nothing has to change for it";
 }
 
 TEST(Autosave, ANormalEndLeavesNothingBehind) {

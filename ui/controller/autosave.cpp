@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <utility>
 
 #include "core/base/json_file.h"
 #include "core/workspace/session.h"
@@ -20,7 +21,8 @@ QString stateFolder() {
 }
 
 namespace {
-QString folderForRecordings;  // Empty: the user's own
+constexpr int kRetry = 15000;  ///< [ms] After a disk that was full
+QString folderForRecordings;   // Empty: the user's own
 }
 
 QString recordedFolder() {
@@ -33,7 +35,7 @@ QString earlierRecordedFolder() { return stateFolder() + QStringLiteral("/record
 void setRecordedFolder(const QString& folder) { folderForRecordings = folder; }
 
 Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QObject* parent)
-    : QObject(parent), workspace_(workspace), folder_(folder) {
+    : QObject(parent), workspace_(workspace), folder_(folder), interval_(interval) {
   QDir().mkpath(folder_);
   // A name that no living program holds; two windows of one process differ by the number.
   for (int k = 0; k < 1000 && !lock_; ++k) {
@@ -45,7 +47,7 @@ Autosave::Autosave(Workspace* workspace, const QString& folder, int interval, QO
     if (lock->tryLock(0)) lock_ = std::move(lock);
   }
   timer_.setSingleShot(true);
-  timer_.setInterval(interval);
+  timer_.setInterval(interval_);
   connect(&timer_, &QTimer::timeout, this, &Autosave::flush);
   connect(workspace_, &Workspace::sessionChanged, this, [this] {
     changed_ = true;
@@ -67,8 +69,15 @@ void Autosave::flush() {
   if (!changed_ || !lock_) return;
   const Session& session = workspace_->session();
   const auto written = writeTextFile(file_.toStdString(), sessionText(session, folder_.toStdString(), true));
-  // A full disk is no reason to trouble the user every few seconds; the next change tries again.
-  if (!written) return;
+  if (!written) {
+    // Told once, while something can be done about it; every retry would be a nuisance.
+    const QString why = QString::fromStdString(written.error().message);
+    if (std::exchange(problem_, why).isEmpty()) emit failed(why);
+    timer_.start(kRetry);
+    return;
+  }
+  timer_.setInterval(interval_);
+  problem_.clear();
   changed_ = false;
   lastSaved_ = QDateTime::currentDateTime();
   emit saved();
@@ -86,12 +95,17 @@ QStringList Autosave::leftBehind() const {
   return orphans;
 }
 
-bool Autosave::recover() {
+Autosave::Recovered Autosave::recover() {
+  Recovered out;
   for (const QString& orphan : leftBehind()) {
-    auto text = readTextFile(orphan.toStdString());
-    if (!text) continue;
-    auto session = parseSession(*text, QFileInfo(orphan).fileName().toStdString(), folder_.toStdString());
-    if (!session || session->recordings.empty()) {
+    const auto text = readTextFile(orphan.toStdString());
+    auto session = text ? parseSession(*text, QFileInfo(orphan).fileName().toStdString(), folder_.toStdString())
+                        : Result<Session>(text.error());
+    if (!session) {
+      out.unreadable << Unreadable{setAside(orphan), QString::fromStdString(session.error().message)};
+      continue;
+    }
+    if (session->recordings.empty()) {  // Nothing was open.
       discard(orphan);
       continue;
     }
@@ -101,9 +115,22 @@ bool Autosave::recover() {
     changed_ = true;
     flush();
     if (!changed_) discard(orphan);
-    return true;
+    out.opened = true;
+    break;
   }
-  return false;
+  return out;
+}
+
+QString Autosave::setAside(const QString& file) {
+  const QFileInfo info(file);
+  // Not "autosave-*": the next start shall not offer again what cannot be read.
+  QString name;
+  for (int k = 0; k == 0 || QFileInfo::exists(name); ++k)
+    name = info.dir().filePath(QStringLiteral("unreadable-%1%2.heft")
+                                   .arg(info.completeBaseName(), k > 0 ? QStringLiteral("-%1").arg(k) : QString()));
+  if (!QFile::rename(file, name)) return file;
+  QFile::remove(lockBeside(file));
+  return name;
 }
 
 void Autosave::discard(const QString& file) {

@@ -34,9 +34,17 @@ class Autosave : public QObject {
 
   /// Sessions that programs left behind that are no longer running, newest first.
   QStringList leftBehind() const;
-  /// Opens the newest of them and removes it once it is saved under this program's own name; false if there is none
-  /// that can be read.
-  bool recover();
+  /// A session that could not be read: where it lies now, and why.
+  struct Unreadable {
+    QString file, reason;
+  };
+  struct Recovered {
+    bool opened = false;
+    QList<Unreadable> unreadable;
+  };
+  /// Opens the newest of them that can be read and removes it once it is saved under this program's own name. Newer ones
+  /// that cannot be read are moved aside, never deleted: another version of Heft or a person may still make use of them.
+  Recovered recover();
   /// The system ends the program: what is open stays, for the next start to offer.
   void leaveForNextStart();
   /// Forgets one that the user does not want.
@@ -44,18 +52,25 @@ class Autosave : public QObject {
 
   QString file() const { return file_; }
   QDateTime lastSaved() const { return lastSaved_; }
-  /// Writes at once if anything changed.
+  /// Writes at once if anything changed. Where that fails it is tried again now and then.
   void flush();
 
  signals:
   void saved();
+  /// The first time that the session cannot be written, and again after it could be.
+  void failed(const QString& sentence);
 
  private:
+  /// Renames it, so that it is not offered again; returns its new name.
+  static QString setAside(const QString& file);
+
   Workspace* workspace_;
   QString folder_, file_;
   std::unique_ptr<QLockFile> lock_;  ///< Held as long as the program lives; a dead one's is stale.
+  int interval_;  ///< [ms]
   QTimer timer_;
   QDateTime lastSaved_;
+  QString problem_;  ///< Why the last attempt failed
   bool changed_ = false;
   bool leaves_ = false;
 };

@@ -50,10 +50,6 @@ Result<bool> LiveRun::start(LiveSetup setup, bool byClock) {
   }
   if (auto running = session->start(); !running) {
     session->endRecording();
-    if (!file.isEmpty()) {
-      QFile::remove(file);
-      QFile::remove(QString::fromStdString(metaFileOf(file.toStdString()).string()));
-    }
     return running;
   }
   ++run_;
@@ -262,8 +258,10 @@ QString LiveRun::stop() {
   virtualArm_ = nullptr;
   QString file = file_;
   if (!file.isEmpty() && rows < 2) {
-    QFile::remove(file);
-    QFile::remove(QString::fromStdString(metaFileOf(file.toStdString()).string()));
+    if (rows == 1) {  // Without a row the recorder leaves nothing.
+      QFile::remove(file);
+      QFile::remove(QString::fromStdString(metaFileOf(file.toStdString()).string()));
+    }
     file.clear();
   }
   // What the first samples told about the robot belongs to the recording.

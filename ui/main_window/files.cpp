@@ -1,7 +1,9 @@
 #include "ui/main_window/files.h"
 
+#include <QBuffer>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImageWriter>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -146,17 +148,24 @@ QString Files::besideRecording() const {
   return file.absolutePath() + "/" + file.completeBaseName();
 }
 
+void Files::tellSaved(const Result<bool>& written, const QString& path) {
+  if (written) {
+    emit said(Severity::info, tr("Saved %1.").arg(path));
+  } else {
+    emit said(Severity::error, QString::fromStdString(written.error().message));
+  }
+}
+
 void Files::savePicture(const QImage& image, const QString& what) {
   const QString base = besideRecording();
   const QString path = QFileDialog::getSaveFileName(
       window_, tr("Save a picture"), (base.isEmpty() ? QString() : base + "-") + what + ".png", tr("Pictures (*.png)"));
   if (path.isEmpty()) return;
-  if (image.save(path)) {
-    emit said(Severity::info, tr("Saved %1.").arg(path));
-  } else {
-    emit said(Severity::error,
-              tr("%1 could not be written: check that the folder exists and may be written to.").arg(path));
-  }
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  const QByteArray format = QFileInfo(path).suffix().toLatin1();
+  image.save(&bytes, QImageWriter::supportedImageFormats().contains(format.toLower()) ? format.constData() : "png");
+  tellSaved(writeTextFile(path.toStdString(), bytes.data().toStdString()), path);
 }
 
 void Files::saveText(const std::string& text, const QString& what, const QString& extension, const QString& filter) {
@@ -164,12 +173,7 @@ void Files::saveText(const std::string& text, const QString& what, const QString
   const QString path = QFileDialog::getSaveFileName(
       window_, tr("Save"), (base.isEmpty() ? QString() : base + "-") + what + extension, filter);
   if (path.isEmpty()) return;
-  const auto written = writeTextFile(path.toStdString(), text);
-  if (written) {
-    emit said(Severity::info, tr("Saved %1.").arg(path));
-  } else {
-    emit said(Severity::error, QString::fromStdString(written.error().message));
-  }
+  tellSaved(writeTextFile(path.toStdString(), text), path);
 }
 
 QStringList Files::dropped(const QMimeData* data) {

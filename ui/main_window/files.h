@@ -56,6 +56,7 @@ class Files : public QObject {
   void said(heft::Severity severity, const QString& sentence);
 
  private:
+  void tellSaved(const Result<bool>& written, const QString& path);
   /// Folder and beginning of a name beside the open recording.
   QString besideRecording() const;
 

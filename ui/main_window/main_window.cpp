@@ -332,13 +332,22 @@ void MainWindow::showSaved() {
 void MainWindow::useAutosave(Autosave* autosave) {
   autosave_ = autosave;
   connect(autosave_, &Autosave::saved, this, &MainWindow::showSaved);
+  connect(autosave_, &Autosave::failed, this, [this](const QString& why) {
+    message_->showMessage(Severity::warning,
+                          tr("The session is not saved automatically at the moment: %1 Save it elsewhere.").arg(why),
+                          tr("Save as …"), [this] { files_->saveAs(); });
+  });
   showSaved();
   if (autosave_->leftBehind().isEmpty()) return offerUnfinished();
   message_->showMessage(Severity::warning, tr("Your last session was not closed by hand. What you had open was kept."),
                         tr("Open it again"), [this] {
-                          if (!autosave_->recover()) {
-                            message_->showMessage(Severity::error, tr("What was kept could not be read."));
-                          } else {
+                          const auto recovered = autosave_->recover();
+                          if (!recovered.unreadable.isEmpty()) {
+                            const auto& [file, reason] = recovered.unreadable.first();
+                            message_->showMessage(recovered.opened ? Severity::warning : Severity::error,
+                                                  tr("What was kept could not be read; it is now %1. %2")
+                                                      .arg(file, reason));
+                          } else if (recovered.opened) {
                             offerUnfinished();
                           }
                         });

@@ -5,7 +5,6 @@
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -21,6 +20,7 @@
 #include <thread>
 #include <tuple>
 
+#include "core/base/file_replacement.h"
 #include "core/motion/motion.h"
 #include "core/recording/csv_reader.h"
 #include "core/workspace/session.h"
@@ -578,17 +578,14 @@ void RecordPanel::saveRecordingAs() {
   if (to.isEmpty() || QFileInfo(to) == from) return;
   // The dialog asked before an existing file is replaced.
   const auto copy = [](const QString& source, const QString& target) {
-    if (QFileInfo::exists(target) && !QFile::remove(target)) return false;
-    return QFile::copy(source, target);
+    return copyFile(source.toStdString(), target.toStdString());
   };
   const auto metaOf = [](const QString& file) {
     return QString::fromStdString(metaFileOf(file.toStdString()).string());
   };
-  bool well = copy(opened->path, to);
-  if (QFileInfo::exists(metaOf(opened->path))) well = well && copy(metaOf(opened->path), metaOf(to));
-  if (!well)
-    return parts().say(Severity::error,
-                       tr("%1 could not be written: check that the folder exists and may be written to.").arg(to));
+  auto copied = copy(opened->path, to);
+  if (copied && QFileInfo::exists(metaOf(opened->path))) copied = copy(metaOf(opened->path), metaOf(to));
+  if (!copied) return parts().say(Severity::error, QString::fromStdString(copied.error().message));
   parts().remember(to);
   parts().say(Severity::info, tr("Saved %1.").arg(to));
 }

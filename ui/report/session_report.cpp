@@ -273,11 +273,9 @@ Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, b
     return Error{Words::tr("%1 exists already and was not replaced.").arg(file).toStdString()};
   const QString html = sessionReportHtml(parts);
   if (!pdf) return writeTextFile(file.toStdString(), html.toStdString());
-  if (!QFileInfo(QFileInfo(file).absolutePath()).isWritable())
-    return Error{Words::tr("%1 could not be written: check that the folder exists and may be written to.")
-                     .arg(file)
-                     .toStdString()};
-  QPdfWriter writer(file);
+  QBuffer bytes;
+  bytes.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&bytes);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins(QMarginsF(14, 14, 14, 14), QPageLayout::Millimeter);
   writer.setResolution(150);
@@ -295,7 +293,7 @@ Result<bool> writeSessionReport(const ReportParts& parts, const QString& file, b
   document.setPageSize(QSizeF(wide, high));
   keepTogether(document);
   document.print(&writer);
-  return true;
+  return writeTextFile(file.toStdString(), bytes.data().toStdString());
 }
 
 }  // namespace heft

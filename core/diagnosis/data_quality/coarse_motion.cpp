@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/diagnosis/data_quality/steps.h"
 #include "core/math/statistics.h"
+#include "core/recording/steps.h"
 
 namespace heft::diagnosis {
 

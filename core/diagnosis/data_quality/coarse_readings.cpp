@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/data_quality/steps.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
+#include "core/recording/steps.h"
 
 namespace heft::diagnosis {
 

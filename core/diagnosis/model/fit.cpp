@@ -183,7 +183,7 @@ MatrixXd Normal::inverse() const {
 
 VectorXd weakPrior(const Model& model) {
   VectorXd sd(model.size());
-  sd.head(6).setConstant(1e4);
+  sd.head(6).setConstant(1e9);  // A zero may be anywhere, as of readings that are counts.
   sd(6) = 30.0;
   sd.segment<3>(7).setConstant(3.0);
   sd.segment<6>(10).setConstant(1.0);

@@ -53,6 +53,7 @@ bool standsOut(const Fit& fit, std::string_view cause) {
   constexpr double kSquared = 9.0;  ///< Three deviations
   const Amplitudes all = amplitudesOf(fit, [&](const Term& t) { return causeOf(t) == cause; });
   const auto count = static_cast<double>(all.sizes.size());
+  if (all.sizes.size() == 0) return true;  // It has a shape, no size.
   return (all.sizes.array().square() > kSquared * all.covariance.diagonal().array()).any() ||
          (count > 1.0 && all.squaredDeviations() > kSquared * count);
 }
@@ -101,9 +102,10 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
                     : needed.moreOfFaint                                         ? kNamed
                                                                                  : 0.0))
     return false;
-  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be.
-  if ((needed.always > 0.0 || anyTerm([](const Term& t) { return t.form->local; })) && !standsOut(final, found.cause))
-    return false;
+  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be, and what was
+  // sought with further numbers, such as a loose mass with its frequency.
+  const auto sought = [](const Term& t) { return t.form->local || t.v.size() > 1; };
+  if ((needed.always > 0.0 || anyTerm(sought)) && !standsOut(final, found.cause)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
   const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);

@@ -1,4 +1,4 @@
-#include "core/diagnosis/data_quality/steps.h"
+#include "core/recording/steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/math/statistics.h"
 
-namespace heft::diagnosis {
+namespace heft {
 
 std::optional<double> stepOf(std::vector<double> readings) {
   constexpr double kOff = 0.1;  // Steps: the digits of the file, or a finer converter behind a coarse one
@@ -24,4 +24,18 @@ std::optional<double> stepOf(std::vector<double> readings) {
   return regular ? std::optional(step) : std::nullopt;
 }
 
-}  // namespace heft::diagnosis
+Vector6d roundingNoise(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, double duration, double seconds) {
+  Vector6d out = Vector6d::Zero();
+  for (Eigen::Index c = 0; c < 6 && wrench.rows() > 1; ++c) {
+    const auto y = wrench.col(c);
+    const auto step = stepOf({y.begin(), y.end()});
+    if (!step) continue;
+    Eigen::Index changes = 0;
+    for (Eigen::Index k = 1; k < y.size(); ++k) changes += y(k) != y(k - 1) ? 1 : 0;
+    const double fresh = static_cast<double>(changes) * seconds / std::max(duration, seconds);
+    out(c) = *step / std::sqrt(12.0 * std::max(1.0, fresh));
+  }
+  return out;
+}
+
+}  // namespace heft

@@ -1,0 +1,124 @@
+// What loggers do to readings: steps, repeats, missing rows. Numbers that are called measured hold all the same.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/estimation/estimate.h"
+#include "core/estimation/uncertainty.h"
+#include "core/recording/held.h"
+#include "core/recording/steps.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/random_tool.h"
+
+namespace heft {
+namespace {
+
+Simulated demonstration(std::uint64_t seed, double duration) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  SimulateOptions options;
+  options.motion = seed % 2 == 0 ? MotionKind::excitation : MotionKind::free;
+  options.seed = seed;
+  options.duration = duration;
+  return *simulate(RobotModel::panda(), test::randomTool(random).payload, options);
+}
+
+/// How many numbers that are called measured are more than `limit` standard deviations off.
+int beyond(const EstimateReport& report, const Payload& truth, double limit, int& claims) {
+  const auto& id = report.identifiability;
+  const auto& I = id.inertia;
+  const Source sources[10] = {id.mass, id.com[0], id.com[1], id.com[2], I[0][0],
+                              I[0][1], I[0][2],   I[1][1],   I[1][2],   I[2][2]};
+  const Vector10d off = (componentsOf(report.payload) - componentsOf(truth)).cwiseQuotient(componentsOf(report.std));
+  int out = 0;
+  for (int k = 0; k < 10; ++k) {
+    if (sources[k] != Source::data) continue;
+    ++claims;
+    out += std::abs(off(k)) > limit ? 1 : 0;
+  }
+  return out;
+}
+
+bool said(const EstimateReport& report, const std::string& code) {
+  return std::ranges::any_of(report.findings, [&](const auto& finding) { return finding.code == code; });
+}
+
+TEST(HeldReadings, AreFoundWithTheirOwnTimes) {
+  const VectorXd time = VectorXd::LinSpaced(1000, 0.0, 0.999);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench(1000, 6);
+  for (Eigen::Index k = 0; k < 1000; ++k) wrench.row(k).setConstant(std::sin(0.37 * static_cast<double>(k / 20)));
+  const HeldValues held = heldValues(time, wrench);
+  EXPECT_NEAR(held.period, 0.02, 1e-9);
+  ASSERT_EQ(held.rows.size(), 50u);
+  EXPECT_EQ(held.rows[7], 140);
+  // One reading that never came: its place is kept.
+  wrench.middleRows(400, 20).rowwise() = wrench.row(399).eval();
+  EXPECT_EQ(heldValues(time, wrench).rows.size(), 50u);
+  wrench.col(2) = time;
+  EXPECT_EQ(heldValues(time, wrench).period, 0.0) << "a channel that goes on is a reading of its own";
+}
+
+TEST(RoundingNoise, IsThatOfStepsUnlessReadingsMoveOn) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> wrench = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(1000, 6);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (Eigen::Index k = 0; k < 1000; ++k)
+    wrench.row(k) << std::floor(static_cast<double>(k) / 200.0), std::round(5.0 * normal(random)), normal(random), 0, 0, 0;
+  const Vector6d noise = roundingNoise(wrench, 1.0, 0.02);
+  EXPECT_NEAR(noise(0), 1.0 / std::sqrt(12.0), 1e-9) << "a mean of readings that stand still is one reading";
+  EXPECT_NEAR(noise(1), 1.0 / std::sqrt(12.0 * 18.8), 0.01);
+  EXPECT_EQ(noise(2), 0.0);
+}
+
+TEST(Loggers, HeldReadingsCountOnceWithTheMotionOfTheirMoment) {
+  int claims = 0, far = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Simulated simulated = demonstration(seed, 10.0);
+    auto& wrench = simulated.recording.wrench;
+    const Eigen::Index rows = seed % 3 == 0 ? 50 : 20;
+    for (Eigen::Index k = 0; k < wrench.rows(); ++k) wrench.row(k) = wrench.row(k / rows * rows).eval();
+    const auto report = estimate(simulated.recording, &RobotModel::panda(), {});
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_TRUE(said(*report, "wrench_held"));
+    int ignored = 0;
+    EXPECT_EQ(beyond(*report, simulated.truth.payload, 5.0, ignored), 0) << "seed " << seed;
+    far += beyond(*report, simulated.truth.payload, 4.0, claims);
+  }
+  EXPECT_GT(claims, 30);
+  EXPECT_LE(far, 0.02 * claims);
+}
+
+TEST(Loggers, CoarseStepsAreNoExactReadings) {
+  int claims = 0;
+  for (std::uint64_t seed = 11; seed <= 18; ++seed) {
+    Simulated simulated = demonstration(seed, 8.0);
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      const double step = c < 3 ? 1.0 : 0.05;
+      auto y = simulated.recording.wrench.col(c);
+      y = ((y.array() / step).round() * step).matrix().eval();
+    }
+    const auto report = estimate(simulated.recording, &RobotModel::panda(), {});
+    if (!report) continue;  // Too coarse for anything
+    EXPECT_EQ(beyond(*report, simulated.truth.payload, 5.0, claims), 0) << "seed " << seed;
+  }
+  EXPECT_GT(claims, 5);
+}
+
+TEST(Loggers, WhatLiesInAGapOfAFewRowsIsLeftOut) {
+  Simulated simulated = demonstration(3, 10.0);
+  Recording& recording = simulated.recording;
+  std::vector<Eigen::Index> kept;  // 71 Hz, and three rows of 14 ms are missing now and then
+  for (Eigen::Index k = 0, i = 0; k < recording.rows(); k += 14, ++i)
+    if (i % 60 < 57) kept.push_back(k);
+  recording.time = recording.time(kept).eval();
+  recording.q = recording.q(kept, Eigen::all).eval();
+  recording.dq = recording.dq(kept, Eigen::all).eval();
+  recording.wrench = recording.wrench(kept, Eigen::all).eval();
+  const auto report = estimate(recording, &RobotModel::panda(), {});
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_TRUE(said(*report, "sensor_trouble"));
+  int claims = 0;
+  EXPECT_EQ(beyond(*report, simulated.truth.payload, 4.0, claims), 0);
+}
+
+}  // namespace
+}  // namespace heft

@@ -1,0 +1,206 @@
+#include "tests/fuzz/parsers.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/json_file.h"
+#include "core/import/import.h"
+#include "core/import/json_numbers.h"
+#include "core/import/message_definition.h"
+#include "core/live/bridge.h"
+#include "core/live/field_mapper.h"
+#include "core/live/sources.h"
+#include "core/mesh/mesh.h"
+#include "core/payload/shape.h"
+#include "core/recording/csv_reader.h"
+#include "core/robot/robot_model.h"
+#include "core/workspace/session.h"
+
+namespace heft::fuzz {
+namespace {
+
+/// What a parser accepts has to be sound: a wrong number is worse than an error.
+void require(bool sound) {
+  if (!sound) std::abort();
+}
+
+/// The bytes as a file, the same one again and again; removed when the program ends.
+const std::filesystem::path& asFile(std::string_view bytes, const std::string& ending = "") {
+  static struct Folder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() / ("heft-fuzz-" + std::to_string(::getpid()));
+    std::filesystem::path file;
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() {
+      std::error_code code;
+      std::filesystem::remove_all(path, code);
+    }
+  } folder;
+  folder.file = folder.path / ("input" + ending);
+  std::ofstream(folder.file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return folder.file;
+}
+
+void checkRecordingRead(const Recording& recording) {
+  require(recording.time.allFinite() && recording.wrench.allFinite() && recording.q.allFinite());
+  require(recording.dq.allFinite() && recording.position.allFinite() && recording.quaternion.allFinite());
+  for (Eigen::Index k = 1; k < recording.rows() && recording.meta.kind == RecordingKind::motion; ++k)
+    require(recording.time(k) > recording.time(k - 1));
+}
+
+/// Any file, as `heft convert` opens it: told by its content, read, joined, checked.
+void recording(std::string_view bytes) {
+  const auto& file = asFile(bytes);
+  (void)inspectRecording(file);
+  if (const auto read = openRecording(file)) checkRecordingRead(read->recording);
+}
+
+/// A file that is taken for one of `kind`, whatever its beginning says; all fields are read.
+template <FileKind kind>
+void streamsOf(std::string_view bytes) {
+  const auto read = readStreams(asFile(bytes), kind, [](const Stream&, std::size_t) { return true; }, {}, {});
+  if (!read) return;
+  for (const Stream& stream : read->streams) {
+    for (const auto stamp : stream.stamps) require(isSoundStamp(stamp));
+    for (const auto received : stream.received) require(isSoundStamp(received));
+  }
+}
+
+void csv(std::string_view bytes) {
+  if (const auto read = parseRecording(bytes, "input.csv", {})) checkRecordingRead(read->recording);
+}
+
+void meta(std::string_view bytes) {
+  Findings findings;
+  const auto read = parseMeta(bytes, "input.meta.json", "/tmp", findings);
+  if (read) require(read->gravity.allFinite() && read->mount.xyz.allFinite() && read->mount.rpy.allFinite());
+}
+
+/// The type's name in the first line, its definition up to a zero byte, then a message.
+void messages(std::string_view bytes) {
+  const auto line = bytes.find('\n'), zero = bytes.find('\0');
+  if (line == std::string_view::npos || zero == std::string_view::npos || zero < line) return;
+  for (const auto encoding : {MessageEncoding::ros1, MessageEncoding::cdr}) {
+    auto decoder = MessageDecoder::make(bytes.substr(0, line), bytes.substr(line + 1, zero - line - 1), encoding);
+    if (!decoder) continue;
+    for (int again = 0; again < 2; ++again)
+      if (decoder->decode(bytes.substr(zero + 1))) require(decoder->names().size() == decoder->values().size());
+  }
+}
+
+void map(std::string_view bytes) { (void)readMapFile(asFile(bytes)); }
+
+void shape(std::string_view bytes) {
+  auto read = parseShape(std::string(bytes));
+  if (!read)
+    if (const auto json = parseJson(bytes, "shape.json")) read = shapeFromJson(*json, "shape.json", "/nonexistent");
+  if (!read) return;
+  Findings findings;
+  if (const auto samples = sampleShape(*read, findings))
+    for (const auto& body : *samples) require(body.unitPseudoInertia.allFinite() && body.weights.allFinite());
+}
+
+void payload(std::string_view bytes) {
+  const auto json = parseJson(bytes, "payload.json");
+  if (!json) return;
+  (void)partialPayloadFromJson(*json, "payload.json");
+  if (const auto read = payloadFromJson(*json, "payload.json"))
+    require(std::isfinite(read->mass) && read->com.allFinite() && read->inertiaCom.allFinite());
+}
+
+void urdf(std::string_view bytes) {
+  Findings findings;
+  const auto robot = RobotModel::fromUrdfText(std::string(bytes), "/nonexistent", findings);
+  if (!robot) return;
+  const VectorXd q = VectorXd::Zero(robot->dof());
+  for (std::size_t i = 0; i < robot->links().size(); ++i)
+    require(robot->linkPose(q, static_cast<int>(i)).matrix().allFinite());
+}
+
+void session(std::string_view bytes) {
+  if (const auto read = parseSession(bytes, "input.heft", "/tmp")) (void)sessionText(*read, "/tmp");
+}
+
+/// Messages as they come over a WebSocket: each begins with 't' (text) or 'b' (binary) and ends with 0x1E.
+void frames(LiveSource& source, std::string_view bytes) {
+  auto& bridge = dynamic_cast<BridgeSource&>(source);
+  while (!bytes.empty()) {
+    const auto end = std::min(bytes.find('\x1e'), bytes.size());
+    const auto frame = bytes.substr(0, end);
+    if (!frame.empty()) bridge.receive({std::string(frame.substr(1)), frame[0] == 'b'});
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+}
+void foxglove(std::string_view bytes) { frames(*makeFoxgloveSource("127.0.0.1", 1, {}), bytes); }
+void rosbridge(std::string_view bytes) { frames(*makeRosbridgeSource("127.0.0.1", 1, {}, {}), bytes); }
+
+/// A datagram a line.
+void udp(std::string_view bytes) {
+  FieldMapper mapper;
+  NamedNumbers numbers;
+  while (!bytes.empty()) {
+    const auto end = std::min(bytes.find('\n'), bytes.size());
+    std::vector<std::string> names;
+    std::vector<double> values;
+    if (flattenJson(bytes.substr(0, end), numbers))
+      for (const auto& [name, value] : numbers) {
+        names.push_back(name);
+        values.push_back(value);
+      }
+    (void)mapper.map("", "", names, values);
+    bytes.remove_prefix(std::min(end + 1, bytes.size()));
+  }
+}
+
+/// The ending tells assimp the format: it stands in the first line.
+void mesh(std::string_view bytes) {
+  const auto line = std::min(bytes.find('\n'), bytes.size());
+  const std::string_view ending = bytes.substr(0, line);
+  for (const char* known : {"stl", "obj", "ply", "dae", "off", "glb", "3mf", "x3d"}) {
+    if (ending != known) continue;
+    const auto read = loadMesh(asFile(bytes.substr(std::min(line + 1, bytes.size())), "." + std::string(known)));
+    if (!read) return;
+    for (const MeshPart& part : read->parts)
+      for (const auto& triangle : part.triangles)
+        for (const unsigned vertex : triangle) require(vertex < part.vertices.size());
+  }
+}
+
+constexpr Parser kParsers[] = {{"recording", recording},
+                               {"table", streamsOf<FileKind::table>},
+                               {"json_lines", streamsOf<FileKind::jsonLines>},
+                               {"ros_bag", streamsOf<FileKind::rosBag>},
+                               {"mcap", streamsOf<FileKind::mcap>},
+                               {"sqlite_bag", streamsOf<FileKind::sqliteBag>},
+                               {"hdf5", streamsOf<FileKind::hdf5>},
+                               {"matlab", streamsOf<FileKind::matlab>},
+                               {"numpy", streamsOf<FileKind::numpy>},
+                               {"csv", csv},
+                               {"meta", meta},
+                               {"messages", messages},
+                               {"map", map},
+                               {"shape", shape},
+                               {"payload", payload},
+                               {"urdf", urdf},
+                               {"session", session},
+                               {"foxglove", foxglove},
+                               {"rosbridge", rosbridge},
+                               {"udp", udp},
+                               {"mesh", mesh}};
+
+}  // namespace
+
+std::span<const Parser> parsers() { return kParsers; }
+
+const Parser* parserNamed(std::string_view name) {
+  for (const Parser& parser : kParsers)
+    if (parser.name == name) return &parser;
+  return nullptr;
+}
+
+}  // namespace heft::fuzz
