@@ -109,7 +109,7 @@ void RobotView::buildTools() {
   auto* column = new QVBoxLayout(tools_);
   column->setContentsMargins(3, 3, 3, 3);
   column->setSpacing(2);
-  auto* fit = new IconButton("fit", tr("Show the whole arm (F)"), tools_);
+  auto* fit = new IconButton("home", tr("Show the whole arm (F)"), tools_);
   fit->setObjectName("fitButton");
   connect(fit, &QToolButton::clicked, this, [this] { usePreset(Preset::overview); });
   auto* tool = new IconButton("tool", tr("Go close to the tool (T)"), tools_);
@@ -147,9 +147,11 @@ void RobotView::buildTools() {
   addToggle(tr("Labels"), &labelsShown_);
   eye->setMenu(shown);
 
+  auto* alone = new IconButton("fit", tr("3D view alone, or with the rest again"), tools_);
+  alone->setObjectName("aloneButton");  // The window listens to it.
   auto* picture = new IconButton("camera", tr("Save a picture of this view"), tools_);
   connect(picture, &QToolButton::clicked, this, &RobotView::pictureWanted);
-  for (auto* button : {fit, tool, views, eye, picture}) column->addWidget(button);
+  for (auto* button : {fit, tool, views, eye, alone, picture}) column->addWidget(button);
   tools_->adjustSize();
 }
 
@@ -400,6 +402,7 @@ void RobotView::placeSensor(const Isometry3d& X_BS) {
 void RobotView::showTool(std::vector<ShapeBody> bodies, int selected) {
   tool_ = std::move(bodies);
   scene_.setTool(tool_, selected);
+  if (editing_) applyParts();
   viewport_->requestFrame();
 }
 
@@ -428,7 +431,7 @@ void RobotView::applyParts() {
   SceneParts shown = *parts_;
   if (editing_) {
     shown.path = shown.arrows = shown.axes = shown.payload = false;
-    shown.tool = true;
+    shown.tool = !tool_.empty();  // Nothing is assumed while nothing was chosen: no hand of the model's either.
   }
   scene_.parts = shown;
   viewport_->requestFrame();

@@ -3,16 +3,19 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <limits>
 
 #include "ui/timeline/marks_bar.h"
+#include "ui/timeline/overview_strip.h"
 #include "ui/timeline/playback.h"
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_cursor.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/pane_header.h"
+#include "ui/wrench_plots/channel_lanes.h"
 #include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/legend.h"
 #include "ui/wrench_plots/visible_csv.h"
@@ -81,7 +84,9 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   bodyColumn->setContentsMargins(0, 0, 0, 0);
   bodyColumn->setSpacing(0);
   plots_ = new WrenchPlots(&axis_, body);
-  bodyColumn->addWidget(plots_, 1);
+  bodyColumn->addWidget(plots_, 3);
+  channels_ = new ChannelLanes(&axis_, body);
+  bodyColumn->addWidget(channels_, 2);
   marks_ = new MarksBar(&axis_, body);
   bodyColumn->addWidget(marks_);
   constexpr int kTicksHeight = 24;
@@ -116,9 +121,17 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   measure_->setObjectName("measureButton");
   measure_->setCheckable(true);
   row->addWidget(measure_);
-  auto* all = new IconButton("fit", tr("Show the whole recording (0)"), header);
+  channelButton_ = new IconButton("channels", tr("Further channels: joints, pose, speeds"), header);
+  channelButton_->setObjectName("channelButton");
+  channelButton_->setPopupMode(QToolButton::InstantPopup);
+  channelButton_->setMenu(new QMenu(channelButton_));
+  row->addWidget(channelButton_);
+  auto* all = new IconButton("whole", tr("Show the whole recording (0)"), header);
   all->setObjectName("showAllButton");
   row->addWidget(all);
+  auto* alone = new IconButton("fit", tr("Plots alone, or with the rest again"), header);
+  alone->setObjectName("aloneButton");  // The window listens to it.
+  row->addWidget(alone);
   auto* picture = new IconButton("camera", tr("Save a picture of the plots"), header);
   row->addWidget(picture);
   auto* csv = new IconButton("save", tr("Save the visible stretch as CSV"), header);
@@ -140,6 +153,8 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   foldedHeader_->hide();
   column->addWidget(foldedHeader_);
   column->addWidget(body, 1);
+  overview_ = new OverviewStrip(&axis_, this);
+  column->addWidget(overview_);
   bar_ = new PlaybackBar(playback, this, &axis_);
   column->addWidget(bar_);
 
@@ -147,6 +162,16 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   connect(picture, &QToolButton::clicked, this, &RecordingPane::pictureWanted);
   connect(plots_, &WrenchPlots::timePicked, playback_, &Playback::setTime);
   connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
+  connect(channels_, &ChannelLanes::timePicked, playback_, &Playback::setTime);
+  connect(playback_, &Playback::timeChanged, overview_, &OverviewStrip::setTime);
+  // What plays goes on in view.
+  connect(playback_, &Playback::timeChanged, this, [this](double time) {
+    if (playback_->playing()) axis_.reveal(time);
+  });
+  connect(channels_, &ChannelLanes::chosenChanged, this, &RecordingPane::showParts);
+  connect(&axis_, &TimeAxis::visibleChanged, this, &RecordingPane::showParts);
+  showParts();
+  connect(channelButton_->menu(), &QMenu::aboutToShow, this, &RecordingPane::fillChannelMenu);
   connect(playback_, &Playback::timeChanged, cursor_, &TimeCursor::setTime);
   connect(playback_, &Playback::timeChanged, marks_, &MarksBar::setTime);
   connect(marks_, &MarksBar::painted, this, &RecordingPane::painted);
@@ -161,6 +186,32 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     plots_->setSecondCursor(difference_->second());
   });
   connect(paint_, &QPushButton::toggled, this, [this] { setBrush(brush_); });
+}
+
+void RecordingPane::fillChannelMenu() {
+  QMenu* menu = channelButton_->menu();
+  menu->clear();
+  QMenu* group = nullptr;
+  for (const Channel& channel : channels_->channels()) {
+    if (!group || group->title() != channel.group) {
+      group = menu->addMenu(channel.group);
+      QAction* every = group->addAction(tr("All of these"), this, [this, name = channel.group] {
+        QStringList now;
+        for (const Channel& each : channels_->channels())
+          if (each.group == name || channels_->isChosen(each.id)) now << each.id;
+        channels_->setChosen(now);
+      });
+      every->setObjectName(QStringLiteral("channelsAll"));
+      group->addSeparator();
+    }
+    QAction* action = group->addAction(
+        channel.unit.isEmpty() ? channel.label : QStringLiteral("%1 [%2]").arg(channel.label, channel.unit));
+    action->setCheckable(true);
+    action->setChecked(channels_->isChosen(channel.id));
+    connect(action, &QAction::toggled, this, [this, id = channel.id](bool on) { channels_->choose(id, on); });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("None"), this, [this] { channels_->setChosen({}); });
 }
 
 void RecordingPane::setBrush(std::optional<MarkLabel> brush) {
@@ -194,6 +245,13 @@ void RecordingPane::setFolded(bool folded) {
   foldedHeader_->setVisible(folded);
   plots_->setVisible(!folded);
   bar_->setVisible(!folded);
+  showParts();
+}
+
+/// Those that are there only while they have something to show.
+void RecordingPane::showParts() {
+  channels_->setVisible(!folded_ && channels_->lanes() > 0);
+  overview_->setVisible(!folded_ && !live_ && !axis_.showsAll());
 }
 
 int RecordingPane::foldedHeight() const { return foldedHeader_->height() + marks_->height() + 12; }
@@ -212,6 +270,9 @@ void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
   playback_->setRange(first, last, poses);
   axis_.setFull(first, last, poses);
   setTraces(nullptr);
+  channels_->setRecording(recording_);
+  channelButton_->setEnabled(!channels_->channels().empty());
+  showParts();
   setSegments({}, {});
   plots_->setHighlight(0.0, 0.0, {});
   cursor_->setTime(playback_->time());
@@ -276,6 +337,7 @@ void RecordingPane::showLive(std::shared_ptr<const WrenchTraces> traces, const s
 void RecordingPane::setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested) {
   plots_->setSegments(segments);
   marks_->setSegments(segments, suggested);
+  overview_->setSegments(segments);
 }
 
 }  // namespace heft

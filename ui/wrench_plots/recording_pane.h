@@ -15,9 +15,11 @@ class QPushButton;
 
 namespace heft {
 
+class ChannelLanes;
 class DifferenceCursor;
 class IconButton;
 class MarksBar;
+class OverviewStrip;
 class Playback;
 class PlaybackBar;
 class TimeCursor;
@@ -61,6 +63,7 @@ class RecordingPane : public QWidget {
   TimeAxis* timeAxis() { return &axis_; }
   WrenchPlots* plots() { return plots_; }
   MarksBar* marks() { return marks_; }
+  ChannelLanes* channels() { return channels_; }
 
  signals:
   void pictureWanted();
@@ -74,17 +77,22 @@ class RecordingPane : public QWidget {
 
  private:
   void setTraces(std::shared_ptr<const WrenchTraces> traces);
+  void fillChannelMenu();
+  void showParts();
 
   TimeAxis axis_;
   Playback* playback_;
   WrenchPlots* plots_;
+  ChannelLanes* channels_;
   MarksBar* marks_;
+  OverviewStrip* overview_;
   PlaybackBar* bar_;
   TimeCursor* cursor_;
   QWidget* header_;
   QWidget* foldedHeader_;
   QPushButton* paint_;
   IconButton* measure_;
+  IconButton* channelButton_;
   DifferenceCursor* difference_;
   std::optional<MarkLabel> brush_;
   bool folded_ = false;
