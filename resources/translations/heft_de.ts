@@ -9759,6 +9759,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>left out at each end</source>
         <translation>an jedem Ende weggelassen</translation>
     </message>
+    <message>
+        <source>Paint it yourself</source>
+        <translation>Selbst markieren</translation>
+    </message>
 </context>
 <context>
     <name>heft::MarksBar</name>
@@ -9789,6 +9793,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>pose %1</source>
         <translation>Stellung %1</translation>
+    </message>
+    <message>
+        <source>Zoom to this stretch</source>
+        <translation>Diesen Abschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>Mark as %1</source>
+        <translation>Als %1 markieren</translation>
     </message>
 </context>
 <context>
@@ -10946,6 +10958,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Picture of the plots, table of the visible stretch</source>
+        <translation>Bild der Kurven, Tabelle des sichtbaren Abschnitts</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
     </message>
 </context>
 <context>

@@ -1,20 +1,26 @@
 // Plots in the real window: further channels, one pane alone, the strip over the whole recording, preferences.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
+#include <QUndoStack>
 
 #include "tests/gl/window_fixture.h"
+#include "ui/timeline/marks_bar.h"
 #include "ui/timeline/overview_strip.h"
 #include "ui/wrench_plots/channel_lanes.h"
 #include "ui/wrench_plots/recording_pane.h"
+#include "ui/wrench_plots/wrench_plots.h"
 
 namespace heft {
 namespace {
@@ -37,7 +43,16 @@ const QString& plotsRecording() {
 
 class PlotsWindowTest : public RealWindowTest {
  protected:
-  PlotsWindowTest() : RealWindowTest("plots") {}
+  PlotsWindowTest() : RealWindowTest("plots") { QApplication::setActiveWindow(&window); }
+  /// With the left button from one point over the middle to another.
+  static void drag(QWidget* over, QPoint from, QPoint to) {
+    QTest::mousePress(over, Qt::LeftButton, {}, from);
+    for (const QPoint& at : {(from + to) / 2, to}) {
+      QMouseEvent move(QEvent::MouseMove, at, over->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(over, &move);
+    }
+    QTest::mouseRelease(over, Qt::LeftButton, {}, to);
+  }
   RecordingPane* pane() { return window.recordingPane(); }
   ChannelLanes* lanes() { return pane()->channels(); }
   /// An entry of the menu behind the button, as it is when it opens.
@@ -78,10 +93,7 @@ TEST_F(PlotsWindowTest, AnyChannelOfTheRecordingCanBeSeen) {
   const int middle = (TimeAxis::kLeft + lanes()->width() - TimeAxis::kRight) / 2;
   QTest::mouseClick(lanes(), Qt::LeftButton, {}, {middle, 20});
   EXPECT_NEAR(window.playback()->time(), 2.1, 0.003);
-  QTest::mousePress(lanes(), Qt::LeftButton, {}, {middle - 100, 20});
-  QTest::mouseMove(lanes(), {middle, 20});
-  QTest::mouseMove(lanes(), {middle + 100, 20});
-  QTest::mouseRelease(lanes(), Qt::LeftButton, {}, {middle + 100, 20});
+  drag(lanes(), {middle - 100, 20}, {middle + 100, 20});
   EXPECT_LT(pane()->timeAxis()->span(), 0.15);
   const QString was = lanes()->isChosen("q1") ? "q1" : "";
   channelAction("Joint angles", "q1 [°]")->trigger();
@@ -130,9 +142,7 @@ TEST_F(PlotsWindowTest, ZoomedInTheWholeRecordingStaysInSightAndPlayingTurnsTheP
   const auto at = [&](double time) {
     return QPoint(static_cast<int>(TimeAxis::kLeft + time / axis->fullUpper() * wide), 10);
   };
-  QTest::mousePress(strip, Qt::LeftButton, {}, at(2.0));
-  QTest::mouseMove(strip, at(5.0));
-  QTest::mouseRelease(strip, Qt::LeftButton, {}, at(5.0));
+  drag(strip, at(2.0), at(5.0));
   EXPECT_NEAR(axis->lower(), 4.0, 0.05);
   EXPECT_NEAR(axis->span(), 2.0, 1e-6);
   window.playback()->setTime(5.95);
@@ -145,8 +155,66 @@ TEST_F(PlotsWindowTest, ZoomedInTheWholeRecordingStaysInSightAndPlayingTurnsTheP
   EXPECT_FALSE(strip->isVisible());
 }
 
+TEST_F(PlotsWindowTest, EnterPressesTheFilledButtonWhereNothingElseWantsIt) {
+  open(plotsRecording());
+  window.showStep(Step::mark);
+  pane()->plots()->setFocus();
+  QTest::keyClick(pane()->plots(), Qt::Key_Return);
+  EXPECT_EQ(window.step(), Step::shape);
+}
+
+TEST_F(PlotsWindowTest, EveryButtonOfALow3dViewCanBeReached) {
+  open(plotsRecording());
+  window.resize(1024, 700);
+  window.showStep(Step::mark);
+  QTest::qWait(100);
+  const auto buttons = window.robotView()->findChild<QWidget*>("viewTools")->findChildren<QToolButton*>();
+  EXPECT_GE(buttons.size(), 6);
+  for (const auto* button : buttons) {
+    const QRect at(button->mapTo(window.robotView(), QPoint()), button->size());
+    EXPECT_TRUE(window.robotView()->rect().contains(at)) << qPrintable(button->toolTip());
+  }
+}
+
+TEST_F(PlotsWindowTest, AMarkIsTurnedIntoAnotherByItsMenu) {
+  open(plotsRecording());
+  window.showStep(Step::mark);
+  workspace.paint(2.0, 4.0, MarkLabel::contact);
+  QTest::qWait(50);
+  MarksBar* bar = pane()->marks();
+  const QPoint at(static_cast<int>(pane()->timeAxis()->toX(3.0, bar->width())), 18);
+  ASSERT_NE(bar->segmentAt(at), nullptr);
+  ASSERT_EQ(bar->segmentAt(at)->label, MarkLabel::contact);
+  QStringList offered;
+  QTimer::singleShot(100, [&] {
+    auto* menu = bar->findChild<QMenu*>("marksMenu");
+    ASSERT_NE(menu, nullptr);
+    for (QAction* action : menu->actions()) {
+      offered << action->text();
+      if (action->text() == "Mark as ignored") action->trigger();
+    }
+    menu->close();
+  });
+  QContextMenuEvent wanted(QContextMenuEvent::Mouse, at, bar->mapToGlobal(at));
+  QApplication::sendEvent(bar, &wanted);
+  EXPECT_TRUE(offered.contains("Mark as free")) << qPrintable(offered.join(", "));
+  EXPECT_EQ(bar->segmentAt(at)->label, MarkLabel::ignore);
+  workspace.undoStack()->undo();
+  EXPECT_EQ(bar->segmentAt(at)->label, MarkLabel::contact);
+  // Delete takes back what was painted at the time shown, and nothing that was not painted.
+  const int steps = workspace.undoStack()->index();
+  window.playback()->setTime(6.0);
+  QTest::keyClick(&window, Qt::Key_Delete);
+  EXPECT_EQ(workspace.undoStack()->index(), steps);
+  window.playback()->setTime(3.0);
+  QTest::keyClick(&window, Qt::Key_Delete);
+  EXPECT_EQ(workspace.undoStack()->index(), steps + 1);
+  EXPECT_TRUE(workspace.session().recordings[0].marks.empty());
+}
+
 TEST_F(PlotsWindowTest, PreferencesTakeEffect) {
   const QString wanted = folder.filePath("elsewhere");
+  qRegisterMetaType<ThemeKind>("heft::ThemeKind");
   QSignalSpy theme(&window, &MainWindow::themeWanted);
   QTimer::singleShot(200, [&] {
     auto* dialog = window.findChild<QDialog*>("preferences");

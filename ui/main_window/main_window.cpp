@@ -485,6 +485,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
   files_->open(paths);
 }
 
+/// As in a dialog: it presses the button that has the focus, or else the filled one; what is being typed ends there.
+void MainWindow::pressEnter() {
+  QWidget* focus = QApplication::focusWidget();
+  if (auto* button = qobject_cast<QAbstractButton*>(focus)) return button->click();
+  for (const char* typed : {"QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView", "QTextEdit"})
+    if (focus && focus->inherits(typed)) return;
+  auto* main = panelStack_->currentWidget()->findChild<QAbstractButton*>("mainButton");
+  if (main && main->isVisible() && main->isEnabled()) main->click();
+}
+
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   // Keys that reach the window were not wanted by the focused control; a focused button keeps its Space.
   const double step = pane_->timeAxis()->poses()                 ? 1.0
@@ -498,9 +508,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      // As in a dialog: Enter presses the button that has the focus, not only Space.
-      if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) button->click();
-      return;
+      return pressEnter();
     case Qt::Key_F6:
       return focusNextPart(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
     case Qt::Key_Escape:

@@ -101,6 +101,7 @@ class MainWindow : public QMainWindow {
   void keepOnScreen();
   void focusNextPart(int by);
   void keepSizes();
+  void pressEnter();
   void editPreferences();
 
   Workspace* workspace_;

@@ -22,6 +22,8 @@ namespace {
 constexpr int kRest = 60;      ///< [ms] between lines: one turn of the event loop lays out what changed.
 constexpr int kDrawing = 350;  ///< [ms] before a picture: then plots and 3D have drawn themselves smoothly.
 
+constexpr int kCalmTurns = 6;  ///< Of the event loop before a picture, however slow the machine is
+
 Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
 }  // namespace
@@ -86,17 +88,20 @@ QString ScriptRunner::placed(const QString& sentence) const {
 void ScriptRunner::turn() {
   if (!studio_->window().settled()) {
     quiet_.start();
+    calm_ = 0;
     return;
   }
+  ++calm_;
   if (!failure_.isEmpty() && !(goOn_ && studio_->workspace().opened())) return finish(failure_);
   const bool picture = next_ < lines_.size() && lines_[next_].words[0] == "picture";
-  if (quiet_.elapsed() < std::max(wait_, picture ? kDrawing : kRest)) return;
+  if (quiet_.elapsed() < std::max(wait_, picture ? kDrawing : kRest) || (picture && calm_ < kCalmTurns)) return;
   if (next_ == lines_.size()) return finish(failure_);
   wait_ = 0;
   const QStringList words = lines_[next_++].words;
   const auto obeyed = obey(words);
   if (!obeyed) return finish(placed(QString::fromStdString(obeyed.error().message)));
   quiet_.start();
+  calm_ = 0;
 }
 
 void ScriptRunner::finish(const QString& failure) {

@@ -11,6 +11,7 @@ namespace heft {
 class TimeAxis;
 
 class OverviewStrip : public QWidget {
+  Q_OBJECT
  public:
   static constexpr int kHeight = 20;  ///< [px]
 

@@ -122,8 +122,11 @@ void ChannelLanes::drawLane(QPainter& painter, int index) const {
   const std::vector<double> ticks = ticksBetween(range.lowest, range.highest, 3);
   const int decimals =
       ticks.size() > 1 ? std::clamp(static_cast<int>(std::ceil(-std::log10(ticks[1] - ticks[0]) - 1e-9)), 0, 6) : 2;
+  double before = area.bottom() + 20;
   for (const double tick : ticks) {
-    if (y(tick) < area.top() + 5 || y(tick) > area.bottom() - 5) continue;
+    constexpr double kNumber = 13.0;  // [px]
+    if (y(tick) < area.top() + 5 || y(tick) > area.bottom() - 5 || before - y(tick) < kNumber) continue;
+    before = y(tick);
     painter.setPen(QPen(std::abs(tick) < 1e-12 ? t.plotZero : t.plotGrid, 1));
     painter.drawLine(QPointF(area.left(), y(tick)), QPointF(area.right(), y(tick)));
     painter.setPen(t.text3);

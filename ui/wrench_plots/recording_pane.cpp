@@ -1,5 +1,7 @@
 #include "ui/wrench_plots/recording_pane.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -132,12 +134,15 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   auto* alone = new IconButton("fit", tr("Plots alone, or with the rest again"), header);
   alone->setObjectName("aloneButton");  // The window listens to it.
   row->addWidget(alone);
-  auto* picture = new IconButton("camera", tr("Save a picture of the plots"), header);
-  row->addWidget(picture);
-  auto* csv = new IconButton("save", tr("Save the visible stretch as CSV"), header);
-  csv->setObjectName("csvButton");
-  row->addWidget(csv);
-  connect(csv, &QToolButton::clicked, this, &RecordingPane::csvWanted);
+  auto* more = new IconButton("more", tr("Picture of the plots, table of the visible stretch"), header);
+  more->setObjectName("plotsMoreButton");
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(more);
+  menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(grab().toImage()); });
+  menu->addAction(tr("Save a picture of the plots"), this, &RecordingPane::pictureWanted);
+  menu->addAction(tr("Save the visible stretch as CSV"), this, &RecordingPane::csvWanted);
+  more->setMenu(menu);
+  row->addWidget(more);
   foldedHeader_ = new QWidget(this);
   foldedHeader_->setObjectName("plotHeader");
   foldedHeader_->setAttribute(Qt::WA_StyledBackground);
@@ -159,7 +164,6 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   column->addWidget(bar_);
 
   connect(all, &QToolButton::clicked, &axis_, &TimeAxis::showAll);
-  connect(picture, &QToolButton::clicked, this, &RecordingPane::pictureWanted);
   connect(plots_, &WrenchPlots::timePicked, playback_, &Playback::setTime);
   connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
   connect(channels_, &ChannelLanes::timePicked, playback_, &Playback::setTime);

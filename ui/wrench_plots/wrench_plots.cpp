@@ -516,6 +516,8 @@ void WrenchPlots::refresh() {
   for (int lane = 0; lane < kLanes; ++lane) {
     QCPAxisRect* rect = p.rects[lane];
     for (auto* line : {rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atTop)}) line->setRange(from, to);
+    constexpr int kTwoLines = 32;  // [px]
+    if (p.units[lane]) p.units[lane]->setVisible(rect->height() >= kTwoLines);
     const int first = firstChannel(lane);
     double lower, upper;
     if (isDifference(lane)) {
