@@ -11,9 +11,10 @@ namespace {
 
 /// Sizes of the stored pictures: letters are grey there, so that other fonts and renderers pass.
 constexpr QSize kSmall(160, 100);
-constexpr int kBlock = 5;         ///< [px] of a small picture: 45 px of the window
-constexpr double kMostBlock = 26;  ///< Of 255: mean of a block in one colour; a cleared main button changes one by over 60
-constexpr double kMostMean = 3;    ///< Of 255: over the whole picture
+constexpr int kBlock = 5;  ///< [px] of a small picture: 45 px of the window
+constexpr double kMostBlock =
+    26;  ///< Of 255: mean of a block in one colour; a cleared main button changes one by over 60
+constexpr double kMostMean = 3;  ///< Of 255: over the whole picture
 
 QImage small(const QImage& picture) {
   return picture.scaled(kSmall, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
@@ -98,7 +99,8 @@ TEST_F(Looks, AMissingButtonIsSeen) {
   QPainter painter(&picture);
   const double ratio = picture.width() / static_cast<double>(window.width());
   const QPoint at = button->mapTo(&window, QPoint());
-  painter.fillRect(QRectF(ratio * at.x(), ratio * at.y(), ratio * button->width(), ratio * button->height()), Qt::white);
+  painter.fillRect(QRectF(ratio * at.x(), ratio * at.y(), ratio * button->width(), ratio * button->height()),
+                   Qt::white);
   painter.end();
   EXPECT_GT(distance(before, small(picture)).block, 2 * kMostBlock);
 }

@@ -105,6 +105,21 @@ TEST(Channels, SpeedsAndAnglesAreThoseOfTheRecording) {
   EXPECT_NEAR(channelValues(recording, "dq1")[1700], 0.25 * degrees, 1e-12);
 }
 
+/// Ready posture of a Panda: by its table of Denavit-Hartenberg parameters the flange is 307 mm ahead, 590 mm up.
+TEST(Channels, TheJointsTellWhereTheSensorIs) {
+  Recording recording;
+  recording.time = VectorXd::LinSpaced(3, 0.0, 0.02);
+  recording.q.resize(3, 7);
+  for (Eigen::Index n = 0; n < 3; ++n)
+    recording.q.row(n) << 0.0, -M_PI / 4, 0.0, -3 * M_PI / 4, 0.0, M_PI / 2, M_PI / 4;
+  const Recording there = forwardPoses(recording, RobotModel::panda());
+  EXPECT_NEAR(channelValues(there, "px")[1], 306.9, 0.1);
+  EXPECT_NEAR(channelValues(there, "py")[1], 0.0, 0.1);
+  EXPECT_NEAR(channelValues(there, "pz")[1], 590.3, 0.1);
+  EXPECT_NEAR(std::abs(channelValues(there, "roll")[1]), 180.0, 0.01);  // Looks down
+  EXPECT_NEAR(channelValues(there, "speed")[1], 0.0, 1e-6);
+}
+
 TEST(WrenchTraces, ThinningKeepsEverySpikeAndFewPoints) {
   Recording recording = test::sineRecording(200000, 1000);
   recording.wrench(123457, 1) = 99.0;

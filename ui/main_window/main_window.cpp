@@ -407,7 +407,7 @@ void MainWindow::showOpened() {
   header_->setFileName(QFileInfo(opened->path).fileName(), opened->path);
   setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
   view_->showRecording(shared, opened->robot, opened->look);
-  pane_->setRecording(shared, workspace_->report());
+  pane_->setRecording(shared, workspace_->report(), opened->robot);
   rate_ = shared->rateHz();
   showFacts();
   files_->remember(opened->path);

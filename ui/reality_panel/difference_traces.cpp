@@ -14,9 +14,9 @@
 namespace heft {
 namespace {
 
-constexpr int kTicks = 20;    ///< [px] below the lanes
-constexpr int kGap = 8;       ///< [px] between them
-constexpr int kTop = 8;       ///< [px]
+constexpr int kTicks = 20;  ///< [px] below the lanes
+constexpr int kGap = 8;     ///< [px] between them
+constexpr int kTop = 8;     ///< [px]
 
 int decimalsOf(const std::vector<double>& ticks) {
   if (ticks.size() < 2) return 2;

@@ -168,7 +168,8 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
     ChannelLanes* lanes = window.recordingPane()->channels();
     const QStringList wanted = words[1] == "none" ? QStringList() : words.mid(1);
     for (const QString& id : wanted)
-      if (std::none_of(lanes->channels().begin(), lanes->channels().end(), [&](const Channel& c) { return c.id == id; }))
+      if (std::none_of(lanes->channels().begin(), lanes->channels().end(),
+                       [&](const Channel& c) { return c.id == id; }))
         return wrong(tr("The open recording has no channel %1.").arg(id));
     return lanes->setChosen(wanted), Result<bool>(true);
   }

@@ -46,7 +46,8 @@ void OverviewStrip::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), t.panel);
   painter.setFont(uiFont(type::kTick));
   painter.setPen(t.text3);
-  painter.drawText(QRect(12, 0, TimeAxis::kLeft - 16, height()), Qt::AlignLeft | Qt::AlignVCenter, tr("Whole recording"));
+  painter.drawText(QRect(12, 0, TimeAxis::kLeft - 16, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                   tr("Whole recording"));
   const QRectF bar(toX(axis_->fullLower()), 6, toX(axis_->fullUpper()) - toX(axis_->fullLower()), 8);
   painter.fillRect(bar, t.raised);
   for (const Segment& segment : segments_) {

@@ -63,9 +63,8 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent, TimeAxis* axis)
   connect(play_, &QToolButton::clicked, playback_, &Playback::toggle);
   connect(playback_, &Playback::playingChanged, this, &PlaybackBar::showPlaying);
   connect(playback_, &Playback::timeChanged, this, &PlaybackBar::showTime);
-  connect(slider_, &QSlider::valueChanged, this, [this](int value) {
-    playback_->setTime(lower() + (upper() - lower()) * value / kSteps);
-  });
+  connect(slider_, &QSlider::valueChanged, this,
+          [this](int value) { playback_->setTime(lower() + (upper() - lower()) * value / kSteps); });
   if (axis_) connect(axis_, &TimeAxis::visibleChanged, this, &PlaybackBar::showTime);
   setRecording(false, false);
 }

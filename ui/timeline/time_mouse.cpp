@@ -59,7 +59,8 @@ void TimeMouse::move(const QMouseEvent* event) {
 
 void TimeMouse::release(const QMouseEvent* event) {
   if (!pressed_) return;
-  const double from = axis_->toTime(*pressed_, widget_->width()), to = axis_->toTime(event->pos().x(), widget_->width());
+  const double from = axis_->toTime(*pressed_, widget_->width()),
+               to = axis_->toTime(event->pos().x(), widget_->width());
   const bool moved = moved_;
   pressed_.reset();
   if (!moved) {

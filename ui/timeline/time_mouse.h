@@ -1,6 +1,7 @@
 #pragma once
-// The mouse over a widget that shares a time axis: the wheel zooms about the pointer, with Shift it pans; a drag marks a
-// band and zooms to it, with Shift or the middle button it pans; a click picks a time; a double click shows everything.
+// The mouse over a widget that shares a time axis: the wheel zooms about the pointer, with Shift it pans; a drag marks
+// a band and zooms to it, with Shift or the middle button it pans; a click picks a time; a double click shows
+// everything.
 #include <QObject>
 #include <optional>
 #include <utility>

@@ -41,9 +41,14 @@ ChannelLanes::ChannelLanes(TimeAxis* axis, QWidget* parent)
   connect(mouse_, &TimeMouse::timePicked, this, &ChannelLanes::timePicked);
 }
 
-void ChannelLanes::setRecording(std::shared_ptr<const Recording> recording) {
+void ChannelLanes::setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const RobotModel> robot) {
   recording_ = std::move(recording);
-  channels_ = recording_ ? channelsOf(*recording_) : std::vector<Channel>();
+  robot_ = std::move(robot);
+  forward_.reset();
+  if (!recording_ || !robot_ || recording_->hasPosition() || recording_->hasOrientation() ||
+      recording_->q.cols() != robot_->dof())
+    robot_.reset();
+  channels_ = recording_ ? channelsOf(*recording_, robot_ != nullptr) : std::vector<Channel>();
   time_ = recording_ ? timesOf(*recording_) : std::vector<double>();
   gap_ = recording_ ? longestJoined(*recording_, time_) : 0.0;
   rebuild();
@@ -67,12 +72,15 @@ void ChannelLanes::rebuild() {
   for (const Channel& channel : channels_) {
     if (!chosen_.contains(channel.id)) continue;
     std::vector<double> values = channelValues(*recording_, channel.id);
+    if (values.empty() && robot_) {
+      if (!forward_) forward_ = std::make_shared<const Recording>(forwardPoses(*recording_, *robot_));
+      values = channelValues(*forward_, channel.id);
+    }
     if (values.size() < time_.size()) values.resize(time_.size(), std::nan(""));
     values.resize(time_.size());
     // Columns without a unit have nothing to share a scale for.
-    auto lane = std::find_if(lanes_.begin(), lanes_.end(), [&](const Lane& each) {
-      return !channel.unit.isEmpty() && each.unit == channel.unit;
-    });
+    auto lane = std::find_if(lanes_.begin(), lanes_.end(),
+                             [&](const Lane& each) { return !channel.unit.isEmpty() && each.unit == channel.unit; });
     if (lane == lanes_.end()) lane = lanes_.insert(lanes_.end(), Lane{channel.unit, {}});
     lane->curves.push_back({channel, MinMaxPyramid(std::move(values))});
   }
@@ -146,9 +154,10 @@ void ChannelLanes::drawLane(QPainter& painter, int index) const {
   const TraceScale up{ratio * (area.height() - slope * range.lowest), ratio * slope};
   for (std::size_t c = 0; c < lane.curves.size(); ++c) {
     TraceColumns columns(picture.width());
-    addThinned(columns,
-               thinned(time_, lane.curves[c].values, gap_, axis_->lower(), axis_->upper(), std::max(50, picture.width())),
-               across, up);
+    addThinned(
+        columns,
+        thinned(time_, lane.curves[c].values, gap_, axis_->lower(), axis_->upper(), std::max(50, picture.width())),
+        across, up);
     columns.paint(picture, channelColour(c), 1.4 * ratio);
   }
   picture.setDevicePixelRatio(ratio);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/rigid.h"
+
 namespace heft {
 namespace {
 
@@ -104,7 +106,29 @@ int indexIn(const QString& id, const QString& prefix, Eigen::Index count) {
 
 }  // namespace
 
-std::vector<Channel> channelsOf(const Recording& recording) {
+Recording forwardPoses(const Recording& recording, const RobotModel& robot) {
+  const SensorMount& mount = recording.meta.mount;
+  const Isometry3d X_LS = poseFromXyzRpy(mount.xyz, mount.rpy);
+  const auto link =
+      static_cast<std::size_t>(robot.findLink(mount.parent).value_or(static_cast<int>(robot.links().size()) - 1));
+  const Eigen::Index rows = recording.q.rows();
+  Recording out;
+  out.meta = recording.meta;
+  out.time = recording.time;
+  out.position.resize(rows, 3);
+  out.quaternion.resize(rows, 4);
+  std::vector<Isometry3d> X_BL;
+  for (Eigen::Index n = 0; n < rows; ++n) {
+    robot.linkPoses(recording.q.row(n).transpose(), X_BL);
+    const Isometry3d X_BS = X_BL[link] * X_LS;
+    const Quaterniond turned(X_BS.linear());
+    out.position.row(n) = X_BS.translation().transpose();
+    out.quaternion.row(n) << turned.x(), turned.y(), turned.z(), turned.w();
+  }
+  return out;
+}
+
+std::vector<Channel> channelsOf(const Recording& recording, bool poseFromJoints) {
   std::vector<Channel> out;
   const auto add = [&](const QString& id, const QString& label, const QString& group, const QString& unit) {
     out.push_back({id, label, group, unit});
@@ -119,15 +143,16 @@ std::vector<Channel> channelsOf(const Recording& recording) {
                                   : ChannelWords::tr("Joint speeds, from the angles"),
           rate);
   }
-  if (recording.hasPosition())
+  const bool position = recording.hasPosition() || poseFromJoints,
+             turned = recording.hasOrientation() || poseFromJoints;
+  if (position)
     for (const char* axis : kAxisNames)
       add(QStringLiteral("p%1").arg(axis), axis, ChannelWords::tr("Sensor position"), QStringLiteral("mm"));
-  if (recording.hasOrientation())
+  if (turned)
     for (const char* angle : kAngleNames) add(angle, angle, ChannelWords::tr("Sensor orientation"), degrees);
   const QString sizes = ChannelWords::tr("Speeds and sizes");
-  if (recording.hasPosition() || recording.twist.rows() > 0)
-    add("speed", QStringLiteral("|v|"), sizes, QStringLiteral("mm/s"));
-  if (recording.hasOrientation() || recording.twist.rows() > 0) add("turning", QStringLiteral("|ω|"), sizes, rate);
+  if (position || recording.twist.rows() > 0) add("speed", QStringLiteral("|v|"), sizes, QStringLiteral("mm/s"));
+  if (turned || recording.twist.rows() > 0) add("turning", QStringLiteral("|ω|"), sizes, rate);
   if (recording.wrench.rows() > 0) {
     add("force", QStringLiteral("|F|"), sizes, QStringLiteral("N"));
     add("torque", QStringLiteral("|T|"), sizes, QStringLiteral("N m"));
@@ -154,6 +179,7 @@ std::vector<double> channelValues(const Recording& recording, const QString& id)
   }
   if (id == "speed" && (recording.hasPosition() || recording.twist.rows() > 0)) return moving(recording);
   if (id == "turning" && (recording.hasOrientation() || recording.twist.rows() > 0)) return turning(recording);
+  if (recording.wrench.rows() == 0 && (id == "force" || id == "torque")) return {};
   if (id == "force") return scaled(recording.wrench.leftCols<3>().rowwise().norm(), 1.0);
   if (id == "torque") return scaled(recording.wrench.rightCols<3>().rowwise().norm(), 1.0);
   for (const ExtraColumn& column : recording.extra) {

@@ -261,7 +261,8 @@ void RecordingPane::showParts() {
 int RecordingPane::foldedHeight() const { return foldedHeader_->height() + marks_->height() + 12; }
 
 void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
-                                 std::shared_ptr<const EstimateReport> report) {
+                                 std::shared_ptr<const EstimateReport> report,
+                                 std::shared_ptr<const RobotModel> robot) {
   if (live_) bar_->setVisible(!folded_);
   live_ = false;
   recording_ = std::move(recording);
@@ -274,7 +275,7 @@ void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
   playback_->setRange(first, last, poses);
   axis_.setFull(first, last, poses);
   setTraces(nullptr);
-  channels_->setRecording(recording_);
+  channels_->setRecording(recording_, std::move(robot));
   channelButton_->setEnabled(!channels_->channels().empty());
   showParts();
   setSegments({}, {});

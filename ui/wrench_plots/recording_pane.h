@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/estimation/estimate.h"
+#include "core/robot/robot_model.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/wrench_traces.h"
@@ -31,8 +32,10 @@ class RecordingPane : public QWidget {
   explicit RecordingPane(Playback* playback, QWidget* parent = nullptr);
 
   /// A new recording, or none, with the estimate on it, or null: shows all of it from its beginning. The curves follow
-  /// as soon as they are made, which a long recording takes a moment for.
-  void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report);
+  /// as soon as they are made, which a long recording takes a moment for. The robot tells the pose where there are
+  /// joints.
+  void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report,
+                    std::shared_ptr<const RobotModel> robot = nullptr);
   /// What has come so far of something live, up to `now` [s]; the view goes along. Ends with setRecording().
   void showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched, double now);
   /// Another estimate on that recording, or null while there is none.

@@ -87,9 +87,7 @@ class PlotCanvas : public QCustomPlot {
   void setSecond(double time) { second_ = time; }
 
  protected:
-  void wheelEvent(QWheelEvent* event) override {
-    TimeMouse::wheel(axis_, event, width());
-  }
+  void wheelEvent(QWheelEvent* event) override { TimeMouse::wheel(axis_, event, width()); }
 
   void mousePressEvent(QMouseEvent* event) override {
     owner_->setFocus(Qt::MouseFocusReason);

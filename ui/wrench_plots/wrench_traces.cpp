@@ -71,8 +71,7 @@ WrenchTraces::WrenchTraces(TraceData data)
   }
 }
 
-WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* report)
-    : poses_(isPoses(recording)) {
+WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* report) : poses_(isPoses(recording)) {
   const Eigen::Index rows = std::min(recording.rows(), recording.wrench.rows());
   measuredTime_ = poses_ ? counted(rows) : toVector(recording.time.head(rows));
   for (int c = 0; c < 6; ++c) curves_[0][c] = MinMaxPyramid(toVector(recording.wrench.col(c).head(rows)));

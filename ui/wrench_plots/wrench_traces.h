@@ -19,8 +19,9 @@ struct ThinnedCurve {
   double step = 0.0;  ///< Width of an entry where they are crowded, in the unit of x
 };
 
-/// What `pixels` columns over [from, to] show of `values` at rising `time`; two samples further apart than `gap` [s] are
-/// not joined. Where there are fewer samples than columns every sample in the stretch, and one neighbour on each side.
+/// What `pixels` columns over [from, to] show of `values` at rising `time`; two samples further apart than `gap` [s]
+/// are not joined. Where there are fewer samples than columns every sample in the stretch, and one neighbour on each
+/// side.
 ThinnedCurve thinned(const std::vector<double>& time, const MinMaxPyramid& values, double gap, double from, double to,
                      int pixels);
 
