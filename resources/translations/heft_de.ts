@@ -431,6 +431,37 @@
     </message>
 </context>
 <context>
+    <name>Channels</name>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Joint speeds</source>
+        <translation>Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Joint speeds, from the angles</source>
+        <translation>Gelenkgeschwindigkeiten, aus den Winkeln</translation>
+    </message>
+    <message>
+        <source>Sensor position</source>
+        <translation>Lage des Sensors</translation>
+    </message>
+    <message>
+        <source>Sensor orientation</source>
+        <translation>Drehung des Sensors</translation>
+    </message>
+    <message>
+        <source>Speeds and sizes</source>
+        <translation>Geschwindigkeiten und Beträge</translation>
+    </message>
+    <message>
+        <source>Other columns of the file</source>
+        <translation>Andere Spalten der Datei</translation>
+    </message>
+</context>
+<context>
     <name>ExportText</name>
     <message>
         <source>Franka profile</source>
@@ -1021,6 +1052,18 @@
     <message>
         <source>D&amp;etails</source>
         <translation>D&amp;etails</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences …</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>&amp;Plots alone</source>
+        <translation>&amp;Nur die Kurven</translation>
+    </message>
+    <message>
+        <source>3D view alo&amp;ne</source>
+        <translation>Nur die &amp;3D-Ansicht</translation>
     </message>
 </context>
 <context>
@@ -8271,6 +8314,13 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
 </context>
 <context>
+    <name>heft::ChannelLanes</name>
+    <message>
+        <source>Further channels over time</source>
+        <translation>Weitere Kanäle über der Zeit</translation>
+    </message>
+</context>
+<context>
     <name>heft::ConventionsForm</name>
     <message>
         <source>Conventions of the numbers</source>
@@ -8612,6 +8662,14 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>A sloped or curved cloud means that the difference depends on this quantity. Both pictures have one scale; click on a dot to go to its time.</source>
         <translation>Eine schräge oder krumme Wolke heißt, dass die Abweichung von dieser Größe abhängt. Beide Bilder haben einen Maßstab; ein Klick auf einen Punkt führt zu seiner Zeit.</translation>
+    </message>
+    <message>
+        <source>Plots alone, or with the rest again</source>
+        <translation>Nur die Kurven, oder wieder mit allem anderen</translation>
+    </message>
+    <message>
+        <source>Picture of this</source>
+        <translation>Bild davon</translation>
     </message>
 </context>
 <context>
@@ -9713,6 +9771,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>left out at each end</source>
         <translation>an jedem Ende weggelassen</translation>
     </message>
+    <message>
+        <source>Paint it yourself</source>
+        <translation>Selbst markieren</translation>
+    </message>
 </context>
 <context>
     <name>heft::MarksBar</name>
@@ -9743,6 +9805,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>pose %1</source>
         <translation>Stellung %1</translation>
+    </message>
+    <message>
+        <source>Zoom to this stretch</source>
+        <translation>Diesen Abschnitt vergrößern</translation>
+    </message>
+    <message>
+        <source>Mark as %1</source>
+        <translation>Als %1 markieren</translation>
     </message>
 </context>
 <context>
@@ -9934,6 +10004,21 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     </message>
 </context>
 <context>
+    <name>heft::OverviewStrip</name>
+    <message>
+        <source>Which part of the recording the plots show</source>
+        <translation>Welchen Teil der Aufnahme die Kurven zeigen</translation>
+    </message>
+    <message>
+        <source>The whole recording; drag the frame to see another part</source>
+        <translation>Die ganze Aufnahme; ziehen Sie den Rahmen, um einen anderen Teil zu sehen</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>Ganze Aufnahme</translation>
+    </message>
+</context>
+<context>
     <name>heft::PartsList</name>
     <message>
         <source>Take part %1 away</source>
@@ -10024,6 +10109,85 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>heft::Preferences</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>&amp;Recordings folder</source>
+        <translation>Ordner für &amp;Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Recordings folder</source>
+        <translation>Ordner für Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Time back or on; with Shift further</source>
+        <translation>Zeit zurück oder vor; mit Umschalt weiter</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>Beginning, end of the recording</source>
+        <translation>Anfang, Ende der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>Zoom the plots; all of them</source>
+        <translation>Kurven vergrößern, verkleinern; alles</translation>
+    </message>
+    <message>
+        <source>Next part of the window</source>
+        <translation>Nächster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Press the button that has the focus</source>
+        <translation>Die Schaltfläche mit dem Fokus drücken</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
     </message>
 </context>
 <context>
@@ -10787,6 +10951,30 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>Drawing the curves</source>
         <translation>Die Kurven werden gezeichnet</translation>
     </message>
+    <message>
+        <source>Further channels: joints, pose, speeds</source>
+        <translation>Weitere Kanäle: Gelenke, Lage, Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Plots alone, or with the rest again</source>
+        <translation>Nur die Kurven, oder wieder mit allem anderen</translation>
+    </message>
+    <message>
+        <source>All of these</source>
+        <translation>Alle davon</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Picture of the plots, table of the visible stretch</source>
+        <translation>Bild der Kurven, Tabelle des sichtbaren Abschnitts</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
 </context>
 <context>
     <name>heft::ResultPanel</name>
@@ -11267,6 +11455,10 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
         <source>not known from this motion</source>
         <translation>aus dieser Bewegung nicht bekannt</translation>
     </message>
+    <message>
+        <source>3D view alone, or with the rest again</source>
+        <translation>Nur die 3D-Ansicht, oder wieder mit allem anderen</translation>
+    </message>
 </context>
 <context>
     <name>heft::ScriptRunner</name>
@@ -11313,6 +11505,14 @@ Ein Roboter mit falsch angegebener Last driftet beim Führen, hält grundlos an 
     <message>
         <source>robot needs an open recording.</source>
         <translation>robot braucht eine offene Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The open recording has no channel %1.</source>
+        <translation>Die offene Aufnahme hat keinen Kanal %1.</translation>
+    </message>
+    <message>
+        <source>alone expects view, plots or off.</source>
+        <translation>alone erwartet view, plots oder off.</translation>
     </message>
 </context>
 <context>

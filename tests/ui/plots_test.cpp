@@ -12,6 +12,7 @@
 #include "ui/charts/chart.h"
 #include "ui/timeline/marks_bar.h"
 #include "ui/timeline/playback.h"
+#include "ui/wrench_plots/channels.h"
 #include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/min_max_pyramid.h"
 #include "ui/wrench_plots/recording_pane.h"
@@ -65,6 +66,58 @@ TEST(Charts, AxesHaveEnoughRoundNumbersToTellAScale) {
         EXPECT_GE(ticks.front(), low - 1e-9 * span);
         EXPECT_LE(ticks.back(), low + 1.001 * span);
       }
+}
+
+TEST(Channels, SpeedsAndAnglesAreThoseOfTheRecording) {
+  Recording recording = test::sineRecording(4000, 500);  // Turns by t about z, and moves at sqrt(5) m/s.
+  recording.q.resize(4000, 2);
+  for (Eigen::Index n = 0; n < 4000; ++n) recording.q.row(n) << std::sin(recording.time(n)), 0.5;
+  recording.extra = {{"current", {}}, {"words", {}}};
+  for (int n = 0; n < 4000; ++n) {
+    recording.extra[0].cells.push_back(n == 7 ? "nan" : std::to_string(2 * n));
+    recording.extra[1].cells.push_back("go");
+  }
+  QStringList ids;
+  for (const Channel& channel : channelsOf(recording)) ids << channel.id;
+  for (const char* id : {"q1", "q2", "dq2", "pz", "yaw", "speed", "turning", "force", "torque", "column:current"})
+    EXPECT_TRUE(ids.contains(id)) << id;
+  EXPECT_FALSE(ids.contains("q3"));
+  EXPECT_FALSE(ids.contains("column:words"));
+  const double degrees = 180.0 / M_PI;
+  const auto q = channelValues(recording, "q1"), dq = channelValues(recording, "dq1"),
+             yaw = channelValues(recording, "yaw"), speed = channelValues(recording, "speed"),
+             turning = channelValues(recording, "turning"), force = channelValues(recording, "force"),
+             current = channelValues(recording, "column:current");
+  for (const std::size_t n : {100u, 1700u, 3900u}) {
+    const double t = recording.time(static_cast<Eigen::Index>(n));
+    EXPECT_NEAR(q[n], degrees * std::sin(t), 1e-9);
+    EXPECT_NEAR(dq[n], degrees * std::cos(t), 0.01);
+    EXPECT_NEAR(yaw[n], degrees * t, 1e-6);  // On beyond half a turn
+    EXPECT_NEAR(speed[n], 1e3 * std::sqrt(5.0), 1e-3);
+    EXPECT_NEAR(turning[n], degrees, 1e-3);
+    EXPECT_NEAR(force[n], recording.wrench.row(static_cast<Eigen::Index>(n)).head<3>().norm(), 1e-12);
+    EXPECT_EQ(current[n], 2.0 * static_cast<double>(n));
+  }
+  EXPECT_TRUE(std::isnan(current[7]));
+  EXPECT_TRUE(channelValues(recording, "q9").empty());
+  // What was recorded is not computed.
+  recording.dq = MatrixXd::Constant(4000, 2, 0.25);
+  EXPECT_NEAR(channelValues(recording, "dq1")[1700], 0.25 * degrees, 1e-12);
+}
+
+/// Ready posture of a Panda: by its table of Denavit-Hartenberg parameters the flange is 307 mm ahead, 590 mm up.
+TEST(Channels, TheJointsTellWhereTheSensorIs) {
+  Recording recording;
+  recording.time = VectorXd::LinSpaced(3, 0.0, 0.02);
+  recording.q.resize(3, 7);
+  for (Eigen::Index n = 0; n < 3; ++n)
+    recording.q.row(n) << 0.0, -M_PI / 4, 0.0, -3 * M_PI / 4, 0.0, M_PI / 2, M_PI / 4;
+  const Recording there = forwardPoses(recording, RobotModel::panda());
+  EXPECT_NEAR(channelValues(there, "px")[1], 306.9, 0.1);
+  EXPECT_NEAR(channelValues(there, "py")[1], 0.0, 0.1);
+  EXPECT_NEAR(channelValues(there, "pz")[1], 590.3, 0.1);
+  EXPECT_NEAR(std::abs(channelValues(there, "roll")[1]), 180.0, 0.01);  // Looks down
+  EXPECT_NEAR(channelValues(there, "speed")[1], 0.0, 1e-6);
 }
 
 TEST(WrenchTraces, ThinningKeepsEverySpikeAndFewPoints) {

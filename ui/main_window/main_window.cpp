@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -26,6 +27,7 @@
 #include "ui/main_window/header_bar.h"
 #include "ui/main_window/menus.h"
 #include "ui/main_window/panels.h"
+#include "ui/main_window/preferences.h"
 #include "ui/main_window/status_bar.h"
 #include "ui/main_window/tab_way.h"
 #include "ui/manual/manual.h"
@@ -220,6 +222,11 @@ void MainWindow::connectParts() {
   connect(view_, &RobotView::pictureWanted, this, [this] { files_->savePicture(view_->grab().toImage(), tr("view")); });
   connect(pane_, &RecordingPane::csvWanted, this,
           [this] { files_->saveText(pane_->visibleText(), tr("visible"), ".csv", tr("Tables (*.csv)")); });
+  for (auto* button : findChildren<QAbstractButton*>("aloneButton"))
+    connect(button, &QAbstractButton::clicked, this, [this, button] {
+      const Alone what = view_->isAncestorOf(button) ? Alone::view : Alone::below;
+      showAlone(alone_ == what ? Alone::nothing : what);
+    });
   connect(pane_, &RecordingPane::unfoldWanted, this, [this] {
     pane_->setFolded(false);
     below_->setMaximumHeight(QWIDGETSIZE_MAX);
@@ -248,11 +255,7 @@ void MainWindow::showStep(Step step) {
   if (panel && manualShown()) showManual(false);
   if (!panel || step == step_) return;
   StepPanel* before = panels_.value(step_);
-  if (isVisible()) {
-    panelWidths_[step_] = across_->sizes().value(1, kPanelWidth);
-    const QList<int> down = down_->sizes();
-    if (down.value(1) > 0) viewShares_[step_] = static_cast<double>(down[0]) / (down[0] + down[1]);
-  }
+  keepSizes();
   const bool hadFocus = panelStack_->isAncestorOf(QApplication::focusWidget());
   before->left();
   step_ = step;
@@ -268,7 +271,48 @@ void MainWindow::showStep(Step step) {
   if (!way.isEmpty()) way.front()->setFocus(Qt::OtherFocusReason);
 }
 
+/// Of the step shown, unless one pane stands alone.
+void MainWindow::keepSizes() {
+  if (!isVisible() || alone_ != Alone::nothing) return;
+  panelWidths_[step_] = across_->sizes().value(1, kPanelWidth);
+  const QList<int> down = down_->sizes();
+  if (down.value(1) > 0) viewShares_[step_] = static_cast<double>(down[0]) / (down[0] + down[1]);
+}
+
+void MainWindow::showAlone(Alone what) {
+  if (what == Alone::below && (!below_->isVisibleTo(this) || pane_->folded())) return;
+  keepSizes();
+  alone_ = what;
+  if (what == Alone::nothing) return arrangeFor(panels_[step_]);
+  panelStack_->hide();
+  view_->setVisible(what == Alone::view);
+  below_->setVisible(what == Alone::below);
+}
+
+void MainWindow::editPreferences() {
+  QList<QPair<QString, QString>> languages;
+  Preferences::Choice now{{}, theme().dark ? ThemeKind::dark : ThemeKind::light, recordedFolder()};
+  for (const QAction* action : languages_->actions()) {
+    languages << qMakePair(action->data().toString(), action->text());
+    if (action->isChecked()) now.language = action->data().toString();
+  }
+  Preferences dialog(now, languages, header_->menuBar(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const Preferences::Choice wanted = dialog.choice();
+  if (QDir::isAbsolutePath(wanted.folder) && wanted.folder != now.folder) {
+    setRecordedFolder(wanted.folder);
+    if (remembers_) QSettings().setValue("files/recordings", wanted.folder);
+  }
+  if (wanted.theme != now.theme) emit themeWanted(wanted.theme);
+  // Another language is another window: this one has to be done first.
+  if (wanted.language != now.language)
+    QTimer::singleShot(0, this, [this, code = wanted.language] { emit languageWanted(code); });
+}
+
 void MainWindow::arrangeFor(StepPanel* panel) {
+  alone_ = Alone::nothing;
+  view_->show();
+  panelStack_->show();
   const bool own = panel->below() == StepPanel::Below::own && panel->ownPane();
   below_->setCurrentWidget(own ? panel->ownPane() : pane_);
   below_->setVisible(own || workspace_->opened());
@@ -372,7 +416,7 @@ void MainWindow::showOpened() {
   header_->setFileName(QFileInfo(opened->path).fileName(), opened->path);
   setWindowTitle(tr("%1 – Heft Studio").arg(QFileInfo(opened->path).fileName()));
   view_->showRecording(shared, opened->robot, opened->look);
-  pane_->setRecording(shared, workspace_->report());
+  pane_->setRecording(shared, workspace_->report(), opened->robot);
   rate_ = shared->rateHz();
   showFacts();
   files_->remember(opened->path);
@@ -450,35 +494,46 @@ void MainWindow::dropEvent(QDropEvent* event) {
   files_->open(paths);
 }
 
+/// As in a dialog: it presses the button that has the focus, or else the filled one; what is being typed ends there.
+void MainWindow::pressEnter() {
+  QWidget* focus = QApplication::focusWidget();
+  if (auto* button = qobject_cast<QAbstractButton*>(focus)) return button->click();
+  for (const char* typed : {"QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView", "QTextEdit"})
+    if (focus && focus->inherits(typed)) return;
+  auto* main = panelStack_->currentWidget()->findChild<QAbstractButton*>("mainButton");
+  if (main && main->isVisible() && main->isEnabled()) main->click();
+}
+
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   // Keys that reach the window were not wanted by the focused control; a focused button keeps its Space.
   const double step = pane_->timeAxis()->poses()                 ? 1.0
                       : (event->modifiers() & Qt::ShiftModifier) ? 10 * kKeyStep
                                                                  : kKeyStep;
+  const auto goToTime = [this](double time) {
+    playback_.setTime(time);
+    pane_->timeAxis()->reveal(playback_.time());
+  };
   if (panels_[step_]->keyPressed(event)) return;
   switch (event->key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      // As in a dialog: Enter presses the button that has the focus, not only Space.
-      if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) button->click();
-      return;
+      return pressEnter();
     case Qt::Key_F6:
       return focusNextPart(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+    case Qt::Key_Escape:
+      if (alone_ != Alone::nothing) return showAlone(Alone::nothing);
+      return QMainWindow::keyPressEvent(event);
     case Qt::Key_Space:
       playback_.toggle();
       return;
     case Qt::Key_Left:
-      playback_.setTime(playback_.time() - step);
-      return;
+      return goToTime(playback_.time() - step);
     case Qt::Key_Right:
-      playback_.setTime(playback_.time() + step);
-      return;
+      return goToTime(playback_.time() + step);
     case Qt::Key_Home:
-      playback_.setTime(playback_.lower());
-      return;
+      return goToTime(playback_.lower());
     case Qt::Key_End:
-      playback_.setTime(playback_.upper());
-      return;
+      return goToTime(playback_.upper());
     default:
       QMainWindow::keyPressEvent(event);
   }
@@ -493,6 +548,7 @@ void MainWindow::setLanguages(const QStringList& codes, const QString& current) 
     QAction* action = languages_->addAction(name, this, [this, code] { emit languageWanted(code); });
     action->setCheckable(true);
     action->setChecked(code == current);
+    action->setData(code);
   }
 }
 

@@ -64,6 +64,10 @@ class MainWindow : public QMainWindow {
   /// Also the engineer's numbers.
   void showDetails(bool shown);
   bool detailsShown() const { return details_; }
+  /// One pane beside header and steps, without the rest; nothing: all of them again.
+  enum class Alone { nothing, view, below };
+  void showAlone(Alone what);
+  Alone alone() const { return alone_; }
   /// The whole window as it looks now, 3D included.
   QImage picture();
 
@@ -96,6 +100,9 @@ class MainWindow : public QMainWindow {
   void arrangeFor(StepPanel* panel);
   void keepOnScreen();
   void focusNextPart(int by);
+  void keepSizes();
+  void pressEnter();
+  void editPreferences();
 
   Workspace* workspace_;
   bool remembers_;
@@ -120,6 +127,7 @@ class MainWindow : public QMainWindow {
   Manual* manual_ = nullptr;
   QMenu* languages_ = nullptr;
   bool arranged_ = false;
+  Alone alone_ = Alone::nothing;
   QMap<Step, StepPanel*> panels_;
   QMap<Step, int> panelWidths_;    ///< Each step keeps its own, whatever the window's width is by then;
   QMap<Step, double> viewShares_;  ///< and the 3D view's share of the height.

@@ -66,6 +66,10 @@ void MenuBuilder::buildEdit(QMenu* menu) {
   redo->setShortcuts({QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")});
   menu->addAction(undo);
   menu->addAction(redo);
+  menu->addSeparator();
+  QAction* preferences = menu->addAction(tr("&Preferences …"), w_, [w = w_] { w->editPreferences(); });
+  preferences->setObjectName("editPreferences");
+  preferences->setShortcut(QKeySequence("Ctrl+,"));
 }
 
 void MenuBuilder::buildView(QMenu* menu) {
@@ -80,6 +84,13 @@ void MenuBuilder::buildView(QMenu* menu) {
   menu->addSeparator();
   menu->addAction(tr("Whole &recording in the plots"), w_, [w = w_] { w->pane_->timeAxis()->showAll(); })
       ->setShortcut(QKeySequence("Ctrl+0"));
+  using Alone = MainWindow::Alone;
+  const auto addAlone = [&](const QString& text, const QKeySequence& key, Alone what) {
+    menu->addAction(text, w_, [w = w_, what] { w->showAlone(w->alone() == what ? Alone::nothing : what); })
+        ->setShortcut(key);
+  };
+  addAlone(tr("&Plots alone"), Qt::Key_F11, Alone::below);
+  addAlone(tr("3D view alo&ne"), QKeySequence("Shift+F11"), Alone::view);
   QAction* details = menu->addAction(tr("D&etails"), w_, [w = w_] { w->showDetails(!w->detailsShown()); });
   details->setShortcut(QKeySequence("Ctrl+D"));
   menu->addSeparator();

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <functional>
 
 #include "core/workspace/marks.h"
 #include "ui/controller/workspace.h"
@@ -42,6 +43,25 @@ QString capitalised(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
+
+/// Calls once the card, or a text on it, was clicked; its buttons answer for themselves.
+class CardClick : public QObject {
+ public:
+  CardClick(QWidget* card, std::function<void()> clicked) : QObject(card), clicked_(std::move(clicked)) {
+    card->setCursor(Qt::PointingHandCursor);
+    card->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::MouseButtonRelease) return false;
+    clicked_();
+    return true;
+  }
+
+ private:
+  std::function<void()> clicked_;
+};
 
 }  // namespace
 
@@ -126,6 +146,9 @@ void MarkPanel::refresh() {
                                                                                         : workspace().lastFailure()
                                                 : markAnswer(summary)));
   if (!poses && !segments.empty()) {
+    // Many suggestions would push the brushes out of sight.
+    const bool many = summary.suggestions > 1;
+    if (many) addPainting(column, tr("Paint it yourself"));
     if (summary.suggestions > 0) {
       column->addWidget(styledLabel(tr("Heft suggests"), "sectionTitle", page()->content()));
       bool first = true;
@@ -136,7 +159,7 @@ void MarkPanel::refresh() {
       }
       column->addSpacing(4);
     }
-    addPainting(column);
+    if (!many) addPainting(column, tr("Or paint it yourself"));
     addSummary(column, summary);
     addDecided(column, segments, suggested);
   }
@@ -192,6 +215,8 @@ void MarkPanel::addSuggestion(QVBoxLayout* column, const Segment& segment, bool 
   answers->addWidget(no, 1);
   card.layout->addLayout(answers);
   column->addWidget(card.frame);
+  // The whole card leads there; by keys its time does.
+  new CardClick(card.frame, [this, segment] { select(segment.from, segment.to); });
 }
 
 void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segments,
@@ -217,10 +242,10 @@ void MarkPanel::addDecided(QVBoxLayout* column, const std::vector<Segment>& segm
   }
 }
 
-void MarkPanel::addPainting(QVBoxLayout* column) {
+void MarkPanel::addPainting(QVBoxLayout* column, const QString& title) {
   QWidget* content = page()->content();
   auto* head = new QHBoxLayout;
-  head->addWidget(styledLabel(tr("Or paint it yourself"), "sectionTitle", content));
+  head->addWidget(styledLabel(title, "sectionTitle", content));
   head->addStretch(1);
   head->addWidget(styledLabel(tr("drag over the marks"), "caption", content));
   column->addLayout(head);
@@ -336,6 +361,17 @@ void MarkPanel::addActions(const StudioMenus& menus) {
 }
 
 bool MarkPanel::keyPressed(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Delete) {
+    const auto now = segmentNow();
+    const Session& session = workspace().session();
+    if (!now || session.active < 0) return true;
+    // Only what the user painted can be taken back.
+    const auto& marks = session.recordings[static_cast<std::size_t>(session.active)].marks;
+    const double at = parts().playback->time();
+    if (std::any_of(marks.begin(), marks.end(), [at](const Mark& m) { return at >= m.from && at <= m.to; }))
+      workspace().paint(now->from, now->to, std::nullopt);
+    return true;
+  }
   const int key = event->key() - Qt::Key_1;
   if (key < 0 || key > 2 || event->modifiers() != Qt::NoModifier) return false;
   chooseBrush(kLabels[static_cast<std::size_t>(key)]);

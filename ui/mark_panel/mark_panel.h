@@ -37,7 +37,7 @@ class MarkPanel : public StepPanel {
   void refresh();
   void addSuggestion(QVBoxLayout* column, const Segment& segment, bool first);
   void addDecided(QVBoxLayout* column, const std::vector<Segment>& segments, const std::vector<bool>& suggested);
-  void addPainting(QVBoxLayout* column);
+  void addPainting(QVBoxLayout* column, const QString& title);
   void addSummary(QVBoxLayout* column, const MarkSummary& summary);
   void addTrim(QVBoxLayout* column);
   void chooseBrush(MarkLabel label);

@@ -1,5 +1,6 @@
 #include "ui/reality_panel/difference_pane.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QButtonGroup>
 #include <QClipboard>
@@ -7,6 +8,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include "ui/models/numbers.h"
 #include "ui/reality_panel/cause_words.h"
 #include "ui/reality_panel/difference_traces.h"
+#include "ui/timeline/overview_strip.h"
 #include "ui/timeline/playback.h"
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_axis.h"
@@ -64,10 +67,16 @@ DifferencePane::DifferencePane(TimeAxis* axis, Playback* playback, QWidget* pare
   body->addWidget(left_, 1);
   body->addWidget(right_, 1);
   column->addWidget(charts_, 1);
+  overview_ = new OverviewStrip(axis_, this);
+  column->addWidget(overview_);
+  const auto showOverview = [this] { overview_->setVisible(view_ == View::time && !axis_->showsAll()); };
+  connect(axis_, &TimeAxis::visibleChanged, this, showOverview);
+  showOverview();
   if (playback_) {
     bar_ = new PlaybackBar(playback_, this, axis_);
     column->addWidget(bar_);
     connect(playback_, &Playback::timeChanged, this, &DifferencePane::showTime);
+    connect(playback_, &Playback::timeChanged, overview_, &OverviewStrip::setTime);
     connect(traces_, &DifferenceTraces::timePicked, playback_, &Playback::setTime);
     for (ChartWidget* chart : {left_, right_})
       connect(chart, &ChartWidget::dotPicked, this, [this](int dot) {
@@ -109,7 +118,7 @@ void DifferencePane::buildHeader() {
     choices->addWidget(views_[i]);
     connect(views_[i], &QPushButton::clicked, this, [this, i] { setView(static_cast<View>(i)); });
   }
-  row->addWidget(segmented);
+  row->addWidget(segmented, 0, Qt::AlignVCenter);
   const auto addBox = [&](const char* name, const QString& title, int least, int most) {
     auto* box = new QComboBox(header);
     box->setObjectName(name);
@@ -131,12 +140,15 @@ void DifferencePane::buildHeader() {
     row->addWidget(button);
     return button;
   };
-  connect(addIcon("fit", tr("Show the whole recording"), "differenceAll"), &QToolButton::clicked, this,
+  connect(addIcon("whole", tr("Show the whole recording"), "differenceAll"), &QToolButton::clicked, this,
           [this] { axis_->showAll(); });
-  connect(addIcon("copy", tr("Copy this picture"), "differenceCopy"), &QToolButton::clicked, this,
-          [this] { QApplication::clipboard()->setImage(grab().toImage()); });
-  connect(addIcon("camera", tr("Save this picture"), "differencePicture"), &QToolButton::clicked, this,
-          &DifferencePane::pictureWanted);
+  addIcon("fit", tr("Plots alone, or with the rest again"), "aloneButton");  // The window listens to it.
+  IconButton* more = addIcon("more", tr("Picture of this"), "differencePictures");
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* pictures = new QMenu(more);
+  pictures->addAction(tr("Copy this picture"), this, [this] { QApplication::clipboard()->setImage(grab().toImage()); });
+  pictures->addAction(tr("Save this picture"), this, &DifferencePane::pictureWanted);
+  more->setMenu(pictures);
   connect(addIcon("close", tr("Show force and torque instead"), "closeDifference"), &QToolButton::clicked, this,
           &DifferencePane::closeWanted);
 }
@@ -175,6 +187,9 @@ void DifferencePane::showReport(std::shared_ptr<const DiagnosisReport> report,
       witness_->addItem(tr("rate of change of the load"), kOwnRate);
     }
   }
+  // Where the box has no room for a name, its list does.
+  for (QComboBox* box : {cause_, channel_, witness_})
+    box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + 24);
   if (!report_) return refresh();
   // What is to be seen first is the first cause where it shows best.
   const bool any = !secret_ && cause_->count() > 1;
@@ -230,6 +245,7 @@ void DifferencePane::chooseWitness() {
 
 void DifferencePane::setView(View view) {
   view_ = view;
+  overview_->setVisible(view_ == View::time && !axis_->showsAll());
   refresh();
 }
 

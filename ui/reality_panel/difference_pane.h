@@ -16,6 +16,7 @@ class QPushButton;
 namespace heft {
 
 class DifferenceTraces;
+class OverviewStrip;
 class Playback;
 class PlaybackBar;
 class TimeAxis;
@@ -77,6 +78,7 @@ class DifferencePane : public QWidget {
   QComboBox* witness_;
   QLabel* says_;
   DifferenceTraces* traces_;
+  OverviewStrip* overview_;
   QWidget* charts_;
   ChartWidget* left_;
   ChartWidget* right_;

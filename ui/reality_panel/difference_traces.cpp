@@ -1,24 +1,22 @@
 #include "ui/reality_panel/difference_traces.h"
 
 #include <QEvent>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/charts/chart.h"
 #include "ui/models/numbers.h"
 #include "ui/theme/theme.h"
+#include "ui/timeline/time_mouse.h"
 
 namespace heft {
 namespace {
 
-constexpr int kTicks = 20;    ///< [px] below the lanes
-constexpr int kGap = 8;       ///< [px] between them
-constexpr int kTop = 8;       ///< [px]
-constexpr int kLineDrag = 5;  ///< [px] Less is a click.
+constexpr int kTicks = 20;  ///< [px] below the lanes
+constexpr int kGap = 8;     ///< [px] between them
+constexpr int kTop = 8;     ///< [px]
 
 int decimalsOf(const std::vector<double>& ticks) {
   if (ticks.size() < 2) return 2;
@@ -43,11 +41,12 @@ double DifferenceCurves::value(int curve, int at) const {
   }
 }
 
-DifferenceTraces::DifferenceTraces(TimeAxis* axis, QWidget* parent) : QWidget(parent), axis_(axis) {
+DifferenceTraces::DifferenceTraces(TimeAxis* axis, QWidget* parent)
+    : QWidget(parent), axis_(axis), mouse_(new TimeMouse(axis, this)) {
   setObjectName("differenceTraces");
   setAccessibleName(tr("Measured and simulated, without and with the causes, and what is left over"));
-  setMouseTracking(true);
   setMinimumHeight(110);
+  connect(mouse_, &TimeMouse::timePicked, this, &DifferenceTraces::timePicked);
   connect(axis_, &TimeAxis::visibleChanged, this, [this] { update(); });
 }
 
@@ -214,12 +213,13 @@ int DifferenceTraces::nearest(double time) const {
 }
 
 void DifferenceTraces::drawPointer(QPainter& p, const std::array<Lane, 2>& lanes) const {
-  if (pointer_ < lanes[0].area.left() || pointer_ > lanes[0].area.right()) return;
-  const int at = nearest(axis_->toTime(pointer_, width()));
+  const int pointer = mouse_->pointer() ? mouse_->pointer()->x() : -1;
+  if (pointer < lanes[0].area.left() || pointer > lanes[0].area.right()) return;
+  const int at = nearest(axis_->toTime(pointer, width()));
   if (at < 0) return;
   const Theme& t = theme();
   p.setPen(QPen(t.text3, 1, Qt::DotLine));
-  p.drawLine(QPointF(pointer_ + 0.5, lanes[0].area.top()), QPointF(pointer_ + 0.5, lanes[1].area.bottom()));
+  p.drawLine(QPointF(pointer + 0.5, lanes[0].area.top()), QPointF(pointer + 0.5, lanes[1].area.bottom()));
   const int decimals = curves_.unit == QLatin1String("N") ? 3 : 4;
   const QString names[] = {tr("measured"), tr("without"), tr("with the causes"), tr("left over without"),
                            tr("left over with")};
@@ -238,8 +238,8 @@ void DifferenceTraces::drawPointer(QPainter& p, const std::array<Lane, 2>& lanes
     b = std::max(b, metrics.horizontalAdvance(right[i]));
   }
   const double wide = a + b + 30, high = 17.0 * left.size() + 10;
-  const bool leftwards = pointer_ + 14 + wide > lanes[0].area.right();
-  const QRectF box(leftwards ? pointer_ - 14 - wide : pointer_ + 14, lanes[0].area.top() + 4, wide, high);
+  const bool leftwards = pointer + 14 + wide > lanes[0].area.right();
+  const QRectF box(leftwards ? pointer - 14 - wide : pointer + 14, lanes[0].area.top() + 4, wide, high);
   QColor ground = t.panel;
   ground.setAlpha(238);
   p.setPen(QPen(t.line, 1));
@@ -274,7 +274,8 @@ void DifferenceTraces::paintEvent(QPaintEvent*) {
                t.noise);
     p.restore();
   }
-  const QString unit = QStringLiteral(" [%1]").arg(curves_.unit);
+  // Where it has no room beside the name, the unit stands below it in one piece.
+  const QString unit = QStringLiteral(" [%1]").arg(QString(curves_.unit).replace(QLatin1Char(' '), QChar(0xA0)));
   drawLane(p, upper, curves_.channel + unit);
   drawLane(p, lower, tr("left over") + unit);
   QPen dashed(t.text2, 1.5);
@@ -301,65 +302,15 @@ void DifferenceTraces::paintEvent(QPaintEvent*) {
     p.setPen(QPen(t.text, 1.4));
     p.drawLine(QPointF(x, upper.area.top()), QPointF(x, lower.area.bottom()));
   }
-  if (band_) {
+  if (const auto band = mouse_->band()) {
     QColor fill = t.text2;
     fill.setAlpha(40);
-    p.fillRect(QRectF(std::min(pressed_, pointer_), upper.area.top(), std::abs(pointer_ - pressed_),
-                      lower.area.bottom() - upper.area.top()),
-               fill);
+    p.fillRect(
+        QRectF(band->first, upper.area.top(), band->second - band->first, lower.area.bottom() - upper.area.top()),
+        fill);
   } else {
     drawPointer(p, both);
   }
-}
-
-void DifferenceTraces::mousePressEvent(QMouseEvent* event) {
-  pressed_ = event->pos().x();
-  pressedLower_ = axis_->lower();
-  band_ = false;
-  pans_ = event->button() == Qt::MiddleButton || (event->modifiers() & Qt::ShiftModifier);
-}
-
-void DifferenceTraces::mouseMoveEvent(QMouseEvent* event) {
-  pointer_ = event->pos().x();
-  if (pressed_ >= 0 && (event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) {
-    if (pans_) {
-      const double seconds = axis_->toTime(pressed_, width()) - axis_->toTime(pointer_, width());
-      axis_->show(pressedLower_ + seconds, pressedLower_ + seconds + axis_->span());
-    } else {
-      band_ = std::abs(pointer_ - pressed_) > kLineDrag;
-    }
-  }
-  update();
-}
-
-void DifferenceTraces::mouseReleaseEvent(QMouseEvent* event) {
-  const double from = axis_->toTime(pressed_, width()), to = axis_->toTime(event->pos().x(), width());
-  const bool band = band_, pans = pans_;
-  pressed_ = -1;
-  band_ = pans_ = false;
-  if (band) {
-    axis_->show(std::min(from, to), std::max(from, to));
-  } else if (!pans) {
-    emit timePicked(to);
-  }
-  update();
-}
-
-void DifferenceTraces::mouseDoubleClickEvent(QMouseEvent*) { axis_->showAll(); }
-
-void DifferenceTraces::wheelEvent(QWheelEvent* event) {
-  const QPoint delta = event->angleDelta();
-  if (std::abs(delta.x()) > std::abs(delta.y()) || (event->modifiers() & Qt::ShiftModifier)) {
-    axis_->pan(-axis_->span() * (delta.x() != 0 ? delta.x() : delta.y()) / 1200.0);
-  } else {
-    axis_->zoom(std::pow(0.8, delta.y() / 120.0), axis_->toTime(event->position().x(), width()));
-  }
-  event->accept();
-}
-
-void DifferenceTraces::leaveEvent(QEvent*) {
-  pointer_ = -1;
-  update();
 }
 
 void DifferenceTraces::changeEvent(QEvent* event) {

@@ -20,6 +20,8 @@ struct DifferenceCurves {
   double value(int curve, int at) const;    ///< 0 measured, 1 without, 2 with, 3 and 4 what these two leave over
 };
 
+class TimeMouse;
+
 class DifferenceTraces : public QWidget {
   Q_OBJECT
  public:
@@ -37,12 +39,6 @@ class DifferenceTraces : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
-  void leaveEvent(QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -61,12 +57,9 @@ class DifferenceTraces : public QWidget {
   std::array<int, 2> visible() const;
 
   TimeAxis* axis_;
+  TimeMouse* mouse_;
   DifferenceCurves curves_;
   double time_ = 0.0;
-  int pointer_ = -1;  ///< x of the mouse; -1: elsewhere
-  int pressed_ = -1;
-  bool band_ = false, pans_ = false;
-  double pressedLower_ = 0.0;
 };
 
 }  // namespace heft

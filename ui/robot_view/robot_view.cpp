@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QEvent>
+#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -106,10 +107,10 @@ void RobotView::buildTools() {
   tools_ = new QWidget(viewport_);
   tools_->setObjectName("viewTools");
   tools_->setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(tools_);
-  column->setContentsMargins(3, 3, 3, 3);
-  column->setSpacing(2);
-  auto* fit = new IconButton("fit", tr("Show the whole arm (F)"), tools_);
+  auto* grid = new QGridLayout(tools_);
+  grid->setContentsMargins(3, 3, 3, 3);
+  grid->setSpacing(2);
+  auto* fit = new IconButton("home", tr("Show the whole arm (F)"), tools_);
   fit->setObjectName("fitButton");
   connect(fit, &QToolButton::clicked, this, [this] { usePreset(Preset::overview); });
   auto* tool = new IconButton("tool", tr("Go close to the tool (T)"), tools_);
@@ -147,10 +148,10 @@ void RobotView::buildTools() {
   addToggle(tr("Labels"), &labelsShown_);
   eye->setMenu(shown);
 
+  auto* alone = new IconButton("fit", tr("3D view alone, or with the rest again"), tools_);
+  alone->setObjectName("aloneButton");  // The window listens to it.
   auto* picture = new IconButton("camera", tr("Save a picture of this view"), tools_);
   connect(picture, &QToolButton::clicked, this, &RobotView::pictureWanted);
-  for (auto* button : {fit, tool, views, eye, picture}) column->addWidget(button);
-  tools_->adjustSize();
 }
 
 void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look) {
@@ -400,6 +401,7 @@ void RobotView::placeSensor(const Isometry3d& X_BS) {
 void RobotView::showTool(std::vector<ShapeBody> bodies, int selected) {
   tool_ = std::move(bodies);
   scene_.setTool(tool_, selected);
+  if (editing_) applyParts();
   viewport_->requestFrame();
 }
 
@@ -428,7 +430,7 @@ void RobotView::applyParts() {
   SceneParts shown = *parts_;
   if (editing_) {
     shown.path = shown.arrows = shown.axes = shown.payload = false;
-    shown.tool = true;
+    shown.tool = !tool_.empty();  // Nothing is assumed while nothing was chosen: no hand of the model's either.
   }
   scene_.parts = shown;
   viewport_->requestFrame();
@@ -575,6 +577,14 @@ void RobotView::changeEvent(QEvent* event) {
 
 void RobotView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  // In a low pane the buttons stand in two columns.
+  auto* grid = static_cast<QGridLayout*>(tools_->layout());
+  const auto buttons = tools_->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+  const int count = static_cast<int>(buttons.size());
+  const int least = buttons.front()->sizeHint().height() + 2;
+  const int rows = count * least + 24 > height() ? (count + 1) / 2 : count;
+  for (int k = 0; k < count; ++k) grid->addWidget(buttons[k], k % rows, k / rows);
+  tools_->adjustSize();
   tools_->move(width() - tools_->width() - 12, 12);
   overlay_->setGeometry(viewport_->rect());
   tools_->raise();

@@ -161,7 +161,7 @@ struct Scene3d::Impl {
     for (auto& axis : axes) show(axis, state.sensorShown && parts.axes);
     tool.setShown(parts.tool);
     // A tool that the user described stands for the one that the robot's description brought along.
-    for (auto& piece : linkPieces) show(piece.piece, !(piece.ghost && parts.tool && !state.tool().empty()));
+    for (auto& piece : linkPieces) show(piece.piece, !piece.ghost || (parts.tool && state.tool().empty()));
     stage.setGridShown(parts.grid);
   }
 

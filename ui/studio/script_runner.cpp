@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QPixmap>
 #include <QUndoStack>
+#include <algorithm>
 
 #include "core/base/json_file.h"
 #include "ui/controller/robot_choice.h"
@@ -11,6 +12,7 @@
 #include "ui/robot_view/robot_view.h"
 #include "ui/studio/studio.h"
 #include "ui/timeline/time_axis.h"
+#include "ui/wrench_plots/channel_lanes.h"
 #include "ui/wrench_plots/recording_pane.h"
 #include "ui/wrench_plots/wrench_plots.h"
 
@@ -19,6 +21,8 @@ namespace {
 
 constexpr int kRest = 60;      ///< [ms] between lines: one turn of the event loop lays out what changed.
 constexpr int kDrawing = 350;  ///< [ms] before a picture: then plots and 3D have drawn themselves smoothly.
+
+constexpr int kCalmTurns = 6;  ///< Of the event loop before a picture, however slow the machine is
 
 Error wrong(const QString& sentence) { return Error{sentence.toStdString()}; }
 
@@ -50,6 +54,8 @@ std::string ScriptRunner::help() {
          "  save FILE [replace]               save the session\n"
          "  undo | redo\n"
          "  time SECONDS | zoom FROM TO       instant shown, stretch in the plots\n"
+         "  channels ID ... | channels none   further channels in the plots: q1, dq1, px, roll, speed, force ...\n"
+         "  alone view|plots|off              one pane without the rest\n"
          "  measure A B | table FILE          two cursors; the visible stretch as CSV\n"
          "  camera NAME                       whole, tool, front, side, top\n"
          "  details on|off | theme light|dark | language en|de | size WIDTHxHEIGHT\n"
@@ -82,17 +88,20 @@ QString ScriptRunner::placed(const QString& sentence) const {
 void ScriptRunner::turn() {
   if (!studio_->window().settled()) {
     quiet_.start();
+    calm_ = 0;
     return;
   }
+  ++calm_;
   if (!failure_.isEmpty() && !(goOn_ && studio_->workspace().opened())) return finish(failure_);
   const bool picture = next_ < lines_.size() && lines_[next_].words[0] == "picture";
-  if (quiet_.elapsed() < std::max(wait_, picture ? kDrawing : kRest)) return;
+  if (quiet_.elapsed() < std::max(wait_, picture ? kDrawing : kRest) || (picture && calm_ < kCalmTurns)) return;
   if (next_ == lines_.size()) return finish(failure_);
   wait_ = 0;
   const QStringList words = lines_[next_++].words;
   const auto obeyed = obey(words);
   if (!obeyed) return finish(placed(QString::fromStdString(obeyed.error().message)));
   quiet_.start();
+  calm_ = 0;
 }
 
 void ScriptRunner::finish(const QString& failure) {
@@ -155,6 +164,22 @@ Result<bool> ScriptRunner::obey(const QStringList& words) {
   if (verb == "time" && number(1)) return window.playback()->setTime(*number(1)), Result<bool>(true);
   if (verb == "zoom" && number(1) && number(2))
     return window.recordingPane()->timeAxis()->show(*number(1), *number(2)), Result<bool>(true);
+  if (verb == "channels" && words.size() > 1) {
+    ChannelLanes* lanes = window.recordingPane()->channels();
+    const QStringList wanted = words[1] == "none" ? QStringList() : words.mid(1);
+    for (const QString& id : wanted)
+      if (std::none_of(lanes->channels().begin(), lanes->channels().end(),
+                       [&](const Channel& c) { return c.id == id; }))
+        return wrong(tr("The open recording has no channel %1.").arg(id));
+    return lanes->setChosen(wanted), Result<bool>(true);
+  }
+  if (verb == "alone" && words.size() == 2) {
+    using Alone = MainWindow::Alone;
+    if (words[1] != "view" && words[1] != "plots" && words[1] != "off")
+      return wrong(tr("alone expects view, plots or off."));
+    window.showAlone(words[1] == "view" ? Alone::view : words[1] == "plots" ? Alone::below : Alone::nothing);
+    return true;
+  }
   if (verb == "measure" && number(1) && number(2)) {
     window.recordingPane()->setMeasuring(true);
     window.playback()->setTime(*number(1));

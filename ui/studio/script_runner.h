@@ -45,6 +45,7 @@ class ScriptRunner : public QObject {
   std::size_t next_ = 0;
   QTimer poll_;
   QElapsedTimer quiet_;
+  int calm_ = 0;  ///< Turns of the event loop since then: what was rebuilt takes some to be laid out.
   int wait_ = 0;  ///< [ms] of rest before the next line.
   bool goOn_ = false;
   QString failure_;

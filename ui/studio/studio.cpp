@@ -40,7 +40,7 @@ Studio::Studio(QApplication& application, const StudioOptions& options) : applic
   applyTheme(application_, theme == "dark" ? ThemeKind::dark : ThemeKind::light);
   useTexts(languages().contains(language) ? language : QStringLiteral("en"));
   // Scripts leave the user's documents alone.
-  if (options_.offscreen) setRecordedFolder(earlierRecordedFolder());
+  setRecordedFolder(options_.offscreen ? earlierRecordedFolder() : QSettings().value("files/recordings").toString());
   if (!options_.offscreen) autosave_ = std::make_unique<Autosave>(&workspace_, stateFolder());
   buildWindow();
 }

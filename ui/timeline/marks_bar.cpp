@@ -1,7 +1,9 @@
 #include "ui/timeline/marks_bar.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -282,6 +284,28 @@ void MarksBar::mouseReleaseEvent(QMouseEvent* event) {
     return update();
   }
   finishStroke();
+}
+
+void MarksBar::contextMenuEvent(QContextMenuEvent* event) {
+  const Segment* under = segmentAt(event->pos());
+  if (!under) return;
+  const Segment segment = *under;
+  QMenu menu(this);
+  menu.setObjectName("marksMenu");
+  menu.addAction(tr("Zoom to this stretch"), axis_, [this, segment] {
+    const double room = 0.1 * (segment.to - segment.from);
+    axis_->show(segment.from - room, segment.to + room);
+  });
+  if (brush_) {
+    menu.addSeparator();
+    for (const MarkLabel label : {MarkLabel::free, MarkLabel::contact, MarkLabel::ignore}) {
+      QAction* action = menu.addAction(tr("Mark as %1").arg(markWord(label)), this,
+                                       [this, segment, label] { emit painted(segment.from, segment.to, label); });
+      action->setCheckable(true);
+      action->setChecked(label == segment.label);
+    }
+  }
+  menu.exec(event->globalPos());
 }
 
 void MarksBar::keyPressEvent(QKeyEvent* event) {

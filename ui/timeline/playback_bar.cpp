@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/models/numbers.h"
@@ -62,10 +63,9 @@ PlaybackBar::PlaybackBar(Playback* playback, QWidget* parent, TimeAxis* axis)
   connect(play_, &QToolButton::clicked, playback_, &Playback::toggle);
   connect(playback_, &Playback::playingChanged, this, &PlaybackBar::showPlaying);
   connect(playback_, &Playback::timeChanged, this, &PlaybackBar::showTime);
-  connect(slider_, &QSlider::valueChanged, this, [this](int value) {
-    const double span = playback_->upper() - playback_->lower();
-    playback_->setTime(playback_->lower() + span * value / kSteps);
-  });
+  connect(slider_, &QSlider::valueChanged, this,
+          [this](int value) { playback_->setTime(lower() + (upper() - lower()) * value / kSteps); });
+  if (axis_) connect(axis_, &TimeAxis::visibleChanged, this, &PlaybackBar::showTime);
   setRecording(false, false);
 }
 
@@ -116,11 +116,13 @@ void PlaybackBar::setRecording(bool present, bool poses) {
   showTime();
 }
 
+double PlaybackBar::lower() const { return axis_ ? std::max(axis_->lower(), playback_->lower()) : playback_->lower(); }
+double PlaybackBar::upper() const { return axis_ ? std::min(axis_->upper(), playback_->upper()) : playback_->upper(); }
+
 void PlaybackBar::showTime() {
-  const double span = playback_->upper() - playback_->lower();
+  const double span = upper() - lower(), share = span > 0 ? (playback_->time() - lower()) / span : 0.0;
   const QSignalBlocker quiet(slider_);
-  slider_->setValue(span > 0 ? static_cast<int>(std::lround((playback_->time() - playback_->lower()) / span * kSteps))
-                             : 0);
+  slider_->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kSteps)));
   if (!slider_->isEnabled()) {
     time_->clear();
   } else if (poses_) {

@@ -1,5 +1,5 @@
 #pragma once
-// Play, pause and the slider over the whole recording.
+// Play, pause and the slider over what the plots show.
 #include <QWidget>
 
 class QLabel;
@@ -27,6 +27,9 @@ class PlaybackBar : public QWidget {
   void showSpeed();
   void buildMenu();
   void showPlaying(bool playing);
+  /// The stretch that the slider stands for.
+  double lower() const;
+  double upper() const;
 
   Playback* playback_;
   TimeAxis* axis_;

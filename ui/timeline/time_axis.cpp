@@ -49,6 +49,10 @@ void TimeAxis::zoom(double factor, double about) {
 
 void TimeAxis::pan(double seconds) { show(lower_ + seconds, upper_ + seconds); }
 
+void TimeAxis::reveal(double time) {
+  if (time < lower_ || time > upper_) show(time, time + span());
+}
+
 double TimeAxis::toX(double time, int width) const {
   return kLeft + (time - lower_) / (upper_ - lower_) * std::max(1, width - kLeft - kRight);
 }

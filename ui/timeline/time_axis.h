@@ -32,6 +32,8 @@ class TimeAxis : public QObject {
   /// Factor below 1 zooms in; `about` stays where it is on the screen.
   void zoom(double factor, double about);
   void pan(double seconds);
+  /// Turns the page where `time` is out of view.
+  void reveal(double time);
 
   double toX(double time, int width) const;
   double toTime(double x, int width) const;

@@ -1,18 +1,23 @@
 #include "ui/wrench_plots/recording_pane.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <limits>
 
 #include "ui/timeline/marks_bar.h"
+#include "ui/timeline/overview_strip.h"
 #include "ui/timeline/playback.h"
 #include "ui/timeline/playback_bar.h"
 #include "ui/timeline/time_cursor.h"
 #include "ui/widgets/basics.h"
 #include "ui/widgets/pane_header.h"
+#include "ui/wrench_plots/channel_lanes.h"
 #include "ui/wrench_plots/difference_cursor.h"
 #include "ui/wrench_plots/legend.h"
 #include "ui/wrench_plots/visible_csv.h"
@@ -81,7 +86,9 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   bodyColumn->setContentsMargins(0, 0, 0, 0);
   bodyColumn->setSpacing(0);
   plots_ = new WrenchPlots(&axis_, body);
-  bodyColumn->addWidget(plots_, 1);
+  bodyColumn->addWidget(plots_, 3);
+  channels_ = new ChannelLanes(&axis_, body);
+  bodyColumn->addWidget(channels_, 2);
   marks_ = new MarksBar(&axis_, body);
   bodyColumn->addWidget(marks_);
   constexpr int kTicksHeight = 24;
@@ -116,15 +123,26 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   measure_->setObjectName("measureButton");
   measure_->setCheckable(true);
   row->addWidget(measure_);
-  auto* all = new IconButton("fit", tr("Show the whole recording (0)"), header);
+  channelButton_ = new IconButton("channels", tr("Further channels: joints, pose, speeds"), header);
+  channelButton_->setObjectName("channelButton");
+  channelButton_->setPopupMode(QToolButton::InstantPopup);
+  channelButton_->setMenu(new QMenu(channelButton_));
+  row->addWidget(channelButton_);
+  auto* all = new IconButton("whole", tr("Show the whole recording (0)"), header);
   all->setObjectName("showAllButton");
   row->addWidget(all);
-  auto* picture = new IconButton("camera", tr("Save a picture of the plots"), header);
-  row->addWidget(picture);
-  auto* csv = new IconButton("save", tr("Save the visible stretch as CSV"), header);
-  csv->setObjectName("csvButton");
-  row->addWidget(csv);
-  connect(csv, &QToolButton::clicked, this, &RecordingPane::csvWanted);
+  auto* alone = new IconButton("fit", tr("Plots alone, or with the rest again"), header);
+  alone->setObjectName("aloneButton");  // The window listens to it.
+  row->addWidget(alone);
+  auto* more = new IconButton("more", tr("Picture of the plots, table of the visible stretch"), header);
+  more->setObjectName("plotsMoreButton");
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(more);
+  menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(grab().toImage()); });
+  menu->addAction(tr("Save a picture of the plots"), this, &RecordingPane::pictureWanted);
+  menu->addAction(tr("Save the visible stretch as CSV"), this, &RecordingPane::csvWanted);
+  more->setMenu(menu);
+  row->addWidget(more);
   foldedHeader_ = new QWidget(this);
   foldedHeader_->setObjectName("plotHeader");
   foldedHeader_->setAttribute(Qt::WA_StyledBackground);
@@ -140,13 +158,24 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   foldedHeader_->hide();
   column->addWidget(foldedHeader_);
   column->addWidget(body, 1);
+  overview_ = new OverviewStrip(&axis_, this);
+  column->addWidget(overview_);
   bar_ = new PlaybackBar(playback, this, &axis_);
   column->addWidget(bar_);
 
   connect(all, &QToolButton::clicked, &axis_, &TimeAxis::showAll);
-  connect(picture, &QToolButton::clicked, this, &RecordingPane::pictureWanted);
   connect(plots_, &WrenchPlots::timePicked, playback_, &Playback::setTime);
   connect(marks_, &MarksBar::timePicked, playback_, &Playback::setTime);
+  connect(channels_, &ChannelLanes::timePicked, playback_, &Playback::setTime);
+  connect(playback_, &Playback::timeChanged, overview_, &OverviewStrip::setTime);
+  // What plays goes on in view.
+  connect(playback_, &Playback::timeChanged, this, [this](double time) {
+    if (playback_->playing()) axis_.reveal(time);
+  });
+  connect(channels_, &ChannelLanes::chosenChanged, this, &RecordingPane::showParts);
+  connect(&axis_, &TimeAxis::visibleChanged, this, &RecordingPane::showParts);
+  showParts();
+  connect(channelButton_->menu(), &QMenu::aboutToShow, this, &RecordingPane::fillChannelMenu);
   connect(playback_, &Playback::timeChanged, cursor_, &TimeCursor::setTime);
   connect(playback_, &Playback::timeChanged, marks_, &MarksBar::setTime);
   connect(marks_, &MarksBar::painted, this, &RecordingPane::painted);
@@ -161,6 +190,32 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
     plots_->setSecondCursor(difference_->second());
   });
   connect(paint_, &QPushButton::toggled, this, [this] { setBrush(brush_); });
+}
+
+void RecordingPane::fillChannelMenu() {
+  QMenu* menu = channelButton_->menu();
+  menu->clear();
+  QMenu* group = nullptr;
+  for (const Channel& channel : channels_->channels()) {
+    if (!group || group->title() != channel.group) {
+      group = menu->addMenu(channel.group);
+      QAction* every = group->addAction(tr("All of these"), this, [this, name = channel.group] {
+        QStringList now;
+        for (const Channel& each : channels_->channels())
+          if (each.group == name || channels_->isChosen(each.id)) now << each.id;
+        channels_->setChosen(now);
+      });
+      every->setObjectName(QStringLiteral("channelsAll"));
+      group->addSeparator();
+    }
+    QAction* action = group->addAction(
+        channel.unit.isEmpty() ? channel.label : QStringLiteral("%1 [%2]").arg(channel.label, channel.unit));
+    action->setCheckable(true);
+    action->setChecked(channels_->isChosen(channel.id));
+    connect(action, &QAction::toggled, this, [this, id = channel.id](bool on) { channels_->choose(id, on); });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("None"), this, [this] { channels_->setChosen({}); });
 }
 
 void RecordingPane::setBrush(std::optional<MarkLabel> brush) {
@@ -194,12 +249,20 @@ void RecordingPane::setFolded(bool folded) {
   foldedHeader_->setVisible(folded);
   plots_->setVisible(!folded);
   bar_->setVisible(!folded);
+  showParts();
+}
+
+/// Those that are there only while they have something to show.
+void RecordingPane::showParts() {
+  channels_->setVisible(!folded_ && channels_->lanes() > 0);
+  overview_->setVisible(!folded_ && !live_ && !axis_.showsAll());
 }
 
 int RecordingPane::foldedHeight() const { return foldedHeader_->height() + marks_->height() + 12; }
 
 void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
-                                 std::shared_ptr<const EstimateReport> report) {
+                                 std::shared_ptr<const EstimateReport> report,
+                                 std::shared_ptr<const RobotModel> robot) {
   if (live_) bar_->setVisible(!folded_);
   live_ = false;
   recording_ = std::move(recording);
@@ -212,6 +275,9 @@ void RecordingPane::setRecording(std::shared_ptr<const Recording> recording,
   playback_->setRange(first, last, poses);
   axis_.setFull(first, last, poses);
   setTraces(nullptr);
+  channels_->setRecording(recording_, std::move(robot));
+  channelButton_->setEnabled(!channels_->channels().empty());
+  showParts();
   setSegments({}, {});
   plots_->setHighlight(0.0, 0.0, {});
   cursor_->setTime(playback_->time());
@@ -276,6 +342,7 @@ void RecordingPane::showLive(std::shared_ptr<const WrenchTraces> traces, const s
 void RecordingPane::setSegments(const std::vector<Segment>& segments, const std::vector<bool>& suggested) {
   plots_->setSegments(segments);
   marks_->setSegments(segments, suggested);
+  overview_->setSegments(segments);
 }
 
 }  // namespace heft

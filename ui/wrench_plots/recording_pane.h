@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/estimation/estimate.h"
+#include "core/robot/robot_model.h"
 #include "ui/jobs/job_runner.h"
 #include "ui/timeline/time_axis.h"
 #include "ui/wrench_plots/wrench_traces.h"
@@ -15,9 +16,11 @@ class QPushButton;
 
 namespace heft {
 
+class ChannelLanes;
 class DifferenceCursor;
 class IconButton;
 class MarksBar;
+class OverviewStrip;
 class Playback;
 class PlaybackBar;
 class TimeCursor;
@@ -29,8 +32,10 @@ class RecordingPane : public QWidget {
   explicit RecordingPane(Playback* playback, QWidget* parent = nullptr);
 
   /// A new recording, or none, with the estimate on it, or null: shows all of it from its beginning. The curves follow
-  /// as soon as they are made, which a long recording takes a moment for.
-  void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report);
+  /// as soon as they are made, which a long recording takes a moment for. The robot tells the pose where there are
+  /// joints.
+  void setRecording(std::shared_ptr<const Recording> recording, std::shared_ptr<const EstimateReport> report,
+                    std::shared_ptr<const RobotModel> robot = nullptr);
   /// What has come so far of something live, up to `now` [s]; the view goes along. Ends with setRecording().
   void showLive(std::shared_ptr<const WrenchTraces> traces, const std::vector<Segment>& touched, double now);
   /// Another estimate on that recording, or null while there is none.
@@ -61,6 +66,7 @@ class RecordingPane : public QWidget {
   TimeAxis* timeAxis() { return &axis_; }
   WrenchPlots* plots() { return plots_; }
   MarksBar* marks() { return marks_; }
+  ChannelLanes* channels() { return channels_; }
 
  signals:
   void pictureWanted();
@@ -74,17 +80,22 @@ class RecordingPane : public QWidget {
 
  private:
   void setTraces(std::shared_ptr<const WrenchTraces> traces);
+  void fillChannelMenu();
+  void showParts();
 
   TimeAxis axis_;
   Playback* playback_;
   WrenchPlots* plots_;
+  ChannelLanes* channels_;
   MarksBar* marks_;
+  OverviewStrip* overview_;
   PlaybackBar* bar_;
   TimeCursor* cursor_;
   QWidget* header_;
   QWidget* foldedHeader_;
   QPushButton* paint_;
   IconButton* measure_;
+  IconButton* channelButton_;
   DifferenceCursor* difference_;
   std::optional<MarkLabel> brush_;
   bool folded_ = false;

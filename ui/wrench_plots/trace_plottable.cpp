@@ -11,31 +11,11 @@ namespace {
 constexpr double kDash = 6.0, kGap = 4.5;  // [px]
 
 /// Axis coordinates to pixels of a picture; linear, and looked up once instead of per point.
-struct Scale {
-  double offset, slope;
-  Scale(const QCPAxis* axis, double corner, double ratio) {
-    const QCPRange range = axis->range();
-    const double first = axis->coordToPixel(range.lower), last = axis->coordToPixel(range.upper);
-    slope = ratio * (last - first) / range.size();
-    offset = ratio * (first - corner) - slope * range.lower;
-  }
-  double operator()(double value) const { return offset + slope * value; }
-};
-
-void addCurve(TraceColumns& columns, const ThinnedCurve& curve, const Scale& x, const Scale& y) {
-  constexpr double kFlat = 1.5;  // [px] Lower than this, what a column reaches is a line.
-  for (int i = 0; i < curve.x.size(); ++i) {
-    const double at = x(curve.x[i]), low = y(curve.low[i]), high = y(curve.high[i]);
-    // A gap in the numbers is a gap in the line.
-    if (!std::isfinite(low) || !std::isfinite(high)) continue;
-    if (i > 0 && std::isfinite(curve.low[i - 1]))
-      columns.addLine(x(curve.x[i - 1]), 0.5 * (y(curve.low[i - 1]) + y(curve.high[i - 1])), at, 0.5 * (low + high));
-    if (curve.crowded && low - high > kFlat) {
-      // Half way to the neighbours.
-      const double half = 0.5 * x.slope * curve.step;
-      columns.addBar(at - half, at + half, high, low);
-    }
-  }
+TraceScale scaleOf(const QCPAxis* axis, double corner, double ratio) {
+  const QCPRange range = axis->range();
+  const double first = axis->coordToPixel(range.lower), last = axis->coordToPixel(range.upper);
+  const double slope = ratio * (last - first) / range.size();
+  return {ratio * (first - corner) - slope * range.lower, slope};
 }
 
 }  // namespace
@@ -82,11 +62,11 @@ void TracePlottable::draw(QCPPainter* painter) {
   if (picture_.size() != size) picture_ = QImage(size, QImage::Format_ARGB32_Premultiplied);
   picture_.setDevicePixelRatio(ratio);
   picture_.fill(Qt::transparent);
-  const Scale x(keyAxis(), area.left(), ratio), y(valueAxis(), area.top(), ratio);
+  const TraceScale x = scaleOf(keyAxis(), area.left(), ratio), y = scaleOf(valueAxis(), area.top(), ratio);
   for (const Trace& trace : traces_) {
     if (trace.curve.x.isEmpty()) continue;
     TraceColumns columns(size.width());
-    addCurve(columns, trace.curve, x, y);
+    addThinned(columns, trace.curve, x, y);
     if (trace.dashed) columns.dash(kDash * ratio, kGap * ratio);
     columns.paint(picture_, trace.colour, trace.thickness * ratio);
   }

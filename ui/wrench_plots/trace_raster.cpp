@@ -114,4 +114,20 @@ void TraceColumns::paint(QImage& picture, const QColor& colour, double thickness
   }
 }
 
+void addThinned(TraceColumns& columns, const ThinnedCurve& curve, const TraceScale& x, const TraceScale& y) {
+  constexpr double kFlat = 1.5;  // [px] Lower than this, what a column reaches is a line.
+  for (int i = 0; i < curve.x.size(); ++i) {
+    const double at = x(curve.x[i]), low = y(curve.low[i]), high = y(curve.high[i]);
+    // A gap in the numbers is a gap in the line.
+    if (!std::isfinite(low) || !std::isfinite(high)) continue;
+    if (i > 0 && std::isfinite(curve.low[i - 1]))
+      columns.addLine(x(curve.x[i - 1]), 0.5 * (y(curve.low[i - 1]) + y(curve.high[i - 1])), at, 0.5 * (low + high));
+    if (curve.crowded && low - high > kFlat) {
+      // Half way to the neighbours.
+      const double half = 0.5 * x.slope * curve.step;
+      columns.addBar(at - half, at + half, high, low);
+    }
+  }
+}
+
 }  // namespace heft

@@ -5,7 +5,15 @@
 #include <QImage>
 #include <vector>
 
+#include "ui/wrench_plots/wrench_traces.h"
+
 namespace heft {
+
+/// Values to pixels of a picture.
+struct TraceScale {
+  double offset, slope;
+  double operator()(double value) const { return offset + slope * value; }
+};
 
 /// What a curve reaches in equal slices of the picture's width, kPerPixel of them a pixel; from top (small) to bottom,
 /// in pixels from the upper edge.
@@ -31,5 +39,8 @@ class TraceColumns {
 
   std::vector<float> top_, bottom_;
 };
+
+/// A thinned curve as lines, and as bars where several samples share a column; gaps stay gaps.
+void addThinned(TraceColumns& columns, const ThinnedCurve& curve, const TraceScale& x, const TraceScale& y);
 
 }  // namespace heft

@@ -19,6 +19,7 @@
 #include "ui/models/numbers.h"
 #include "ui/theme/theme.h"
 #include "ui/timeline/marks_bar.h"
+#include "ui/timeline/time_mouse.h"
 #include "ui/wrench_plots/trace_plottable.h"
 
 namespace heft {
@@ -86,17 +87,7 @@ class PlotCanvas : public QCustomPlot {
   void setSecond(double time) { second_ = time; }
 
  protected:
-  void wheelEvent(QWheelEvent* event) override {
-    const QPoint delta = event->angleDelta();
-    const bool sideways = std::abs(delta.x()) > std::abs(delta.y()) || (event->modifiers() & Qt::ShiftModifier);
-    if (sideways) {
-      const int steps = delta.x() != 0 ? delta.x() : delta.y();
-      axis_->pan(-axis_->span() * steps / 1200.0);
-    } else {
-      axis_->zoom(std::pow(0.8, delta.y() / 120.0), axis_->toTime(event->position().x(), width()));
-    }
-    event->accept();
-  }
+  void wheelEvent(QWheelEvent* event) override { TimeMouse::wheel(axis_, event, width()); }
 
   void mousePressEvent(QMouseEvent* event) override {
     owner_->setFocus(Qt::MouseFocusReason);
@@ -523,6 +514,8 @@ void WrenchPlots::refresh() {
   for (int lane = 0; lane < kLanes; ++lane) {
     QCPAxisRect* rect = p.rects[lane];
     for (auto* line : {rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atTop)}) line->setRange(from, to);
+    constexpr int kTwoLines = 32;  // [px]
+    if (p.units[lane]) p.units[lane]->setVisible(rect->height() >= kTwoLines);
     const int first = firstChannel(lane);
     double lower, upper;
     if (isDifference(lane)) {
@@ -559,8 +552,11 @@ void WrenchPlots::refresh() {
       for (int c = 0; c < 3; ++c) {
         if (!isShown(static_cast<Shown>(c)) || !isShown(shownAs)) continue;
         const bool simulated = kind == WrenchTraces::Kind::simulated;
-        traces.push_back({traces_->thinned(kind, first + c, from, to, pixels), colours[static_cast<std::size_t>(c)],
-                          thickness, simulated, traces_->poses() && !simulated});
+        QColor colour = colours[static_cast<std::size_t>(c)];
+        // Noise of three channels lies on top of each other: each shines through those above.
+        if (kind == WrenchTraces::Kind::difference) colour.setAlphaF(0.62);
+        traces.push_back({traces_->thinned(kind, first + c, from, to, pixels), colour, thickness, simulated,
+                          traces_->poses() && !simulated});
         p.points += traces.back().curve.x.size();
       }
     };

@@ -18,15 +18,24 @@ std::vector<double> counted(Eigen::Index n) {
   return values;
 }
 
-/// [s] Twenty samples may be lost before it shows.
-double longestJoined(const std::vector<double>& time) {
-  if (time.size() < 2) return std::numeric_limits<double>::infinity();
+bool isPoses(const Recording& recording) { return recording.meta.kind == RecordingKind::poses; }
+
+}  // namespace
+
+std::vector<double> timesOf(const Recording& recording) {
+  return isPoses(recording) ? counted(recording.rows()) : toVector(recording.time);
+}
+
+double longestJoined(const Recording& recording, const std::vector<double>& time) {
+  if (isPoses(recording) || time.size() < 2) return std::numeric_limits<double>::infinity();
   std::vector<double> steps;
   const std::size_t every = std::max<std::size_t>(1, time.size() / 5000);
   for (std::size_t i = 1; i < time.size(); i += every) steps.push_back(time[i] - time[i - 1]);
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
   return std::max(0.2, 20.0 * steps[steps.size() / 2]);
 }
+
+namespace {
 
 /// Absolute differences of three channels inside the free parts, at most some thousands of them.
 std::vector<double> freeDifferences(const WrenchSeries& series, const std::vector<Segment>& segments,
@@ -62,12 +71,11 @@ WrenchTraces::WrenchTraces(TraceData data)
   }
 }
 
-WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* report)
-    : poses_(recording.meta.kind == RecordingKind::poses) {
+WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* report) : poses_(isPoses(recording)) {
   const Eigen::Index rows = std::min(recording.rows(), recording.wrench.rows());
   measuredTime_ = poses_ ? counted(rows) : toVector(recording.time.head(rows));
   for (int c = 0; c < 6; ++c) curves_[0][c] = MinMaxPyramid(toVector(recording.wrench.col(c).head(rows)));
-  if (!poses_) gap_ = longestJoined(measuredTime_);
+  gap_ = longestJoined(recording, measuredTime_);
   if (report == nullptr) return;
 
   const WrenchSeries& series = report->series;
@@ -92,9 +100,12 @@ WrenchTraces::WrenchTraces(const Recording& recording, const EstimateReport* rep
 }
 
 ThinnedCurve WrenchTraces::thinned(Kind kind, int channel, double from, double to, int pixels) const {
+  return heft::thinned(timeOf(kind), curves_[static_cast<int>(kind)][channel], gap_, from, to, pixels);
+}
+
+ThinnedCurve thinned(const std::vector<double>& time, const MinMaxPyramid& values, double gap, double from, double to,
+                     int pixels) {
   ThinnedCurve curve;
-  const std::vector<double>& time = timeOf(kind);
-  const MinMaxPyramid& values = curves_[static_cast<int>(kind)][channel];
   if (time.empty() || values.size() != time.size() || pixels < 1 || !(to > from)) return curve;
   auto first = std::lower_bound(time.begin(), time.end(), from);
   auto last = std::upper_bound(first, time.end(), to);
@@ -111,7 +122,7 @@ ThinnedCurve WrenchTraces::thinned(Kind kind, int channel, double from, double t
   curve.crowded = end - begin > static_cast<std::size_t>(pixels);
   if (!curve.crowded) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (i > begin && time[i] - time[i - 1] > gap_) add(0.5 * (time[i - 1] + time[i]), kNothing);
+      if (i > begin && time[i] - time[i - 1] > gap) add(0.5 * (time[i - 1] + time[i]), kNothing);
       add(time[i], {values[i], values[i]});
     }
     return curve;
@@ -132,7 +143,7 @@ ThinnedCurve WrenchTraces::thinned(Kind kind, int channel, double from, double t
     if (next < end) next = std::max(start, next / block * block);
     if (next == start) continue;
     // With the sample before, so that neighbouring columns touch as the line between them does.
-    const bool apart = start > begin && time[start] - time[start - 1] > gap_;
+    const bool apart = start > begin && time[start] - time[start - 1] > gap;
     if (apart) add(border - step, kNothing);
     const MinMax extremes = values.range(start > 0 && !apart ? start - 1 : start, next);
     if (std::isfinite(extremes.lowest)) add(border - 0.5 * step, extremes);

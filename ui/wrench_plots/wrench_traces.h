@@ -19,6 +19,17 @@ struct ThinnedCurve {
   double step = 0.0;  ///< Width of an entry where they are crowded, in the unit of x
 };
 
+/// What `pixels` columns over [from, to] show of `values` at rising `time`; two samples further apart than `gap` [s]
+/// are not joined. Where there are fewer samples than columns every sample in the stretch, and one neighbour on each
+/// side.
+ThinnedCurve thinned(const std::vector<double>& time, const MinMaxPyramid& values, double gap, double from, double to,
+                     int pixels);
+
+/// When the rows were recorded [s]; standing poses are counted 1, 2, 3.
+std::vector<double> timesOf(const Recording& recording);
+/// Samples further apart than this [s] are not joined by a line: twenty may be lost before it shows. Poses always are.
+double longestJoined(const Recording& recording, const std::vector<double>& time);
+
 /// Curves that are already there. A kind may be empty; within one all channels are as long as its time.
 struct TraceData {
   std::vector<double> measuredTime, simulatedTime;  ///< [s], not falling
@@ -43,8 +54,7 @@ class WrenchTraces {
   double firstTime() const { return measuredTime_.empty() ? 0.0 : measuredTime_.front(); }
   double lastTime() const { return measuredTime_.empty() ? 1.0 : measuredTime_.back(); }
 
-  /// What `pixels` columns over [from, to] show of a channel. Where there are fewer samples than columns every sample
-  /// in the stretch, and one neighbour on each side.
+  /// Of a channel, see above.
   ThinnedCurve thinned(Kind kind, int channel, double from, double to, int pixels) const;
 
   /// Extremes over the three channels beginning at `firstChannel` (0 force, 3 torque) within [from, to], over measured
