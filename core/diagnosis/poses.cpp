@@ -226,6 +226,8 @@ Recording goodRows(const Recording& recording, const std::vector<bool>& bad) {
   keep(out.position);
   keep(out.quaternion);
   keep(out.twist);
+  keep(out.accelerometer);
+  keep(out.gyroscope);
   keep(out.wrench);
   if (!out.labels.empty()) {
     out.labels.clear();

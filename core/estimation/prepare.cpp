@@ -168,6 +168,26 @@ WrenchRows blocksOf(const Motion& motion, const Recording& recording, const Held
   return rowsOf(at, kBlockRate);
 }
 
+Finding swingAssumed(const Vector3d& p_SoQ_S) {
+  return {
+      Severity::info,
+      "swing_assumed",
+      heft::say("The forces fit a sensor that swings about a point {:.2g} m away, so its acceleration was taken from "
+                "that instead of zero.",
+                p_SoQ_S.norm()),
+      {},
+      {}};
+}
+
+Finding accelerometerStands(const Vector3d& p_SoI_S) {
+  return {Severity::info,
+          "accelerometer_place",
+          heft::say("The forces fit an accelerometer at {:.0f}, {:.0f}, {:.0f} mm from the sensor's origin.",
+                    1e3 * p_SoI_S.x(), 1e3 * p_SoI_S.y(), 1e3 * p_SoI_S.z()),
+          {},
+          {}};
+}
+
 /// `ready`: the motion as stated, if it is known already.
 Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* robot, const EstimateOptions& options,
                                const Understanding& as, std::optional<Motion> ready = std::nullopt) {
@@ -184,18 +204,12 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
                        &as.trouble);
   };
   Segmentation segmentation = segmented();
-  if (!out.motion.originAccelerationKnown) {
+  if (!out.motion.originAccelerationKnown || out.motion.accelerometer) {
     if (const auto point = restingPoint(out.blocks, segmentation.labels)) {
       addSwing(*point, out.motion);
       out.blocks = blocksOf(out.motion, recording, as.held);
       segmentation = segmented();
-      out.findings.push_back({Severity::info,
-                              "swing_assumed",
-                              heft::say("The forces fit a sensor that swings about a point {:.2g} m away, so its "
-                                        "acceleration was taken from that instead of zero.",
-                                        point->norm()),
-                              {},
-                              {}});
+      out.findings.push_back(out.motion.accelerometer ? accelerometerStands(*point) : swingAssumed(*point));
     }
   }
   out.labels = std::move(segmentation.labels);

@@ -55,10 +55,9 @@ std::optional<Vector3d> restingPoint(const WrenchRows& blocks, const std::vector
 }
 
 void addSwing(const Vector3d& p_SoQ_S, Motion& motion) {
-  for (Eigen::Index k = 0; k < motion.size(); ++k) {
-    const Vector3d omega = motion.omega.col(k), alpha = motion.alpha.col(k);
-    motion.specificForce.col(k) -= alpha.cross(p_SoQ_S) + omega.cross(omega.cross(p_SoQ_S));
-  }
+  for (Eigen::Index k = 0; k < motion.size(); ++k)
+    motion.specificForce.col(k) -= leverMatrix(motion.omega.col(k), motion.alpha.col(k)) * p_SoQ_S;
+  if (motion.accelerometer) motion.accelerometer->p_SoI_S = p_SoQ_S;
 }
 
 }  // namespace heft

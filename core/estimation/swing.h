@@ -16,6 +16,7 @@ namespace heft {
 std::optional<Vector3d> restingPoint(const WrenchRows& blocks, const std::vector<MarkLabel>& labels);
 
 /// Adds the acceleration that follows from the resting point to the specific force.
+/// Of a motion whose specific force is an accelerometer's, Q is where that stands: the same equations tell it.
 void addSwing(const Vector3d& p_SoQ_S, Motion& motion);
 
 }  // namespace heft

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/statistics.h"
+
 namespace heft {
 
 namespace {
@@ -96,6 +98,48 @@ double refine(const Track& motion, const Track& force, double centre, double rea
 }
 
 }  // namespace
+
+double accelerometerDelay(const VectorXd& time, const Eigen::Ref<const Eigen::MatrixX3d>& readings,
+                          const VectorXd& forceTime, const Eigen::Ref<const Eigen::MatrixX3d>& force) {
+  constexpr double kReach = 0.05, kStep = 0.001;  // [s]
+  constexpr double kClearlyLess = 0.9;
+  const auto within = [&](double t) {
+    return t - kReach >= forceTime(0) && t + kReach <= forceTime(forceTime.size() - 1);
+  };
+  std::vector<Eigen::Index> rows;
+  std::vector<double> steps;
+  for (Eigen::Index k = 0; k < time.size(); ++k) {
+    if (within(time(k))) rows.push_back(k);
+    if (k > 0) steps.push_back(time(k) - time(k - 1));
+  }
+  if (rows.size() < 100) return 0.0;
+  const double width = median(std::move(steps));
+  MatrixXd A(static_cast<Eigen::Index>(rows.size()), 4);
+  A.leftCols<3>() = readings(rows, Eigen::all);
+  A.col(3).setOnes();
+  const VectorXd at = time(rows);
+  const Eigen::Matrix4d normal = A.transpose() * A + 1e-9 * Eigen::Matrix4d::Identity();
+  const Eigen::LDLT<Eigen::Matrix4d> solver(normal);
+  const auto leftAt = [&](double delay) {
+    MatrixXd y = averageAt(forceTime, force, at.array() + delay, width);
+    y.rowwise() -= y.colwise().mean().eval();
+    const Eigen::Matrix<double, 4, 3> product = A.transpose() * y;
+    const Eigen::Matrix<double, 4, 3> map = solver.solve(product);
+    return y.squaredNorm() - product.cwiseProduct(map).sum();
+  };
+  std::vector<double> left;
+  const int each = static_cast<int>(std::lround(kReach / kStep)) - static_cast<int>(std::ceil(0.5 * width / kStep));
+  for (int i = -each; i <= each; ++i) left.push_back(leftAt(kStep * i));
+  if (each < 2) return 0.0;
+  const auto best = std::min_element(left.begin(), left.end()) - left.begin();
+  if (best == 0 || best == 2 * each ||
+      left[static_cast<std::size_t>(best)] > kClearlyLess * left[static_cast<std::size_t>(each)])
+    return 0.0;
+  const double a = left[static_cast<std::size_t>(best - 1)], b = left[static_cast<std::size_t>(best)],
+               c = left[static_cast<std::size_t>(best + 1)];
+  const double curve = a - 2.0 * b + c;
+  return kStep * (static_cast<double>(best - each) + (curve > 0.0 ? 0.5 * (a - c) / curve : 0.0));
+}
 
 MatrixXd averageAt(const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, const VectorXd& at, double width) {
   const auto last = time.size() - 1;

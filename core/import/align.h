@@ -20,6 +20,12 @@ OffsetEstimate findOffset(const Eigen::Ref<const Eigen::Matrix3Xd>& specificForc
                           const VectorXd& forceTime, const Eigen::Ref<const Eigen::MatrixX3d>& force, double from,
                           double to);
 
+/// How much later than its stamps an accelerometer reads, beside the force of the same clock: what has to be added to
+/// `time` [s], of up to 50 ms to either side, so that its readings (N x 3, own axes) explain the force best by a linear
+/// map and a constant. 0 where no shift leaves a tenth less unexplained than none.
+double accelerometerDelay(const VectorXd& time, const Eigen::Ref<const Eigen::MatrixX3d>& readings,
+                          const VectorXd& forceTime, const Eigen::Ref<const Eigen::MatrixX3d>& force);
+
 /// Mean of each column over [t - width/2, t + width/2], values in between taken as linear; width 0 interpolates. Times
 /// must lie inside `time`, which rises strictly.
 MatrixXd averageAt(const VectorXd& time, const Eigen::Ref<const MatrixXd>& values, const VectorXd& at, double width);

@@ -190,6 +190,35 @@ std::optional<JointMember> asJoint(const Words& words) {
   return std::nullopt;
 }
 
+struct InertialMember : Member {
+  bool rates = false;
+};
+
+/// 0..2 of an accelerometer ("ax", "linear_acceleration.x", "imu_acc_y", UR's "actual_tool_accelerometer_2") or of a
+/// gyroscope ("angular_velocity.x", "gyro_z", "wx").
+std::optional<InertialMember> asInertial(const Words& words) {
+  static constexpr std::array kAccelerations = {"acceleration", "accelerometer", "accel", "acc"};
+  static constexpr std::array kRates = {"gyro", "gyr", "gyroscope"};
+  static constexpr std::array kOther = {"joint", "joints", "ee", "eef", "tcp", "mag", "magnetometer"};
+  if (anyIs(words, kOther)) return std::nullopt;
+  for (std::size_t i = words.size(); i-- > 0;) {
+    const auto& word = words[i];
+    if (word.size() == 2 && (word[0] == 'a' || word[0] == 'w'))
+      if (const auto a = axis(word.substr(1))) return InertialMember{{*a, without(words, i, 1)}, word[0] == 'w'};
+    if (i == 0) break;
+    auto index = axis(word);
+    const auto& before = words[i - 1];
+    const bool angular = anyIs(words, std::array{"angular"});
+    if (!index && before == "accelerometer" && word.size() == 1 && word[0] >= '0' && word[0] <= '2')
+      index = word[0] - '0';
+    if (!index) continue;
+    if (isOne(before, kAccelerations) && !angular) return InertialMember{{*index, without(words, i - 1, 2)}, false};
+    if (isOne(before, kRates)) return InertialMember{{*index, without(words, i - 1, 2)}, true};
+    if (before == "velocity" && angular) return InertialMember{{*index, without(words, i - 1, 2)}, true};
+  }
+  return std::nullopt;
+}
+
 /// UR's controller takes the configured payload off this force, and turns it into its base's axes.
 bool isTcpForce(const Words& words) {
   return anyIs(words, std::array{"tcp"}) && anyIs(words, std::array{"force"}) && anyIs(words, std::array{"actual"});
@@ -198,6 +227,8 @@ bool isTcpForce(const Words& words) {
 Quantity quantityOf(const std::string& column) {
   if (column[0] == 'f') return Quantity::force;
   if (column[0] == 't') return Quantity::torque;
+  if (column[0] == 'a') return Quantity::acceleration;
+  if (column[0] == 'i') return Quantity::angularRate;
   if (column[0] == 'p' && column.size() == 2) return Quantity::length;
   return column.starts_with("dq") ? Quantity::angularRate : Quantity::angle;
 }
@@ -213,6 +244,8 @@ std::optional<double> scaleInName(const std::string& column, const FieldName& na
 const std::array<const char*, 6> kWrenchColumns = {"fx", "fy", "fz", "tx", "ty", "tz"};
 const std::array<const char*, 3> kPositionColumns = {"px", "py", "pz"};
 const std::array<const char*, 4> kQuaternionColumns = {"qx", "qy", "qz", "qw"};
+const std::array<const char*, 3> kAccelerationColumns = {"ax", "ay", "az"};
+const std::array<const char*, 3> kRateColumns = {"imu_wx", "imu_wy", "imu_wz"};
 const std::array<const char*, 3> kVectorColumns = {"rvx", "rvy", "rvz"};
 const std::array<const char*, 3> kAbcColumns = {"kuka_a", "kuka_b", "kuka_c"};
 const std::array<const char*, 3> kRpyColumns = {"roll", "pitch", "yaw"};
@@ -228,7 +261,7 @@ class StreamGuess {
       : stream_(streams[index]), index_(index), out_(out) {}
 
   void run(const std::vector<std::string>& jointNames) {
-    Families wrenches, arrays, positions, quaternions, matrices, joints, velocities;
+    Families wrenches, arrays, positions, quaternions, matrices, joints, velocities, accelerations, rates;
     for (const auto& field : stream_.fields) names_.push_back(readFieldName(field));
     for (std::size_t f = 0; f < names_.size(); ++f) {
       const Words& words = names_[f].words;
@@ -240,6 +273,7 @@ class StreamGuess {
       if (const auto array = asWrenchArray(words)) put(arrays, *array);
       if (const auto pose = asPose(words)) put(pose->quaternion ? quaternions : positions, *pose);
       if (const auto matrix = asMatrix(words)) put(matrices, *matrix);
+      if (const auto felt = asInertial(words)) put(felt->rates ? rates : accelerations, *felt);
       if (const auto joint = asJoint(words)) put(joint->velocity ? velocities : joints, *joint);
     }
     mergeWrenches(wrenches);
@@ -255,6 +289,7 @@ class StreamGuess {
       if (fields.size() == 3) add("position", fields, 0, kPositionColumns, poseScore() - doubtOfPose(family), why());
     for (const auto& [family, fields] : matrices)
       if (fields.size() == 9) add("rotation", fields, 0, kMatrixColumns, 9, why());
+    addInertial(accelerations, rates);
     addOtherPoses();
     for (const auto& [family, fields] : joints) addJoints("joints", "q", family, fields);
     for (const auto& [family, fields] : velocities) addJoints("velocities", "dq", family, fields);
@@ -326,6 +361,29 @@ class StreamGuess {
     }
     add("wrench", fields, first, kWrenchColumns, score, reason);
     for (auto& column : out_.back().columns) column.inBaseAxes = ur;
+  }
+
+  /// An accelerometer with the gyroscope beside it. "wx" beside "vx" is a body's velocity, and what the robot's base or
+  /// a camera feels is not the tool's.
+  void addInertial(const Families& accelerations, const Families& rates) {
+    const bool twist = std::any_of(names_.begin(), names_.end(),
+                                   [](const FieldName& name) { return anyIs(name.words, std::array{"vx"}); });
+    for (const auto& [family, fields] : accelerations) {
+      if (fields.size() != 3) continue;
+      Words all = wordsOf(stream_.name);
+      all.insert(all.end(), family.begin(), family.end());
+      int score = stream_.type == "sensor_msgs/Imu" ? 20 : 10;
+      if (anyIs(all, std::array{"tool", "ft", "sensor", "wrist", "hand", "gripper", "flange"})) score += 5;
+      std::string reason = why();
+      if (anyIs(all, std::array{"base", "camera", "lidar", "head", "chassis", "mobile", "odom", "realsense"})) {
+        score -= 100;
+        reason = heft::say("its name says that it is not on the tool");
+      }
+      add("accelerometer", fields, 0, kAccelerationColumns, score, reason);
+      for (const auto& [turning, rateFields] : rates)
+        if (rateFields.size() == 3 && !twist && (turning.empty() || turning == family || rates.size() == 1))
+          add("gyroscope", rateFields, 0, kRateColumns, score, reason);
+    }
   }
 
   /// Poses whose rotation is no quaternion: UR's rotation vector, KUKA's A, B, C, and roll, pitch, yaw.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kPoundForce = 4.4482216152605;  ///< [N], exact
-constexpr double kKilopond = 9.80665;            ///< [N], exact
+constexpr double kKilopond = 9.80665;            ///< [N], exact; also the standard gravity [m/s2]
 constexpr double kInch = 0.0254;                 ///< [m], exact
 constexpr double kFoot = 0.3048;                 ///< [m], exact
 
@@ -71,6 +71,11 @@ constexpr std::array kUnitNames = {
     UnitName{"cm", Quantity::length, 0.01},
     UnitName{"mm", Quantity::length, 0.001},
     UnitName{"in", Quantity::length, kInch},
+    UnitName{"m/s2", Quantity::acceleration, 1.0},
+    UnitName{"m/s\xC2\xB2", Quantity::acceleration, 1.0},
+    UnitName{"m/s/s", Quantity::acceleration, 1.0},
+    UnitName{"g", Quantity::acceleration, kKilopond},
+    UnitName{"mg", Quantity::acceleration, 1e-3 * kKilopond},
     UnitName{"n", Quantity::force, 1.0},
     UnitName{"newton", Quantity::force, 1.0},
     UnitName{"newtons", Quantity::force, 1.0},

@@ -21,7 +21,7 @@ struct FieldName {
 /// ("q1 (filtered)", "position[elbow]") belongs to the words.
 FieldName readFieldName(std::string_view name);
 
-enum class Quantity { time, angle, angularRate, length, force, torque };
+enum class Quantity { time, angle, angularRate, length, force, torque, acceleration };
 
 /// SI units in one of `unit`; nothing if it is no unit of that quantity.
 std::optional<double> unitSi(std::string_view unit, Quantity quantity);

@@ -275,7 +275,8 @@ void nameBlocks(hid_t file, Dataset& dataset) {
   }
 }
 
-/// Filters that HDF5 itself does not have: what they are called, and the Debian package with them.
+/// Filters that HDF5 itself does not have: what they are called, and the Debian 12 package whose file list holds their
+/// plug-in (hdf5-filter-plugin has bzip2 and LZ4 only). Without one there is pip's hdf5plugin, which has them all.
 std::string missingFilter(hid_t dataset) {
   struct Known {
     H5Z_filter_t id;
@@ -286,9 +287,9 @@ std::string missingFilter(hid_t dataset) {
                                                    {32000, "LZF", "hdf5-plugin-lzf"},
                                                    {32001, "Blosc", "hdf5-filter-plugin-blosc-serial"},
                                                    {32004, "LZ4", "hdf5-filter-plugin"},
-                                                   {32008, "bitshuffle", "hdf5-filter-plugin"},
+                                                   {32008, "bitshuffle", ""},
                                                    {32013, "ZFP", "hdf5-filter-plugin-zfp-serial"},
-                                                   {32015, "Zstandard", "hdf5-filter-plugin"},
+                                                   {32015, "Zstandard", ""},
                                                    {32026, "Blosc 2", ""},
                                                    {4, "SZIP", "libsz2"}}};
   const Handle plan(H5Dget_create_plist(dataset), H5Pclose);
@@ -301,7 +302,9 @@ std::string missingFilter(hid_t dataset) {
     if (id < 0 || H5Zfilter_avail(id) > 0) continue;
     const auto known = std::find_if(kKnown.begin(), kKnown.end(), [&](const Known& each) { return each.id == id; });
     if (known == kKnown.end()) return heft::say("filter {} of HDF5, which this machine does not have", id);
-    if (*known->package == '\0') return heft::say("{}, which this machine cannot unpack", known->name);
+    if (*known->package == '\0')
+      return heft::say("{}, which this machine cannot unpack (pip: hdf5plugin, with HDF5_PLUGIN_PATH at its plugins)",
+                       known->name);
     return heft::say("{}, which this machine cannot unpack (Debian: {})", known->name, known->package);
   }
   return {};

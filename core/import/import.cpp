@@ -85,9 +85,10 @@ std::optional<Error> refuseTwoScales(const MappingWishes& wishes, const Conventi
   for (const auto& [target, factor] : wishes.scale) {
     const char first = target[0];
     const bool quaternion = target == "quaternion" || (first == 'q' && target.find_first_of("xyzw") == 1);
-    const bool angle = (first == 'j' || first == 'v' || first == 'd' || first == 'q') && !quaternion;
+    const bool angle = (first == 'i' || first == 'j' || first == 'v' || first == 'd' || first == 'q' || first == 'g') && !quaternion;
     const bool wrench = first == 'w' || first == 'f' || (first == 't' && target != "time");
     const char* key = nullptr;
+    if (first == 'a' && conventions.mPerS2PerAcceleration != 1.0) key = "acceleration_unit";
     if (angle && conventions.radPerAngle != 1.0) key = "angle_unit";
     if (first == 'p' && conventions.mPerLength != 1.0) key = "length_unit";
     if (wrench && conventions.force.si != 1.0) key = "force_unit";
@@ -189,6 +190,8 @@ void settleUnits(std::vector<ColumnSource>& columns, Opened& opened) {
     if (first == 'p' && !rotation) column.scale /= conventions.mPerLength;
     if (first == 'f') column.scale /= conventions.force.si;
     if (first == 't') column.scale /= conventions.torque.si;
+    if (first == 'a') column.scale /= conventions.mPerS2PerAcceleration;
+    if (first == 'i') column.scale /= conventions.radPerAngle;
   }
   if (!named.empty())
     opened.findings.push_back({Severity::info,

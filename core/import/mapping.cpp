@@ -19,7 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kParts = {"joints", "velocities", "position", "quaternion", "rotation", "wrench"};
+constexpr std::array kParts = {"joints",   "velocities", "position",      "quaternion",
+                               "rotation", "wrench",     "accelerometer", "gyroscope"};
 /// A target of "use" that names a part of the file: a demonstration of several.
 constexpr const char* kDemonstration = "demo";
 
@@ -28,9 +29,9 @@ constexpr const char* kSaidByUser = "said by the user";
 constexpr double kLargestOffset = 2e9;  ///< [s] An epoch's clock beside one that counts from power-on.
 
 std::string partName(std::string_view part) {
-  static constexpr const char* kNames[] = {heft::toSay("joints"),   heft::toSay("velocities"),
-                                           heft::toSay("position"), heft::toSay("quaternion"),
-                                           heft::toSay("rotation"), heft::toSay("wrench")};
+  static constexpr const char* kNames[] = {
+      heft::toSay("joints"),   heft::toSay("velocities"), heft::toSay("position"),      heft::toSay("quaternion"),
+      heft::toSay("rotation"), heft::toSay("wrench"),     heft::toSay("accelerometer"), heft::toSay("gyroscope")};
   for (const char* const name : kNames)
     if (part == name) return heft::say(fmt::runtime(name));
   return std::string(part);
@@ -43,8 +44,9 @@ bool isRotation(const std::string& column) {
 }
 
 bool isColumn(const std::string& name) {
-  static const std::set<std::string> kFixed = {"px", "py", "pz", "qx", "qy", "qz", "qw",
-                                               "fx", "fy", "fz", "tx", "ty", "tz", "time"};
+  static const std::set<std::string> kFixed = {"px", "py", "pz",     "qx",     "qy",     "qz",  "qw",
+                                               "fx", "fy", "fz",     "tx",     "ty",     "tz",  "ax",
+                                               "ay", "az", "imu_wx", "imu_wy", "imu_wz", "time"};
   if (kFixed.contains(name) || isRotation(name)) return true;
   const auto digits = name.starts_with("dq") ? name.substr(2) : name.starts_with("q") ? name.substr(1) : std::string();
   return !digits.empty() && digits.size() <= 2 && digits[0] != '0' &&
@@ -56,6 +58,8 @@ std::string partOf(const std::string& column) {
   if (kQuaternion.contains(column)) return "quaternion";
   if (isRotation(column)) return "rotation";
   if (column[0] == 'p') return "position";
+  if (column[0] == 'a') return "accelerometer";
+  if (column[0] == 'i') return "gyroscope";
   if (column[0] == 'd') return "velocities";
   if (column[0] == 'q') return "joints";
   return "wrench";
@@ -66,8 +70,9 @@ std::optional<Error> checkTarget(const std::string& name, const std::string& whe
   if (part || isColumn(name) || name == kDemonstration) return std::nullopt;
   return errorAt(
       {where, 0, 0}, heft::say("\"{}\" is no column of a recording.", printable(name)),
-      heft::say("Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the "
-                "groups joints, velocities, position, quaternion, rotation, wrench, and demo."));
+      heft::say("Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, ax, ay, "
+                "az, and the groups joints, velocities, position, quaternion, rotation, wrench, accelerometer, "
+                "gyroscope, and demo."));
 }
 
 std::string shown(const Stream& stream) {
@@ -108,13 +113,14 @@ class Chooser {
       if (auto failure = grant(target, source)) return *failure;
     }
     // What the user names in part is completed from the same stream.
-    for (const char* const part : {"wrench", "joints", "quaternion", "rotation"})
+    for (const char* const part : {"wrench", "joints", "quaternion", "rotation", "accelerometer"})
       if (has(part)) takeFrom(part, streamOf(part));
     if (!has("wrench")) take("wrench");
     if (!hasMotion() && !take("joints") && !take("quaternion")) take("rotation");
     for (const char* const part : {"quaternion", "rotation"})
       if (has(part) && !has("joints") && !has("position")) takeFrom("position", streamOf(part));
     if (has("joints") && !has("velocities")) takeFrom("velocities", streamOf("joints"));
+    if (has("accelerometer") || take("accelerometer")) takeFrom("gyroscope", streamOf("accelerometer"));
     if (auto failure = requireAll()) return *failure;
     scale();
     say();

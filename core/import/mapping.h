@@ -12,7 +12,7 @@ namespace heft {
 
 /// Where one column of a recording comes from.
 struct ColumnSource {
-  std::string column;       ///< Contract name: q1, dq1, px, qx, fx, tx, ...; or one of a rotation, see rotationForms().
+  std::string column;  ///< Contract name: q1, dq1, px, qx, fx, tx, ax, ...; or one of a rotation, see rotationForms().
   std::size_t stream = 0;   ///< Index into the streams.
   std::size_t field = 0;    ///< Index into the stream's fields.
   double scale = 1.0;       ///< Factor to SI units.
@@ -23,7 +23,8 @@ struct ColumnSource {
 
 /// A set of columns that belong together, found in one stream.
 struct ColumnCandidate {
-  std::string part;  ///< joints, velocities, position, quaternion, rotation or wrench
+  std::string part;  ///< joints, velocities, position, quaternion, rotation, wrench,
+                     ///< accelerometer or gyroscope
   std::vector<ColumnSource> columns;
   int score = 0;    ///< Higher is better; below zero it is not taken without being asked for.
   std::string why;  ///< For or against it.

@@ -27,6 +27,7 @@ namespace heft {
 
 namespace {
 
+constexpr std::size_t kMostPoses = 200;  ///< So few rows without times may be standing poses.
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// What the names of a stream's columns begin with: up to the last '/', '.' or '['.
@@ -55,12 +56,14 @@ class Table {
     const auto time = choice.rateHz > 0.0 ? std::nullopt : findTime(names, choice);
     const bool lost = !time && choice.rateHz <= 0.0;
     if (lost && (choice.clockNeeded || !choice.column.empty())) {
+      const bool few = choice.column.empty() && rows <= kMostPoses;
       set.findings.push_back({Severity::error,
                               "no_time",
                               choice.column.empty()
                                   ? heft::say("no column holds the time.")
                                   : heft::say("there is no column \"{}\" for the time.", printable(choice.column)),
-                              remedy(Remedy::chooseTime) + " " + remedy(Remedy::stateRate),
+                              remedy(Remedy::chooseTime) + " " + remedy(Remedy::stateRate) +
+                                  (few ? " " + remedy(Remedy::sayStandingPoses) : std::string()),
                               {set.file, 0, 0}});
     }
     std::vector<double> clock;

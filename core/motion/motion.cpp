@@ -10,6 +10,7 @@
 #include "core/base/say.h"
 #include "core/math/statistics.h"
 #include "core/motion/denoiser.h"
+#include "core/motion/inertial_witness.h"
 #include "core/motion/mount_link.h"
 #include "core/motion/resample.h"
 #include "core/motion/savitzky_golay.h"
@@ -311,14 +312,27 @@ void fromPoses(const Recording& recording, Smoother& smoother, const UniformGrid
     }
     setSample(motion, k, frame, recording.meta.gravity);
   }
-  if (!recording.hasPosition())
-    motion.findings.push_back(
-        {Severity::warning,
-         "origin_acceleration_unknown",
-         heft::say("The recording has the sensor's orientation but not its position, so the acceleration of its "
-                   "origin is unknown and taken as zero."),
-         heft::say("Record px, py, pz or the joint angles for trustworthy numbers."),
-         {}});
+}
+
+/// Where the accelerometer stands in for the motion it is treated as the wrench is, where it is compared as the motion.
+void askAccelerometer(const Recording& recording, Smoother& smoother, const UniformGrid& grid, Motion& motion) {
+  const auto like = [&](const Eigen::Ref<const MatrixXd>& series) -> Eigen::Matrix3Xd {
+    if (series.rows() == 0) return Eigen::Matrix3Xd(3, 0);
+    const MatrixXd values = series;
+    const Gridded gridded{grid, recording.time, values, true};
+    return (motion.originAccelerationKnown ? smoother.run(gridded, 0).value : smoother.wrench(gridded)).transpose();
+  };
+  hearAccelerometer(like(recording.accelerometer), like(recording.gyroscope), motion);
+}
+
+void sayAccelerationUnknown(Motion& motion) {
+  motion.findings.push_back(
+      {Severity::warning,
+       "origin_acceleration_unknown",
+       heft::say("The recording has the sensor's orientation but not its position, so the acceleration of its "
+                 "origin is unknown and taken as zero."),
+       heft::say("Record px, py, pz or the joint angles for trustworthy numbers."),
+       {}});
 }
 
 /// Whoever forgets it would fit a payload to forces in the wrong axes.
@@ -361,6 +375,8 @@ Result<Motion> standingPoses(const Recording& recording, const RobotModel* robot
     setSample(motion, k, frame, recording.meta.gravity);
   }
   motion.wrench = recording.wrench.transpose();
+  if (recording.hasAccelerometer())
+    hearAccelerometer(recording.accelerometer.transpose(), Eigen::Matrix3Xd(3, 0), motion);
   return motion;
 }
 
@@ -397,6 +413,8 @@ Result<Motion> motionOf(const Recording& recording, const RobotModel* robot, con
     return done.error();
   }
   motion.keptHz = smoother.keptHz();
+  if (recording.hasAccelerometer()) askAccelerometer(recording, smoother, grid, motion);
+  if (!motion.originAccelerationKnown) sayAccelerationUnknown(motion);
   const MatrixXd wrench = recording.wrench;
   motion.wrench = smoother.wrench({grid, recording.time, wrench, true}).transpose();
   return motion;

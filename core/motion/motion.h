@@ -2,6 +2,7 @@
 // From joints or poses to what the wrench model needs: specific force, angular velocity and angular acceleration of S.
 #include "core/base/findings.h"
 #include "core/base/result.h"
+#include "core/motion/accelerometer.h"
 #include "core/recording/recording.h"
 #include "core/robot/robot_model.h"
 
@@ -43,7 +44,10 @@ struct Motion {
   double keptHz =
       0.0;  ///< With MotionOptions::denoise: the highest frequency that was kept nearly whole; 0: all of them
   bool originAccelerationKnown = true;  ///< False with orientation only: a was taken as zero.
-  MatrixXd wrench;                      ///< 6 x K: the recording's wrench, averaged and smoothed in the same way.
+  /// Where the position is not known and an accelerometer stands in: the specific force is that of its own place, until
+  /// addSwing() (core/estimation) moves it to S's origin.
+  std::optional<AccelerometerMount> accelerometer;
+  MatrixXd wrench;  ///< 6 x K: the recording's wrench, averaged and smoothed in the same way.
   Findings findings;
 
   Eigen::Index size() const { return omega.cols(); }

@@ -19,6 +19,8 @@ void forEachSeries(Recording& recording, Act act) {
   if (recording.position.rows() > 0) act(recording.position);
   if (recording.quaternion.rows() > 0) act(recording.quaternion);
   if (recording.twist.rows() > 0) act(recording.twist);
+  if (recording.accelerometer.rows() > 0) act(recording.accelerometer);
+  if (recording.gyroscope.rows() > 0) act(recording.gyroscope);
   if (recording.wrench.rows() > 0) act(recording.wrench);
 }
 
@@ -85,6 +87,8 @@ std::optional<Error> checkAll(const Examined& examined, NumberForm form) {
     plain.undoAngles(recording.dq);
     plain.undoQuaternionOrder(recording.quaternion);
     undoTwist(examined, plain);
+    plain.undoAcceleration(recording.accelerometer);
+    plain.undoAngles(recording.gyroscope);
   }
   recording.wrenchNeedsPose = recording.meta.conventions.needPose();
   if (auto failure = checkQuaternions(examined)) return failure;

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/base/say.h"
@@ -19,6 +20,9 @@ constexpr int kMaxJoints = 64;
 constexpr std::array<const char*, 3> kPosition = {"px", "py", "pz"};
 constexpr std::array<const char*, 4> kQuaternion = {"qx", "qy", "qz", "qw"};
 constexpr std::array<const char*, 6> kTwist = {"vx", "vy", "vz", "wx", "wy", "wz"};
+constexpr std::array<const char*, 3> kAccelerometer = {"ax", "ay", "az"};
+/// Without a sensor's velocities, "wx" to "wz" beside an accelerometer mean the same.
+constexpr std::array<const char*, 3> kGyroscope = {"imu_wx", "imu_wy", "imu_wz"};
 constexpr std::array<const char*, 6> kWrench = {"fx", "fy", "fz", "tx", "ty", "tz"};
 
 template <class Names>
@@ -47,6 +51,8 @@ Column meaningOf(std::string_view name) {
   if (const auto i = indexIn(kPosition, name)) return {Role::position, *i};
   if (const auto i = indexIn(kQuaternion, name)) return {Role::quaternion, *i};
   if (const auto i = indexIn(kTwist, name)) return {Role::twist, *i};
+  if (const auto i = indexIn(kAccelerometer, name)) return {Role::accelerometer, *i};
+  if (const auto i = indexIn(kGyroscope, name)) return {Role::gyroscope, *i};
   if (const auto i = indexIn(kWrench, name)) return {Role::wrench, *i};
   return {};
 }
@@ -89,6 +95,10 @@ std::string columnUnit(Column column, const Conventions& conventions) {
       return length;
     case Role::twist:
       return (column.index < 3 ? length : angle) + "/s";
+    case Role::accelerometer:
+      return conventions.mPerS2PerAcceleration == 1.0 ? "m/s2" : "g";
+    case Role::gyroscope:
+      return angle + "/s";
     case Role::wrench:
       return (column.index < 3) != torqueFirst ? named(conventions.force, "N") : named(conventions.torque, "N m");
     case Role::quaternion:
@@ -219,6 +229,12 @@ class Mapper {
         case Role::twist:
           map_.twist[index] = field;
           break;
+        case Role::accelerometer:
+          map_.accelerometer[index] = field;
+          break;
+        case Role::gyroscope:
+          map_.gyroscope[index] = field;
+          break;
         case Role::wrench:
           map_.wrench[index] = field;
           break;
@@ -296,9 +312,25 @@ class Mapper {
         (map_.velocities.size() != map_.joints.size() || !missingOf(Role::jointVelocity, map_.velocities).empty()))
       setAside(Role::jointVelocity,
                heft::say("The joint velocities do not match the joints one by one and are set aside."));
+    takeRatesOfInertialSensor();
+    if (anyOf(map_.accelerometer) && !missingOf(Role::accelerometer, map_.accelerometer).empty())
+      setAside(Role::accelerometer, heft::say("The accelerometer lacks an axis and is set aside."));
+    if (anyOf(map_.gyroscope) && !missingOf(Role::gyroscope, map_.gyroscope).empty())
+      setAside(Role::gyroscope, heft::say("The gyroscope lacks an axis and is set aside."));
     if (anyOf(map_.twist) && (!missingOf(Role::twist, map_.twist).empty() || !orientation))
       setAside(Role::twist, heft::say("The twist is incomplete or without an orientation and is set aside."));
     return std::nullopt;
+  }
+
+  /// "ax, ay, az, wx, wy, wz" without vx, vy, vz are one inertial sensor's.
+  void takeRatesOfInertialSensor() {
+    const auto velocity = std::span(map_.twist).first<3>();
+    const auto rates = std::span(map_.twist).last<3>();
+    if (!anyOf(map_.accelerometer) || anyOf(map_.gyroscope) || anyOf(velocity) || !anyOf(rates)) return;
+    for (auto& column : map_.columns)
+      if (column.role == Role::twist) column = {Role::gyroscope, column.index - 3};
+    std::ranges::copy(rates, map_.gyroscope.begin());
+    map_.twist = {};
   }
 
   Error missingColumns(const std::vector<std::string>& missing, const std::string& neither) const {
@@ -364,6 +396,12 @@ void ColumnMap::setAside(Role role) {
     case Role::twist:
       twist = {};
       break;
+    case Role::accelerometer:
+      accelerometer = {};
+      break;
+    case Role::gyroscope:
+      gyroscope = {};
+      break;
     case Role::wrench:
       wrench = {};
       break;
@@ -390,6 +428,10 @@ std::string columnName(Role role, int index) {
       return kQuaternion[i];
     case Role::twist:
       return kTwist[i];
+    case Role::accelerometer:
+      return kAccelerometer[i];
+    case Role::gyroscope:
+      return kGyroscope[i];
     case Role::wrench:
       return kWrench[i];
     case Role::label:

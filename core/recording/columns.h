@@ -10,7 +10,7 @@
 
 namespace heft {
 
-enum class Role { time, joint, jointVelocity, position, quaternion, twist, wrench, label, extra };
+enum class Role { time, joint, jointVelocity, position, quaternion, twist, accelerometer, gyroscope, wrench, label, extra };
 
 struct Column {
   Role role = Role::extra;
@@ -26,6 +26,8 @@ struct ColumnMap {
   std::array<long, 3> position{};
   std::array<long, 4> quaternion{};
   std::array<long, 6> twist{};
+  std::array<long, 3> accelerometer{};
+  std::array<long, 3> gyroscope{};
   std::array<long, 6> wrench{};
   long label = 0;
 
@@ -34,6 +36,8 @@ struct ColumnMap {
   bool hasPosition() const { return position[0] > 0; }
   bool hasOrientation() const { return quaternion[0] > 0; }
   bool hasTwist() const { return twist[0] > 0; }
+  bool hasAccelerometer() const { return accelerometer[0] > 0; }
+  bool hasGyroscope() const { return gyroscope[0] > 0; }
 
   /// Keeps the columns of a role as text only.
   void setAside(Role role);

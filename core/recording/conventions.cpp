@@ -23,8 +23,7 @@ using ConventionJson = nlohmann::json;
 using ConventionPoint = Conventions::WrenchPoint;
 
 constexpr double kPound = 4.4482216152605;  ///< [N] exactly
-constexpr double kStandardGravity = 9.80665;
-constexpr double kFarthestPoint = 5.0;  ///< [m]
+constexpr double kFarthestPoint = 5.0;      ///< [m]
 
 const std::array<Conventions::Unit, 5> kForceUnits = {
     {{"N", 1.0}, {"kN", 1e3}, {"kgf", kStandardGravity}, {"lbf", kPound}, {"gf", 1e-3 * kStandardGravity}}};
@@ -153,6 +152,7 @@ const std::vector<ConventionKey>& allConventionKeys() {
       unitKey("torque_unit", &C::torque, kTorqueUnits),
       twoWords<double>("angle_unit", false, &C::radPerAngle, {"rad", 1.0}, {"deg", kRadPerDegree}),
       twoWords<double>("length_unit", false, &C::mPerLength, {"m", 1.0}, {"mm", 1e-3}),
+      twoWords<double>("acceleration_unit", false, &C::mPerS2PerAcceleration, {"m/s2", 1.0}, {"g", kStandardGravity}),
       twoWords<C::PoseDirection>("pose", false, &C::pose, {"sensor_in_base", C::PoseDirection::sensorInBase},
                                  {"base_in_sensor", C::PoseDirection::baseInSensor}),
       twoWords<C::QuaternionOrder>("quaternion_order", false, &C::quaternionOrder, {"xyzw", C::QuaternionOrder::xyzw},

@@ -13,6 +13,8 @@
 
 namespace heft {
 
+constexpr double kStandardGravity = 9.80665;  ///< [m/s2], exact by definition: what one g means.
+
 /// The plain form is what the default values say. A recording in other conventions is w = T(plain): first its columns
 /// were mirrored, turned and moved to another point, then its torque's sign was turned, then both were scaled, then
 /// force and torque changed places. In formulas, with M = diag(+-1) the mirror and d the offset from S's origin:
@@ -47,6 +49,7 @@ struct Conventions {
   Unit torque;
   double radPerAngle = 1.0;  ///< Of joint angles, their rates and angular velocities: 1, or pi / 180 for degrees.
   double mPerLength = 1.0;   ///< Of positions and their rates: 1, or 0.001 for millimetres.
+  double mPerS2PerAcceleration = 1.0;  ///< Of an accelerometer: 1, or 9.80665 where it reads in g.
   PoseDirection pose = PoseDirection::sensorInBase;
   QuaternionOrder quaternionOrder = QuaternionOrder::xyzw;
 

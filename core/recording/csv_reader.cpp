@@ -85,6 +85,8 @@ class RecordingParser {
     if (map_.hasPosition()) recording_.position.resize(rows, 3);
     if (map_.hasOrientation()) recording_.quaternion.resize(rows, 4);
     if (map_.hasTwist()) recording_.twist.resize(rows, 6);
+    if (map_.hasAccelerometer()) recording_.accelerometer.resize(rows, 3);
+    if (map_.hasGyroscope()) recording_.gyroscope.resize(rows, 3);
     if (map_.time == 0) recording_.time.setConstant(std::numeric_limits<double>::quiet_NaN());
 
     const auto unknown = static_cast<std::size_t>(
@@ -124,6 +126,10 @@ class RecordingParser {
         return recording_.quaternion.col(index).data();
       case Role::twist:
         return recording_.twist.col(index).data();
+      case Role::accelerometer:
+        return recording_.accelerometer.col(index).data();
+      case Role::gyroscope:
+        return recording_.gyroscope.col(index).data();
       case Role::wrench:
         return recording_.wrench.col(index).data();
       case Role::label:
@@ -185,6 +191,12 @@ class RecordingParser {
       case Role::twist:
         recording_.twist.resize(0, 6);
         break;
+      case Role::accelerometer:
+        recording_.accelerometer.resize(0, 3);
+        break;
+      case Role::gyroscope:
+        recording_.gyroscope.resize(0, 3);
+        break;
       default:
         break;
     }
@@ -203,6 +215,10 @@ class RecordingParser {
       clear(Role::jointVelocity, missing, heft::say("The joint velocities are"));
     if (const auto missing = sparse(Role::twist); missing.rows > 0)
       clear(Role::twist, missing, heft::say("The twist is"));
+    if (const auto missing = sparse(Role::accelerometer); missing.rows > 0)
+      clear(Role::accelerometer, missing, heft::say("The accelerometer's readings are"));
+    if (const auto missing = sparse(Role::gyroscope); missing.rows > 0)
+      clear(Role::gyroscope, missing, heft::say("The gyroscope's readings are"));
     if (map_.hasJoints() && map_.hasOrientation()) {
       const auto joints = sparse(Role::joint);
       const auto quaternion = sparse(Role::quaternion);
@@ -222,8 +238,8 @@ class RecordingParser {
 
     std::vector<char> keep(lines_.size(), 1);
     Missing first;
-    for (const auto role :
-         {Role::time, Role::joint, Role::jointVelocity, Role::position, Role::quaternion, Role::twist, Role::wrench}) {
+    for (const auto role : {Role::time, Role::joint, Role::jointVelocity, Role::position, Role::quaternion, Role::twist,
+                            Role::accelerometer, Role::gyroscope, Role::wrench}) {
       if ((role == Role::time && poses) || !lacks(role)) continue;
       const auto missing = findMissing(role, keep);
       if (first.line == 0 || missing.line < first.line) first = missing;
@@ -330,6 +346,8 @@ Result<ReadRecording> checkRecording(Recording recording, NumberForm form) {
   if (checked.hasPosition()) map.position.fill(1);
   if (checked.hasOrientation()) map.quaternion.fill(1);
   if (checked.twist.rows() > 0) map.twist.fill(1);
+  if (checked.hasAccelerometer()) map.accelerometer.fill(1);
+  if (checked.gyroscope.rows() > 0) map.gyroscope.fill(1);
   map.wrench.fill(1);
   std::vector<std::uint32_t> lines(static_cast<std::size_t>(checked.rows()), 0);
   const std::string file = checked.file;

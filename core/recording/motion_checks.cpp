@@ -6,6 +6,7 @@
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
+#include "core/math/statistics.h"
 #include "core/recording/unwrap.h"
 
 namespace heft {
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLargestReach = 10.0;  ///< [m] From the base; larger positions are millimetres.
+constexpr double kLeastOfGravity = 6.0,
+                 kMostOfGravity = 16.0;  ///< [m/s2] An accelerometer reads between, in the median.
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// How a column of rates relates to the changes of what it should be the rate of.
@@ -119,6 +122,30 @@ std::optional<Error> checkPositions(const Examined& examined) {
                  remedy(Remedy::stateConvention, "\"length_unit\": \"mm\""));
 }
 
+/// What it reads is about gravity most of the time: 9.81 in m/s2, 1 in g.
+void checkAccelerometer(const Examined& examined) {
+  auto& readings = examined.recording.accelerometer;
+  if (readings.rows() == 0) return;
+  std::vector<double> sizes(static_cast<std::size_t>(readings.rows()));
+  for (Eigen::Index k = 0; k < readings.rows(); ++k) sizes[static_cast<std::size_t>(k)] = readings.row(k).norm();
+  const double size = median(std::move(sizes));
+  const auto column = examined.column(examined.map.accelerometer[0]);
+  if (size > kLeastOfGravity && size < kMostOfGravity) return;
+  if (const double inG = size * kStandardGravity; inG > kLeastOfGravity && inG < kMostOfGravity) {
+    readings *= kStandardGravity;
+    examined.note(Severity::info, "accelerometer_in_g", column,
+                  heft::say("The accelerometer reads {:.3g} most of the time, so it is in g.", size),
+                  remedy(Remedy::stateConvention, "\"acceleration_unit\": \"g\""));
+    return;
+  }
+  readings.resize(0, 3);
+  examined.recording.gyroscope.resize(0, 3);
+  examined.note(Severity::info, "columns_set_aside", column,
+                heft::say("The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is left "
+                          "aside: gravity was taken out of it, or it is no accelerometer.",
+                          size));
+}
+
 Quaterniond quaternionAt(const Recording& recording, Eigen::Index row) {
   const auto& q = recording.quaternion;
   return {q(row, 3), q(row, 0), q(row, 1), q(row, 2)};
@@ -212,6 +239,7 @@ std::optional<Error> checkAngles(const Examined& examined) {
 }
 
 std::optional<Error> checkUnits(const Examined& examined) {
+  checkAccelerometer(examined);
   if (auto failure = checkPositions(examined)) return failure;
   return checkRates(examined);
 }

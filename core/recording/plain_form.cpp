@@ -76,6 +76,10 @@ void PlainForm::undoAngles(Eigen::Ref<MatrixXd> angles) const {
   if (conventions_.radPerAngle != 1.0) angles *= conventions_.radPerAngle;
 }
 
+void PlainForm::undoAcceleration(Eigen::Ref<MatrixXd> acceleration) const {
+  if (conventions_.mPerS2PerAcceleration != 1.0) acceleration *= conventions_.mPerS2PerAcceleration;
+}
+
 void PlainForm::undoTwist(Eigen::Ref<MatrixXd> twist) const {
   if (conventions_.mPerLength != 1.0) twist.leftCols<3>() *= conventions_.mPerLength;
   if (conventions_.radPerAngle != 1.0) twist.rightCols<3>() *= conventions_.radPerAngle;

@@ -23,6 +23,8 @@ class PlainForm {
   void undoPosition(Eigen::Ref<MatrixXd> position, const Eigen::Ref<const MatrixXd>& quaternion) const;
   /// To rad or rad/s.
   void undoAngles(Eigen::Ref<MatrixXd> angles) const;
+  /// To m/s2.
+  void undoAcceleration(Eigen::Ref<MatrixXd> acceleration) const;
   /// v to m/s, w to rad/s. A twist beside a pose of the base in the sensor cannot be told and has to be left out.
   void undoTwist(Eigen::Ref<MatrixXd> twist) const;
   bool twistIsLost() const { return conventions_.pose == Conventions::PoseDirection::baseInSensor; }

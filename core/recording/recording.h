@@ -67,6 +67,10 @@ struct Recording {
   Eigen::Matrix<double, Eigen::Dynamic, 3> position;    ///< p_BSo_B [m]; absent for orientation only
   Eigen::Matrix<double, Eigen::Dynamic, 4> quaternion;  ///< R_BS as x, y, z, w; unit length
   Eigen::Matrix<double, Eigen::Dynamic, 6> twist;       ///< v_BSo_B [m/s], w_BS_B [rad/s], optional
+  /// What an inertial sensor I on the tool side reads, in its own axes: R_SI^T (a_BIo - g) [m/s2] and w_BI_I [rad/s], with
+  /// biases. How it is mounted is told by nobody, see core/motion/accelerometer.h. Each optional.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> accelerometer;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> gyroscope;
   Eigen::Matrix<double, Eigen::Dynamic, 6> wrench;      ///< F_PSo_S: sensor on payload, force [N], torque [N m]
   /// The wrench is still in the axes and about the point that meta.conventions states: toSensorAxes() is to come.
   bool wrenchNeedsPose = false;
@@ -78,6 +82,7 @@ struct Recording {
   bool hasJoints() const { return q.rows() > 0; }
   bool hasOrientation() const { return quaternion.rows() > 0; }
   bool hasPosition() const { return position.rows() > 0; }
+  bool hasAccelerometer() const { return accelerometer.rows() > 0; }
   double duration() const { return time.size() > 1 ? time(time.size() - 1) - time(0) : 0.0; }
   /// 1 / median time step [Hz]; 0 with fewer than two rows.
   double rateHz() const;

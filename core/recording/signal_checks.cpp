@@ -85,6 +85,7 @@ class SignalChecker {
     noteGroup("qx, qy, qz, qw", examined_.map.quaternion[0], recording_.quaternion);
     noteGroup("px, py, pz", examined_.map.position[0], recording_.position);
     noteGroup("vx, vy, vz, wx, wy, wz", examined_.map.twist[0], recording_.twist);
+    noteGroup("ax, ay, az", examined_.map.accelerometer[0], recording_.accelerometer);
     return false;
   }
 

@@ -72,6 +72,8 @@ Result<std::string> csvText(const Recording& recording) {
   if (auto error = addSeries(series, recording.position, Role::position, rows)) return *error;
   if (auto error = addSeries(series, recording.quaternion, Role::quaternion, rows)) return *error;
   if (auto error = addSeries(series, recording.twist, Role::twist, rows)) return *error;
+  if (auto error = addSeries(series, recording.accelerometer, Role::accelerometer, rows)) return *error;
+  if (auto error = addSeries(series, recording.gyroscope, Role::gyroscope, rows)) return *error;
   if (auto error = addSeries(series, recording.wrench, Role::wrench, rows, sign)) return *error;
   const auto count = static_cast<std::size_t>(rows);
   const bool labels = !recording.labels.empty();

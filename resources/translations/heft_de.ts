@@ -7662,10 +7662,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>dem HDF5-Filter {}, den dieser Rechner nicht hat</translation>
     </message>
     <message>
-        <source>{}, which this machine cannot unpack</source>
-        <translation>{}, was dieser Rechner nicht entpacken kann</translation>
-    </message>
-    <message>
         <source>{}, which this machine cannot unpack (Debian: {})</source>
         <translation>{}, was dieser Rechner nicht entpacken kann (Debian: {})</translation>
     </message>
@@ -7760,10 +7756,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>rotation</source>
         <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, and the groups joints, velocities, position, quaternion, rotation, wrench, and demo.</source>
-        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, die Gruppen joints, velocities, position, quaternion, rotation, wrench, und demo.</translation>
     </message>
     <message>
         <source>there is no demonstration &quot;{}&quot;.</source>
@@ -8260,6 +8252,106 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The log repeats each wrench for {:.0f} ms; each was used once, with the motion of the moment at which it came.</source>
         <translation>Das Protokoll wiederholt jeden Messwert des Sensors {:.0f} ms lang; jeder wurde einmal verwendet, mit der Bewegung des Augenblicks, in dem er kam.</translation>
+    </message>
+    <message>
+        <source>The forces fit an accelerometer at {:.0f}, {:.0f}, {:.0f} mm from the sensor&apos;s origin.</source>
+        <translation>Die Kräfte passen zu einem Beschleunigungssensor bei {:.0f}, {:.0f}, {:.0f} mm vom Ursprung des Sensors.</translation>
+    </message>
+    <message>
+        <source>its name says that it is not on the tool</source>
+        <translation>sein Name sagt, dass er nicht am Werkzeug sitzt</translation>
+    </message>
+    <message>
+        <source>{}, which this machine cannot unpack (pip: hdf5plugin, with HDF5_PLUGIN_PATH at its plugins)</source>
+        <translation>{}, was dieser Rechner nicht entpacken kann (pip: hdf5plugin, mit HDF5_PLUGIN_PATH auf dessen plugins)</translation>
+    </message>
+    <message>
+        <source>the files&apos; clocks have nothing in common</source>
+        <translation>die Uhren der Dateien haben nichts gemeinsam</translation>
+    </message>
+    <message>
+        <source>accelerometer</source>
+        <translation>Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>gyroscope</source>
+        <translation>Drehratensensor</translation>
+    </message>
+    <message>
+        <source>Known are time, q1 to q7, dq1 to dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, ax, ay, az, and the groups joints, velocities, position, quaternion, rotation, wrench, accelerometer, gyroscope, and demo.</source>
+        <translation>Bekannt sind time, q1 bis q7, dq1 bis dq7, px, py, pz, qx, qy, qz, qw, fx, fy, fz, tx, ty, tz, ax, ay, az und die Gruppen joints, velocities, position, quaternion, rotation, wrench, accelerometer, gyroscope sowie demo.</translation>
+    </message>
+    <message>
+        <source>its clock is another one</source>
+        <translation>er hat eine andere Uhr</translation>
+    </message>
+    <message>
+        <source>its times start again in the middle</source>
+        <translation>seine Zeiten beginnen in der Mitte von vorn</translation>
+    </message>
+    <message>
+        <source>it has hardly any samples</source>
+        <translation>er hat kaum Werte</translation>
+    </message>
+    <message>
+        <source>The accelerometer was left aside: {}.</source>
+        <translation>Der Beschleunigungssensor wurde beiseite gelassen: {}.</translation>
+    </message>
+    <message>
+        <source>The accelerometer&apos;s times were shifted by {:.4f} s, where the force follows it best.</source>
+        <translation>Die Zeiten des Beschleunigungssensors wurden um {:.4f} s verschoben; so folgt ihm die Kraft am besten.</translation>
+    </message>
+    <message>
+        <source>it was there for {} of {} samples only</source>
+        <translation>er war nur bei {} von {} Werten da</translation>
+    </message>
+    <message>
+        <source>The accelerometer was not used: its readings do not follow how gravity turns in the sensor.</source>
+        <translation>Der Beschleunigungssensor wurde nicht verwendet: seine Werte folgen nicht der Drehung der Schwerkraft im Sensor.</translation>
+    </message>
+    <message>
+        <source>Is it on the tool side of the sensor, and does it read what is felt, gravity included?</source>
+        <translation>Sitzt er auf der Werkzeugseite des Sensors, und misst er samt Schwerkraft?</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s acceleration was taken from the accelerometer, which is turned by {} degrees (roll, pitch, yaw) against the sensor, as the data show.</source>
+        <translation>Die Beschleunigung des Sensors stammt vom Beschleunigungssensor, der den Daten nach um {} Grad (Roll, Nick, Gier) gegen den Sensor verdreht ist.</translation>
+    </message>
+    <message>
+        <source>The accelerometer agrees with the motion to {:.2g} m/s2 rms; it is turned by {} degrees (roll, pitch, yaw) against the sensor and stands at {:.0f}, {:.0f}, {:.0f} mm.</source>
+        <translation>Der Beschleunigungssensor stimmt auf {:.2g} m/s2 eff. mit der Bewegung überein; er ist um {} Grad (Roll, Nick, Gier) gegen den Sensor verdreht und sitzt bei {:.0f}, {:.0f}, {:.0f} mm.</translation>
+    </message>
+    <message>
+        <source>The accelerometer differs from the motion by {:.2g} m/s2 rms, wherever it is mounted: the tool was accelerated otherwise than the joints or poses say.</source>
+        <translation>Der Beschleunigungssensor weicht um {:.2g} m/s2 eff. von der Bewegung ab, wo immer er sitzt: das Werkzeug wurde anders beschleunigt, als Gelenke oder Posen sagen.</translation>
+    </message>
+    <message>
+        <source>Check the direction of gravity, the clocks, and whether something between arm and tool gives way.</source>
+        <translation>Prüfen Sie die Richtung der Schwerkraft, die Uhren, und ob zwischen Arm und Werkzeug etwas nachgibt.</translation>
+    </message>
+    <message>
+        <source>The accelerometer lacks an axis and is set aside.</source>
+        <translation>Dem Beschleunigungssensor fehlt eine Achse; er bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>The gyroscope lacks an axis and is set aside.</source>
+        <translation>Dem Drehratensensor fehlt eine Achse; er bleibt beiseite.</translation>
+    </message>
+    <message>
+        <source>The accelerometer&apos;s readings are</source>
+        <translation>Die Werte des Beschleunigungssensors fehlen</translation>
+    </message>
+    <message>
+        <source>The gyroscope&apos;s readings are</source>
+        <translation>Die Werte des Drehratensensors fehlen</translation>
+    </message>
+    <message>
+        <source>The accelerometer reads {:.3g} most of the time, so it is in g.</source>
+        <translation>Der Beschleunigungssensor zeigt meist {:.3g}, er misst also in g.</translation>
+    </message>
+    <message>
+        <source>The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is left aside: gravity was taken out of it, or it is no accelerometer.</source>
+        <translation>Der Beschleunigungssensor zeigt meist {:.3g}, weder 9.81 m/s2 noch 1 g, und bleibt beiseite: die Schwerkraft wurde herausgerechnet, oder er ist keiner.</translation>
     </message>
 </context>
 <context>

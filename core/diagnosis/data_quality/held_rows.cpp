@@ -229,6 +229,8 @@ void bridge(Recording& recording, const std::vector<Held>& held, const Runs& mot
     fill(recording.dq, recording.time, rows, at);
     fill(recording.position, recording.time, rows, at);
     fill(recording.twist, recording.time, rows, at);
+    fill(recording.accelerometer, recording.time, rows, at);
+    fill(recording.gyroscope, recording.time, rows, at);
     if (!recording.hasOrientation()) continue;
     fill(recording.quaternion, recording.time, rows, at);
     for (Eigen::Index i = rows.from; i < rows.to; ++i) recording.quaternion.row(i).normalize();

@@ -71,6 +71,8 @@ class Dropouts final : public Effect {
     pick(recording.position);
     pick(recording.quaternion);
     pick(recording.twist);
+    pick(recording.accelerometer);
+    pick(recording.gyroscope);
     pick(recording.wrench);
     const auto pickFrom = [&rows](auto& list) {
       if (list.empty()) return;

@@ -1,0 +1,76 @@
+#include "core/motion/inertial_witness.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/say.h"
+#include "core/math/degrees.h"
+
+namespace heft {
+
+namespace {
+
+constexpr double kDisagrees = 0.3;    ///< [m/s2] As much as 1.8 degrees of gravity.
+constexpr double kShareMissed = 0.5;  ///< Of the accelerations beside gravity that it may feel otherwise.
+
+std::string turnOf(const AccelerometerMount& mount) {
+  const Vector3d rpy = rpyFromRotation(mount.R_SI) / kRadPerDegree;
+  return fmt::format("{:.1f}, {:.1f}, {:.1f}", rpy.x(), rpy.y(), rpy.z());
+}
+
+void note(Severity severity, const char* code, std::string text, std::string remedy, Motion& motion) {
+  motion.findings.push_back({severity, code, std::move(text), std::move(remedy), {}});
+}
+
+/// The specific force that is not gravity, per axis.
+double beyondGravity(const Motion& motion) {
+  double squares = 0.0;
+  const double g = motion.specificForce.colwise().norm().mean();
+  for (Eigen::Index k = 0; k < motion.size(); ++k) {
+    const double more = motion.specificForce.col(k).norm() - g;
+    squares += more * more;
+  }
+  return std::sqrt(squares / static_cast<double>(motion.size()));
+}
+
+}  // namespace
+
+void hearAccelerometer(const Eigen::Matrix3Xd& readings, const Eigen::Matrix3Xd& rates, Motion& motion) {
+  const auto mount =
+      mountOf({readings, motion.specificForce, motion.omega, motion.alpha, rates}, motion.originAccelerationKnown);
+  if (!mount) {
+    note(Severity::info, "accelerometer_unused",
+         heft::say("The accelerometer was not used: its readings do not follow how gravity turns in the sensor."),
+         heft::say("Is it on the tool side of the sensor, and does it read what is felt, gravity included?"), motion);
+    return;
+  }
+  if (!motion.originAccelerationKnown) {
+    motion.specificForce = mount->specificForce(readings);
+    motion.originAccelerationKnown = true;
+    motion.accelerometer = mount;
+    note(Severity::info, "accelerometer_used",
+         heft::say("The sensor's acceleration was taken from the accelerometer, which is turned by {} degrees (roll, "
+                   "pitch, yaw) against the sensor, as the data show.",
+                   turnOf(*mount)),
+         {}, motion);
+    return;
+  }
+  const double size = beyondGravity(motion);
+  if (mount->rms < std::max(kDisagrees, kShareMissed * size))
+    note(Severity::info, "accelerometer_agrees",
+         heft::say(
+             "The accelerometer agrees with the motion to {:.2g} m/s2 rms; it is turned by {} degrees (roll, pitch, "
+             "yaw) against the sensor and stands at {:.0f}, {:.0f}, {:.0f} mm.",
+             mount->rms, turnOf(*mount), 1e3 * mount->p_SoI_S.x(), 1e3 * mount->p_SoI_S.y(), 1e3 * mount->p_SoI_S.z()),
+         {}, motion);
+  else
+    note(Severity::warning, "accelerometer_disagrees",
+         heft::say("The accelerometer differs from the motion by {:.2g} m/s2 rms, wherever it is mounted: the tool was "
+                   "accelerated otherwise than the joints or poses say.",
+                   mount->rms),
+         heft::say("Check the direction of gravity, the clocks, and whether something between arm and tool gives way."),
+         motion);
+}
+
+}  // namespace heft
