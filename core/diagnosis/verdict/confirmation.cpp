@@ -102,9 +102,13 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
                     : needed.moreOfFaint                                         ? kNamed
                                                                                  : 0.0))
     return false;
-  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be, and what was
-  // sought with further numbers, such as a loose mass with its frequency.
-  const auto sought = [](const Term& t) { return t.form->local || t.v.size() > 1; };
+  // Beside something unknown, what may as well be nothing is a part of that; so is an event that may be, and one size that
+  // was sought with further numbers, such as a loose mass with its frequency.
+  const auto sought = [](const Term& t) {
+    Eigen::Index sizes = 0;
+    for (Eigen::Index p = 0; p < t.v.size(); ++p) sizes += isAmplitude(*t.form, p) ? 1 : 0;
+    return t.form->local || (sizes == 1 && t.v.size() > 1);
+  };
   if ((needed.always > 0.0 || anyTerm(sought)) && !standsOut(final, found.cause)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
