@@ -132,7 +132,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     heft::cli::tell("heft: There is not enough memory for this; use a shorter recording or a lower rate.\n");
   } catch (const std::exception& error) {
-    heft::cli::tell(fmt::format("heft: Something inside the program went wrong ({}); please report it.\n", error.what()));
+    heft::cli::tell(
+        fmt::format("heft: Something inside the program went wrong ({}); please report it.\n", error.what()));
   }
   return heft::cli::kFailed;
 }

@@ -50,7 +50,8 @@ class InterruptGuard {
  public:
   InterruptGuard() {
     interrupted = false;
-    struct sigaction action {}, before {};
+    struct sigaction action {
+    }, before{};
     action.sa_handler = [](int) { interrupted = true; };
     ::sigaction(SIGINT, &action, &oldInterrupt_);
     ::sigaction(SIGTERM, &action, &oldTerminate_);

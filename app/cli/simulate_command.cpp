@@ -184,8 +184,7 @@ Command makeSimulateCommand(CLI::App& root) {
   app->add_option("--torque-noise", simulate.sensor.torqueNoise, "White noise of the torques [N m]")
       ->type_name("NM")
       ->capture_default_str();
-  app->add_option("--joint-noise", simulate.positionNoise,
-                  "Noise of the joint angles, standard deviation [rad]")
+  app->add_option("--joint-noise", simulate.positionNoise, "Noise of the joint angles, standard deviation [rad]")
       ->type_name("RAD")
       ->capture_default_str();
   app->add_option("--joint-step", simulate.positionStep, "Step that an encoder rounds joint angles to [rad]; 0: exact")
@@ -211,7 +210,8 @@ Command makeSimulateCommand(CLI::App& root) {
   app->add_option("--truth", options->truth, "Write the hidden payload, biases, marks and effects to this file")
       ->type_name("FILE");
   app->add_option("--json", options->json, "Also write what was made as JSON; - is stdout")->type_name("FILE");
-  app->add_flag("--force", options->force, "Replace a recording that was not simulated, or a meta file that was changed");
+  app->add_flag("--force", options->force,
+                "Replace a recording that was not simulated, or a meta file that was changed");
   app->footer(
       "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"

@@ -17,7 +17,7 @@
 namespace heft {
 namespace {
 
-constexpr int kMostLinks = 40;  ///< As many as Linux follows.
+constexpr int kMostLinks = 40;             ///< As many as Linux follows.
 constexpr std::size_t kCopied = 1u << 20;  ///< [bytes] At a time
 
 /// Where the links at `path` lead, also if nothing is there yet.

@@ -100,9 +100,8 @@ FitRows rowsAt(int stride, const FitRowsQuestion& of, const std::optional<Wrench
   out.stride = stride;
   out.runs = of.runs;
   out.rows = narrowed(of.blocks, stride, out.runs);
-  LearnedNoise learned =
-      withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.known), out.rows,
-                out.runs, of.known);
+  LearnedNoise learned = withTaken(stride == 1 && of.learned ? *of.learned : learnedNoise(out.rows, out.runs, of.known),
+                                   out.rows, out.runs, of.known);
   out.noise = std::move(learned.noise);
   out.weights = std::move(learned.weights);
   out.weighting = bounded(out.noise);

@@ -38,9 +38,9 @@ struct FitRowsQuestion {
   KnownOfNoise known;
   std::optional<WrenchRows> noisier;
   const LearnedNoise* learned = nullptr;  ///< From the blocks, if that has been done.
-  int predicts = 1;    ///< The stride that predicts the wrench best.
-  int atLeast = 1;     ///< In wider bands motion and wrench are not filtered alike.
-  bool fixed = false;  ///< No other will do.
+  int predicts = 1;                       ///< The stride that predicts the wrench best.
+  int atLeast = 1;                        ///< In wider bands motion and wrench are not filtered alike.
+  bool fixed = false;                     ///< No other will do.
 };
 FitRows fitRowsOf(const FitRowsQuestion& question);
 

@@ -23,14 +23,14 @@ struct NoiseModel {
 /// Longest autoregressive memory that is tried [blocks].
 constexpr int kMaxArOrder = 8;
 
-/// What a fit has taken from the noise of each channel: 16 independent parts (columns), a row each block; their products
-/// are the covariance of what the fitted parameters make of the rows.
+/// What a fit has taken from the noise of each channel: 16 independent parts (columns), a row each block; their
+/// products are the covariance of what the fitted parameters make of the rows.
 using Taken = std::array<MatrixXd, 6>;
 
 /// Fits to residuals (6 x K); `weights` (6 x K in 0..1) leave spikes out. `parameters` is the number of parameters that
 /// the residual was fitted with, for the degrees of freedom; with `taken` the noise is that of the residual and of what
-/// the fit took together, and they need not be counted. No channel's innovations are taken to be below `least` [N, N m]:
-/// readings that stand still because the sensor's steps are coarse are not exact for it (roundingNoise()).
+/// the fit took together, and they need not be counted. No channel's innovations are taken to be below `least` [N, N
+/// m]: readings that stand still because the sensor's steps are coarse are not exact for it (roundingNoise()).
 NoiseModel fitNoise(const Eigen::Matrix<double, 6, Eigen::Dynamic>& residual,
                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
                     int parameters, const Taken* taken = nullptr, const Vector6d& least = Vector6d::Zero());
@@ -43,16 +43,16 @@ struct LearnedNoise {
 };
 /// What is known of the readings before anything is fitted.
 struct KnownOfNoise {
-  std::array<bool, 6> silent{};         ///< Channels that say nothing
-  Vector6d least = Vector6d::Zero();    ///< As in fitNoise()
-  bool keepAll = false;                 ///< However far off, no row is left out of the noise model.
+  std::array<bool, 6> silent{};       ///< Channels that say nothing
+  Vector6d least = Vector6d::Zero();  ///< As in fitNoise()
+  bool keepAll = false;               ///< However far off, no row is left out of the noise model.
 };
 /// Fits payload, noise and weights in turn.
 LearnedNoise learnedNoise(const WrenchRows& rows, const std::vector<Run>& runs, const KnownOfNoise& known);
 
 /// Further rounds in which each channel gets back what the fit has taken from its noise, where in the spectrum it was
-/// taken (the expectation step of Dempster, Laird and Rubin 1977; its fixed point is Patterson and Thompson's restricted
-/// likelihood, 1971): a short recording's fit eats most of the slow noise, and what is left looks too quiet.
+/// taken (the expectation step of Dempster, Laird and Rubin 1977; its fixed point is Patterson and Thompson's
+/// restricted likelihood, 1971): a short recording's fit eats most of the slow noise, and what is left looks too quiet.
 LearnedNoise withTaken(LearnedNoise learned, const WrenchRows& rows, const std::vector<Run>& runs,
                        const KnownOfNoise& known);
 
@@ -79,8 +79,8 @@ NoiseModel bounded(const NoiseModel& noise);
 
 /// Least squares of rows whitened by `weighting`, judged by the noise that was found: score equations H x = g whose
 /// error has the covariance M. Returned as a triangle R with R^T R = H M^-1 H, so that a fit to R has honest variances;
-/// where both models agree it is the merged whitened triangle itself. `motionNoise` is taken off the payload's part of H,
-/// and `more` is added to M.
+/// where both models agree it is the merged whitened triangle itself. `motionNoise` is taken off the payload's part of
+/// H, and `more` is added to M.
 Triangle honestTriangle(const WrenchRows& rows, const NoiseModel& noise, const NoiseModel& weighting,
                         const Eigen::Matrix<double, 6, Eigen::Dynamic>& weights, const std::vector<Run>& runs,
                         const Matrix10d& motionNoise = Matrix10d::Zero(), const Matrix10d& more = Matrix10d::Zero());

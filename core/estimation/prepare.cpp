@@ -327,8 +327,11 @@ FitRows fitRowsFor(const Recording& recording, const RobotModel* robot, const Es
   if (!prepared.motion.originAccelerationKnown || (widest && widest->size() != prepared.blocks.size()))
     return fitRowsOf(question);
   const bool own = stride == 1;
-  FitRowsQuestion about{own ? prepared.blocks : *widest, prepared.runs, {prepared.silent, prepared.rounding},
-                        noisierBlocks(recording, robot, wide, as), own ? &learned : nullptr};
+  FitRowsQuestion about{own ? prepared.blocks : *widest,
+                        prepared.runs,
+                        {prepared.silent, prepared.rounding},
+                        noisierBlocks(recording, robot, wide, as),
+                        own ? &learned : nullptr};
   about.predicts = stride;
   about.atLeast = strideFor(as.held);
   about.fixed = fixed;

@@ -22,8 +22,8 @@ struct Prepared {
   std::vector<Segment> segments;
   std::vector<Run> runs;  ///< Free blocks inside the trim, as contiguous runs
   Eigen::Index usedBlocks = 0;
-  double usedDuration = 0.0;     ///< [s]
-  std::array<bool, 6> silent{};  ///< Channels that say nothing: their noise is taken to be huge
+  double usedDuration = 0.0;             ///< [s]
+  std::array<bool, 6> silent{};          ///< Channels that say nothing: their noise is taken to be huge
   Vector6d rounding = Vector6d::Zero();  ///< roundingNoise() of a block
   NoiseModel noise;
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;     ///< Robust weights of the innovations, 0..1

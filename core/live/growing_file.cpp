@@ -25,7 +25,8 @@ constexpr std::size_t kMost = 256U << 20U;  ///< [bytes] Ten minutes of a stalle
 /// Where the file system knows no locks, only a file that was made just now is its maker's.
 bool claimed(const std::filesystem::path& file, int descriptor, bool made) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return made && errno != EWOULDBLOCK;
-  struct stat opened {}, named {};
+  struct stat opened {
+  }, named{};
   return ::fstat(descriptor, &opened) == 0 && ::stat(file.c_str(), &named) == 0 && S_ISREG(opened.st_mode) &&
          opened.st_size == 0 && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }

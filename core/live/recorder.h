@@ -18,8 +18,8 @@ namespace heft {
 class Recorder {
  public:
   /// Fails if a file exists (nothing is ever overwritten; but see GrowingFile, and a meta file that says the same will
-  /// do) or cannot be made; of two programs that try at once one succeeds, and the other leaves no trace. `meta.wrenchSign` and
-  /// `meta.conventions` say what the samples' numbers mean; they are written as they come.
+  /// do) or cannot be made; of two programs that try at once one succeeds, and the other leaves no trace.
+  /// `meta.wrenchSign` and `meta.conventions` say what the samples' numbers mean; they are written as they come.
   static Result<Recorder> create(const std::filesystem::path& csv, const RecordingMeta& meta);
 
   Recorder(Recorder&& other) noexcept = default;

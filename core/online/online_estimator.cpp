@@ -31,13 +31,13 @@ constexpr Eigen::Index kFirstChoice = 100;
 constexpr Eigen::Index kAtOnce = 150;       // blocks that are learned from within a step,
 constexpr Eigen::Index kLearningTime = 10;  // and how many blocks later the result is taken over where there are more;
 constexpr Eigen::Index kChoosingTime = 25;  // the same for the choice of the smoothing
-/// No number is told while the fit misses the force by more than this share of what it does (standard deviations), and by
-/// more than so many times what the readings scatter by themselves: what is missed then is no noise.
+/// No number is told while the fit misses the force by more than this share of what it does (standard deviations), and
+/// by more than so many times what the readings scatter by themselves: what is missed then is no noise.
 constexpr double kDescribes = 0.2, kAboveScatter = 5.0;
 constexpr std::size_t kFewestSteps = 200;  // Samples whose stamps tell the jitter
 constexpr double kJitterShare = 0.2;       // Of a step from which on it is told,
 constexpr double kJitter = 2e-4;           // and [s]
-constexpr Eigen::Index kSuspicious = 50;    // blocks of contact after which nothing is learned until it is over
+constexpr Eigen::Index kSuspicious = 50;   // blocks of contact after which nothing is learned until it is over
 
 }  // namespace
 
@@ -138,8 +138,8 @@ struct OnlineEstimator::Impl {
     return steps.size() < kFewestSteps ? 0.0 : robustStd({steps.begin(), steps.end()}) / std::numbers::sqrt2;
   }
 
-  /// Whether what the fit leaves over in the forces is anything like what the sensor scatters. Contact counts, too: what
-  /// a fit calls so because it misses it says nothing for the fit; robust scatter lets half of it pass.
+  /// Whether what the fit leaves over in the forces is anything like what the sensor scatters. Contact counts, too:
+  /// what a fit calls so because it misses it says nothing for the fit; robust scatter lets half of it pass.
   bool fitAgrees() const {
     const LaneBlocks& all = lanes[chosen].blocks;
     const auto& judged = learner.judged();
@@ -378,9 +378,10 @@ void OnlineEstimator::Impl::fillState() const {
     state.findings.push_back(
         {Severity::warning,
          "stamps_jitter",
-         heft::say("The samples' time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had "
-                   "from such a motion.",
-                   1e3 * off, 1e3 / stream.rateHz()),
+         heft::say(
+             "The samples' time stamps jitter by {:.2g} ms at steps of {:.2g} ms: accelerations are not to be had "
+             "from such a motion.",
+             1e3 * off, 1e3 / stream.rateHz()),
          heft::say("Let the source stamp its samples when they are measured, not when they are sent."),
          {}});
   state.estimated = learner.estimated() && fitAgrees();

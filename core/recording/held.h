@@ -9,7 +9,8 @@ namespace heft {
 /// The readings behind rows that mostly repeat.
 struct HeldValues {
   double period = 0.0;  ///< [s] From one reading to the next; 0 where values are not held.
-  /// Rows at which a reading was taken, one a period: it was new there, and is late by up to a period in the rows after.
+  /// Rows at which a reading was taken, one a period: it was new there, and is late by up to a period in the rows
+  /// after.
   std::vector<Eigen::Index> rows;
 };
 

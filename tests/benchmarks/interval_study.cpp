@@ -36,13 +36,13 @@ constexpr Encoder kEncoders[] = {{"exact", 0.0, 0.0, true},
 /// comes, rows that are missing.
 struct Logger {
   const char* name;
-  double stepN = 0.0;      ///< Of the forces; the torques' is a twentieth [N m]
-  int held = 0;            ///< [rows] Each value of the wrench is repeated so often
-  double longestGap = 0.0; ///< [s] Two gaps a second, of 5 ms to this
+  double stepN = 0.0;       ///< Of the forces; the torques' is a twentieth [N m]
+  int held = 0;             ///< [rows] Each value of the wrench is repeated so often
+  double longestGap = 0.0;  ///< [s] Two gaps a second, of 5 ms to this
 };
-constexpr Logger kLoggers[] = {{"steps 1 N", 1.0},        {"steps 0.2 N", 0.2},       {"held 20 ms", 0.0, 20},
-                               {"held 50 ms", 0.0, 50},   {"gaps 44 ms", 0.0, 0, 0.044},
-                               {"steps 1 N held 20 ms", 1.0, 20}};
+constexpr Logger kLoggers[] = {
+    {"steps 1 N", 1.0},      {"steps 0.2 N", 0.2},          {"held 20 ms", 0.0, 20},
+    {"held 50 ms", 0.0, 50}, {"gaps 44 ms", 0.0, 0, 0.044}, {"steps 1 N held 20 ms", 1.0, 20}};
 
 void logBy(const Logger& logger, Recording& recording, std::mt19937& random) {
   if (logger.held > 1)

@@ -1,8 +1,8 @@
-// Recordings that are valid and nasty: what loggers, sensors and people do to them, one or two things at a time, with tools
-// of 5 g to 20 kg.
+// Recordings that are valid and nasty: what loggers, sensors and people do to them, one or two things at a time, with
+// tools of 5 g to 20 kg.
 //   nasty_study [RECORDINGS=200] [SEED=1]
-// Of the numbers that are called measured ("data"): how many are more than 4 and 5 standard deviations off, and whether a
-// warning stood beside them.
+// Of the numbers that are called measured ("data"): how many are more than 4 and 5 standard deviations off, and whether
+// a warning stood beside them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -245,7 +245,8 @@ void judge(const EstimateReport& report, const Payload& truth, const std::string
 void one(unsigned seed, unsigned index, Tally& tally) {
   Random random(seed * 100003u + index);
   Payload payload = test::randomTool(random).payload;
-  const double mass = uniform(random, 0, 1) < 0.5 ? payload.mass : std::exp(uniform(random, std::log(0.005), std::log(20.0)));
+  const double mass =
+      uniform(random, 0, 1) < 0.5 ? payload.mass : std::exp(uniform(random, std::log(0.005), std::log(20.0)));
   payload.inertiaCom *= mass / payload.mass;
   payload.mass = mass;
   SimulateOptions options;
@@ -287,9 +288,12 @@ int main(int argc, char** argv) {
   Tally tally;
   for (int k = 0; k < recordings; ++k) one(seed, static_cast<unsigned>(k), tally);
   const double share = 100.0 / std::max(1, tally.claims);
-  fmt::print("{} recordings, seed {}: {} refused, {} not finite\n", tally.recordings, seed, tally.refused, tally.notFinite);
-  fmt::print("{} numbers called measured: {} beyond 4 sd ({:.2f} %), {} beyond 5 sd ({:.2f} %), {} of those beyond 4 without a warning\n",
-             tally.claims, tally.beyond4, share * tally.beyond4, tally.beyond5, share * tally.beyond5, tally.silent);
+  fmt::print("{} recordings, seed {}: {} refused, {} not finite\n", tally.recordings, seed, tally.refused,
+             tally.notFinite);
+  fmt::print(
+      "{} numbers called measured: {} beyond 4 sd ({:.2f} %), {} beyond 5 sd ({:.2f} %), {} of those beyond 4 without "
+      "a warning\n",
+      tally.claims, tally.beyond4, share * tally.beyond4, tally.beyond5, share * tally.beyond5, tally.silent);
   for (const auto& [what, count] : tally.bad) fmt::print("  {}: {}\n", what, count);
   return 0;
 }

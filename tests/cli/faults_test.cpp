@@ -65,8 +65,7 @@ TEST_F(FaultsTest, LinksAndModesOfResultsStay) {
 
 TEST_F(FaultsTest, SimulateKeepsAMetaFileThatAPersonChanged) {
   simulate("rec");
-  const Outcome again =
-      heft({"simulate", "--motion", "free", "--seed", "9", "--duration", "2", "-o", "rec.csv"});
+  const Outcome again = heft({"simulate", "--motion", "free", "--seed", "9", "--duration", "2", "-o", "rec.csv"});
   EXPECT_EQ(again.exitCode, 0) << "what it made it can make again: " << again.err;
   for (const bool withCsv : {true, false}) {
     auto meta = readJson("rec.meta.json");
@@ -106,8 +105,7 @@ TEST_F(FaultsTest, OfTwoProgramsOnOneFileTheLoserLeavesTheWinnersMeta) {
   write("m2.json", R"({"robot": "panda", "note": "SECOND"})");
   for (int k = 0; k < 15; ++k) {
     const auto arguments = [&](const char* seed, const char* meta) {
-      return std::vector<std::string>{"live",   seed, "--record",   "race.csv",
-                                      "--meta", meta, "--duration", "0.4"};
+      return std::vector<std::string>{"live", seed, "--record", "race.csv", "--meta", meta, "--duration", "0.4"};
     };
     Running first(arguments("virtual:1", "m1.json"), path("."), "first");
     Running second(arguments("virtual:2", "m2.json"), path("."), "second");
@@ -170,7 +168,8 @@ TEST_F(FaultsTest, AReadOnlyPlaceIsSaidAndNothingIsLost) {
     return;
   }
   ASSERT_EQ(::chmod(path("fixed").c_str(), 0555), 0);
-  EXPECT_TRUE(failedWithOneSentence(heft({"estimate", "rec.csv", "--json", "fixed/r.json"}), "r.json cannot be written"));
+  EXPECT_TRUE(
+      failedWithOneSentence(heft({"estimate", "rec.csv", "--json", "fixed/r.json"}), "r.json cannot be written"));
   EXPECT_EQ(heft({"live", "virtual:1", "--record", "fixed/r.csv", "--duration", "1"}).exitCode, 1);
   ::chmod(path("fixed").c_str(), 0755);
 }

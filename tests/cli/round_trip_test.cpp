@@ -220,7 +220,8 @@ TEST_F(RoundTripTest, AZeroOfAMillionNewtonsIsNoNoise) {
   std::string line, far;
   std::getline(rows, line);
   const auto header = line;
-  const auto column = std::count(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(header.find(",fx") + 1), ',');
+  const auto column =
+      std::count(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(header.find(",fx") + 1), ',');
   far = header + "\n";
   while (std::getline(rows, line)) {
     std::istringstream cells(line);

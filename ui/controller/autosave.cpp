@@ -23,7 +23,7 @@ QString stateFolder() {
 namespace {
 constexpr int kRetry = 15000;  ///< [ms] After a disk that was full
 QString folderForRecordings;   // Empty: the user's own
-}
+}  // namespace
 
 QString recordedFolder() {
   if (!folderForRecordings.isEmpty()) return folderForRecordings;

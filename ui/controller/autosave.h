@@ -42,8 +42,9 @@ class Autosave : public QObject {
     bool opened = false;
     QList<Unreadable> unreadable;
   };
-  /// Opens the newest of them that can be read and removes it once it is saved under this program's own name. Newer ones
-  /// that cannot be read are moved aside, never deleted: another version of Heft or a person may still make use of them.
+  /// Opens the newest of them that can be read and removes it once it is saved under this program's own name. Newer
+  /// ones that cannot be read are moved aside, never deleted: another version of Heft or a person may still make use of
+  /// them.
   Recovered recover();
   /// The system ends the program: what is open stays, for the next start to offer.
   void leaveForNextStart();
@@ -67,7 +68,7 @@ class Autosave : public QObject {
   Workspace* workspace_;
   QString folder_, file_;
   std::unique_ptr<QLockFile> lock_;  ///< Held as long as the program lives; a dead one's is stale.
-  int interval_;  ///< [ms]
+  int interval_;                     ///< [ms]
   QTimer timer_;
   QDateTime lastSaved_;
   QString problem_;  ///< Why the last attempt failed

@@ -388,9 +388,9 @@ void MainWindow::useAutosave(Autosave* autosave) {
                           const auto recovered = autosave_->recover();
                           if (!recovered.unreadable.isEmpty()) {
                             const auto& [file, reason] = recovered.unreadable.first();
-                            message_->showMessage(recovered.opened ? Severity::warning : Severity::error,
-                                                  tr("What was kept could not be read; it is now %1. %2")
-                                                      .arg(file, reason));
+                            message_->showMessage(
+                                recovered.opened ? Severity::warning : Severity::error,
+                                tr("What was kept could not be read; it is now %1. %2").arg(file, reason));
                           } else if (recovered.opened) {
                             offerUnfinished();
                           }
