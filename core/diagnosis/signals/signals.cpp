@@ -7,6 +7,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "core/diagnosis/signals/sensor_range.h"
+
 namespace heft::diagnosis {
 
 double leftByNoise(const Signals& signals) {
@@ -23,6 +25,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
   out.velocity = motion.velocity;
   out.position = motion.position;
   out.gravity = recording.meta.gravity;
+  out.range = sensorRange(recording.meta.sensorModel);
   out.positionKnown = motion.originAccelerationKnown;
   if (robot != nullptr && motion.q.cols() == motion.size()) {
     if (const auto link = robot->findLink(recording.meta.mount.parent)) {

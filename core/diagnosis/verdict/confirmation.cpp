@@ -117,6 +117,8 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
   const double least = leftover                    ? kOfLeftover
                        : found.gain < 2.0 * kFaint ? std::max(needed.always, kOfFaint)
                                                    : needed.always;
+  // Better on six blocks of ten is chance: beside something unknown that is not enough.
+  if (needed.always > 0.0) return gain.explainedFraction > least && gain.lower > 0.0;
   if (gain.explainedFraction > least) return mostly;
   // What has chosen from many frequencies or speeds explains a little of any noise.
   const bool chose = anyTerm([](const Term& t) { return t.form->scan.size() < t.form->parameters.size(); });

@@ -1,7 +1,5 @@
 #include "core/diagnosis/verdict/verdict.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -236,28 +234,30 @@ std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
       return std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })
-                 ? "The model fits: nothing is left but the sensor's noise and its zero, which wanders slowly."
-                 : "The model fits: nothing is left but the sensor's noise.";
+                 ? heft::say("The model fits: nothing is left but the sensor's noise and its zero, which wanders slowly.")
+                 : heft::say("The model fits: nothing is left but the sensor's noise.");
     case Verdict::ambiguous: {
       const auto tied =
           std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
-      std::string others;
-      for (const auto& other : tied->alternatives)
-        others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
-      return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title,
-                         others);
+      std::vector<std::string> others;
+      for (const auto& other : tied->alternatives) others.push_back('"' + causeTitle(other) + '"');
+      return heft::say("Two or more causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title,
+                       joined(others));
     }
-    case Verdict::unexplained:
-      return fmt::format("Something unknown is left that goes with {}.{}", report.remaining.goesWith.english(),
-                         lacksPosition(report) ? " The recording has no position of the sensor, so the acceleration of "
-                                                 "its origin is unknown: that is the first suspect."
-                                               : "");
+    case Verdict::unexplained: {
+      const std::string unknown =
+          heft::say("Something unknown remains; it is related to {}.", report.remaining.goesWith.words());
+      return lacksPosition(report) ? unknown + ' ' +
+                                         heft::say("The recording has no position of the sensor, so the acceleration "
+                                                   "of its origin is unknown: that is the first suspect.")
+                                   : unknown;
+    }
     case Verdict::explained:
       break;
   }
-  return report.causes.size() == 1
-             ? "Cause found: " + report.causes.front().sentence
-             : fmt::format("{} causes found; the strongest: {}", report.causes.size(), report.causes.front().sentence);
+  return report.causes.size() == 1 ? heft::say("Cause found: {}", report.causes.front().sentence)
+                                   : heft::say("{} causes found; the strongest: {}", report.causes.size(),
+                                               report.causes.front().sentence);
 }
 
 }  // namespace
