@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/change_detection/carried_load.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/rigid.h"
@@ -20,14 +21,14 @@ namespace {
 /// in all other places that are `known`.
 double toldFromElsewhere(const MatrixXd& motion, const Wrenches& residual, const std::vector<Contact>& contacts,
                          const std::vector<bool>& known) {
-  constexpr Eigen::Index kApart = 5;
   const Eigen::Index blocks = motion.cols();
   const double little = 1e-3 * (motion.squaredNorm() / static_cast<double>(blocks) + 1e-12);
   Eigen::Vector2d all = Eigen::Vector2d::Zero(), left = Eigen::Vector2d::Zero();
   for (const Contact& contact : contacts) {
     MatrixXd A = little * MatrixXd::Identity(motion.rows(), motion.rows()), b = MatrixXd::Zero(motion.rows(), 6);
     for (Eigen::Index n = 0; n < blocks; ++n) {
-      if (!known[static_cast<std::size_t>(n)] || (n >= contact.blocks.from - kApart && n < contact.blocks.to + kApart))
+      if (!known[static_cast<std::size_t>(n)] ||
+          (n >= contact.blocks.from - kMomentBlocks && n < contact.blocks.to + kMomentBlocks))
         continue;
       A += motion.col(n) * motion.col(n).transpose();
       b += motion.col(n) * residual.col(n).transpose();
@@ -50,8 +51,6 @@ Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const s
   // One or two may be there by chance, unless it is known exactly: of 24 touches none acted within 25 mm.
   constexpr std::size_t kFew = 3;
   constexpr double kExactly = 3e-3;  // [m]
-  constexpr double kLeft = 0.1;      // Share of the torques' power beside what the forces turn there
-  constexpr double kUsual = 2.0;     // Times the torques' power elsewhere: there is none
   const auto length = static_cast<Eigen::Index>(std::max(1.0, std::round(0.1 * signals.blockRate())));
   Matrix3d A = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
@@ -88,9 +87,9 @@ Correlate actsWhereNobodyTouches(const Signals& signals, const Fit& fit, const s
   const bool few = contacts.size() < kFew;
   if (deviation > (few ? kExactly : kKnown)) return {};
   const double near = few ? kNear : std::max(kNear, 3.0 * deviation);
-  if (left < kLeft * all && (place - centre).norm() < near)
+  if (left < kSmallShare * all && (place - centre).norm() < near)
     return heft::toSay("the centre of mass, as if the robot's base moved");
-  if (all < kUsual * torqueNoise / count * many && place.norm() < near && centre.norm() > 2.0 * near)
+  if (all < kLoudPower * torqueNoise / count * many && place.norm() < near && centre.norm() > 2.0 * near)
     return heft::toSay("the load's size, on the forces alone");
   return {};
 }
@@ -119,8 +118,7 @@ class Beyond {
 /// says for any moment up to a tenth of a second before, or after where `later`.
 double readAt(bool later, const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
               const Beyond& beyond) {
-  constexpr double kReach = 0.1;  // [s]
-  const Eigen::Index blocks = signals.blocks(), reach = std::lround(kReach * signals.blockRate());
+  const Eigen::Index blocks = signals.blocks(), reach = std::lround(kMoment * signals.blockRate());
   double all = 1e-300, left = 0.0;
   for (const Contact& contact : contacts)
     for (Eigen::Index n = contact.blocks.from; n < contact.blocks.to; ++n)
@@ -139,18 +137,17 @@ double readAt(bool later, const Signals& signals, const Fit& fit, const std::vec
 /// output cannot follow: who pushes makes a sensor read what it should not have read a moment before. In 370 recordings
 /// that were touched or seemed so, late readings left 0.06 and less; one touch left 0.15, all others more.
 bool comesLate(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
-  constexpr double kNearlyAll = 0.92, kMore = 0.5;
+  constexpr double kNearlyAll = 0.92;
   const double before = readAt(false, signals, fit, contacts, beyond);
-  return before > kNearlyAll && before > readAt(true, signals, fit, contacts, beyond) + kMore;
+  return before > kNearlyAll && before > readAt(true, signals, fit, contacts, beyond) + kMajority;
 }
 
 /// Whether what seems to be contact are readings of another moment, the same way off for as long as it lasts, such as
 /// where a clock is set. In 46 recordings that were touched or seemed so, these left 0.27 and less, all others 0.6 and
 /// more, touches 0.8.
 bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, const Beyond& beyond) {
-  constexpr double kMostly = 0.6;
-  constexpr double kReach = 0.3, kStep = 0.25;  // [s], [blocks]
-  const auto most = static_cast<int>(kReach * signals.blockRate() / kStep);
+  constexpr double kFarthest = 0.3, kStep = 0.25;  // [s], [blocks]
+  const auto most = static_cast<int>(kFarthest * signals.blockRate() / kStep);
   double all = 0.0, left = 0.0;
   for (const Contact& contact : contacts) {
     double least = 1e300, asItIs = 0.0;
@@ -170,14 +167,13 @@ bool areShifted(const Signals& signals, const std::vector<Contact>& contacts, co
     all += asItIs;
     left += least;
   }
-  return left < (1.0 - kMostly) * all;
+  return left < (1.0 - kClearMajority) * all;
 }
 
 /// Whether there is hardly any force to the torques of the contacts, as where a rotor is turned: who pushes would have
 /// to do so farther away than the tool reaches.
 bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const Beyond& beyond) {
   constexpr double kReach = 0.6;  // [m]
-  constexpr double kLoud = 2.0;   // Times the power elsewhere: there are torques
   double force = 0.0, torque = 0.0, usual = 0.0;
   for (const Contact& contact : contacts) {
     const Eigen::Index count = contact.blocks.to - contact.blocks.from;
@@ -186,7 +182,7 @@ bool areTorquesAlone(const Fit& fit, const std::vector<Contact>& contacts, const
     torque += here.bottomRows<3>().squaredNorm();
     usual += static_cast<double>(count) * beyond.usual().tail<3>().sum();
   }
-  return torque > kLoud * usual && torque - usual > kReach * kReach * std::max(0.0, force);
+  return torque > kLoudPower * usual && torque - usual > kReach * kReach * std::max(0.0, force);
 }
 
 /// Whether what seems to be contact are channels that are mixed up for a while, as by a cable or a parser out of step:
@@ -229,13 +225,12 @@ bool areMixedUp(const Signals& signals, const Fit& fit, const std::vector<Contac
 /// straight up under a tool that hangs still, takes from all of them alike. Of two touches that did it had 0.963 and
 /// 0.994 of its power along one, where two supplies dipped 0.69 and 0.99.
 bool keepsOneDirection(const Wrenches& load, const std::vector<Contact>& contacts) {
-  constexpr double kAlongOne = 0.95;
   Matrix6d power = Matrix6d::Zero();
   for (const Stretch& s : blocksOf(contacts)) {
     const auto part = load.middleCols(s.from, s.to - s.from);
     power += part * part.transpose();
   }
-  return shareAlongOneDirection(power) > kAlongOne;
+  return shareAlongOneDirection(power) > kNearlyWhole;
 }
 
 /// Whether all channels, the zero with them, read too little or too much by one factor at a time, as where the
@@ -248,7 +243,6 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
     return is.cwiseProduct(of).sum() / std::max(1e-300, of.squaredNorm());
   };
   if (keepsOneDirection(should, contacts)) return false;
-  constexpr double kNone = 0.1;  // Of the forces' factor: then nothing happened to the torques
   bool ofBoth = true;
   double all = 1e-300, left = 0.0, leftByUnits = 0.0;
   for (const Contact& contact : contacts) {
@@ -256,7 +250,8 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
     const auto is = scaled.middleCols(from, to - from), of = should.middleCols(from, to - from);
     const double force = factorOf(is.topRows<3>(), of.topRows<3>()),
                  torque = factorOf(is.bottomRows<3>(), of.bottomRows<3>());
-    ofBoth = ofBoth && std::abs(torque) > kNone * std::abs(force) && std::abs(force) > kNone * std::abs(torque);
+    ofBoth =
+        ofBoth && std::abs(torque) > kSmallShare * std::abs(force) && std::abs(force) > kSmallShare * std::abs(torque);
     for (Eigen::Index n = 0; n < to - from; ++n) {
       const double as = is.col(n).squaredNorm();
       all += as;
@@ -274,9 +269,8 @@ bool growTogether(const Fit& fit, const std::vector<Contact>& contacts, const Be
 /// down: asked are the moments at which most is left.
 bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
                      const Beyond& beyond) {
-  constexpr double kLeft = 0.15, kOfSteady = 0.4;
-  constexpr double kShareOfPower = 0.1;  // Of the largest power in a contact: to be asked
-  constexpr double kOutside = 0.98;      // Of the blocks elsewhere have less load than half of those in contact
+  constexpr double kOfSteady = 0.4;
+  constexpr double kOutside = 0.98;  // Of the blocks elsewhere have less load than half of those in contact
   constexpr int kLimits = 12;
   const Wrenches scaled = beyond.scaled(fit.residual);
   const VectorXd power = scaled.colwise().squaredNorm();
@@ -284,7 +278,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
   double all = 1e-300, steady = 0.0;
   for (const Contact& contact : contacts) {
     const auto [from, to] = contact.blocks;
-    const double least = kShareOfPower * power.segment(from, to - from).maxCoeff();
+    const double least = kSmallShare * power.segment(from, to - from).maxCoeff();
     Vector6d sum = Vector6d::Zero();
     double count = 0.0, squares = 0.0;
     for (Eigen::Index n = from; n < to; ++n) {
@@ -297,7 +291,7 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
     all += squares;
     steady += squares - sum.squaredNorm() / count;
   }
-  const double little = std::min(kLeft * all, kOfSteady * steady);
+  const double little = std::min(kMinorShare * all, kOfSteady * steady);
   const auto leftBeyond = [&](const VectorXd& load, double limit) {
     Vector6d with = Vector6d::Zero();
     double squares = 1e-300;
@@ -330,9 +324,9 @@ bool growBeyondALoad(const Signals& signals, const Fit& fit, const std::vector<C
 /// valve switches: no hand and no place that the tool comes to does.
 bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   constexpr std::size_t kFewest = 5;
-  constexpr double kRegular = 0.04, kAlike = 0.25;  // Share of the time between two; of the force
-  constexpr double kNearlyAll = 0.85;               // The last one may be cut short
-  constexpr double kMoves = 0.05, kTurns = 0.15;    // [m/s], [rad/s]
+  constexpr double kRegular = 0.04;               // Share of the time between two; of the force
+  constexpr double kNearlyAll = 0.85;             // The last one may be cut short
+  constexpr double kMoves = 0.05, kTurns = 0.15;  // [m/s], [rad/s]
   if (contacts.size() < kFewest) return false;
   std::vector<double> between;
   for (std::size_t i = 1; i < contacts.size(); ++i)
@@ -354,7 +348,7 @@ bool areClockwork(const Signals& signals, const Fit& fit, const std::vector<Cont
     return std::abs(time - times * usual) < kRegular * usual;
   });
   return static_cast<double>(regular) > kNearlyAll * static_cast<double>(between.size()) &&
-         2 * moving > contacts.size() && differs < kAlike * mean.norm();
+         2 * moving > contacts.size() && differs < kQuarter * mean.norm();
 }
 
 /// A way in which something that is no touch may go with the motion.
@@ -368,11 +362,10 @@ struct Law {
 
 /// Whether each joint turns and how hard it speeds up or slows down, as its motor and what that disturbs do.
 std::vector<Law> lawsOfMotors(const Signals& signals) {
-  constexpr double kStill = 0.03, kTold = 0.6;  // Of its top speed; share
   std::vector<Law> out;
   const Eigen::Index blocks = signals.blocks(), m = signals.samplesPerBlock;
   for (Eigen::Index j = 0; signals.dq.cols() == signals.size() && j < signals.dq.rows(); ++j) {
-    const double still = kStill * signals.dq.row(j).cwiseAbs().maxCoeff(),
+    const double still = kStillSpeed * signals.dq.row(j).cwiseAbs().maxCoeff(),
                  most = std::max(1e-9, signals.ddq.row(j).cwiseAbs().maxCoeff());
     MatrixXd motor(2, blocks);
     for (Eigen::Index n = 0; n < blocks; ++n) {
@@ -380,7 +373,7 @@ std::vector<Law> lawsOfMotors(const Signals& signals) {
       motor(1, n) = signals.ddq.row(j).segment(n * m, m).cwiseAbs().mean() / most;
     }
     out.push_back({Correlate(heft::toSay("what the motor of joint {:.0f} does"), static_cast<double>(j + 1)),
-                   std::move(motor), kTold});
+                   std::move(motor), kClearMajority});
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 
@@ -89,14 +90,13 @@ std::vector<VectorXd> eventsOf(const Fit& fit, std::string_view cause) {
 /// Whether events one after the other take back what they did: so does whoever touches the tool and lets go, and a part
 /// that slides to and fro.
 bool comesBack(const std::vector<VectorXd>& events) {
-  constexpr double kLeft = 0.2;  // Of the largest of them
   for (std::size_t i = 0; i < events.size(); ++i) {
     VectorXd all = events[i];
     double largest = all.norm();
     for (std::size_t j = i + 1; j < events.size(); ++j) {
       all += events[j];
       largest = std::max(largest, events[j].norm());
-      if (all.norm() < kLeft * largest) return true;
+      if (all.norm() < kFifth * largest) return true;
     }
   }
   return false;
@@ -104,10 +104,9 @@ bool comesBack(const std::vector<VectorXd>& events) {
 
 /// Whether the load only ever moves on the tool, and back: nothing was picked up or put down.
 bool slidesBack(const Fit& fit) {
-  constexpr double kReach = 0.1, kWeighs = 0.2;  // [m]; of what it moves by, as a mass so far away
   auto events = eventsOf(fit, ids::payloadChange);
   const bool moves = std::ranges::all_of(fit.model.terms, [&](const Term& term) {
-    return causeOf(term) != ids::payloadChange || std::abs(term.v(1)) * kReach < kWeighs * term.v.segment<3>(2).norm();
+    return causeOf(term) != ids::payloadChange || std::abs(term.v(1)) * kGrip < kFifth * term.v.segment<3>(2).norm();
   });
   for (VectorXd& event : events) event(0) = 0.0;  // Its mass: noise beside how far it moves
   return moves && comesBack(events);

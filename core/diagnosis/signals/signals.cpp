@@ -7,14 +7,12 @@
 #include <numbers>
 #include <type_traits>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/signals/sensor_range.h"
 
 namespace heft::diagnosis {
 
-double leftByNoise(const Signals& signals) {
-  constexpr double kShare = 0.08, kMostEvidence = 300.0;
-  return std::min(kMostEvidence, kShare * signals.smoothedAway);
-}
+double leftByNoise(const Signals& signals) { return std::min(kOverwhelming, kEventError * signals.smoothedAway); }
 
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
   Signals out;
