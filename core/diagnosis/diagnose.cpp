@@ -18,6 +18,7 @@
 #include "core/diagnosis/smoothing_search.h"
 #include "core/diagnosis/verdict/confirmation.h"
 #include "core/diagnosis/verdict/description.h"
+#include "core/diagnosis/verdict/faint_touches.h"
 #include "core/diagnosis/verdict/unknown.h"
 #include "core/diagnosis/verdict/verdict.h"
 

@@ -62,14 +62,14 @@ bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
 }  // namespace
 
 std::vector<Held> heldRows(const Recording& recording) {
-  constexpr double kShortest = 0.015, kLonger = 5.0;
+  constexpr double kLonger = 5.0;  // Times the usual run
   const auto runs = wrenchRuns(recording.wrench);
   const double usual = static_cast<double>(recording.rows()) / std::max(1.0, static_cast<double>(runs.size()));
   std::vector<Held> out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : runs) {
     const double lasts = recording.time(to - 1) - recording.time(from);
-    if (lasts < kShortest || static_cast<double>(to - from) < kLonger * usual) continue;
+    if (lasts < kShortestGap || static_cast<double>(to - from) < kLonger * usual) continue;
     Held run{from + 1, to};
     run.motionToo = stoodStill(recording, run);
     out.push_back(run);
@@ -128,12 +128,11 @@ Runs staleRuns(const Recording& recording) {
 
 Runs replayedRuns(const Recording& recording) {
   constexpr Eigen::Index kFewest = 15;
-  constexpr double kShortest = 0.015;                  // [s]
   std::map<std::array<double, 6>, Eigen::Index> last;  // Row at which a reading was seen
   Runs out;
   Eigen::Index from = 0, back = 0, fresh = 0;  // The run so far: how many rows before it was read first
   const auto ends = [&](Eigen::Index to) {
-    if (back > 0 && to - from >= kFewest && recording.time(to - 1) - recording.time(from) >= kShortest &&
+    if (back > 0 && to - from >= kFewest && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
         static_cast<double>(fresh) > kLargeShare * static_cast<double>(to - from))
       out.emplace_back(from, to);
     from = to;

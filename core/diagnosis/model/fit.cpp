@@ -216,6 +216,23 @@ VectorXd heldWhere(const Model& model, VectorXd sd, const Holds& holds) {
 
 bool isOfShape(const Term& term, Eigen::Index p, Eigen::Index) { return !isAmplitude(*term.form, p); }
 
+/// The step that `pull` asks for. What stands at its bound and would leave it stays: the others step as they would
+/// without it.
+VectorXd stepInside(const ChannelColumns& J, const Normal& normal, const VectorXd& pull, const Model& model,
+                    const VectorXd& sd) {
+  const VectorXd step = normal.solve(pull);
+  bool leaves = false;
+  const auto stays = [&](const Term& term, Eigen::Index p, Eigen::Index i) {
+    const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+    const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) ||
+                                       (step(i) > 0.0 && term.v(p) >= parameter.upper));
+    leaves = leaves || out;
+    return out;
+  };
+  const VectorXd held = heldWhere(model, sd, stays);
+  return leaves ? Normal(J, held).solve(pull) : step;
+}
+
 /// Whether a parameter stands at the end of what is believable.
 bool isAtBound(const Term& term) {
   for (Eigen::Index p = 0; p < term.v.size(); ++p) {
@@ -269,17 +286,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
     const VectorXd pull = J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
-    VectorXd step = normal.solve(pull);
-    // What stands at its bound and would leave it stays: the others step as they would without it.
-    bool leaves = false;
-    const auto stays = [&](const Term& term, Eigen::Index p, Eigen::Index i) {
-      const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
-      const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) ||
-                                         (step(i) > 0.0 && term.v(p) >= parameter.upper));
-      leaves = leaves || out;
-      return out;
-    };
-    if (const VectorXd held = heldWhere(fit.model, sd, stays); leaves) step = Normal(J, held).solve(pull);
+    const VectorXd step = stepInside(J, normal, pull, fit.model, sd);
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
     Model next;
     Wrenches value;

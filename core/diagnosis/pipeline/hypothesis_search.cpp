@@ -144,6 +144,46 @@ void unlessNobodyTouched(Hypothesis& hypothesis, const Signals& whole, const std
   }
 }
 
+/// Where one of several contacts takes long, hardly anybody need have touched anything there: before or after a load
+/// that changes, among other causes, it looks like that. Where causes account for most of it, `hypothesis` keeps as
+/// contact only what they leave.
+void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptions searching,
+                       const Progress& progress) {
+  if (hypothesis.contacts.size() < 2 || progress.cancelled()) return;
+  std::vector<Contact> others = hypothesis.contacts;
+  const auto at = std::ranges::max_element(others, {}, [](const Contact& c) { return c.to - c.from; });
+  const Contact longest = *at;
+  const double lasts = longest.to - longest.from;
+  if (lasts < kQuarter * whole.duration()) return;
+  others.erase(at);
+  Hypothesis judged;
+  judged.mountTurnReported = hypothesis.mountTurnReported;
+  judged.bank = hypothesis.bank;
+  searching.start = Model{};
+  std::vector<Stretch> holes = blocksOf(others);
+  searchFirst(judged, whole, holes, searching, true, {}, progress);
+  const auto contactsAmong = [&](const std::vector<Stretch>& where) {
+    Fit fit = judged.search.final;
+    fit.noise = hypothesis.search.final.noise;
+    return contactsIn(whole, fit, where);
+  };
+  // What a touch that is plain to see leaves of it is judged on its own.
+  std::vector<bool> rest(static_cast<std::size_t>(whole.blocks()), false);
+  std::fill(rest.begin() + longest.blocks.from, rest.begin() + longest.blocks.to, true);
+  for (const Stretch& hole : holes) std::fill(rest.begin() + hole.from, rest.begin() + hole.to, false);
+  const std::vector<Contact> left = contactsAmong(stretchesOf(rest));
+  if (contains(judged.search.final.model, ids::contact) || durationOf(left) > kQuarter * lasts) return;
+  for (const Contact& contact : left) holes.push_back(contact.blocks);
+  std::ranges::sort(holes, {}, &Stretch::from);
+  if (!left.empty()) {
+    searching.start = judged.search.final.model;
+    searchBeside(judged, whole, holes, searching, progress);
+  }
+  compareRivals(judged.signals, judged.stretches, judged.bank, searching, judged.search, progress);
+  judged.contacts = contactsAmong(holes);
+  hypothesis = std::move(judged);
+}
+
 /// `holes`: blocks that may be contact.
 Hypothesis workedWith(const SmoothingCandidate& candidate, std::vector<Stretch> holes, const DiagnoseOptions& options,
                       double threshold, const Progress& progress, const StopsEarly& stopsEarly) {
@@ -182,6 +222,7 @@ Hypothesis workedWith(const SmoothingCandidate& candidate, std::vector<Stretch> 
     searching.start = hypothesis.search.final.model;
     holes = blocksOf(hypothesis.contacts);
   }
+  shortenTheLongest(hypothesis, whole, searching, progress);
   unlessNobodyTouched(hypothesis, whole, suspects, alternative, searching, progress);
   setAside(hypothesis, whole, true, options.hidden);
   return hypothesis;

@@ -13,7 +13,9 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kWholeTool = 0.4;  ///< Share of the payload that is hardly a part of the tool any more
+constexpr double kAtCentre = 0.008;  ///< [m] A pull that acts nearer to the centre of mass acts there
+constexpr double kAlong = 0.08;      ///< Share of a force along an axis below which it is across it
+constexpr double kWholeTool = 0.4;   ///< Share of the payload that is hardly a part of the tool any more
 
 /// First parameter of the terms of `cause`, together.
 double firstOf(const Fit& fit, std::string_view cause) {
@@ -50,22 +52,21 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, dou
 /// Whether a pull acts up or down where the tool's weight does: then gravity may be another than stated, or be taken
 /// out of the readings already, which no motion can tell from it. One that acts across gravity, too, is both.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
-  constexpr double kAlong = 0.08, kNear = 0.015, kNearer = 0.008;  // Share of the force; [m], [m]
-  constexpr double kAside = 0.03;                                  // Of the force, where it is not known as closely
-  const auto near = pullAtCentre(fit, ids::constantPull, kNear), nearer = pullAtCentre(fit, ids::constantPull, kNearer);
-  return (near && near->cross(gravity).norm() < kAside * near->norm() * gravity.norm()) ||
+  constexpr double kNear = 0.015;  // [m]
+  const auto near = pullAtCentre(fit, ids::constantPull, kNear),
+             nearer = pullAtCentre(fit, ids::constantPull, kAtCentre);
+  return (near && near->cross(gravity).norm() < kFormError * near->norm() * gravity.norm()) ||
          (nearer && std::abs(nearer->dot(gravity)) > kAlong * nearer->norm() * gravity.norm());
 }
 
 /// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either, or give
 /// under the arm as it reaches out, as no cable does that is tied to the tool anywhere else.
 bool pullsAsTiltDoes(const Fit& fit, std::string_view cause, const Vector3d& gravity) {
-  constexpr double kAlong = 0.08, kAside = 0.03, kNear = 0.008;  // Share of the force, twice; [m]
-  const auto force = pullAtCentre(fit, cause, kNear);
+  const auto force = pullAtCentre(fit, cause, kAtCentre);
   if (!force) return false;
   const double size = force->norm() * gravity.norm();
   return std::abs(force->dot(gravity)) < kAlong * size ||
-         (cause == ids::constantPull && force->cross(gravity).norm() > kAside * size);
+         (cause == ids::constantPull && force->cross(gravity).norm() > kFormError * size);
 }
 
 /// What the scanned parameters of each term of `cause`, whose first one is a time, come to over what is realistic, in

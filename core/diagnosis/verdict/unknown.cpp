@@ -217,12 +217,11 @@ Claim aHum(const Asked& asked, const WhatRemains& soFar) {
 /// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and
 /// slip.
 Claim knocks(const Asked& asked, const WhatRemains& soFar) {
-  constexpr std::size_t kFewest = 3;
   const Hypothesis& h = asked.hypothesis;
   const Model& final = h.search.final.model;
   if (h.ringing || contains(final, ids::looseMass) || contains(final, ids::coulombFriction)) return {};
   const auto at = knocksIn(h.signals, h.stretches, final);
-  if (at.size() < kFewest) return {};
+  if (at.size() < kAgainAndAgain) return {};
   Claim out{{},
             {warning("knocks", heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(at), at.front()),
                      heft::say("Shake the tool by hand and listen: is a part of it loose?"))}};
@@ -232,12 +231,11 @@ Claim knocks(const Asked& asked, const WhatRemains& soFar) {
 
 /// Nor is noise that is many times louder again and again.
 Claim bursts(const Asked& asked, const WhatRemains&) {
-  constexpr std::size_t kFewest = 3;
   const Hypothesis& h = asked.hypothesis;
   if (h.ringing) return {};
   const Fit& fit = h.search.final;
   const auto at = burstsIn(h.signals, h.stretches, fit);
-  const bool some = at.size() >= kFewest;
+  const bool some = at.size() >= kAgainAndAgain;
   if (!some && !noiseSwitches(h.signals, h.stretches, fit)) return {};
   return {seen(heft::toSay("noise that comes and goes")),
           {warning("bursts",
@@ -375,38 +373,6 @@ WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, 
     out.claimed = true;
     out.seen = out.structure.gain == kSeenDirectly;
   }
-  return out;
-}
-
-FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
-                          const Structure& remaining) {
-  // Of 30 recordings in which something was touched, the faintest touch had 479, at a third of the visible size; of 47
-  // in which nothing was, 32 had less than this.
-  constexpr double kTouch = 350.0;
-  constexpr double kNoise = 75.0;  ///< With nothing else, chance: of 190 clean recordings one had 60
-  const double evidence = evidenceOf(hypothesis.contacts), lasts = durationOf(hypothesis.contacts);
-  double others = 0.0;
-  if (evidence >= kTouch) return {};
-  const bool alone = fitted.empty() && hypothesis.contacts.size() == 1 && remaining.gain <= kUnexplained;
-  if (alone && evidence >= 3.0 * kFaint) return {};
-  for (const DiagnosedCause& cause : fitted) others += cause.deltaBic;
-  const bool counts = evidence > (fitted.empty() ? kNoise : kMinorShare * others);
-  FaintTouches out;
-  out.areFaint = true;
-  out.finding = {
-      counts ? Severity::warning : Severity::info,
-      "faint_stretches",
-      hypothesis.contacts.size() == 1
-          ? heft::say(
-                "A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
-                "else.",
-                lasts)
-          : heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
-                      "from anything else.",
-                      std::ssize(hypothesis.contacts), lasts),
-      heft::say("Record the motion once more and keep clear of everything."),
-      {}};
-  if (counts && evidence > remaining.gain) out.remaining = seen(heft::toSay("a few moments alone"), evidence);
   return out;
 }
 

@@ -33,15 +33,4 @@ struct WhatRemains {
 WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, const ByReadings& by,
                         const Structure& structure);
 
-struct FaintTouches {
-  bool areFaint = false;
-  Finding finding;
-  std::optional<Structure> remaining;  ///< What then remains in place of what did, if it does
-};
-
-/// Whether contacts are too faint to tell a touch from whatever else lasts a moment. They are then what remains, unless
-/// that is little beside what `fitted` causes explain.
-FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
-                          const Structure& remaining);
-
 }  // namespace heft::diagnosis
