@@ -5,6 +5,10 @@ ROOT is a checkout, by default the one that this file is in; an older one may be
 regular expressions, good to a few per cent: named numeric constants and how many names they have, other numbers with a
 fraction, causes named outside causes/, longest file and function, includes between units and folders that run up.
 The order of folders is that of add_subdirectory() in core/diagnosis/CMakeLists.txt.
+
+A named constant counts as tuned unless it is one of these: the number of a form or kind ("static constexpr int", "enum"),
+a size on a page (report/), rounding (at most 1e-6) or infinity (at least 1e6), or a name of FACTS below. Parameters'
+sizes and bounds in causes/ have no names; they are among the other numbers.
 """
 import collections
 import pathlib
@@ -16,6 +20,14 @@ FOLDER = ROOT / "core" / "diagnosis"
 CONSTANT = re.compile(r"\b(k[A-Z]\w*)\s*(?:\{|=)\s*-?[\d.][\w.+-]*(?=\s*[,;}*/])")
 NUMBER = re.compile(r"(?<![\w.])\d+\.\d*(?:e[+-]?\d+)?")
 TRIVIAL = {"0.0", "1.0", "2.0", "0.5"}
+FACTS = {  # What nobody tunes: units and quadrature, sizes of arrays and models, limits to how much is computed
+    "kDegrees", "kMilli", "kMetre", "kRad", "kNode", "kWeight", "kGolden", "kLinear", "kHalfWaves", "kUsualSmoothing",
+    "kRounds", "kLooks", "kBatch", "kDraws", "kParts", "kMostFalls", "kMaxOrder", "kMostHalfBlocks", "kMostPlaces", "kTried",
+    "kTriedLater", "kRivals", "kFinished", "kTop", "kTerms", "kKept", "kForms", "kOfOne", "kMostSiblings", "kSmoothest", "kAtOnce",
+    "kLimits", "kBlock", "kBins"}
+TABLES = {"sensor_range.cpp"}  # Of data sheets
+TAG = re.compile(r"\benum\b|static constexpr int\b")
+GIVEN = {"core/diagnosis/options", "core/diagnosis/calibration"}  # Headers that all folders are given
 
 
 def bare(text):
@@ -24,12 +36,26 @@ def bare(text):
     return re.sub(r"//[^\n]*", "", text)
 
 
+def tuned(path, text):
+    """Names of the constants that somebody tuned."""
+    if path.parent.name == "report":
+        return []
+    out = []
+    for line in bare(text).split(";"):
+        for match in CONSTANT.finditer(line + ";"):
+            value = float(re.search(r"[\d.]+(?:e[+-]?\d+)?", match.group(0).split(match.group(1), 1)[1]).group(0))
+            fact = match.group(1) in FACTS or TAG.search(line) or 0 < value <= 1e-6 or value >= 1e6
+            if not fact:
+                out.append(match.group(1))
+    return out
+
+
 def functions(text):
     """Lengths of what begins at a line's start with a name and parentheses and ends with } there; of methods, by two."""
     for indent in ("", "  "):
         for match in re.finditer(rf"^{indent}(?! )[^\s#/}}][^\n]*\([^;{{]*\{{\n.*?^{indent}\}}\n", text, re.M | re.S):
             head = match.group(0).split("\n", 1)[0]
-            if not re.match(rf"{indent}(namespace|class|struct|enum)\b", head):
+            if not re.match(rf"{indent}(namespace|class|struct|enum|return|if|for|while|switch|parallelFor|const auto)\b", head):
                 yield match.group(0).count("\n"), head.strip()
 
 
@@ -67,10 +93,12 @@ def main():
     texts = {p: p.read_text() for p in files}
     names = collections.Counter()
     numbers = 0
-    for text in texts.values():
+    for path, text in texts.items():
         code = bare(text)
         found = CONSTANT.findall(code)
         names.update(found)
+        if path.name in TABLES:
+            continue
         numbers += sum(1 for n in NUMBER.findall(re.sub(CONSTANT, "", code)) if n not in TRIVIAL)
     ids = set()
     for path, text in texts.items():
@@ -100,13 +128,17 @@ def main():
         parts = name.split("/")
         return place.get(parts[2] if len(parts) > 3 else top.get(parts[2], "top"), len(place))
 
-    up = [(a, b) for a in graph for b in graph[a] if level(b) > level(a) and b != "core/diagnosis/options"]
+    up = [(a, b) for a in graph for b in graph[a] if level(b) > level(a) and b not in GIVEN]
     longest_file = max(files, key=lambda p: texts[p].count("\n"))
     longest = max(((n, head, p) for p in files if p.suffix == ".cpp" for n, head in functions(texts[p])), key=lambda x: x[0])
     long_functions = sum(1 for p in files for n, _ in functions(texts[p]) if n > 80)
     print(f"files {len(files)}, lines {sum(t.count(chr(10)) for t in texts.values())}, units {len(graph)}")
     print(f"named numeric constants {sum(names.values())}, different names {len(names)}, "
           f"most used {', '.join(f'{n} {c}x' for n, c in names.most_common(4))}")
+    counted = {p: tuned(p, text) for p, text in texts.items()}
+    shared = sum(len(v) for p, v in counted.items() if p.name == "calibration.h")
+    print(f"tuned constants {sum(len(v) for v in counted.values())}: {shared} shared in calibration.h, the others with the one "
+          f"rule that uses them")
     print(f"other numbers with a fraction {numbers}")
     print(f"cause IDs outside causes/: {literals} literals, {constants} named constants (ids::)")
     print(f"longest file {longest_file.relative_to(FOLDER)} ({texts[longest_file].count(chr(10))} lines), "

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 
 namespace heft::diagnosis {
@@ -14,9 +15,6 @@ namespace heft::diagnosis {
 using conventions::Change;
 
 namespace {
-
-/// Where less than this share of the load is left, orientations are not the other way round.
-constexpr double kDescribed = 0.15;
 
 /// Mirrored readings are a sign and a turn. Columns that are swapped are so exactly: each axis as the one that it is
 /// nearest to, or `turn` itself where it is far from all.
@@ -34,7 +32,6 @@ Matrix3d alongAxes(const Matrix3d& turn) {
 /// Orientations the other way round beside positions as they should be, as of a matrix whose rows were taken for
 /// columns: whether these fit, and clearly better than what `report` has.
 bool keepsPositions(const Recording& recording, const Motion& motion, const conventions::Report& report) {
-  constexpr double kBetter = 0.5;
   conventions::Reading inverted = report.stated;
   using Pose = Conventions::PoseDirection;
   Pose& pose = inverted.conventions.pose;
@@ -49,7 +46,7 @@ bool keepsPositions(const Recording& recording, const Motion& motion, const conv
     other.specificForce.col(k) = other.R_BS[i].transpose() * (motion.R_BS[i] * motion.specificForce.col(k));
   }
   const auto kept = conventions::check(conventions::questionOf(recording, other));
-  return kept.verdict == conventions::Verdict::asStated && kept.misfit.worst() < kBetter * report.misfit.worst();
+  return kept.verdict == conventions::Verdict::asStated && kept.misfit.worst() < kMajority * report.misfit.worst();
 }
 
 }  // namespace
@@ -71,7 +68,7 @@ std::optional<FrameMistake> frameMistake(const Recording& recording, const Motio
   kept.stated = kept.reading = report.stated;
   const bool poses = recording.hasOrientation() && recording.hasPosition() &&
                      recording.meta.kind == RecordingKind::motion && report.stated.conventions == Conventions{};
-  const bool described = report.verdict == Told::asStated && report.misfit.worst() < kDescribed;
+  const bool described = report.verdict == Told::asStated && report.misfit.worst() < kMinorShare;
   if (poses && report.enough && !described && keepsPositions(recording, motion, report)) {
     kept.reading.conventions.pose = Conventions::PoseDirection::baseInSensor;
     kept.changes = {Change::poseInverted};

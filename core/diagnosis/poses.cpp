@@ -6,15 +6,14 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <memory>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/base/say.h"
-#include "core/diagnosis/causes/catalogue.h"
+#include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/correction/corrected.h"
-#include "core/diagnosis/pose_fit.h"
-#include "core/diagnosis/search/search.h"
+#include "core/diagnosis/pose_search.h"
 #include "core/diagnosis/verdict/description.h"
 #include "core/diagnosis/verdict/verdict.h"
 #include "core/diagnosis/wording/words.h"
@@ -23,143 +22,6 @@
 namespace heft::diagnosis {
 
 namespace {
-
-/// Everything that poses may show.
-std::vector<Suspect> suspectsFor(const PosesSeen& poses, const std::vector<std::string>& hidden) {
-  constexpr std::pair<const char*, bool> kForms[] = {
-      {"sensor_rotation", false}, {"gravity_tilt", false}, {"constant_pull", false}, {"cable_pull", false},
-      {"gain_error", true},       {"crosstalk", true},     {"joint_offset", true}};
-  std::vector<Suspect> out;
-  const auto isHidden = [&](std::string_view id) { return std::ranges::find(hidden, id) != hidden.end(); };
-  const auto price = [&](std::size_t from) {
-    const auto count = static_cast<double>(out.size() - from);
-    for (std::size_t i = from; i < out.size(); ++i) out[i].price = 2.0 * std::log(count);
-  };
-  for (const auto& [id, several] : kForms) {
-    if (isHidden(id)) continue;
-    const std::size_t from = out.size();
-    const std::vector<Form> forms = findCause(id)->forms(poses.signals);
-    for (const Form& form : forms) {
-      // The simple ones: a spring towards one spot, one channel's gain, one joint's zero.
-      const bool simple =
-          !form.local && !form.later && !form.guide && !form.rare &&
-          (several ? form.parameters.size() == 1 && form.name != "all forces" : &form == &forms.front());
-      if (!simple || (form.cause->id() == "cable_pull" && !poses.signals.positionKnown)) continue;
-      out.push_back({id, std::make_shared<const Form>(form), {}});
-    }
-    price(from);
-  }
-  constexpr Eigen::Index kBeside = 3;  // Poses on either side of a change
-  if (!isHidden("bias_drift")) out.push_back({"bias_drift", nullptr, {Course::drift, 0, {}}});
-  for (const auto& [id, course] : {std::pair{"sensor_bias", Course::jump}, {"payload_change", Course::load}}) {
-    if (isHidden(id)) continue;
-    const std::size_t from = out.size();
-    for (Eigen::Index k = kBeside; k + kBeside <= poses.count(); ++k) out.push_back({id, nullptr, {course, k, {}}});
-    price(from);
-  }
-  return out;
-}
-
-struct PoseTrial {
-  const Suspect* candidate;
-  double promise = 0.0;
-  std::optional<PoseFit> fit;
-  double gain = 0.0, plain = 0.0;  ///< Evidence with prices, and without
-};
-
-/// The few candidates that promise most beside `base`, fitted, best first.
-std::vector<PoseTrial> trialsBeside(const PosesSeen& poses, const PoseFit& base,
-                                    const std::vector<Suspect>& candidates) {
-  constexpr std::size_t kTried = 14, kOfOne = 3;
-  const VectorXd scale = scalesOf(base), r = scale.cwiseProduct(flat(base.residual));
-  const MatrixXd Q = orthonormal(base.jacobian);
-  const double n = static_cast<double>(r.size()), all = r.squaredNorm();
-  std::vector<PoseTrial> out;
-  for (const Suspect& candidate : candidates) {
-    const bool known = std::ranges::any_of(base.state.terms, [&](const auto& term) {
-      return term.first.cause == candidate.cause && (candidate.form == nullptr || term.first.form == candidate.form);
-    });
-    if (known) continue;
-    PoseState with = base.state;
-    with.add(candidate);
-    MatrixXd C = scale.asDiagonal() * jacobianOf(poses, with).rightCols(candidate.size());
-    const VectorXd norms = C.colwise().norm().transpose();
-    C -= Q * (Q.transpose() * C);
-    // What mass, centre and zero do as well, nobody sees.
-    if (!((C.colwise().norm().transpose() - 1e-4 * norms).maxCoeff() > 0.0)) continue;
-    const double left = (r - C * solved(C, r)).squaredNorm();
-    const double promise = n * std::log(all / std::max(1e-12 * all, left)) -
-                           static_cast<double>(candidate.size()) * std::log(n) - candidate.price;
-    out.push_back({&candidate, promise, {}});
-  }
-  std::ranges::sort(out, std::greater{}, &PoseTrial::promise);
-  std::map<std::string, std::size_t> tried;
-  std::erase_if(out, [&](const PoseTrial& trial) { return tried[trial.candidate->cause]++ >= kOfOne; });
-  if (out.size() > kTried) out.resize(kTried);
-  for (PoseTrial& trial : out) {
-    PoseState with = base.state;
-    with.add(*trial.candidate);
-    trial.fit = fitted(poses, std::move(with));
-    // What is fitted leaves fewer numbers to judge by: that counts where the poses are few.
-    const double numbers = static_cast<double>(trial.candidate->size()),
-                 left = std::max(1.0, n - static_cast<double>(trial.fit->state.size()));
-    trial.plain = left / n * (trial.fit->evidence - base.evidence + numbers * std::log(n));
-    trial.gain = trial.plain - numbers * std::log(n) - trial.candidate->price;
-  }
-  std::ranges::sort(out, std::greater{}, &PoseTrial::gain);
-  return out;
-}
-
-bool isBelievable(const PoseFit& fit) {
-  for (const auto& [candidate, v] : fit.state.terms)
-    for (Eigen::Index p = 0; candidate.form && p < v.size(); ++p) {
-      const Parameter& parameter = candidate.form->parameters[static_cast<std::size_t>(p)];
-      if (!(v(p) > parameter.lower && v(p) < parameter.upper)) return false;
-    }
-  return fit.state.model.x(6) > 0.0;
-}
-
-struct NamedSuspect {
-  Suspect candidate;
-  double gain = 0.0;
-  std::vector<std::string> alternatives;
-};
-
-/// Poses that do not fit the others, by least squares on these.
-std::vector<bool> badPoses(const PosesSeen& poses, PoseFit& fit) {
-  constexpr double kChance = 1e-4;  // Of one in a whole recording by chance
-  constexpr int kRounds = 5;
-  const Eigen::Index K = poses.count();
-  // The median of |e|^2 of three normal numbers is 2.366.
-  const auto scale = [&](bool torque) {
-    std::vector<double> squares;
-    for (Eigen::Index k = 0; k < K; ++k)
-      squares.push_back((torque ? fit.residual.col(k).tail<3>() : fit.residual.col(k).head<3>()).squaredNorm());
-    std::ranges::nth_element(squares, squares.begin() + K / 2);
-    return std::max(1e-6, std::sqrt(squares[static_cast<std::size_t>(K / 2)] / 2.366));
-  };
-  double force = scale(false), torque = scale(true);
-  std::vector<bool> bad(static_cast<std::size_t>(K), false);
-  for (int round = 0; round < kRounds; ++round) {
-    VectorXd used = VectorXd::Ones(K);
-    for (Eigen::Index k = 0; k < K; ++k) {
-      const double x = fit.residual.col(k).head<3>().squaredNorm() / (force * force) +
-                       fit.residual.col(k).tail<3>().squaredNorm() / (torque * torque);
-      // Of six normal numbers.
-      if (static_cast<double>(K) * std::exp(-0.5 * x) * (1.0 + 0.5 * x + 0.125 * x * x) < kChance) used(k) = 0.0;
-    }
-    // Where more than a third does not fit, nobody knows which poses are bad.
-    if (3.0 * used.sum() < 2.0 * static_cast<double>(K)) used.setOnes();
-    std::vector<bool> now;
-    for (Eigen::Index k = 0; k < K; ++k) now.push_back(used(k) == 0.0);
-    fit = fitted(poses, fit.state, used);
-    force = fit.force;
-    torque = fit.torque;
-    if (round > 0 && now == bad) break;
-    bad = std::move(now);
-  }
-  return bad;
-}
 
 /// Half of a 95 % interval over 1.96, for what a deviation from `count` numbers is known to.
 double student(double count) { return 1.0 + 1.21 / std::max(1.0, count); }
@@ -259,25 +121,20 @@ void widenBy(EstimateReport& report, const PoseFit& fit, double wider) {
   }
 }
 
-}  // namespace
+/// The poses as they are judged, and the mistake that was put right for that.
+struct ReadPoses {
+  Motion motion;     ///< As the recording states it
+  Recording stated;  ///< Without the mistake
+  PosesSeen poses;   ///< Of `stated`
+  conventions::Report told;
+  std::optional<FrameMistake> mistake;
+  std::optional<PoseFit> asRecorded;  ///< With the mistake, where there is one
+};
 
-Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotModel* robot,
-                                      const DiagnoseOptions& options, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  constexpr Eigen::Index kLeast = 6;
-  if (recording.rows() < kLeast)
-    return Error{heft::say("{} poses are too few to look for causes; record at least {}.", recording.rows(), kLeast)};
-  DiagnosisReport out;
-  out.file = recording.file;
-  out.meta = recording.meta;
-  out.ofPoses = recording.hasOrientation();
-  progress(0.05, heft::say("Looking at conventions"));
+Result<ReadPoses> readPoses(const Recording& recording, const RobotModel* robot) {
   auto motion = standingPoses(recording, robot);
   if (!motion) return motion.error();
   if (!recording.hasPosition() && recording.hasOrientation()) motion->originAccelerationKnown = false;
-  const conventions::Report told = conventions::check(conventions::questionOf(recording, *motion));
-  out.mistake = frameMistake(recording, *motion, told);
-  Recording stated = recording;
   const auto posesIn = [&](const Recording& of, Motion from) {
     if (of.hasJoints() && !of.hasOrientation()) {
       from.q = of.q.transpose();
@@ -285,63 +142,42 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
     }
     return PosesSeen{signalsOf(of, from, robot)};
   };
-  PosesSeen poses = posesIn(recording, *motion);
-  std::optional<PoseFit> before;
-  if (out.mistake) {
-    before = fitted(poses, PoseState{});
-    auto right = undone(recording, robot, *out.mistake);
-    if (!right) return right.error();
-    stated = std::move(*right);
-    auto moved = standingPoses(stated, robot);
-    if (!moved) return moved.error();
-    moved->originAccelerationKnown = motion->originAccelerationKnown;
-    poses = posesIn(stated, std::move(*moved));
-  }
+  ReadPoses out{*motion, recording, posesIn(recording, *motion), {}, {}, {}};
+  out.told = conventions::check(conventions::questionOf(recording, *motion));
+  out.mistake = frameMistake(recording, *motion, out.told);
+  if (!out.mistake) return out;
+  out.asRecorded = fitted(out.poses, PoseState{});
+  auto right = undone(recording, robot, *out.mistake);
+  if (!right) return right.error();
+  out.stated = std::move(*right);
+  auto moved = standingPoses(out.stated, robot);
+  if (!moved) return moved.error();
+  moved->originAccelerationKnown = motion->originAccelerationKnown;
+  out.poses = posesIn(out.stated, std::move(*moved));
+  return out;
+}
 
-  progress(0.2, heft::say("Trying causes"));
-  std::vector<std::string> hidden = options.hidden;
-  if (out.mistake && out.mistake->has(conventions::Change::turned)) hidden.emplace_back("joint_offset");
-  const std::vector<Suspect> candidates = suspectsFor(poses, hidden);
-  // Ten for a cause, as for motions, and for as many kinds as there are.
-  constexpr double kNeeded = 10.0 + 4.6, kTied = 6.0;
-  constexpr std::size_t kMost = 3;
-  const PoseFit null = fitted(poses, PoseState{});
-  PoseFit fit = null;
-  std::vector<NamedSuspect> named;
-  while (named.size() < kMost && !progress.cancelled() && fit.state.size() + 8 < 3 * poses.count()) {
-    auto trials = trialsBeside(poses, fit, candidates);
-    std::erase_if(trials, [](const PoseTrial& trial) { return !isBelievable(*trial.fit); });
-    if (trials.empty() || trials.front().gain < kNeeded) break;
-    const PoseTrial& best = trials.front();
-    NamedSuspect next{*best.candidate, best.gain, {}};
-    for (const PoseTrial& other : trials) {
-      const std::string& id = other.candidate->cause;
-      // More numbers always fit as well; as many or fewer say that the poses do not tell.
-      const bool ties = best.gain - other.gain < kTied || best.plain - other.plain < kTied;
-      if (id != next.candidate.cause && ties && std::ranges::find(next.alternatives, id) == next.alternatives.end())
-        next.alternatives.push_back(id);
-    }
-    named.push_back(std::move(next));
-    fit = *trials.front().fit;
+/// What did not fit the other poses: somebody touched the tool there.
+DiagnosedCause touchedPoses(const Recording& recording, const PoseFit& fit, const std::vector<bool>& bad) {
+  DiagnosedCause out;
+  out.id = ids::contact;
+  out.direct = true;
+  double peak = 0.0;
+  for (Eigen::Index k = 0; k < std::ssize(bad); ++k) {
+    if (!bad[static_cast<std::size_t>(k)]) continue;
+    out.parameters.push_back({fmt::format("pose{}", k + 1), "", static_cast<double>(k + 1), 0.0});
+    out.when.emplace_back(recording.time(k), recording.time(k));
+    peak = std::max(peak, fit.residual.col(k).head<3>().norm());
   }
-  if (progress.cancelled()) return Error{"Stopped.", true};
-  PoseFit first = null;
-  const std::vector<bool> bad = badPoses(poses, fit);
-  const auto badCount = std::ranges::count(bad, true);
-  const double judged = 6.0 * static_cast<double>(poses.count() - badCount) - static_cast<double>(fit.state.size());
-  const double wider = student(judged);
+  out.parameters.push_back({"peak_force", "N", peak, fit.force});
+  return out;
+}
 
-  out.baseline = rmsOf(first.residual, bad);
-  out.noise = rmsOf(fit.residual, bad);
-  if (out.mistake) {
-    WrenchRms was = rmsOf(before->residual, std::vector<bool>(bad.size(), false));
-    out.causes.push_back(fromMistake(*out.mistake, was, out.baseline));
-    out.causes.back().deltaBic = out.mistake->evidence;
-    out.baseline = was;
-  }
-  for (const NamedSuspect& one : named) {
-    const auto known = std::ranges::find(out.causes, one.candidate.cause, &DiagnosedCause::id);
-    if (known != out.causes.end() && !known->direct) {
+/// Adds the causes, the strongest first, with their numbers. `wider`: factor of deviations.
+void addCauses(const PoseSearch& search, double wider, std::vector<DiagnosedCause>& causes) {
+  for (const NamedSuspect& one : search.named) {
+    const auto known = std::ranges::find(causes, one.candidate.cause, &DiagnosedCause::id);
+    if (known != causes.end() && !known->direct) {
       known->deltaBic += one.gain;
       continue;
     }
@@ -350,72 +186,62 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
     cause.deltaBic = one.gain;
     cause.pValue = std::exp(-0.5 * one.gain);
     cause.alternatives = one.alternatives;
-    setParameters(cause, fit, wider);
-    out.causes.push_back(std::move(cause));
+    setParameters(cause, search.fit, wider);
+    causes.push_back(std::move(cause));
   }
-  if (badCount > 0) {
-    DiagnosedCause touched;
-    touched.id = "contact";
-    touched.direct = true;
-    double peak = 0.0;
-    for (Eigen::Index k = 0; k < poses.count(); ++k) {
-      if (!bad[static_cast<std::size_t>(k)]) continue;
-      touched.parameters.push_back({fmt::format("pose{}", k + 1), "", static_cast<double>(k + 1), 0.0});
-      touched.when.emplace_back(recording.time(k), recording.time(k));
-      peak = std::max(peak, fit.residual.col(k).head<3>().norm());
-    }
-    touched.parameters.push_back({"peak_force", "N", peak, fit.force});
-    out.causes.push_back(std::move(touched));
-  }
+}
 
+void decide(const ReadPoses& read, const PoseSearch& search, DiagnosisReport& out) {
   out.verdict = out.causes.empty() ? Verdict::clean : Verdict::explained;
   const bool tied =
       std::ranges::any_of(out.causes, [](const DiagnosedCause& c) { return !c.direct && !c.alternatives.empty(); });
   if (tied || (out.mistake && out.mistake->tied)) out.verdict = Verdict::ambiguous;
-  if (told.verdict == conventions::Verdict::none && named.empty()) {
+  if (read.told.verdict == conventions::Verdict::none && search.named.empty()) {
     out.remaining.goesWith = heft::toSay("how the tool is turned");
-    out.remaining.gain = 2.0 * told.overStated;
+    out.remaining.gain = 2.0 * read.told.overStated;
     out.verdict = Verdict::unexplained;
   }
+}
 
-  progress(0.8, heft::say("Estimating the payload again"));
-  auto was = estimate(recording, robot, options.estimate, Progress{progress.stop, {}});
+/// Estimates the payload from the poses as recorded and without the causes.
+std::optional<Error> estimateBoth(const Recording& recording, const ReadPoses& read, const RobotModel* robot,
+                                  const EstimateOptions& options, const PoseFit& fit, const std::vector<bool>& bad,
+                                  double wider, const Progress& progress, DiagnosisReport& out) {
+  auto was = estimate(recording, robot, options, progress);
   if (!was) return was.error();
   out.before = std::move(*was);
   out.after = out.before;
-  if (!out.causes.empty()) {
-    PoseState without = fit.state;
-    without.terms.clear();
-    Recording clean = stated;
-    clean.wrench -= (expectedOf(poses, fit.state) - expectedOf(poses, without)).transpose();
-    if (auto is = estimate(goodRows(clean, bad), robot, options.estimate, Progress{progress.stop, {}}))
-      out.after = std::move(*is);
-    widenBy(out.after, fit, wider);
-    if (fit.untold(6) > kUntold) {
-      // As much of the pull may go straight up as shows.
-      const Wrenches pull = expectedOf(poses, fit.state) - expectedOf(poses, without);
-      const double size = std::sqrt(pull.topRows<3>().squaredNorm() / static_cast<double>(poses.count()));
-      widenMass(out.after, size / std::max(1e-9, stated.meta.gravity.norm()));
-      out.findings.push_back(
-          {Severity::warning,
-           "mass_not_told",
-           heft::say("Something pulls at the tool. How much of that goes straight up or down is unknown, and so is the "
-                     "mass, to {:.2g} kg.",
-                     1.96 * out.after.std.mass),
-           heft::say("Take the pull away and record the poses again."),
-           {}});
-    }
-  }
-  out.model = fit.state.modelled();
-  out.threshold = kNeeded;
-  out.series.time = VectorXd::LinSpaced(poses.count(), 1.0, static_cast<double>(poses.count()));
-  out.series.measured = poses.signals.measured;
-  out.series.before = poses.signals.measured - first.residual;
-  out.series.after = poses.signals.measured - fit.residual;
-  for (const bool one : bad) out.series.judged.push_back(!one);
-  for (const Suspect& candidate : candidates) {
-    if (std::ranges::find(out.causes, candidate.cause, &DiagnosedCause::id) != out.causes.end() || !candidate.form ||
-        std::ranges::find(out.smallest, candidate.cause, &Smallest::cause) != out.smallest.end())
+  if (out.causes.empty()) return std::nullopt;
+  PoseState without = fit.state;
+  without.terms.clear();
+  Recording clean = read.stated;
+  clean.wrench -= (expectedOf(read.poses, fit.state) - expectedOf(read.poses, without)).transpose();
+  if (auto is = estimate(goodRows(clean, bad), robot, options, progress)) out.after = std::move(*is);
+  widenBy(out.after, fit, wider);
+  if (fit.untold(6) <= kUntold) return std::nullopt;
+  // As much of the pull may go straight up as shows.
+  const Wrenches pull = expectedOf(read.poses, fit.state) - expectedOf(read.poses, without);
+  const double size = std::sqrt(pull.topRows<3>().squaredNorm() / static_cast<double>(read.poses.count()));
+  widenMass(out.after, size / std::max(1e-9, read.stated.meta.gravity.norm()));
+  out.findings.push_back(
+      {Severity::warning,
+       "mass_not_told",
+       heft::say("Something pulls at the tool. How much of that goes straight up or down is unknown, and so is the "
+                 "mass, to {:.2g} kg.",
+                 1.96 * out.after.std.mass),
+       heft::say("Take the pull away and record the poses again."),
+       {}});
+  return std::nullopt;
+}
+
+/// How large each cause that was not named would have to be. `judged`: numbers that the fit leaves.
+std::vector<Smallest> smallestInPoses(const PosesSeen& poses, const PoseSearch& search,
+                                      const std::vector<DiagnosedCause>& causes, double judged) {
+  std::vector<Smallest> out;
+  const PoseFit& fit = search.fit;
+  for (const Suspect& candidate : search.candidates) {
+    if (std::ranges::find(causes, candidate.cause, &DiagnosedCause::id) != causes.end() || !candidate.form ||
+        std::ranges::find(out, candidate.cause, &Smallest::cause) != out.end())
       continue;
     PoseState with = fit.state;
     with.add(candidate);
@@ -423,13 +249,17 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
     const MatrixXd Q = orthonormal(fit.jacobian);
     const double seen = (C.col(0) - Q * (Q.transpose() * C.col(0))).norm();
     const Parameter& parameter = candidate.form->parameters.front();
-    const double needed = kNeeded + candidate.price + static_cast<double>(candidate.size()) * std::log(judged);
-    out.smallest.push_back({candidate.cause, parameter.name, parameter.unit,
-                            seen > 1e-9 * C.col(0).norm() ? std::abs(parameter.scale) * std::sqrt(needed) / seen
-                                                          : std::numeric_limits<double>::infinity()});
+    const double needed = kNeededOfPoses + candidate.price + static_cast<double>(candidate.size()) * std::log(judged);
+    out.push_back({candidate.cause, parameter.name, parameter.unit,
+                   seen > 1e-9 * C.col(0).norm() ? std::abs(parameter.scale) * std::sqrt(needed) / seen
+                                                 : std::numeric_limits<double>::infinity()});
   }
+  return out;
+}
+
+void addFindings(const ReadPoses& read, DiagnosisReport& out) {
   // A turned sensor is among the causes.
-  std::ranges::copy_if(told.cautions, std::inserter(out.findings, out.findings.begin()),
+  std::ranges::copy_if(read.told.cautions, std::inserter(out.findings, out.findings.begin()),
                        [](const Finding& caution) { return caution.code != "sensor_turned"; });
   if (out.mistake && !out.mistake->decides.empty())
     out.findings.push_back(
@@ -442,9 +272,69 @@ Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotMod
            "up or down, or the zero of the first joint."),
        heft::say("Record a motion with brisk turns for these."),
        {}});
+}
+
+void setSeries(const PosesSeen& poses, const PoseSearch& search, const std::vector<bool>& bad, DiagnosisSeries& out) {
+  out.time = VectorXd::LinSpaced(poses.count(), 1.0, static_cast<double>(poses.count()));
+  out.measured = poses.signals.measured;
+  out.before = poses.signals.measured - search.null.residual;
+  out.after = poses.signals.measured - search.fit.residual;
+  for (const bool one : bad) out.judged.push_back(!one);
+}
+
+}  // namespace
+
+Result<DiagnosisReport> diagnosePoses(const Recording& recording, const RobotModel* robot,
+                                      const DiagnoseOptions& options, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  constexpr Eigen::Index kFewestPoses = 6;
+  if (recording.rows() < kFewestPoses)
+    return Error{
+        heft::say("{} poses are too few to look for causes; record at least {}.", recording.rows(), kFewestPoses)};
+  DiagnosisReport out;
+  out.file = recording.file;
+  out.meta = recording.meta;
+  out.ofPoses = recording.hasOrientation();
+  progress(0.05, heft::say("Looking at conventions"));
+  const auto read = readPoses(recording, robot);
+  if (!read) return read.error();
+  out.mistake = read->mistake;
+
+  progress(0.2, heft::say("Trying causes"));
+  std::vector<std::string> hidden = options.hidden;
+  if (out.mistake && out.mistake->has(conventions::Change::turned)) hidden.emplace_back(ids::jointOffset);
+  PoseSearch search = searchPoses(read->poses, hidden, progress);
+  if (progress.cancelled()) return Error{"Stopped.", true};
+  const std::vector<bool> bad = badPoses(read->poses, search.fit);
+  const auto badCount = std::ranges::count(bad, true);
+  const double judged =
+      6.0 * static_cast<double>(read->poses.count() - badCount) - static_cast<double>(search.fit.state.size());
+  const double wider = student(judged);
+
+  out.baseline = rmsOf(search.null.residual, bad);
+  out.noise = rmsOf(search.fit.residual, bad);
+  if (out.mistake) {
+    const WrenchRms was = rmsOf(read->asRecorded->residual, std::vector<bool>(bad.size(), false));
+    out.causes.push_back(fromMistake(*out.mistake, was, out.baseline));
+    out.causes.back().deltaBic = out.mistake->evidence;
+    out.baseline = was;
+  }
+  addCauses(search, wider, out.causes);
+  if (badCount > 0) out.causes.push_back(touchedPoses(recording, search.fit, bad));
+  decide(*read, search, out);
+
+  progress(0.8, heft::say("Estimating the payload again"));
+  if (auto error = estimateBoth(recording, *read, robot, options.estimate, search.fit, bad, wider,
+                                Progress{progress.stop, {}}, out))
+    return *error;
+  out.model = search.fit.state.modelled();
+  out.threshold = kNeededOfPoses;
+  setSeries(read->poses, search, bad, out.series);
+  out.smallest = smallestInPoses(read->poses, search, out.causes, judged);
+  addFindings(*read, out);
   putIntoWords(out);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  progress(1.0, "Done");
+  progress(1.0, heft::say("Done"));
   return out;
 }
 

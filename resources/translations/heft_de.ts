@@ -8106,10 +8106,6 @@ Bitte prüfen Sie den Namen.</translation>
         <translation>Der Kanal {} liegt zur einen Seite um {:+.1f} % daneben und zur anderen um {:+.1f} %.</translation>
     </message>
     <message>
-        <source>{} segments, {:.1f} s in total, were excluded: what acts there goes with {} and is not contact.</source>
-        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
-    </message>
-    <message>
         <source>Check what switches, vibrates or rotates on the tool at these times.</source>
         <translation>Sehen Sie nach, was am Werkzeug in diesen Augenblicken schaltet, rüttelt oder dreht.</translation>
     </message>
@@ -8188,10 +8184,6 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>Restart the sensor&apos;s electronics; if that does not help, have them repaired.</source>
         <translation>Starten Sie die Elektronik des Sensors neu; hilft das nicht, lassen Sie sie reparieren.</translation>
-    </message>
-    <message>
-        <source>A segment of {:.1f} s was excluded: what acts there goes with {} and is not contact.</source>
-        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Was dort wirkt, geht mit {} einher und ist keine Berührung.</translation>
     </message>
     <message>
         <source>At {:.2f} s the readings jump briefly to implausible values.</source>
@@ -8352,6 +8344,54 @@ Bitte prüfen Sie den Namen.</translation>
     <message>
         <source>The accelerometer reads {:.3g} most of the time, neither 9.81 m/s2 nor 1 g, and is left aside: gravity was taken out of it, or it is no accelerometer.</source>
         <translation>Der Beschleunigungssensor zeigt meist {:.3g}, weder 9.81 m/s2 noch 1 g, und bleibt beiseite: die Schwerkraft wurde herausgerechnet, oder er ist keiner.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>{:.1f} % of the remaining difference is related to {}; no cause in the catalogue accounts for it.</source>
+        <translation>{:.1f} % des verbleibenden Unterschieds hängen mit {} zusammen; keine Ursache im Katalog erklärt das.</translation>
+    </message>
+    <message>
+        <source>The remaining difference is related to {}; no cause in the catalogue accounts for it.</source>
+        <translation>Der verbleibende Unterschied hängt mit {} zusammen; keine Ursache im Katalog erklärt das.</translation>
+    </message>
+    <message>
+        <source>A segment of {:.1f} s was excluded: what acts there is related to {} and is not contact.</source>
+        <translation>Ein Abschnitt von {:.1f} s blieb außen vor: Was dort wirkt, hängt mit {} zusammen und ist keine Berührung.</translation>
+    </message>
+    <message>
+        <source>{} segments, {:.1f} s in total, were excluded: what acts there is related to {} and is not contact.</source>
+        <translation>{} Abschnitte, zusammen {:.1f} s, blieben außen vor: Was dort wirkt, hängt mit {} zusammen und ist keine Berührung.</translation>
+    </message>
+    <message>
+        <source>The model fits: nothing is left but the sensor&apos;s noise and its zero, which wanders slowly.</source>
+        <translation>Das Modell passt: Es bleiben nur das Rauschen des Sensors und sein Nullpunkt, der langsam wandert.</translation>
+    </message>
+    <message>
+        <source>The model fits: nothing is left but the sensor&apos;s noise.</source>
+        <translation>Das Modell passt: Es bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>Two or more causes are possible: &quot;{}&quot; or {}. This motion cannot tell them apart.</source>
+        <translation>Zwei oder mehr Ursachen sind möglich: „{}“ oder {}. Diese Bewegung kann sie nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Something unknown remains; it is related to {}.</source>
+        <translation>Es bleibt etwas Unbekanntes; es hängt mit {} zusammen.</translation>
+    </message>
+    <message>
+        <source>The recording has no position of the sensor, so the acceleration of its origin is unknown: that is the first suspect.</source>
+        <translation>Die Aufnahme enthält keinen Ort des Sensors; die Beschleunigung seines Ursprungs ist deshalb unbekannt: Das ist der erste Verdacht.</translation>
+    </message>
+    <message>
+        <source>Cause found: {}</source>
+        <translation>Ursache gefunden: {}</translation>
+    </message>
+    <message>
+        <source>{} causes found; the strongest: {}</source>
+        <translation>{} Ursachen gefunden; die stärkste: {}</translation>
     </message>
 </context>
 <context>

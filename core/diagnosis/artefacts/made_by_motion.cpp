@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/evidence.h"
 
@@ -27,17 +28,15 @@ double gainOn(const SmoothingCandidate& candidate, const Hypothesis& hypothesis,
 
 std::vector<std::string> motionArtefacts(const Hypothesis& hypothesis,
                                          const std::vector<SmoothingCandidate>& candidates, std::size_t at) {
-  // Of 18 memories of less than kFaintest, 9 lost more than half: 8 that were wrong, and a right one.
-  constexpr double kFaintest = 300.0, kStays = 0.5;
   constexpr std::size_t kSmoothest = 2;
   if (at + kSmoothest >= candidates.size()) return {};
   const auto goes = [&](const Found& found) {
-    if (found.gain > kFaintest) return false;
+    if (found.gain > kOverwhelming) return false;
     std::array<double, kSmoothest> gains{};
     parallelFor(kSmoothest, [&](std::size_t i) {
       gains[i] = gainOn(candidates[candidates.size() - 1 - i], hypothesis, found.cause);
     });
-    return *std::ranges::max_element(gains) < kStays * found.gain;
+    return *std::ranges::max_element(gains) < kMajority * found.gain;
   };
   const auto& found = hypothesis.search.found;
   const auto memory = std::ranges::find(found, ids::hysteresis, &Found::cause);

@@ -3,17 +3,14 @@
 #include <algorithm>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/evidence.h"
 #include "core/diagnosis/wording/words.h"
 
 namespace heft::diagnosis {
 
-namespace {
-
-constexpr double kMuch = 300.0;  ///< Evidence from which on what is not named is told
-
-}  // namespace
+namespace {}  // namespace
 
 bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
   constexpr double kPlain = 3.0 * kFaint;  // Evidence that speaks much for a cause
@@ -35,7 +32,7 @@ bool ownErrors(const Hypothesis& hypothesis, const Found& found) {
 
 void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {
   const auto most = std::ranges::max_element(own, {}, &Found::gain);
-  if (most == own.end() || most->gain < kMuch) return;
+  if (most == own.end() || most->gain < kOverwhelming) return;
   out.findings.push_back(
       {Severity::info,
        "too_small_to_name",
@@ -47,7 +44,7 @@ void sayOwnErrors(const std::vector<Found>& own, DiagnosisReport& out) {
 }
 
 void saySmoothing(double cutoffHz, double evidence, DiagnosisReport& out) {
-  if (evidence < kMuch) return;
+  if (evidence < kOverwhelming) return;
   out.findings.push_back(
       {Severity::info,
        "motion_smoothed",

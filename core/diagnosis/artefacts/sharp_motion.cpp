@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {
@@ -24,13 +25,11 @@ Wrenches blurred(const Wrenches& of, Eigen::Index reach) {
 /// Whether it has another payload, so that the fit hung on a noise with a long memory: half of the weight is then told
 /// to be noise, and sharp motion to hardly matter.
 bool isAnother(const Fit& rested, const Fit& fit) {
-  constexpr double kShare = 0.2;
-  return std::abs(rested.model.x(6) - fit.model.x(6)) > kShare * std::abs(rested.model.x(6));
+  return std::abs(rested.model.x(6) - fit.model.x(6)) > kFifth * std::abs(rested.model.x(6));
 }
 
 /// Without the noise: zero but for where any channel stands out, and around it.
 Wrenches standingOut(const Wrenches& of) {
-  constexpr double kTimes = 5.0;
   constexpr Eigen::Index kAround = 3;  // Blocks
   Vector6d usual;
   for (Eigen::Index c = 0; c < 6; ++c) {
@@ -39,7 +38,7 @@ Wrenches standingOut(const Wrenches& of) {
   }
   Wrenches out = Wrenches::Zero(6, of.cols());
   for (Eigen::Index n = 0; n < of.cols(); ++n) {
-    if (of.col(n).cwiseAbs().cwiseQuotient(usual).maxCoeff() < kTimes) continue;
+    if (of.col(n).cwiseAbs().cwiseQuotient(usual).maxCoeff() < kStandsOut) continue;
     const Eigen::Index from = std::max<Eigen::Index>(0, n - kAround), to = std::min(of.cols(), n + kAround + 1);
     out.middleCols(from, to - from) = of.middleCols(from, to - from);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
@@ -166,9 +167,8 @@ class BiasDrift final : public Cause {
 
   /// What one channel alone does may as well be a walk.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kDeviations = 5.0;
     return form.choice[0] != kAnyCourse ||
-           (v.head<6>().array().abs() > kDeviations * std.head<6>().array()).count() > 1;
+           (v.head<6>().array().abs() > kManyDeviations * std.head<6>().array()).count() > 1;
   }
 
   /// Where all channels of a walk go one way, and what they do is what one of them does.

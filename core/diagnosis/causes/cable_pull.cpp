@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -246,14 +247,13 @@ class CablePull final : public Cause {
   }
   /// Springs along several lines pull back, whichever way the tool goes; what hardly does is a constant pull.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kDeviations = 3.0, kFirm = 5.0;
     const int kind = form.choice[0];
     if (hasLength(kind) || kind == kTwist) return true;
     if (kind == kPerAxis) return (v.head<3>() - kDeviations * std.head<3>()).maxCoeff() > 0.0;
     if (kind != kAllWays) return std::abs(v(0)) > kDeviations * std(0);
     const Vector3d along = tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues();
     const double off = std.head<6>().maxCoeff();
-    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kFirm * off;
+    return along.minCoeff() > -kDeviations * off && along.maxCoeff() > kManyDeviations * off;
   }
 };
 

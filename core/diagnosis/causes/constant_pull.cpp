@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -34,10 +35,9 @@ class ConstantPull final : public Cause {
   }
   /// Straight up all the time: a weight that is taken off the readings does exactly the same.
   std::string check(const FoundValues& v, const Vector3d& gravity) const override {
-    constexpr double kAside = 0.03;  // Share of the force
     const Vector3d force(v.value("force_x"), v.value("force_y"), v.value("force_z"));
     const bool pullsUp = !v.find("time") && force.dot(gravity) < 0.0 &&
-                         force.cross(gravity).norm() < kAside * force.norm() * gravity.norm();
+                         force.cross(gravity).norm() < kFormError * force.norm() * gravity.norm();
     return pullsUp ? heft::say(
                          "It acts straight up: does the robot or the sensor's driver take a tool's weight off already? "
                          "If not: is there a balancer or a hose that carries a part of it?")
@@ -82,7 +82,7 @@ class ConstantPull final : public Cause {
   /// of one at the middle of a tool.
   std::vector<std::pair<Form, VectorXd>> grown(const Form& form, const VectorXd& v,
                                                const Signals& signals) const override {
-    constexpr double kMiddle = 0.08, kFarthest = 0.5;  // [m]
+    constexpr double kMiddle = 0.08;  // [m]
     if (!form.guide) return {};
     const Eigen::Map<const Matrix3d> turns(v.data() + 3);  // Force along each axis, at each place
     const ThinSvd svd = thinSvd(turns);
@@ -97,7 +97,7 @@ class ConstantPull final : public Cause {
     for (const Vector3d& force : {seen, Vector3d(most / kMiddle * along)}) {
       VectorXd start(6);
       const Vector3d place = turns.transpose() * force / std::max(1e-9, force.squaredNorm());
-      start << force, place.cwiseMax(-kFarthest).cwiseMin(kFarthest);
+      start << force, place.cwiseMax(-kToolReach).cwiseMin(kToolReach);
       out.emplace_back(away, std::move(start));
     }
     return out;
@@ -128,17 +128,16 @@ class ConstantPull final : public Cause {
   /// A step in six channels takes a little of anything that is left. Of four that had begun, the faintest was 1,300.
   /// What begins to pull straight up or down is a load that changed.
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    constexpr double kStep = 80.0, kNever = 1e9, kAside = 0.2;
+    constexpr double kStep = 80.0;
     if (!form.local) return 0.0;
     const Vector3d force = v.segment<3>(1);
-    return force.cross(signals.gravity).norm() < kAside * force.norm() * signals.gravity.norm() ? kNever : kStep;
+    return force.cross(signals.gravity).norm() < kFifth * force.norm() * signals.gravity.norm() ? kNever : kStep;
   }
   /// What pulls has hold of the tool. Of 70 that did, the farthest was at 0.22 m; a torque without a force was at 0.6.
   bool plausible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kFarthest = 0.5, kDeviations = 3.0;  // [m]
     const Eigen::Index at = form.local ? 4 : 3;
     return form.guide || v.size() < at + 3 ||
-           v.segment<3>(at).norm() - kDeviations * std.segment<3>(at).norm() < kFarthest;
+           v.segment<3>(at).norm() - kDeviations * std.segment<3>(at).norm() < kToolReach;
   }
   std::vector<std::pair<double, double>> when(const Form& form, const VectorXd& v,
                                               const Signals& signals) const override {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -27,7 +28,6 @@ class Resistance : public Cause {
   }
   /// Nothing holds back what moves and pushes what turns.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kDeviations = 3.0;
     bool holds = false, pushes = false;
     for (const int p : mayPush(form)) {
       holds = holds || v(p) > kDeviations * std(p);
@@ -174,7 +174,6 @@ class ViscousDrag final : public Resistance {
 
   /// Along no line does it push, where it has one for each.
   bool possible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kDeviations = 3.0;
     if (form.choice[0] != kLines && form.choice[0] != kToolLines) return Resistance::possible(form, v, std);
     return tensor(v.head<6>()).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() >
            -kDeviations * std.head<6>().maxCoeff();

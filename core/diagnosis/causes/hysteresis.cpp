@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -68,8 +69,7 @@ class Hysteresis final : public Cause {
   /// No sensor remembers more: channels that are late, each by another time, look like one that does. Of 22 that were
   /// one, the largest was 7.5 %; of 15 unknown effects that looked like one, eleven had more than this.
   bool plausible(const Form& form, const VectorXd& v, const VectorXd&) const override {
-    constexpr double kLargest = 0.1;
-    return v.head(form.subset ? v.size() : 1).cwiseAbs().maxCoeff() < kLargest;
+    return v.head(form.subset ? v.size() : 1).cwiseAbs().maxCoeff() < kSmallShare;
   }
   bool changesSensor(const Form&) const override { return true; }
   bool linear(const Form&) const override { return false; }

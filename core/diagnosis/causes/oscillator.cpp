@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -199,14 +200,13 @@ class Oscillator : public Cause {
   /// smaller: either looks like something that rings above. What rolls to its place comes late, as do readings: those
   /// are more common.
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    constexpr double kRolling = 20.0;
-    return form.choice[0] == kRolls ? kRolling : doubtAt(v(4), signals);
+    return form.choice[0] == kRolls ? kUnusual : doubtAt(v(4), signals);
   }
 
  protected:
   static double doubtAt(double frequency, const Signals& signals) {
-    constexpr double kMore = 20.0, kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
-    return signals.keptHz > 0.0 ? kMore * std::clamp((frequency / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
+    constexpr double kAll = 0.2;  // As the loss itself: all of it a fifth above what is kept
+    return signals.keptHz > 0.0 ? kUnusual * std::clamp((frequency / signals.keptHz - 1.0) / kAll, 0.0, 1.0) : 0.0;
   }
 
   static constexpr double kMostDamped = 0.35;
@@ -294,7 +294,6 @@ class LooseMass final : public Oscillator {
   /// A part has a mass. Of 77 that were loose each was known to a sixth of it; of nine other things that swing, five to
   /// a third and worse.
   bool plausible(const Form& form, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kDeviations = 3.0;
     return form.choice[0] == kFromStart || v(0) > kDeviations * std(0);
   }
   std::vector<Form> forms(const Signals&) const override {
@@ -351,17 +350,16 @@ class LooseMass final : public Oscillator {
   }
   /// No part hangs on a spring that is the same however far it goes, with a damper that is the same however fast.
   VectorXd modelStd(const Form& form, const VectorXd& v) const override {
-    constexpr double kOfMass = 0.04, kOfFrequency = 0.002, kOfDamping = 0.08;
+    constexpr double kOfMass = 0.04, kOfFrequency = 0.002;
     if (form.choice[0] == kFromStart) return {};
     VectorXd out = VectorXd::Zero(v.size());
     out.head<4>() = kOfMass * v.head<4>().cwiseAbs();
     out(4) = kOfFrequency * v(4);
-    out(5) = kOfDamping * v(5);
+    out(5) = kDampingError * v(5);
     return out;
   }
   double doubt(const Form& form, const VectorXd& v, const Signals& signals) const override {
-    constexpr double kRare = 20.0;
-    return form.choice[0] == kFromStart ? kRare : Oscillator::doubt(form, v, signals);
+    return form.choice[0] == kFromStart ? kUnusual : Oscillator::doubt(form, v, signals);
   }
 
  private:

@@ -1,5 +1,6 @@
 // From some moment on the tool is heavier or lighter.
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -83,10 +84,7 @@ class PayloadChange final : public Cause {
              Wrenches& w) const override {
     const double m = v(1);
     const Vector3d h = v.segment<3>(2);
-    // What was picked up is small: its inertia is that of a point where its weight acts, h / m, as long as that is
-    // near.
-    constexpr double kFar = 0.5;  // [m]
-    const double size = m * m + h.squaredNorm() / (kFar * kFar);
+    const double size = m * m + h.squaredNorm() / (kToolReach * kToolReach);
     const Vector3d place = size > 0.0 ? Vector3d(m / size * h) : Vector3d(Vector3d::Zero());
     for (Eigen::Index k = 0; k < w.cols(); ++k) {
       const double gone = stepAt(signals.time(k), v(0), v(5)),
@@ -101,7 +99,7 @@ class PayloadChange final : public Cause {
   /// What came or went lies where the tool is. Of 87 that did, the farthest was at 0.5 m; of 26 other things that
   /// looked like it, such as a weight that slides, eight acted at 2 m and more.
   bool plausible(const Form&, const VectorXd& v, const VectorXd& std) const override {
-    constexpr double kFarthest = 1.0, kDeviations = 3.0;  // [m]
+    constexpr double kFarthest = 1.0;  // [m]
     return v.segment<3>(2).norm() - std.segment<3>(2).norm() < kFarthest * (std::abs(v(1)) + kDeviations * std(1));
   }
   std::vector<std::pair<double, double>> when(const Form&, const VectorXd& v, const Signals& signals) const override {

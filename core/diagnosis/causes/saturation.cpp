@@ -1,5 +1,6 @@
 // A channel gives way near the end of its range. One that is cut off flat is seen directly (sample_tests.h).
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/causes.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -54,6 +55,14 @@ class Saturation final : public Cause {
     return v(0) > kLeast;
   }
   bool changesSensor(const Form&) const override { return true; }
+  /// A channel that stays far from the end of its range is not at its limit. The zero may have been taken off the
+  /// readings, so that the end of the range is not known better than to a part of it.
+  double doubt(const Form& form, const VectorXd&, const Signals& signals) const override {
+    if (!signals.range || signals.readings.cols() == 0) return 0.0;
+    const auto channel = signals.readings.row(form.choice[0]);
+    const double most = form.choice[1] > 0 ? channel.maxCoeff() : -channel.minCoeff();
+    return most < kClearMajority * (*signals.range)(form.choice[0]) ? kNever : 0.0;
+  }
   bool linear(const Form&) const override { return false; }
   void sensor(const Form& form, const VectorXd& v, const Signals&, Wrenches& w) const override {
     auto channel = w.row(form.choice[0]);

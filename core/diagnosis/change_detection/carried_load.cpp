@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/linear_algebra.h"
 #include "core/wrench/regressor.h"
 
@@ -129,21 +130,19 @@ struct LoadIn {
 }  // namespace
 
 bool isWeightElsewhere(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
-  constexpr double kLeft = 0.1, kOfHolding = 0.5;
   constexpr double kLittle = 0.02;  // Share of the payload's mass: none came or went
   if (areTooShort(contacts)) return false;
   const LoadIn load(signals, fit, contacts);
-  return load.share < kLeft && load.shareOfHolding < kOfHolding &&
+  return load.share < kSmallShare && load.shareOfHolding < kMajority &&
          std::abs(load.mass) < std::max(2.0 * load.massStd, kLittle * fit.model.x(6));
 }
 
 std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts) {
   // Of what is left in the contacts, and of what holding on leaves. A part that was carried left 0.006 and 0.1; of
   // eight that were touched as long, the most like a load left 0.16 and seven times.
-  constexpr double kLeft = 0.05, kOfHolding = 0.5;
   if (areTooShort(contacts)) return std::nullopt;
   const LoadIn load(signals, fit, contacts);
-  if (load.share > kLeft || load.shareOfHolding > kOfHolding || load.mass < 3.0 * load.massStd) return std::nullopt;
+  if (load.share > kTinyShare || load.shareOfHolding > kMajority || load.mass < 3.0 * load.massStd) return std::nullopt;
   CarriedLoad out;
   out.mass = load.mass;
   out.massStd = load.massStd;
@@ -156,13 +155,13 @@ std::optional<CarriedLoad> carriedLoadIn(const Signals& signals, const Fit& fit,
 
 std::vector<Contact> recurrencesIn(const Signals& signals, const Fit& fit, const std::vector<Contact>& contacts,
                                    bool zeroJumps, bool loadChanges) {
-  constexpr double kLeftByLoad = 0.05, kLeftByZero = 0.02;
+  constexpr double kLeftByZero = 0.02;
   std::vector<Contact> out;
   const LeftBy leftBy(signals, fit, contacts);
   for (const Contact& contact : contacts) {
     const double all = leftBy.all({contact});
     if (contact.to - contact.from > kShortest && ((zeroJumps && leftBy.zero(contact).left < kLeftByZero * all) ||
-                                                  (loadChanges && leftBy.load({contact}).left < kLeftByLoad * all)))
+                                                  (loadChanges && leftBy.load({contact}).left < kTinyShare * all)))
       out.push_back(contact);
   }
   return out;

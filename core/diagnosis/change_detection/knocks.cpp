@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {
@@ -57,7 +58,6 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
   /// Times the usual power beside a straight line through each block. Of 260 recordings 255 have none at 15, the others
   /// some, such as where friction turns round; three and more at 60 had only a part that rattled.
   constexpr double kLoud = 60.0;
-  constexpr double kRings = 0.3;  ///< [s]
   const Wrenches left = signals.readings - predicted(signals, model);
   const Eigen::Index m = signals.samplesPerBlock;
   if (m < 4) return {};
@@ -74,7 +74,7 @@ std::vector<double> knocksIn(const Signals& signals, const std::vector<Stretch>&
   for (const auto& s : stretches)
     for (Eigen::Index n = s.from; n < s.to; ++n) {
       const double loud = power.col(n).cwiseQuotient(knownAt(signals, usual, n)).mean(), t = signals.blockTime(n);
-      if (loud > kLoud && (out.empty() || t > out.back() + kRings)) out.push_back(t);
+      if (loud > kLoud && (out.empty() || t > out.back() + kEventGap)) out.push_back(t);
     }
   return out;
 }
@@ -104,9 +104,6 @@ std::vector<double> burstsIn(const Signals& signals, const std::vector<Stretch>&
 }
 
 bool noiseSwitches(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit) {
-  /// Share of the parts that differ by kTimes in power from the next one that moves alike. Of 204 recordings one had
-  /// 0.06, the others less; where a welder made pulses for half of the time, 0.26.
-  constexpr double kOften = 0.15, kTimes = 5.0;
   constexpr std::size_t kFewest = 20;
   const Parts parts = partsOf(signals, stretches, fit);
   const std::size_t count = parts.from.size();
@@ -133,9 +130,9 @@ bool noiseSwitches(const Signals& signals, const std::vector<Stretch>& stretches
       std::size_t far = 0;
       for (std::size_t i = 1; i < count; ++i) {
         const double one = power[order[i - 1].second], other = power[order[i].second];
-        far += std::max(one, other) > kTimes * std::min(one, other) ? 1 : 0;
+        far += std::max(one, other) > kStandsOut * std::min(one, other) ? 1 : 0;
       }
-      return static_cast<double>(far) > kOften * static_cast<double>(count - 1);
+      return static_cast<double>(far) > kMinorShare * static_cast<double>(count - 1);
     });
   });
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/statistics.h"
 
@@ -12,7 +13,7 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kSoftest = 11.0, kStiffest = 70.0;  // [Hz]
+constexpr double kStiffest = 70.0;  // [Hz]
 /// Damping. Of what rang, 0.035 at most; what smoothing left of a stop in a clean recording looked like 0.21. A rotor
 /// that was switched on looked like 0.004.
 constexpr double kShortestRinging = 0.005, kLongestRinging = 0.12;
@@ -61,8 +62,7 @@ double explainedBy(const std::vector<Window>& windows, double frequency, double 
 /// From a little after the loudest block of each contact to the next one, or as long as a swing takes to die away.
 std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Signals& signals, const Wrenches& expected,
                                  const Wrenches& left) {
-  constexpr double kAfter = 0.06, kShortestWindow = 0.15, kLongest = 0.5, kBefore = 0.15, kLate = 0.4,
-                   kSudden = 0.03;  // [s]
+  constexpr double kAfter = 0.06, kShortestWindow = 0.15, kLongest = 0.5, kBefore = 0.15, kSudden = 0.03;  // [s]
   const auto samples = [&](double seconds) { return static_cast<Eigen::Index>(std::lround(seconds * signals.rateHz)); };
   const Eigen::Index m = signals.samplesPerBlock;
   std::vector<Window> out;
@@ -82,7 +82,7 @@ std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Sig
     window.left -= window.slow * (window.slow.transpose() * window.left);
     window.power = window.left.squaredNorm();
     const Eigen::Index begins =
-        std::max({Eigen::Index{0}, where.from * m - samples(kBefore), loudest - samples(kLate)});
+        std::max({Eigen::Index{0}, where.from * m - samples(kBefore), loudest - samples(kRingsOut)});
     // What changes steadily, however fast, sets nothing swinging.
     const Eigen::Index apart = samples(kSudden);
     for (Eigen::Index k = begins; k + 2 * apart < window.from; ++k)
@@ -90,6 +90,40 @@ std::vector<Window> windowsAfter(const std::vector<Contact>& contacts, const Sig
                                (expected.col(k + 2 * apart) - 2.0 * expected.col(k + apart) + expected.col(k)).norm());
     out.push_back(std::move(window));
   }
+  return out;
+}
+
+struct Swing {
+  double frequencyHz = 0.0, damping = 0.0;
+  double explained = -1.0;  ///< Power in all windows together
+};
+
+/// The swing that explains most of what is left in the windows; none where it is at the end of what a mount can be.
+std::optional<Swing> bestSwing(const std::vector<Window>& windows, double rateHz) {
+  Swing out;
+  const double fastest = std::min(kStiffest, 0.45 * rateHz);
+  for (double frequency = kSoftestMountHz; frequency < fastest; frequency *= 1.01)
+    for (const double damping : {0.01, 0.025, 0.06})
+      if (const double explained = explainedBy(windows, frequency, damping, rateHz); explained > out.explained) {
+        out.explained = explained;
+        out.frequencyHz = frequency;
+        out.damping = damping;
+      }
+  // Closer and closer.
+  for (double step = 0.005; step > 1e-5; step *= 0.6)
+    for (const double f : {1.0 - step, 1.0, 1.0 + step})
+      for (const double d : {1.0 - 30.0 * step, 1.0, 1.0 + 30.0 * step}) {
+        const double frequency = std::clamp(out.frequencyHz * f, kSoftestMountHz, fastest),
+                     damping = std::clamp(out.damping * d, kShortestRinging, kLongestRinging),
+                     explained = explainedBy(windows, frequency, damping, rateHz);
+        if (explained <= out.explained) continue;
+        out.explained = explained;
+        out.frequencyHz = frequency;
+        out.damping = damping;
+      }
+  if (out.frequencyHz <= kSoftestMountHz || out.frequencyHz >= fastest || out.damping <= kShortestRinging ||
+      out.damping >= kLongestRinging)
+    return std::nullopt;
   return out;
 }
 
@@ -115,47 +149,27 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   // Share of what is left after a stop beyond the noise: of mounts 0.93 and more, of bursts of interference 0.8 at
   // most.
   constexpr double kPlain = 0.87;
-  constexpr double kLoud = 2.0, kLoudAlone = 6.0;  // Times the power of the noise
+  constexpr double kLoudAlone = 6.0;  // Times the power of the noise
   // A jump throws a spring as far beyond where it will rest. Of thirteen after hard stops the largest was 0.25 of that;
   // where doors slammed and the floor shook, 1.1 to 2.
   constexpr double kAtMost = 1.0;
-  if (signals.rateHz < 2.5 * kSoftest || contacts.empty()) return std::nullopt;
+  if (signals.rateHz < 2.5 * kSoftestMountHz || contacts.empty()) return std::nullopt;
   const Wrenches expected = predicted(signals, model);
   const Wrenches raw = signals.readings - expected;
   const Vector6d usual = usualSpread(signals, raw, contacts);
   const auto scaled = [&](const Wrenches& w) { return Wrenches(usual.cwiseInverse().asDiagonal() * w); };
   auto windows = windowsAfter(contacts, signals, scaled(expected), scaled(raw));
-  std::erase_if(windows, [&](const Window& w) { return w.power < kLoud * static_cast<double>(w.left.size()); });
+  std::erase_if(windows, [&](const Window& w) { return w.power < kLoudPower * static_cast<double>(w.left.size()); });
   if (windows.empty()) return std::nullopt;
   const bool alone = windows.size() == 1;
   if (alone && windows.front().power < kLoudAlone * static_cast<double>(windows.front().left.size()))
     return std::nullopt;
 
+  const auto swing = bestSwing(windows, signals.rateHz);
+  if (!swing) return std::nullopt;
   Ringing out;
-  double most = -1.0;
-  const double fastest = std::min(kStiffest, 0.45 * signals.rateHz);
-  for (double frequency = kSoftest; frequency < fastest; frequency *= 1.01)
-    for (const double damping : {0.01, 0.025, 0.06})
-      if (const double explained = explainedBy(windows, frequency, damping, signals.rateHz); explained > most) {
-        most = explained;
-        out.frequencyHz = frequency;
-        out.damping = damping;
-      }
-  // Closer and closer.
-  for (double step = 0.005; step > 1e-5; step *= 0.6)
-    for (const double f : {1.0 - step, 1.0, 1.0 + step})
-      for (const double d : {1.0 - 30.0 * step, 1.0, 1.0 + 30.0 * step}) {
-        const double frequency = std::clamp(out.frequencyHz * f, kSoftest, fastest),
-                     damping = std::clamp(out.damping * d, kShortestRinging, kLongestRinging),
-                     explained = explainedBy(windows, frequency, damping, signals.rateHz);
-        if (explained <= most) continue;
-        most = explained;
-        out.frequencyHz = frequency;
-        out.damping = damping;
-      }
-  if (out.frequencyHz <= kSoftest || out.frequencyHz >= fastest || out.damping <= kShortestRinging ||
-      out.damping >= kLongestRinging)
-    return std::nullopt;
+  out.frequencyHz = swing->frequencyHz;
+  out.damping = swing->damping;
 
   struct Rings {
     const Window* window;
@@ -187,15 +201,16 @@ std::optional<Ringing> ringingIn(const Signals& signals, const Model& model, con
   // How far either may be off before the sum of squares grows by what one reading's leaves on average.
   const double unit = left / count;
   const auto deviation = [&](double df, double dd) {
-    const double lost = 2.0 * most - explainedBy(windows, out.frequencyHz + df, out.damping + dd, signals.rateHz) -
+    const double lost = 2.0 * swing->explained -
+                        explainedBy(windows, out.frequencyHz + df, out.damping + dd, signals.rateHz) -
                         explainedBy(windows, out.frequencyHz - df, out.damping - dd, signals.rateHz);
     return std::sqrt(2.0 * unit / std::max(lost, 1e-12));
   };
   const double df = 1e-3 * out.frequencyHz, dd = 0.1 * out.damping;
   // No mount is a spring that is the same however far it gives.
-  constexpr double kOfFrequency = 0.004, kOfDamping = 0.08;
+  constexpr double kOfFrequency = 0.004;
   out.frequencyStd = std::hypot(df * deviation(df, 0.0), kOfFrequency * out.frequencyHz);
-  out.dampingStd = std::hypot(dd * deviation(0.0, dd), kOfDamping * out.damping);
+  out.dampingStd = std::hypot(dd * deviation(0.0, dd), kDampingError * out.damping);
   return out;
 }
 

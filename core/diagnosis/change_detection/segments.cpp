@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/search/evidence.h"
 #include "core/math/linear_algebra.h"
 
@@ -41,7 +42,6 @@ double steadiness(const Wrenches& residual, const Stretch& where, double blockRa
 
 /// Whether next to nothing of what a stretch has beyond the usual is left where neighbouring blocks are averaged.
 bool turnsRound(const LeftOfForce& left, const Stretch& where) {
-  constexpr double kLeft = 0.15;  // Share of the power; a push of one block alone leaves 0.25
   const Wrenches& residual = left.scaled;
   const auto alone = [&](Eigen::Index n) { return residual.col(n).squaredNorm(); };
   const auto averaged = [&](Eigen::Index n) {
@@ -58,20 +58,18 @@ bool turnsRound(const LeftOfForce& left, const Stretch& where) {
       count += 1.0;
     }
   }
-  return count > 0.0 && mostAveraged - usualAveraged / count < kLeft * (most - usual / count);
+  return count > 0.0 && mostAveraged - usualAveraged / count < kMinorShare * (most - usual / count);
 }
 
 /// Whether what is left in a stretch swings to and fro, along the direction that most of it takes: who pushes may pull
 /// once, but not again and again.
 bool swings(const Wrenches& scaled, const Stretch& where) {
   constexpr double kOneSided = 0.35;  // Of the way to one side; of a push it is next to 1
-  constexpr double kLobe = 0.25;      // Of the most: what is smaller is no swing of its own
-  constexpr int kLobes = 3;
   const auto part = scaled.middleCols(where.from, where.to - where.from);
   const MatrixXd directions = symmetricEigen(product(part, part.transpose())).vectors;
   const VectorXd course = part.transpose() * directions.col(5);
   if (std::abs(course.sum()) > kOneSided * course.cwiseAbs().sum()) return false;
-  const double least = kLobe * course.cwiseAbs().maxCoeff();
+  const double least = kQuarter * course.cwiseAbs().maxCoeff();
   int lobes = 0;
   double side = 0.0;
   for (Eigen::Index n = 0; n < course.size(); ++n) {
@@ -79,25 +77,23 @@ bool swings(const Wrenches& scaled, const Stretch& where) {
     side = course(n);
     ++lobes;
   }
-  return lobes >= kLobes;
+  return lobes >= static_cast<int>(kAgainAndAgain);
 }
 
 /// Whether next to all that a stretch has beyond the usual is on one channel, which jumps there between two readings:
 /// what pushes turns the sensor as well, and takes its time.
 bool isOneChannel(const Signals& signals, const LeftOfForce& left, const Stretch& where) {
-  constexpr double kAlone = 0.99;      // Share of the power, in units of the usual
-  constexpr double kPlain = 20.0;      // Of these units: what is fainter may be chance
-  constexpr double kJumps = 0.25;      // Of its most; a push that lasts 0.2 s changes by 0.1 at most
-  constexpr Eigen::Index kAround = 5;  // Blocks: where it begins is not known better
+  constexpr double kAlone = 0.99;  // Share of the power, in units of the usual
+  constexpr double kPlain = 20.0;  // Of these units: what is fainter may be chance
   const auto part = left.scaled.middleCols(where.from, where.to - where.from);
   const Vector6d excess = (part.cwiseAbs2().rowwise().mean().array() - 1.0).max(0.0);
   Eigen::Index channel = 0;
   if (excess.maxCoeff(&channel) < std::max(kPlain, kAlone * excess.sum())) return false;
-  const Eigen::Index m = signals.samplesPerBlock, from = std::max<Eigen::Index>(0, where.from - kAround) * m,
-                     to = std::min(signals.blocks(), where.to + kAround) * m;
+  const Eigen::Index m = signals.samplesPerBlock, from = std::max<Eigen::Index>(0, where.from - kMomentBlocks) * m,
+                     to = std::min(signals.blocks(), where.to + kMomentBlocks) * m;
   const auto readings = signals.readings.row(channel).segment(from, to - from);
   const double most = left.usual(channel) * part.row(channel).cwiseAbs().maxCoeff();
-  return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kJumps * most;
+  return (readings.tail(to - from - 1) - readings.head(to - from - 1)).cwiseAbs().maxCoeff() > kQuarter * most;
 }
 
 /// Share of what is left in a stretch beyond the usual that stays where what some motion smoothed less has there is
@@ -120,13 +116,10 @@ std::optional<double> shareNotLost(const Signals& signals, const LeftOfForce& le
 
 /// Whether it is what the smoothing of the motion leaves where a motor's force jumps.
 bool isSmoothed(const Signals& signals, const LeftOfForce& left, const Contact& contact) {
-  constexpr double kMostly = 0.5, kPartly = 0.95;
-  constexpr double kRings = 0.4;    // [s]
-  constexpr std::size_t kTold = 3;  // Ways that smooth less: one or two may not have it either
   const auto share = shareNotLost(signals, left, contact.blocks);
-  if (share && *share < kMostly) return true;
-  const bool has = !share || *share < kPartly || signals.lost == nullptr || signals.lost->size() < kTold;
-  return has && contact.to - contact.from < kRings && turnsRound(left, contact.blocks);
+  if (share && *share < kMajority) return true;
+  const bool has = !share || *share < kNearlyWhole || signals.lost == nullptr || signals.lost->size() < kAgainAndAgain;
+  return has && contact.to - contact.from < kRingsOut && turnsRound(left, contact.blocks);
 }
 
 }  // namespace
@@ -208,7 +201,7 @@ double evidenceForLeavingOut(const Signals& signals, const Fit& fit, Eigen::Inde
 }
 
 std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const std::vector<Stretch>& candidates) {
-  constexpr double kSteady = 0.45, kBounce = 0.25;  // [s] Shorter ones may be what a push begins or ends with
+  constexpr double kSteady = 0.45;  // [s] Shorter ones may be what a push begins or ends with
   std::vector<Contact> out;
   const LeftOfForce left = leftBy(signals, fit, candidates);
   for (const auto& stretch : candidates) {
@@ -218,11 +211,11 @@ std::vector<Contact> contactsIn(const Signals& signals, const Fit& fit, const st
                     stretch,
                     {}};
     if (contact.evidence < kThreshold) continue;
-    if (contact.to - contact.from >= kBounce && steadiness(left.scaled, stretch, signals.blockRate()) <= kSteady)
+    if (contact.to - contact.from >= kKnockLasts && steadiness(left.scaled, stretch, signals.blockRate()) <= kSteady)
       contact.instead = heft::toSay("noise that comes and goes");
     else if (isOneChannel(signals, left, stretch))
       contact.instead = kOneChannel;
-    else if (contact.to - contact.from >= kBounce && swings(left.scaled, stretch))
+    else if (contact.to - contact.from >= kKnockLasts && swings(left.scaled, stretch))
       contact.instead = heft::toSay("something that swings to and fro");
     contact.smoothed = isSmoothed(signals, left, contact);
     out.push_back(contact);

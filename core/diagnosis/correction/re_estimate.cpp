@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/correction/model_json.h"
 #include "core/recording/frozen.h"
@@ -109,8 +110,7 @@ bool possible(const EstimateReport& report) {
 /// From a mass that could be relied on before.
 bool movesFar(const EstimateReport& is, const EstimateReport& was) {
   if (was.trust == Trust::none) return false;
-  constexpr double kFar = 0.25;
-  return std::abs(is.payload.mass - was.payload.mass) > kFar * std::abs(was.payload.mass);
+  return std::abs(is.payload.mass - was.payload.mass) > kQuarter * std::abs(was.payload.mass);
 }
 
 void leaveAsItWas(DiagnosisReport& report, const Hypothesis& hypothesis, const char* code, std::string text,

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/diagnosis/calibration.h"
+
 namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kWindow = 0.02;      ///< [s]
-constexpr double kMostClipped = 0.5;  ///< Share of readings that may be cut off
+constexpr double kWindow = 0.02;  ///< [s]
 
 /// How much the mean drops when the share `cut` of a normal distribution is cut off, for one by which it then lies
 /// below the level.
@@ -42,7 +43,7 @@ Unclipped unclipped(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, cons
       }
       if (cut.empty()) continue;
       const auto all = static_cast<double>(to - from), clipped = static_cast<double>(cut.size());
-      if (clipped > kMostClipped * all) {
+      if (clipped > kMajority * all) {
         for (const Eigen::Index i : cut) out.lost[static_cast<std::size_t>(i)] = true;
       } else {
         const double below = flat.level - column.segment(from, to - from).mean();

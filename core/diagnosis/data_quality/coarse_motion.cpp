@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/recording/steps.h"
 
@@ -22,10 +23,8 @@ MatrixXd motionColumns(const Recording& recording) {
 
 /// [s] From corner to corner where the columns are straight lines, as regular as what was interpolated is; else 0.
 double cornersEvery(const MatrixXd& columns, double rateHz) {
-  constexpr double kCorner = 20.0;               // Times the usual bend from row to row
-  constexpr double kMoves = 0.5;                 // Of the rows: held ones do not
-  constexpr double kLeast = 0.015, kMost = 0.5;  // [s]
-  constexpr double kRegular = 0.8;               // Of the corners
+  constexpr double kCorner = 20.0;  // Times the usual bend from row to row
+  constexpr double kMost = 0.5;     // [s]
   constexpr std::size_t kFewest = 20;
   const Eigen::Index n = columns.rows();
   if (n < 3) return 0.0;
@@ -35,7 +34,7 @@ double cornersEvery(const MatrixXd& columns, double rateHz) {
     bends.push_back((columns.row(i + 1) - 2.0 * columns.row(i) + columns.row(i - 1)).norm());
     moves += columns.row(i) == columns.row(i - 1) ? 0 : 1;
   }
-  if (static_cast<double>(moves) < kMoves * static_cast<double>(n)) return 0.0;
+  if (static_cast<double>(moves) < kMajority * static_cast<double>(n)) return 0.0;
   const double corner = kCorner * median(bends);
   std::vector<double> corners, apart;
   for (std::size_t i = 0; i < bends.size(); ++i)
@@ -46,9 +45,9 @@ double cornersEvery(const MatrixXd& columns, double rateHz) {
   const double usual = median(apart);
   const auto regular = std::ranges::count_if(
       apart, [&](double rows) { return std::abs(rows - usual * std::max(1.0, std::round(rows / usual))) < 1.5; });
-  if (static_cast<double>(regular) <= kRegular * static_cast<double>(apart.size())) return 0.0;
+  if (static_cast<double>(regular) <= kLargeShare * static_cast<double>(apart.size())) return 0.0;
   const double every = usual / rateHz;
-  return every > kLeast && every < kMost ? every : 0.0;
+  return every > kShortestGap && every < kMost ? every : 0.0;
 }
 
 /// The coarsest step of a few columns; 0 where none is regular.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/recording/frozen.h"
 #include "core/recording/steps.h"
@@ -34,8 +35,6 @@ double scatterOf(const Eigen::Ref<const VectorXd>& readings, double rateHz) {
 
 /// By what a channel's own readings say; zero where they are fine.
 double ownStep(const Recording& recording, Eigen::Index channel) {
-  constexpr double kStill = 0.5;   // of a channel's readings: finer steps drown in noise
-  constexpr double kShare = 0.25;  // of how far readings scatter; noise that is slow stands still, too
   const auto y = recording.wrench.col(channel);
   Eigen::Index fresh = 0, still = 0;
   for (Eigen::Index i = 1; i < recording.rows(); ++i) {
@@ -43,9 +42,9 @@ double ownStep(const Recording& recording, Eigen::Index channel) {
     ++fresh;
     still += y(i) == y(i - 1) ? 1 : 0;
   }
-  if (static_cast<double>(still) < kStill * static_cast<double>(fresh)) return 0.0;
+  if (static_cast<double>(still) < kMajority * static_cast<double>(fresh)) return 0.0;
   const auto step = stepOf({y.begin(), y.end()});
-  return step && *step * *step / 12.0 > kShare * scatterOf(y, recording.rateHz()) ? *step : 0.0;
+  return step && *step * *step / 12.0 > kQuarter * scatterOf(y, recording.rateHz()) ? *step : 0.0;
 }
 
 }  // namespace
@@ -74,7 +73,6 @@ std::optional<Eigen::Index> stuckChannel(const CoarseReadings& coarse) {
 
 void spreadWithinSteps(const Recording& recording, const CoarseReadings& coarse,
                        Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 6>> wrench) {
-  constexpr double kApart = 0.1;  // [s]
   for (Eigen::Index c = 0; c < 6; ++c) {
     const double step = coarse.steps(c);
     if (step <= 0.0 || !coarse.silent[static_cast<std::size_t>(c)]) continue;
@@ -82,11 +80,11 @@ void spreadWithinSteps(const Recording& recording, const CoarseReadings& coarse,
     const auto anywhere = [&] { return step * (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5); };
     double from = anywhere(), to = anywhere(), start = recording.time(0);
     for (Eigen::Index i = 0; i < recording.rows(); ++i) {
-      if (recording.time(i) - start > kApart) {
+      if (recording.time(i) - start > kMoment) {
         from = std::exchange(to, anywhere());
         start = recording.time(i);
       }
-      wrench(i, c) += from + (to - from) * (recording.time(i) - start) / kApart;
+      wrench(i, c) += from + (to - from) * (recording.time(i) - start) / kMoment;
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 #include "core/motion/resample.h"
 #include "core/segmentation/wrench_runs.h"
@@ -45,7 +46,6 @@ double stepTo(const Recording& recording, Eigen::Index row) {
 /// Whether the motion makes up at once, at row `to`, for the rows that it stood still before, as it goes on beside
 /// them.
 bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
-  constexpr double kMakesUp = 0.6, kGoesOn = 0.8;
   const Eigen::Index length = to - from, reach = 3 * length;
   std::vector<double> steps;
   Eigen::Index moves = 0;
@@ -55,32 +55,32 @@ bool makesUp(const Recording& recording, Eigen::Index from, Eigen::Index to) {
   };
   for (Eigen::Index i = std::max<Eigen::Index>(1, from - reach); i < from; ++i) take(i);
   for (Eigen::Index i = to + 1; i < std::min(recording.rows(), to + 1 + reach); ++i) take(i);
-  return static_cast<double>(moves) > kGoesOn * static_cast<double>(steps.size()) &&
-         stepTo(recording, to) > kMakesUp * static_cast<double>(length + 1) * median(std::move(steps));
+  return static_cast<double>(moves) > kLargeShare * static_cast<double>(steps.size()) &&
+         stepTo(recording, to) > kClearMajority * static_cast<double>(length + 1) * median(std::move(steps));
 }
 
 }  // namespace
 
 std::vector<Held> heldRows(const Recording& recording) {
-  constexpr double kShortest = 0.015, kLonger = 5.0, kMostOfAll = 0.25;
+  constexpr double kLonger = 5.0;  // Times the usual run
   const auto runs = wrenchRuns(recording.wrench);
   const double usual = static_cast<double>(recording.rows()) / std::max(1.0, static_cast<double>(runs.size()));
   std::vector<Held> out;
   Eigen::Index count = 0;
   for (const auto& [from, to] : runs) {
     const double lasts = recording.time(to - 1) - recording.time(from);
-    if (lasts < kShortest || static_cast<double>(to - from) < kLonger * usual) continue;
+    if (lasts < kShortestGap || static_cast<double>(to - from) < kLonger * usual) continue;
     Held run{from + 1, to};
     run.motionToo = stoodStill(recording, run);
     out.push_back(run);
     count += run.to - run.from;
   }
-  if (static_cast<double>(count) > kMostOfAll * static_cast<double>(recording.rows())) out.clear();
+  if (static_cast<double>(count) > kQuarter * static_cast<double>(recording.rows())) out.clear();
   return out;
 }
 
 Runs motionHolds(const Recording& recording) {
-  constexpr double kShortest = 0.0039, kMostOfAll = 0.05;  // [s], share of the rows
+  constexpr double kShortest = 0.0039;  // [s], share of the rows
   constexpr Eigen::Index kFewest = 2;
   const Eigen::Index rows = recording.rows();
   Runs out;
@@ -97,7 +97,7 @@ Runs motionHolds(const Recording& recording) {
     }
     from = to;
   }
-  if (static_cast<double>(count) > kMostOfAll * static_cast<double>(rows)) out.clear();
+  if (static_cast<double>(count) > kTinyShare * static_cast<double>(rows)) out.clear();
   return out;
 }
 
@@ -128,14 +128,12 @@ Runs staleRuns(const Recording& recording) {
 
 Runs replayedRuns(const Recording& recording) {
   constexpr Eigen::Index kFewest = 15;
-  constexpr double kShortest = 0.015;                  // [s]
-  constexpr double kNew = 0.8;                         // Of the rows: others than the one before
   std::map<std::array<double, 6>, Eigen::Index> last;  // Row at which a reading was seen
   Runs out;
   Eigen::Index from = 0, back = 0, fresh = 0;  // The run so far: how many rows before it was read first
   const auto ends = [&](Eigen::Index to) {
-    if (back > 0 && to - from >= kFewest && recording.time(to - 1) - recording.time(from) >= kShortest &&
-        static_cast<double>(fresh) > kNew * static_cast<double>(to - from))
+    if (back > 0 && to - from >= kFewest && recording.time(to - 1) - recording.time(from) >= kShortestGap &&
+        static_cast<double>(fresh) > kLargeShare * static_cast<double>(to - from))
       out.emplace_back(from, to);
     from = to;
     fresh = 0;

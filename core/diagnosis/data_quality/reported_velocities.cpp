@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/between_rows.h"
 #include "core/diagnosis/signals/signals.h"
@@ -180,11 +181,9 @@ std::vector<Direct> reportedVelocities(const Recording& recording, const Motion&
     }
   // Less than a lag would gain by chance is none.
   constexpr double kByChance = 0.98;
-  // A mean takes noise of the slopes, too, whatever was reported: hence the second question.
-  constexpr double kLacks = 0.3;
   if (const Match mean = comparison.best(meanAround); mean.lag > kLagNamed &&
                                                       mean.left < kByChance * std::min(plain.left, late.left) &&
-                                                      comparison.lacks(mean.lag) > kLacks) {
+                                                      comparison.lacks(mean.lag) > kThird) {
     Direct found;
     found.cause = ids::derivativeNoise;
     found.ofVelocities = true;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/data_quality/clipping.h"
 #include "core/diagnosis/data_quality/coarse_motion.h"
@@ -41,7 +42,7 @@ std::optional<Direct> saturation(const Recording& recording, const std::vector<F
 /// Of the rows in which `cleaned` differs from `raw`, those in which one channel leaps far and no other leaps with it:
 /// a knock or a jerk of the arm is felt by several.
 Eigen::Index loneSpikes(const WrenchSamples& raw, const WrenchSamples& cleaned) {
-  constexpr double kFar = 60.0, kFelt = 5.0;  // Times the noise
+  constexpr double kFar = 60.0;  // Times the noise
   std::array<double, 6> noise{};
   for (std::size_t c = 0; c < 6; ++c) {
     const auto y = raw.col(static_cast<Eigen::Index>(c));
@@ -58,7 +59,7 @@ Eigen::Index loneSpikes(const WrenchSamples& raw, const WrenchSamples& cleaned) 
       const double usual = noise[static_cast<std::size_t>(c)],
                    off = std::abs(raw(i, c) - 0.5 * (cleaned(i - 1, c) + cleaned(i + 1, c)));
       far += off > kFar * usual ? 1 : 0;
-      felt += off > kFelt * usual ? 1 : 0;
+      felt += off > kStandsOut * usual ? 1 : 0;
     }
     out += far == 1 && felt == 1 ? 1 : 0;
   }
@@ -111,7 +112,6 @@ Direct jitter(const UnevenStamps& stamps) {
 /// Readings that were held, zeroed or left out. Rows that are held for long are not to be trusted.
 std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts) {
   const Eigen::Index n = recording.rows();
-  constexpr std::size_t kStalls = 3;  // As many are no chance, however short
   Eigen::Index held = 0, zeros = 0, missing = 0, replayed = 0, motionHeld = 0;
   for (const auto& [from, to] : facts.stale) held += to - from;
   for (const auto& [from, to] : facts.replayed) replayed += to - from;
@@ -126,7 +126,7 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   const double total = static_cast<double>(n);
   const double lost = static_cast<double>(held + missing) / total;
   const double blank = static_cast<double>(zeros) / total;
-  if (lost < 0.002 && blank < 0.0005 && facts.replayed.empty() && facts.motionHeld.size() < kStalls)
+  if (lost < 0.002 && blank < 0.0005 && facts.replayed.empty() && facts.motionHeld.size() < kAgainAndAgain)
     return std::nullopt;
   Direct out;
   out.cause = ids::dropouts;
@@ -137,18 +137,17 @@ std::optional<Direct> dropouts(const Recording& recording, const RowFacts& facts
   if (motionHeld > 0)
     out.parameters.push_back({"motion_repeated", "%", 100.0 * static_cast<double>(motionHeld) / total, 0.0});
   out.rows.assign(static_cast<std::size_t>(n), false);
-  constexpr double kGap = 0.015, kBeside = 0.1;  // [s] Shorter ones are bridged well enough
   for (const auto& [from, to] : blanks)
-    if (recording.time(to - 1) - recording.time(from) > kGap)
+    if (recording.time(to - 1) - recording.time(from) > kShortestGap)
       std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
   for (const auto& [from, to] : facts.replayed) {
     std::fill(out.rows.begin() + from, out.rows.begin() + to, true);
     out.when.emplace_back(recording.time(from), recording.time(to - 1));
   }
   // Where the motion was held, too, or nothing was recorded, its derivatives are wrong a little further.
-  const auto beside = static_cast<Eigen::Index>(kBeside * recording.rateHz());
+  const auto beside = static_cast<Eigen::Index>(kMoment * recording.rateHz());
   for (Eigen::Index i = 1; i < n && step > 0.0; ++i)
-    if (recording.time(i) - recording.time(i - 1) > std::max(kGap, 3.0 * step))
+    if (recording.time(i) - recording.time(i - 1) > std::max(kShortestGap, 3.0 * step))
       std::fill(out.rows.begin() + std::max<Eigen::Index>(0, i - beside), out.rows.begin() + std::min(n, i + beside),
                 true);
   for (const Held& run : facts.held) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {
@@ -35,10 +36,6 @@ std::vector<Gap> gapsIn(const std::vector<double>& ordered) {
 
 std::vector<StuckBit> stuckBits(const Recording& recording) {
   constexpr std::size_t kFewest = 4;  // Gaps
-  constexpr double kOff = 0.2,
-                   kShareOfRightGaps = 0.8;  // How far a gap may be off in width and place, and how many must not be
-  /// Of all the gaps that there would be: where a tool seldom was, readings a few steps apart leave some by chance
-  constexpr double kThroughout = 0.5;
   std::vector<StuckBit> out;
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto ordered = usualOnes({recording.wrench.col(c).begin(), recording.wrench.col(c).end()});
@@ -48,13 +45,13 @@ std::vector<StuckBit> stuckBits(const Recording& recording) {
     std::vector<double> widths;
     for (const Gap& gap : gaps) widths.push_back(gap.width);
     const double worth = median(widths);
-    if (2.0 * worth * static_cast<double>(gaps.size()) < kThroughout * (ordered.back() - ordered.front())) continue;
+    if (2.0 * worth * static_cast<double>(gaps.size()) < kMajority * (ordered.back() - ordered.front())) continue;
     std::size_t fits = 0;
     for (std::size_t i = 1; i < gaps.size(); ++i) {
       const double apart = (gaps[i].from - gaps[i - 1].from) / worth;
-      fits += std::abs(gaps[i].width / worth - 1.0) < kOff && std::abs(apart - 2.0) < kOff ? 1 : 0;
+      fits += std::abs(gaps[i].width / worth - 1.0) < kFifth && std::abs(apart - 2.0) < kFifth ? 1 : 0;
     }
-    if (static_cast<double>(fits) > kShareOfRightGaps * static_cast<double>(gaps.size() - 1)) out.push_back({c, worth});
+    if (static_cast<double>(fits) > kLargeShare * static_cast<double>(gaps.size() - 1)) out.push_back({c, worth});
   }
   return out;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -11,7 +13,6 @@ constexpr double kUneven = 0.05;      ///< Steps; what a real-time logger stays 
 constexpr Eigen::Index kBlock = 200;  ///< Rows over whose mean lateness comes and goes
 constexpr double kAstray =
     0.5;  ///< Of the deviation that such means may have: beyond, rows are missing or the clock drifts
-constexpr double kSmoother = 0.8;  ///< Of the roughness: what even times must come below
 
 /// How far each row lies off the line between its neighbours, as a sum of squares over all columns.
 double roughness(const MatrixXd& rows, const VectorXd& time) {
@@ -47,7 +48,7 @@ std::optional<UnevenStamps> unevenStamps(const Recording& recording) {
   const VectorXd off = time - out.even;
   const double deviation = std::sqrt(off.squaredNorm() / static_cast<double>(n));
   if (deviation < kUneven * step || slowPart(off) > kAstray * deviation) return std::nullopt;
-  if (roughness(moved, out.even) > kSmoother * roughness(moved, time)) return std::nullopt;
+  if (roughness(moved, out.even) > kLargeShare * roughness(moved, time)) return std::nullopt;
   out.spread = off.maxCoeff() - off.minCoeff();
   return out;
 }

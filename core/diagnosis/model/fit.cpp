@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/linear_algebra.h"
 
 namespace heft::diagnosis {
@@ -215,6 +216,48 @@ VectorXd heldWhere(const Model& model, VectorXd sd, const Holds& holds) {
 
 bool isOfShape(const Term& term, Eigen::Index p, Eigen::Index) { return !isAmplitude(*term.form, p); }
 
+/// The step that `pull` asks for. What stands at its bound and would leave it stays: the others step as they would
+/// without it.
+VectorXd stepInside(const ChannelColumns& J, const Normal& normal, const VectorXd& pull, const Model& model,
+                    const VectorXd& sd) {
+  const VectorXd step = normal.solve(pull);
+  bool leaves = false;
+  const auto stays = [&](const Term& term, Eigen::Index p, Eigen::Index i) {
+    const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+    const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) ||
+                                       (step(i) > 0.0 && term.v(p) >= parameter.upper));
+    leaves = leaves || out;
+    return out;
+  };
+  const VectorXd held = heldWhere(model, sd, stays);
+  return leaves ? Normal(J, held).solve(pull) : step;
+}
+
+/// Whether a parameter stands at the end of what is believable.
+bool isAtBound(const Term& term) {
+  for (Eigen::Index p = 0; p < term.v.size(); ++p) {
+    const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
+    const double margin = 1e-6 * parameter.size;
+    if (term.moves(p) &&
+        ((!parameter.lowerIsFine && term.v(p) <= parameter.lower + margin) || term.v(p) >= parameter.upper - margin))
+      return true;
+  }
+  return false;
+}
+
+/// Covariance, complexity and evidence of a fit whose model, noise and residual have come to rest. `sd`: as of
+/// weakPrior().
+void judge(Fit& fit, const CachedJacobian& columns, const std::vector<Stretch>& stretches, const VectorXd& sd) {
+  const Normal normal(ChannelColumns(columns.jacobian(), fit.noise, stretches), sd);
+  fit.information = normal.information;
+  fit.covariance = normal.inverse();
+  const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
+  fit.dimensions = price.dimensions;
+  fit.complexity = price.complexity;
+  fit.evidence = fit.noise.evidence - fit.complexity;
+  fit.atBound = fit.atBound || std::ranges::any_of(fit.model.terms, isAtBound);
+}
+
 Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model start, int rounds, Weights weights,
            const CachedJacobian* known) {
   Fit fit;
@@ -243,17 +286,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     const VectorXd r = whitened(flat(fit.residual), fit.noise, stretches);
     const Normal normal(J, sd);
     const VectorXd pull = J.transposeTimes(r) - fit.model.packed().cwiseQuotient(sd.cwiseAbs2());
-    VectorXd step = normal.solve(pull);
-    // What stands at its bound and would leave it stays: the others step as they would without it.
-    bool leaves = false;
-    const auto stays = [&](const Term& term, Eigen::Index p, Eigen::Index i) {
-      const Parameter& parameter = term.form->parameters[static_cast<std::size_t>(p)];
-      const bool out = term.moves(p) && ((step(i) < 0.0 && term.v(p) <= parameter.lower) ||
-                                         (step(i) > 0.0 && term.v(p) >= parameter.upper));
-      leaves = leaves || out;
-      return out;
-    };
-    if (const VectorXd held = heldWhere(fit.model, sd, stays); leaves) step = Normal(J, held).solve(pull);
+    const VectorXd step = stepInside(J, normal, pull, fit.model, sd);
     const double before = r.squaredNorm() + fit.model.packed().cwiseQuotient(sd).squaredNorm();
     Model next;
     Wrenches value;
@@ -297,22 +330,7 @@ Fit fitted(const Signals& signals, const std::vector<Stretch>& stretches, Model 
     sd = weakPrior(fit.model);
   }
   columns.refresh(fit.model);
-  const Normal normal(ChannelColumns(columns.jacobian(), fit.noise, stretches), sd);
-  fit.information = normal.information;
-  fit.covariance = normal.inverse();
-  const Price price = priceOfTerms(fit.information, fit.model, sd, std::log(std::max(2.0, fit.noise.samples)));
-  fit.dimensions = price.dimensions;
-  fit.complexity = price.complexity;
-  fit.evidence = fit.noise.evidence - fit.complexity;
-  for (const auto& term : fit.model.terms)
-    for (std::size_t p = 0; p < term.form->parameters.size(); ++p) {
-      const Parameter& parameter = term.form->parameters[p];
-      const double value = term.v(static_cast<Eigen::Index>(p)), margin = 1e-6 * parameter.size;
-      fit.atBound =
-          fit.atBound ||
-          (term.moves(static_cast<Eigen::Index>(p)) &&
-           ((!parameter.lowerIsFine && value <= parameter.lower + margin) || value >= parameter.upper - margin));
-    }
+  judge(fit, columns, stretches, sd);
   return fit;
 }
 
@@ -331,13 +349,13 @@ Fit settled(const Signals& signals, const std::vector<Stretch>& stretches, Fit f
 Model refitted(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& fit, CachedJacobian columns) {
   // What these stretches say nothing of, such as a swing that has died away, is of the order of what all of them say;
   // what has no order, such as when something happened, stays where it was.
-  constexpr double kOrder = 3.0, kLittle = 0.1;
+  constexpr double kOrder = 3.0;
   VectorXd sd = weakPrior(fit.model), thought = VectorXd::Zero(fit.model.size());
   for (const auto& [term, at] : indexedTerms(fit.model)) {
     for (const int p : term->form->scan)
       if (term->form->start(p) == 0.0)
         sd(at + p) = std::min(sd(at + p), kOrder * std::abs(term->v(p)) +
-                                              kLittle * term->form->parameters[static_cast<std::size_t>(p)].size);
+                                              kSmallShare * term->form->parameters[static_cast<std::size_t>(p)].size);
     for (Eigen::Index p = 0; p < term->v.size(); ++p)
       if (!isAmplitude(*term->form, p)) thought(at + p) = term->v(p);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/wrench/regressor.h"
 
 namespace heft::diagnosis {
@@ -276,11 +277,10 @@ class Moving {
 /// Whether what bends a motion or changes a sensor does another thing to this payload than to that one, by more than a
 /// share of `far`.
 bool otherLoad(const Vector10d& payload, const Vector10d& than, double far) {
-  constexpr double kReach = 0.1;  // [m]
   const double mass = far * std::max(0.02, std::abs(than(0)));
   const Vector10d off = (payload - than).cwiseAbs();
-  return off(0) > mass || off.segment<3>(1).maxCoeff() > kReach * mass ||
-         off.tail<6>().maxCoeff() > kReach * kReach * mass;
+  return off(0) > mass || off.segment<3>(1).maxCoeff() > kGrip * mass ||
+         off.tail<6>().maxCoeff() > kGrip * kGrip * mass;
 }
 
 bool beginsWith(const Model& model, const Model& beginning) {

@@ -13,6 +13,7 @@ namespace heft::diagnosis {
 
 namespace {
 
+constexpr double kLineStandsOut = 10.0;  ///< Times the power beside a line; noise reaches 3.5
 constexpr double kLowestHz = 22.0, kHighestHz = 250.0, kOfRate = 0.45;
 constexpr std::size_t kFewestSeconds = 5, kMostSeconds = 16;  ///< Windows of a second
 
@@ -39,7 +40,6 @@ std::vector<Eigen::Index> windowsOf(const Recording& recording, const Signals& s
 }  // namespace
 
 std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
-  constexpr double kStandsOut = 10.0;              ///< Times the power beside it; noise reaches 3.5
   constexpr double kBroad = 0.25;                  ///< Of a line's power, two hertz to either side; a taper leaves 0.1
   constexpr Eigen::Index kBeside = 10, kNear = 2;  ///< Lines, a hertz apart
   const double rate = recording.rateHz();
@@ -62,7 +62,7 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
       power(c, k) = median(each);
     }
   std::optional<Hum> out;
-  double most = kStandsOut;
+  double most = kLineStandsOut;
   for (Eigen::Index k = first; k < last - 1; ++k) {
     Vector6d line;
     double stands = 0.0, share = 0.0;
@@ -92,7 +92,6 @@ std::optional<Hum> humIn(const Recording& recording, const Signals& signals) {
 }
 
 std::optional<double> pitchIn(const Signals& signals) {
-  constexpr double kStandsOut = 10.0;               ///< Times the power beside it
   constexpr Eigen::Index kBeside = 12, kBroad = 4;  ///< Lines, a hertz apart
   const auto length = static_cast<Eigen::Index>(std::lround(signals.rateHz)),
              last = static_cast<Eigen::Index>(kOfRate * signals.rateHz), first = static_cast<Eigen::Index>(kLowestHz);
@@ -103,7 +102,7 @@ std::optional<double> pitchIn(const Signals& signals) {
     for (Eigen::Index from = s.from * m; from + length <= s.to * m; from += length / 2, ++windows)
       power += taperedPower(signals.readings.middleCols(from, length), last);
   std::optional<double> out;
-  double most = kStandsOut;
+  double most = kLineStandsOut;
   for (Eigen::Index k = first; windows >= kFewestSeconds && k < last; ++k)
     for (Eigen::Index c = 0; c < 6; ++c) {
       std::vector<double> beside;

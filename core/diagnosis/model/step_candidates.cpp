@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 
 namespace heft::diagnosis {
 
 std::vector<StepCandidate> stepCandidatesIn(const Signals& signals, const std::vector<Stretch>& stretches,
                                             const Wrenches& residual, double over) {
-  constexpr double kLeap = 30.0;  // Squared deviations in six channels
   const auto length = std::max<Eigen::Index>(3, static_cast<Eigen::Index>(std::lround(over * signals.blockRate())));
   const auto stepOf = [&](const Wrenches& course, Eigen::Index n) -> Vector6d {
     return course.middleCols(n, length).rowwise().mean() - course.middleCols(n - length, length).rowwise().mean();
@@ -33,20 +33,18 @@ std::vector<StepCandidate> stepCandidatesIn(const Signals& signals, const std::v
   std::vector<std::size_t> peaks;
   for (std::size_t i = 0; i < size.size(); ++i) {
     const auto near = [&](std::size_t j) { return std::abs(at[i] - at[j]) <= length; };
-    bool highest = size[i] > kLeap;
+    bool highest = size[i] > kClearEvidence;
     for (std::size_t j = i; highest && j-- > 0 && near(j);) highest = size[j] < size[i];
     for (std::size_t j = i + 1; highest && j < size.size() && near(j); ++j) highest = size[j] <= size[i];
     if (highest) peaks.push_back(i);
   }
-  // What the smoothing of the motion took at a stop is no leap; as much of that as there is, where loud blocks are made
-  // even. Nor can anything be told beside much more of it.
-  constexpr double kLeft = 0.5, kMuchMore = 4.0;
   std::erase_if(peaks, [&](std::size_t i) {
     const Vector6d step = steps[i].cwiseQuotient(usual);
     return signals.lost != nullptr && std::ranges::any_of(*signals.lost, [&](const Wrenches& lost) {
              const Vector6d taken = stepOf(lost, at[i]).cwiseQuotient(usual);
              const double share = std::clamp(taken.dot(step) / std::max(taken.squaredNorm(), 1e-300), 0.0, 1.0);
-             return (step - share * taken).squaredNorm() < kLeft * size[i] || taken.squaredNorm() > kMuchMore * size[i];
+             return (step - share * taken).squaredNorm() < kMajority * size[i] ||
+                    taken.squaredNorm() > kManyTimes * size[i];
            });
   });
   std::vector<StepCandidate> out;

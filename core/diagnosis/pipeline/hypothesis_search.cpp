@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/pipeline/set_aside.h"
@@ -63,7 +64,6 @@ constexpr std::string_view kPull = ids::constantPull;
 /// Whether something begins to pull at one moment and is gone again later: what nobody can tell from a hand that leans
 /// on the tool.
 bool letsGoAgain(const Model& model) {
-  constexpr double kLeft = 0.1;  // Share of the strongest
   Vector3d sum = Vector3d::Zero();
   double most = 0.0;
   int events = 0;
@@ -74,7 +74,7 @@ bool letsGoAgain(const Model& model) {
     most = std::max(most, force.norm());
     ++events;
   }
-  return events > 1 && sum.norm() < kLeft * most;
+  return events > 1 && sum.norm() < kSmallShare * most;
 }
 
 /// The first search, which sets touches that are plain to see aside with the other `holes` and goes on from what it
@@ -107,13 +107,9 @@ void searchFirst(Hypothesis& hypothesis, const Signals& whole, std::vector<Stret
 /// what a single cause makes of them.
 void unlessNobodyTouched(Hypothesis& hypothesis, const Signals& whole, const std::vector<Stretch>& suspects,
                          const AlternativeExplanation& alternative, SearchOptions searching, const Progress& progress) {
-  // Of 20 that were touched, the best cause took 0.47 at most; where nobody touched, 0.6 and more. What takes long may
-  // be several of them.
-  constexpr double kMuch = 0.5, kLong = 0.3;
-  constexpr double kHardlyAny = 0.15;  // Of the evidence for contact, where a cause in a form of its own takes the rest
-  const bool maybeNot = alternative.share > kMuch || durationOf(hypothesis.contacts) > kLong * whole.duration();
+  const bool maybeNot = alternative.share > kMajority || durationOf(hypothesis.contacts) > kThird * whole.duration();
   if (hypothesis.contacts.empty() || !maybeNot || progress.cancelled()) return;
-  if (alternative.share > kMuch) hypothesis.contactAlternative = alternative.cause;
+  if (alternative.share > kMajority) hypothesis.contactAlternative = alternative.cause;
   searching.start = Model{};
   // A touch among the causes says that somebody did.
   searching.stopsEarly = [](const SearchStatus& is) {
@@ -140,11 +136,52 @@ void unlessNobodyTouched(Hypothesis& hypothesis, const Signals& whole, const std
       hypothesis.contactAlternative = kPull;
     else if (contactsLeft().empty())
       hypothesis = std::move(untouched);
-  } else if (hypothesis.contactAlternative.empty() && evidenceOf(left) < kHardlyAny * evidenceOf(hypothesis.contacts)) {
+  } else if (hypothesis.contactAlternative.empty() &&
+             evidenceOf(left) < kMinorShare * evidenceOf(hypothesis.contacts)) {
     const auto first = std::ranges::find_if(untouched.search.order,
                                             [](const auto& id) { return id != kRandomWalk && id != ids::contact; });
     if (first != untouched.search.order.end()) hypothesis.contactAlternative = *first;
   }
+}
+
+/// Where one of several contacts takes long, hardly anybody need have touched anything there: before or after a load
+/// that changes, among other causes, it looks like that. Where causes account for most of it, `hypothesis` keeps as
+/// contact only what they leave.
+void shortenTheLongest(Hypothesis& hypothesis, const Signals& whole, SearchOptions searching,
+                       const Progress& progress) {
+  if (hypothesis.contacts.size() < 2 || progress.cancelled()) return;
+  std::vector<Contact> others = hypothesis.contacts;
+  const auto at = std::ranges::max_element(others, {}, [](const Contact& c) { return c.to - c.from; });
+  const Contact longest = *at;
+  const double lasts = longest.to - longest.from;
+  if (lasts < kQuarter * whole.duration()) return;
+  others.erase(at);
+  Hypothesis judged;
+  judged.mountTurnReported = hypothesis.mountTurnReported;
+  judged.bank = hypothesis.bank;
+  searching.start = Model{};
+  std::vector<Stretch> holes = blocksOf(others);
+  searchFirst(judged, whole, holes, searching, true, {}, progress);
+  const auto contactsAmong = [&](const std::vector<Stretch>& where) {
+    Fit fit = judged.search.final;
+    fit.noise = hypothesis.search.final.noise;
+    return contactsIn(whole, fit, where);
+  };
+  // What a touch that is plain to see leaves of it is judged on its own.
+  std::vector<bool> rest(static_cast<std::size_t>(whole.blocks()), false);
+  std::fill(rest.begin() + longest.blocks.from, rest.begin() + longest.blocks.to, true);
+  for (const Stretch& hole : holes) std::fill(rest.begin() + hole.from, rest.begin() + hole.to, false);
+  const std::vector<Contact> left = contactsAmong(stretchesOf(rest));
+  if (contains(judged.search.final.model, ids::contact) || durationOf(left) > kQuarter * lasts) return;
+  for (const Contact& contact : left) holes.push_back(contact.blocks);
+  std::ranges::sort(holes, {}, &Stretch::from);
+  if (!left.empty()) {
+    searching.start = judged.search.final.model;
+    searchBeside(judged, whole, holes, searching, progress);
+  }
+  compareRivals(judged.signals, judged.stretches, judged.bank, searching, judged.search, progress);
+  judged.contacts = contactsAmong(holes);
+  hypothesis = std::move(judged);
 }
 
 /// `holes`: blocks that may be contact.
@@ -185,6 +222,7 @@ Hypothesis workedWith(const SmoothingCandidate& candidate, std::vector<Stretch> 
     searching.start = hypothesis.search.final.model;
     holes = blocksOf(hypothesis.contacts);
   }
+  shortenTheLongest(hypothesis, whole, searching, progress);
   unlessNobodyTouched(hypothesis, whole, suspects, alternative, searching, progress);
   setAside(hypothesis, whole, true, options.hidden);
   return hypothesis;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/change_detection/segment_correlates.h"
 #include "core/diagnosis/pipeline/hypothesis.h"
@@ -14,8 +15,6 @@
 namespace heft::diagnosis {
 
 namespace {
-
-constexpr double kMostOfTime = 0.25;  ///< For light touches; what takes longer is none
 
 /// All contacts are something else, which goes with `correlate`.
 void setAllAside(Hypothesis& hypothesis, Correlate correlate) {
@@ -27,7 +26,7 @@ void setAllAside(Hypothesis& hypothesis, Correlate correlate) {
 /// How many times its usual power the noise has near a touch, but not in it; 1 where it is quieter. `e`: innovations, 6
 /// x N.
 double loudnessBeside(const Contact& touch, const Hypothesis& hypothesis, const Eigen::Map<const Wrenches>& e) {
-  constexpr double kNear = 2.0, kApart = 0.1, kWindow = 1.0;  // [s]
+  constexpr double kNear = 2.0, kWindow = 1.0;  // [s]
   const auto length = static_cast<Eigen::Index>(kWindow * hypothesis.signals.blockRate());
   std::vector<double> usual;
   double near = 0.0, count = 0.0;
@@ -36,7 +35,7 @@ double loudnessBeside(const Contact& touch, const Hypothesis& hypothesis, const 
       usual.push_back(e.middleCols(n, length).squaredNorm() / static_cast<double>(length));
     for (Eigen::Index n = s.from; n < s.to; ++n) {
       const double t = hypothesis.signals.blockTime(n);
-      if (t < touch.from - kNear || t > touch.to + kNear || (t > touch.from - kApart && t < touch.to + kApart))
+      if (t < touch.from - kNear || t > touch.to + kNear || (t > touch.from - kMoment && t < touch.to + kMoment))
         continue;
       near += e.col(n).squaredNorm();
       count += 1.0;
@@ -51,15 +50,15 @@ double loudnessBeside(const Contact& touch, const Hypothesis& hypothesis, const 
 bool wereTouches(double peak, double evidence, double longest, const Hypothesis& hypothesis) {
   // Of 30 faint ones in 560 recordings, real touches had 32 or more, and more than 1.3 times the noise below 100.
   // Nobody touches with a torque and no force: one of 408 others, over 1.2 s, had 433 and 0.4 times the noise.
-  constexpr double kLeast = 30.0, kShareOfOthers = 0.03, kLittle = 100.0, kOfNoise = 0.7;
+  constexpr double kOfNoise = 0.7;
   // What lasts has more room for what others leave.
-  constexpr double kLasts = 1.5, kShareIfItLasts = 0.2;  // [s]
+  constexpr double kLasts = 1.5;  // [s]
   double others = 0.0;
   for (const Found& found : hypothesis.search.found)
     if (found.cause != ids::contact) others += found.gain;
-  if (evidence < kLeast + (longest > kLasts ? kShareIfItLasts : kShareOfOthers) * others) return false;
-  return peak >
-         (evidence > kLittle ? kOfNoise : 1.0) * rmsOf(hypothesis.stretches, hypothesis.search.final.residual).force;
+  if (evidence < kClearEvidence + (longest > kLasts ? kBroadError : kFormError) * others) return false;
+  return peak > (evidence > 2.0 * kFaint ? kOfNoise : 1.0) *
+                    rmsOf(hypothesis.stretches, hypothesis.search.final.residual).force;
 }
 
 /// Contacts that follow each other within `apart` [s], or that overlap, as one. Rising in time.
@@ -89,8 +88,6 @@ Stretch blocksBetween(const Signals& signals, double from, double to) {
 
 /// Where the fit has touches, as far as they go: what is left beside them stands out from what is left elsewhere.
 std::vector<Stretch> touchesIn(const Signals& signals, const Fit& fit) {
-  constexpr double kStandsOut = 5.0;  // Times the usual
-  constexpr Eigen::Index kQuiet = 5;  // Blocks in a row end it
   Vector6d usual;
   for (Eigen::Index c = 0; c < 6; ++c) {
     std::vector<double> left;
@@ -107,9 +104,9 @@ std::vector<Stretch> touchesIn(const Signals& signals, const Fit& fit) {
     for (const auto& [from, to] : term.form->cause->when(*term.form, term.v, signals)) {
       Stretch at = blocksBetween(signals, from, to);
       if (at.from >= at.to) continue;
-      for (Eigen::Index n = at.from - 1; n >= std::max<Eigen::Index>(0, at.from - kQuiet); --n)
+      for (Eigen::Index n = at.from - 1; n >= std::max<Eigen::Index>(0, at.from - kMomentBlocks); --n)
         if (loud(n)) at.from = n;
-      for (Eigen::Index n = at.to; n < std::min(signals.blocks(), at.to + kQuiet); ++n)
+      for (Eigen::Index n = at.to; n < std::min(signals.blocks(), at.to + kMomentBlocks); ++n)
         if (loud(n)) at.to = n + 1;
       out.push_back(at);
     }
@@ -119,10 +116,10 @@ std::vector<Stretch> touchesIn(const Signals& signals, const Fit& fit) {
 
 /// Whether all of them touch contact that is known: more of the same.
 bool goOn(const std::vector<Stretch>& touches, const std::vector<Stretch>& holes) {
-  constexpr Eigen::Index kApart = 5;  // Blocks
   return std::ranges::all_of(touches, [&](const Stretch& touch) {
-    return std::ranges::any_of(
-        holes, [&](const Stretch& hole) { return touch.from < hole.to + kApart && touch.to > hole.from - kApart; });
+    return std::ranges::any_of(holes, [&](const Stretch& hole) {
+      return touch.from < hole.to + kMomentBlocks && touch.to > hole.from - kMomentBlocks;
+    });
   });
 }
 
@@ -159,17 +156,14 @@ void setAside(Hypothesis& hypothesis, const Signals& whole, bool sought, const s
 
 std::vector<Stretch> holesWithTouches(const Signals& signals, const SearchStatus& standing,
                                       const std::vector<Stretch>& holes) {
-  // Evidence for a touch, its share of that for everything, and the evidence for more of one that is known. A drift
-  // that begins looks like contact at its bend, and like a touch of 110 that goes on from it.
-  constexpr double kPlain = 1000.0, kShare = 0.1, kMoreOfIt = 300.0;
   if (standing.last != ids::contact) return {};
   const auto touches = touchesIn(signals, standing.fit);
   if (touches.empty()) return {};
-  const bool plain = standing.gain > std::max(kPlain, kShare * standing.explained);
-  if (!plain && !(standing.gain > kMoreOfIt && goOn(touches, holes))) return {};
+  const bool plain = standing.gain > std::max(kSeenDirectly, kEventError * standing.explained);
+  if (!plain && !(standing.gain > kOverwhelming && goOn(touches, holes))) return {};
   auto out = together(holes, touches);
   const double judged = blocksIn(stretchesOf(signals.usable));
-  return blocksIn(out) - blocksIn(holes) < kMostOfTime * judged ? out : std::vector<Stretch>{};
+  return blocksIn(out) - blocksIn(holes) < kQuarter * judged ? out : std::vector<Stretch>{};
 }
 
 void setUnexplainedAside(Hypothesis& hypothesis, const Signals& whole) {
@@ -221,7 +215,7 @@ void setTouchesAside(Hypothesis& hypothesis) {
   const bool touched = wereTouches(peak, evidence, longest, hypothesis);
   search.found.erase(found);
   Model model = without(search.final.model, ids::contact);
-  if (durationOf(touches) < kMostOfTime * signals.duration() && std::ssize(touches) <= kMostTouches && touched) {
+  if (durationOf(touches) < kQuarter * signals.duration() && std::ssize(touches) <= kMostTouches && touched) {
     Signals less = signals;
     leaveOut(less, blocksOf(touches));
     if (auto stretches = stretchesOf(less.usable); !stretches.empty()) {
@@ -240,11 +234,10 @@ void setTouchesAside(Hypothesis& hypothesis) {
 }
 
 void setKnocksAside(Hypothesis& hypothesis) {
-  constexpr double kKnock = 0.25;  ///< [s]
   /// Of five recordings with two or more, and nothing longer, none had been touched
   constexpr std::ptrdiff_t kKnocks = 3;
   if (std::ssize(hypothesis.contacts) < kKnocks ||
-      std::ranges::any_of(hypothesis.contacts, [](const Contact& c) { return c.to - c.from > kKnock; }))
+      std::ranges::any_of(hypothesis.contacts, [](const Contact& c) { return c.to - c.from > kKnockLasts; }))
     return;
   setAllAside(hypothesis, heft::toSay("short knocks"));
 }

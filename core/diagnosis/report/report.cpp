@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/base/say.h"
 #include "core/diagnosis/correction/check_on_other.h"
 #include "core/diagnosis/correction/corrected.h"
 #include "core/diagnosis/correction/model_json.h"
@@ -128,11 +129,13 @@ Vector10d payloadShift(const DiagnosisReport& report) {
 
 std::string unknownText(const DiagnosisReport& report) {
   if (report.verdict != Verdict::unexplained) return {};
-  return fmt::format("{} goes with {}; no cause in the catalogue accounts for it.",
-                     report.remaining.share > 0.0
-                         ? fmt::format("{:.1f} % of what is left", 100.0 * report.remaining.share)
-                         : "something",
-                     report.remaining.goesWith.english());
+  const std::string related = report.remaining.goesWith.words();
+  return report.remaining.share > 0.0
+             ? heft::say("{:.1f} % of the remaining difference is related to {}; no cause in the catalogue accounts for "
+                         "it.",
+                         100.0 * report.remaining.share, related)
+             : heft::say("The remaining difference is related to {}; no cause in the catalogue accounts for it.",
+                         related);
 }
 
 std::string toText(const DiagnosisReport& report) {

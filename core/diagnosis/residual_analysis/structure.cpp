@@ -12,6 +12,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/residual_analysis/band_excess.h"
 #include "core/diagnosis/residual_analysis/periodic.h"
 
@@ -35,11 +36,6 @@ MatrixXd normalised(MatrixXd features) {
   return features;
 }
 
-constexpr double kPlain = 60.0;             ///< Gain of a structure that nobody would call noise
-constexpr double kPlainBesideWalk = 120.0;  ///< The same where the zero walks: its fast waves are many times the noise
-constexpr double kBesideColour = 20.0;      ///< Gain of a wave in a noise that is not quite as it was learned
-constexpr double kStill = 0.03, kStillTurning = 0.1;  // [m/s]; [rad/s]
-constexpr double kShareOfWalk = 0.03;  ///< Of what a walk explains: what its waves leave may go with anything by chance
 /// Share of what is left that is no structure whatever its gain: of 20 unknown effects the least was 0.014; what
 /// corners of a motion left of one clean recording, 0.008.
 constexpr double kHardlyAny = 0.01;
@@ -172,7 +168,7 @@ std::vector<Group> past(const Signals& signals) {
   std::vector<bool> still = always;
   for (Eigen::Index k = 0; k < signals.size(); ++k)
     still[static_cast<std::size_t>(k)] =
-        signals.velocity.col(k).norm() < kStill && signals.kinematics.omega.col(k).norm() < kStillTurning;
+        signals.velocity.col(k).norm() < kStillSpeed && signals.kinematics.omega.col(k).norm() < kStillTurning;
   const auto since = [&](const std::vector<bool>& follows) {
     const auto within = [&](double T) {
       return followed(signals.kinematics.specificForce, follows, T, signals.rateHz);
@@ -305,7 +301,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
   const bool wanders = hasRandomWalk(fit.model);
   // Beside a zero that wanders, what its waves leave over is no structure yet.
-  const double ofWalk = wanders ? kBesideColour + kShareOfWalk * gainOfWalk(fit, jacobian, stretches) : 0.0;
+  const double ofWalk = wanders ? kUnusual + kFormError * gainOfWalk(fit, jacobian, stretches) : 0.0;
   // A strong structure hides behind the long memory of a noise that was learned from it: hence without memory too.
   const std::array<WhitenedResidual, 2> grounds{
       WhitenedResidual(stretches, fit, jacobian, fit.noise, false),
@@ -335,7 +331,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
       found.gain = std::min(0.0, least - 1.0);
       continue;
     }
-    const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? kPlainBesideWalk : kPlain);
+    const bool asks = found.gain >= least + ofWalk && found.gain <= (wanders ? 2.0 * kPlainEvidence : kPlainEvidence);
     if (asks && !chance[on]) chance[on].emplace(grounds[on], lnN);
     if (!asks || found.gain > chance[on]->gainOf(Dictionary(grounds[on], columnsOf(all[at], signals)))) {
       best = {all[at].goesWith, found.gain, found.explained, 0.0, 0.0};
@@ -351,7 +347,7 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   std::array<BestWave, 2 * kKinds.size()> waves;
   parallelFor(waves.size(),
               [&](std::size_t i) { waves[i] = bestWave(signals, kKinds[i / 2], grounds[i % 2], lnN, fastest); });
-  const double colour = (wanders ? kMoreBesideWalk : 1.0) * kBesideColour;
+  const double colour = (wanders ? kMoreBesideWalk : 1.0) * kUnusual;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const auto& [wave, frequency] = waves[i];
     if (wave.gain - colour <= best.gain) continue;
@@ -363,8 +359,9 @@ Structure strongest(const Signals& signals, const std::vector<Stretch>& stretche
   }
   best.gain -= ofWalk;
   const auto unlessPlain = [&](const BandExcess& found, const char* words) {
-    if (found.excess > 1.0 && best.gain < kPlain)
-      best = {{words, found.lowHz, found.highHz}, kPlain * found.excess, found.share, found.lowHz, found.highHz};
+    if (found.excess > 1.0 && best.gain < kPlainEvidence)
+      best = {
+          {words, found.lowHz, found.highHz}, kPlainEvidence * found.excess, found.share, found.lowHz, found.highHz};
   };
   // What shakes most below the corner is noise of the motion, if that is noisy.
   if (signals.noisyMotion) return best;

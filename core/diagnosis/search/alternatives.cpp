@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 
@@ -12,7 +13,9 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kWholeTool = 0.4;  ///< Share of the payload that is hardly a part of the tool any more
+constexpr double kAtCentre = 0.008;  ///< [m] A pull that acts nearer to the centre of mass acts there
+constexpr double kAlong = 0.08;      ///< Share of a force along an axis below which it is across it
+constexpr double kWholeTool = 0.4;   ///< Share of the payload that is hardly a part of the tool any more
 
 /// First parameter of the terms of `cause`, together.
 double firstOf(const Fit& fit, std::string_view cause) {
@@ -49,22 +52,21 @@ std::optional<Vector3d> pullAtCentre(const Fit& fit, std::string_view cause, dou
 /// Whether a pull acts up or down where the tool's weight does: then gravity may be another than stated, or be taken
 /// out of the readings already, which no motion can tell from it. One that acts across gravity, too, is both.
 bool pullsAsWeightDoes(const Fit& fit, const Vector3d& gravity) {
-  constexpr double kAlong = 0.08, kNear = 0.015, kNearer = 0.008;  // Share of the force; [m], [m]
-  constexpr double kAside = 0.03;                                  // Of the force, where it is not known as closely
-  const auto near = pullAtCentre(fit, ids::constantPull, kNear), nearer = pullAtCentre(fit, ids::constantPull, kNearer);
-  return (near && near->cross(gravity).norm() < kAside * near->norm() * gravity.norm()) ||
+  constexpr double kNear = 0.015;  // [m]
+  const auto near = pullAtCentre(fit, ids::constantPull, kNear),
+             nearer = pullAtCentre(fit, ids::constantPull, kAtCentre);
+  return (near && near->cross(gravity).norm() < kFormError * near->norm() * gravity.norm()) ||
          (nearer && std::abs(nearer->dot(gravity)) > kAlong * nearer->norm() * gravity.norm());
 }
 
 /// Whether it acts across gravity there: then the base may be tilted, which no motion can tell from it either, or give
 /// under the arm as it reaches out, as no cable does that is tied to the tool anywhere else.
 bool pullsAsTiltDoes(const Fit& fit, std::string_view cause, const Vector3d& gravity) {
-  constexpr double kAlong = 0.08, kAside = 0.03, kNear = 0.008;  // Share of the force, twice; [m]
-  const auto force = pullAtCentre(fit, cause, kNear);
+  const auto force = pullAtCentre(fit, cause, kAtCentre);
   if (!force) return false;
   const double size = force->norm() * gravity.norm();
   return std::abs(force->dot(gravity)) < kAlong * size ||
-         (cause == ids::constantPull && force->cross(gravity).norm() > kAside * size);
+         (cause == ids::constantPull && force->cross(gravity).norm() > kFormError * size);
 }
 
 /// What the scanned parameters of each term of `cause`, whose first one is a time, come to over what is realistic, in
@@ -89,14 +91,13 @@ std::vector<VectorXd> eventsOf(const Fit& fit, std::string_view cause) {
 /// Whether events one after the other take back what they did: so does whoever touches the tool and lets go, and a part
 /// that slides to and fro.
 bool comesBack(const std::vector<VectorXd>& events) {
-  constexpr double kLeft = 0.2;  // Of the largest of them
   for (std::size_t i = 0; i < events.size(); ++i) {
     VectorXd all = events[i];
     double largest = all.norm();
     for (std::size_t j = i + 1; j < events.size(); ++j) {
       all += events[j];
       largest = std::max(largest, events[j].norm());
-      if (all.norm() < kLeft * largest) return true;
+      if (all.norm() < kFifth * largest) return true;
     }
   }
   return false;
@@ -104,10 +105,9 @@ bool comesBack(const std::vector<VectorXd>& events) {
 
 /// Whether the load only ever moves on the tool, and back: nothing was picked up or put down.
 bool slidesBack(const Fit& fit) {
-  constexpr double kReach = 0.1, kWeighs = 0.2;  // [m]; of what it moves by, as a mass so far away
   auto events = eventsOf(fit, ids::payloadChange);
   const bool moves = std::ranges::all_of(fit.model.terms, [&](const Term& term) {
-    return causeOf(term) != ids::payloadChange || std::abs(term.v(1)) * kReach < kWeighs * term.v.segment<3>(2).norm();
+    return causeOf(term) != ids::payloadChange || std::abs(term.v(1)) * kGrip < kFifth * term.v.segment<3>(2).norm();
   });
   for (VectorXd& event : events) event(0) = 0.0;  // Its mass: noise beside how far it moves
   return moves && comesBack(events);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/model/step_candidates.h"
@@ -22,7 +23,6 @@ namespace {
 
 constexpr std::size_t kTried = 8;       ///< Causes that get a fit in a step
 constexpr std::size_t kTriedLater = 5;  ///< The same once there are several terms, which make each fit dear
-constexpr double kHopeful = 0.25;       ///< Of the evidence to beat: what a first look must promise
 constexpr double kLeastOnMount = 0.02;  ///< Share of the payload below which nobody would speak of its mount
 
 /// Whether the first look found only roughly where the candidate gains most.
@@ -225,7 +225,7 @@ std::vector<const Candidate*> chosenOf(const std::vector<Candidate>& ranked, std
     // In 134 recordings, one in 200 that promised less than kLeast gained enough, and next to nothing.
     constexpr double kLeast = -12.0;
     if (candidate.score <
-        std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kHopeful * std::max(0.0, toBeat - 2.0 * kTie)))
+        std::max(whole ? 0.0 : kLeast, (whole ? 0.0 : -30.0) + kQuarter * std::max(0.0, toBeat - 2.0 * kTie)))
       continue;
     auto& known = forms[whole ? 0 : 1];
     const auto id = candidate.form.cause->id();
@@ -288,7 +288,7 @@ std::vector<CandidateFit> candidateFits(const Signals& signals, const std::vecto
   const std::size_t tries = base.model.terms.size() < 2 ? kTried : kTriedLater;
   auto chosen = chosenOf(ranked, tries, promised);
   auto all = fitsOf(signals, stretches, base, chosen);
-  if (!all.empty() && all.front().gain >= kHopeful * promised) return all;
+  if (!all.empty() && all.front().gain >= kQuarter * promised) return all;
   auto others = chosenOf(ranked, tries, 0.0);
   std::erase_if(others, [&](const Candidate* c) { return std::find(chosen.begin(), chosen.end(), c) != chosen.end(); });
   auto more = fitsOf(signals, stretches, base, others);
@@ -317,10 +317,9 @@ void addCompletions(const Signals& signals, const std::vector<Stretch>& stretche
 }
 
 std::vector<Sibling> siblingsOf(const CandidateFit& accepted, const std::vector<CandidateFit>& all) {
-  constexpr double kShare = 0.05;  ///< Of what the accepted one gained
   constexpr std::size_t kMostSiblings = 3;
   const Form& form = *accepted.fit.model.terms.back().form;
-  const double least = accepted.gain - std::max(2.0 * kTie, kShare * accepted.gain);
+  const double least = accepted.gain - std::max(2.0 * kTie, kTwinError * accepted.gain);
   std::vector<Sibling> out;
   for (const CandidateFit& trial : all) {
     const Term& term = trial.fit.model.terms.back();
@@ -416,12 +415,10 @@ bool believable(const Fit& fit) {
   const double mass = fit.model.x(6), sd = std::sqrt(std::max(0.0, fit.covariance(6, 6)));
   if (mass < -3.0 * sd || mass > 60.0) return false;
   if (!fit.model.packed().allFinite()) return false;
-  // Two events of one cause next to one another are one.
-  constexpr double kApart = 0.1;  // [s]
   for (const Term& a : fit.model.terms)
     for (const Term& b : fit.model.terms)
       if (&a < &b && a.form->atOnce && b.form->atOnce && a.form->cause == b.form->cause &&
-          std::abs(a.v(0) - b.v(0)) < kApart)
+          std::abs(a.v(0) - b.v(0)) < kMoment)
         return false;
   // What swings is a part of the payload, or all of it.
   const VectorXd std = fit.std();

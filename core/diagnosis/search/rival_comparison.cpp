@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/evidence.h"
@@ -15,7 +16,6 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kSame = 4.0;    ///< Twice the log-likelihood that sets no two causes apart
 constexpr double kChance = 3.0;  ///< Twice the log-likelihood that an idle parameter hardly ever gains
 
 /// The trial with up to `terms` terms, those after the first of any of the `causes`, as long as each of them adds to it
@@ -44,18 +44,17 @@ CandidateFit grown(const Signals& signals, const std::vector<Stretch>& stretches
 void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, double walk,
                  const Model& rest, std::vector<CandidateFit>& all) {
   constexpr std::size_t kTop = 3, kTerms = 3;
-  constexpr double kNear = 0.25;  ///< Share of what the walk explains
   if (walk < 2.0 * kFaint || causesIn(rest) + 1 >= kOverfitted) return;
   std::vector<std::string_view> others, done;
   for (const auto& cause : catalogue())
     if (cause->id() != kRandomWalk) others.push_back(cause->id());
   for (CandidateFit& trial : all) {
     const auto id = causeOf(trial.fit.model.terms.back());
-    if (done.size() == kTop || trial.gain < kNear * walk) break;
+    if (done.size() == kTop || trial.gain < kQuarter * walk) break;
     if (id == kRandomWalk || std::ranges::find(done, id) != done.end()) continue;
     done.push_back(id);
-    CandidateFit more = grown(signals, stretches, bank, trial, others, kTerms, walk + kBesideRandomWalk);
-    if (more.gain > walk + kBesideRandomWalk) trial = std::move(more);
+    CandidateFit more = grown(signals, stretches, bank, trial, others, kTerms, walk + kClearEvidence);
+    if (more.gain > walk + kClearEvidence) trial = std::move(more);
   }
   sortByGain(all);
 }
@@ -63,7 +62,6 @@ void outgrowWalk(const Signals& signals, const std::vector<Stretch>& stretches, 
 /// What took several terms of `cause` is compared with as many of others that come near with one.
 void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank, const Model& model,
                 std::string_view cause, std::vector<CandidateFit>& all) {
-  constexpr double kNear = 0.6;  ///< Share of the best
   const auto terms =
       static_cast<std::size_t>(std::ranges::count_if(model.terms, [&](const Term& t) { return causeOf(t) == cause; }));
   if (terms < 2 || all.empty()) return;
@@ -72,7 +70,7 @@ void growRivals(const Signals& signals, const std::vector<Stretch>& stretches, S
   for (CandidateFit& trial : all) {
     const Form& form = *trial.fit.model.terms.back().form;
     const std::array<std::string_view, 1> same{form.cause->id()};
-    if (trial.gain < kNear * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end())
+    if (trial.gain < kClearMajority * best || form.local || form.walk || std::ranges::find(done, same[0]) != done.end())
       continue;
     done.push_back(same[0]);
     trial = grown(signals, stretches, bank, std::move(trial), same, terms, 0.0);
@@ -141,11 +139,11 @@ VectorXd spreadOf(const Model& model, std::string_view cause, const std::vector<
 /// where, as far as the tool turns, the zero may have jumped; or all gains grow like a load: how well either fits is
 /// not known better than to a share of what both explain.
 double slackBetween(std::string_view a, std::string_view b, double gain) {
-  constexpr double kShare = 0.05, kShareOfSwing = 0.07, kShareOfEvent = 0.1, kShareOfLoad = 0.01;
+  constexpr double kShareOfLoad = 0.01;
   const CauseInfo &one = infoOf(a), &other = infoOf(b);
-  if (one.begins && other.begins) return kShareOfEvent * gain;
+  if (one.begins && other.begins) return kEventError * gain;
   if (one.scalesWithLoad && other.scalesWithLoad) return kShareOfLoad * gain;
-  return lags(a) && lags(b) ? kShare * gain : enlarges(a) && enlarges(b) ? kShareOfSwing * gain : 0.0;
+  return lags(a) && lags(b) ? kTwinError * gain : enlarges(a) && enlarges(b) ? kTwinError * gain : 0.0;
 }
 
 /// By how much a rival must be better to take a cause's place. A faint drift may well be a walk: that one is no alarm.
@@ -157,7 +155,7 @@ double leadFor(const Found& found, const Rival& rival, bool oneCourse) {
   constexpr double kUsual = 2.0, kFaintDrift = 5.0, kPlainWalk = 12.0;
   const bool walkGoes = found.cause == kRandomWalk, walkComes = rival.cause == kRandomWalk;
   if (!walkGoes && !walkComes) return kUsual;
-  if (oneCourse && walkGoes && rival.cause == ids::biasDrift) return -kOfOneCourse * found.gain;
+  if (oneCourse && walkGoes && rival.cause == ids::biasDrift) return -kMajority * found.gain;
   if (walkGoes && rival.cause == ids::sensorBias) return kJump;
   if (walkGoes && isMoreThanWalk(rival.cause, found.gain - rival.behind, found.gain)) return -found.gain;
   if (walkComes && isMoreThanWalk(found.cause, found.gain, found.gain - rival.behind)) return found.gain;
@@ -209,98 +207,146 @@ bool tied(const Found& found, const Rival& rival) {
   if (rival.behind < kTie + slack || (slack > 0.0 && rival.worse < slack)) return true;
   const bool explains = rival.behind < found.gain;
   if (explains && rival.worse + kChance * rival.extra < 0.0) return true;
-  if (rival.worse > kSame) return false;
+  if (rival.worse > kSameLikelihood) return false;
   const auto alike = findCause(found.cause)->lookAlikes();
   const bool faint = found.gain < kFaint;
   return std::find(alike.begin(), alike.end(), rival.cause) != alike.end() ? faint || explains : faint && explains;
 }
 
+namespace {
+
+/// Asks of each cause of a model what could stand in its place; a model that is better becomes the search's.
+class RivalComparison {
+ public:
+  RivalComparison(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
+                  const SearchOptions& options, Search& search)
+      : signals_(signals), stretches_(stretches), bank_(bank), options_(options), search_(search) {
+    if (!search.accepted.all.empty()) tried_.push_back(std::move(search.accepted));
+  }
+
+  /// Goes through all causes once. `changes`: whether a better model may be taken; then the rest of the causes waits.
+  /// Whether one was.
+  bool look(bool changes, const Progress& progress) {
+    search_.found.clear();
+    for (const auto& cause : std::vector<std::string>(search_.order)) {
+      if (!contains(search_.final.model, cause) || progress.cancelled()) continue;
+      progress(0.8, heft::say("Comparing what could stand in its place"));
+      const CandidateFits& around = triedWithout(cause);
+      Found found;
+      found.cause = cause;
+      found.gain = search_.final.evidence - around.base.evidence;
+      const std::vector<CandidateFit> all = inPlaceOf(found, around);
+      found.spread = spreadOf(search_.final.model, cause, all);
+      if (changes && (takeRicher(found, all) || takeOther(found, all, around.base.model) || takeOneForTwo(cause)))
+        return true;
+      const auto best = bestOfEach(all, cause, around.base.model);
+      for (const auto& [id, trial] : best) found.rivals.push_back(rivalOf(found, *trial, search_.final));
+      std::stable_sort(found.rivals.begin(), found.rivals.end(),
+                       [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
+      std::erase_if(found.rivals, [&](const Rival& r) {
+        return cause == ids::biasDrift && r.cause == kRandomWalk && isOneCourse(best.at(r.cause)->fit.model);
+      });
+      if (changes && takeBetter(found, best)) return true;
+      std::erase_if(found.rivals, [&](const Rival& r) { return !tied(found, r); });
+      search_.found.push_back(std::move(found));
+    }
+    return false;
+  }
+
+ private:
+  void take(const Fit& fit) {
+    search_.final = settled(signals_, stretches_, prunedOf(signals_, stretches_, fit, options_.threshold));
+  }
+
+  /// What was tried around the same model before, such as before the last cause was accepted, is what stands against
+  /// `cause` now.
+  const CandidateFits& triedWithout(const std::string& cause) {
+    const Model bare = without(search_.final.model, cause);
+    const auto known =
+        std::ranges::find_if(tried_, [&](const CandidateFits& t) { return sameForms(bare, t.base.model); });
+    if (known != tried_.end()) return *known;
+    CandidateFits fresh{restWithout(signals_, stretches_, search_.final.model, cause, search_.order), {}};
+    const auto ranked = promises(signals_, stretches_, bank_, fresh.base);
+    fresh.all = fitsOf(signals_, stretches_, fresh.base,
+                       chosenOf(ranked, kRivals, search_.final.evidence - fresh.base.evidence));
+    std::erase_if(fresh.all, [&](const CandidateFit& trial) { return !bank_.knows(trial.cause); });
+    addAtThatMoment(signals_, stretches_, fresh.base, ranked, fresh.all);
+    addCompletions(signals_, stretches_, fresh.base, fresh.all);
+    return *tried_.insert(tried_.end(), std::move(fresh));
+  }
+
+  std::vector<CandidateFit> inPlaceOf(const Found& found, const CandidateFits& around) {
+    std::vector<CandidateFit> all = around.all;
+    if (found.cause == kRandomWalk)
+      outgrowWalk(signals_, stretches_, bank_, found.gain, around.base.model, all);
+    else
+      growRivals(signals_, stretches_, bank_, search_.final.model, found.cause, all);
+    settleRivals(signals_, stretches_, around.base, found, all);
+    return all;
+  }
+
+  /// A richer form of the cause that promised little around what else was wrong by then.
+  bool takeRicher(const Found& found, const std::vector<CandidateFit>& all) {
+    const auto own = std::ranges::find_if(all, [&](const CandidateFit& t) { return t.cause == found.cause; });
+    if (own == all.end() || own->gain <= found.gain + kTie) return false;
+    take(own->fit);
+    return true;
+  }
+
+  /// What another of the named causes explains about as well needs no name of its own.
+  bool takeOther(const Found& found, const std::vector<CandidateFit>& all, const Model& rest) {
+    const auto other = std::ranges::find_if(all, [&](const CandidateFit& t) {
+      const Form& form = *t.fit.model.terms.back().form;
+      return t.gain > found.gain - kTie && t.cause != found.cause && contains(rest, t.cause) && !form.local &&
+             !form.walk;
+    });
+    if (other == all.end()) return false;
+    take(other->fit);
+    std::erase(search_.order, found.cause);
+    return true;
+  }
+
+  bool takeOneForTwo(const std::string& cause) {
+    const auto one = oneForTwo(signals_, stretches_, bank_, search_.final, cause);
+    if (!one) return false;
+    take(*one);
+    std::erase_if(search_.order, [&](const std::string& named) { return !contains(search_.final.model, named); });
+    return true;
+  }
+
+  /// The first rival that is ahead by enough takes the cause's place.
+  bool takeBetter(const Found& found, const std::map<std::string, const CandidateFit*>& best) {
+    const bool oneCourse = found.cause == kRandomWalk && isOneCourse(search_.final.model);
+    const auto better =
+        std::ranges::find_if(found.rivals, [&](const Rival& r) { return r.behind < -leadFor(found, r, oneCourse); });
+    if (better == found.rivals.end()) return false;
+    take(best.at(better->cause)->fit);
+    std::vector<std::string>& order = search_.order;
+    *std::find(order.begin(), order.end(), found.cause) = better->cause;
+    for (const Term& term : search_.final.model.terms)
+      if (std::find(order.begin(), order.end(), causeOf(term)) == order.end()) order.emplace_back(causeOf(term));
+    return true;
+  }
+
+  const Signals& signals_;
+  const std::vector<Stretch>& stretches_;
+  SignatureBank& bank_;
+  const SearchOptions& options_;
+  Search& search_;
+  std::vector<CandidateFits> tried_;
+};
+
+}  // namespace
+
 bool compareRivals(const Signals& signals, const std::vector<Stretch>& stretches, SignatureBank& bank,
                    const SearchOptions& options, Search& search, const Progress& progress) {
   // The last look changes nothing any more: what was found must be told whole.
   constexpr int kLooks = 3;
-  bool changed = true, ever = false;
-  std::vector<CandidateFits> tried;
-  if (!search.accepted.all.empty()) tried.push_back(std::move(search.accepted));
-  const auto take = [&](const Fit& fit) {
-    search.final = settled(signals, stretches, prunedOf(signals, stretches, fit, options.threshold));
-    changed = ever = true;
-  };
-  for (int look = 0; look < kLooks && changed && !progress.cancelled(); ++look) {
-    changed = false;
-    search.found.clear();
-    for (const auto& cause : std::vector<std::string>(search.order)) {
-      if (!contains(search.final.model, cause) || progress.cancelled()) continue;
-      progress(0.8, heft::say("Comparing what could stand in its place"));
-      Found found;
-      found.cause = cause;
-      // What was tried around the same model before, such as before the last cause was accepted, is what stands against
-      // it now.
-      const Model bare = without(search.final.model, cause);
-      auto known = std::ranges::find_if(tried, [&](const CandidateFits& t) { return sameForms(bare, t.base.model); });
-      if (known == tried.end()) {
-        CandidateFits fresh{restWithout(signals, stretches, search.final.model, cause, search.order), {}};
-        const auto ranked = promises(signals, stretches, bank, fresh.base);
-        fresh.all = fitsOf(signals, stretches, fresh.base,
-                           chosenOf(ranked, kRivals, search.final.evidence - fresh.base.evidence));
-        std::erase_if(fresh.all, [&](const CandidateFit& trial) { return !bank.knows(trial.cause); });
-        addAtThatMoment(signals, stretches, fresh.base, ranked, fresh.all);
-        addCompletions(signals, stretches, fresh.base, fresh.all);
-        known = tried.insert(tried.end(), std::move(fresh));
-      }
-      const Fit& rest = known->base;
-      std::vector<CandidateFit> all = known->all;
-      found.gain = search.final.evidence - rest.evidence;
-      if (cause == kRandomWalk)
-        outgrowWalk(signals, stretches, bank, found.gain, rest.model, all);
-      else
-        growRivals(signals, stretches, bank, search.final.model, cause, all);
-      settleRivals(signals, stretches, rest, found, all);
-      found.spread = spreadOf(search.final.model, cause, all);
-      // A richer form of it that promised little around what else was wrong by then.
-      const auto own = std::ranges::find_if(all, [&](const CandidateFit& t) { return t.cause == cause; });
-      if (own != all.end() && own->gain > found.gain + kTie && look + 1 < kLooks) {
-        take(own->fit);
-        break;
-      }
-      // What another of the named causes explains about as well needs no name of its own.
-      const auto other = std::ranges::find_if(all, [&](const CandidateFit& t) {
-        const Form& form = *t.fit.model.terms.back().form;
-        return t.gain > found.gain - kTie && t.cause != cause && contains(rest.model, t.cause) && !form.local &&
-               !form.walk;
-      });
-      if (other != all.end() && look + 1 < kLooks) {
-        take(other->fit);
-        std::erase(search.order, cause);
-        break;
-      }
-      if (const auto one =
-              look + 1 < kLooks ? oneForTwo(signals, stretches, bank, search.final, cause) : std::nullopt) {
-        take(*one);
-        std::erase_if(search.order, [&](const std::string& named) { return !contains(search.final.model, named); });
-        break;
-      }
-      const auto best = bestOfEach(all, cause, rest.model);
-      for (const auto& [id, trial] : best) found.rivals.push_back(rivalOf(found, *trial, search.final));
-      std::stable_sort(found.rivals.begin(), found.rivals.end(),
-                       [](const Rival& a, const Rival& b) { return a.behind < b.behind; });
-      const bool oneCourse = cause == kRandomWalk && isOneCourse(search.final.model);
-      std::erase_if(found.rivals, [&](const Rival& r) {
-        return cause == ids::biasDrift && r.cause == kRandomWalk && isOneCourse(best.at(r.cause)->fit.model);
-      });
-      const auto better = std::find_if(found.rivals.begin(), found.rivals.end(),
-                                       [&](const Rival& r) { return r.behind < -leadFor(found, r, oneCourse); });
-      if (better != found.rivals.end() && look + 1 < kLooks) {
-        take(best.at(better->cause)->fit);
-        *std::find(search.order.begin(), search.order.end(), cause) = better->cause;
-        for (const Term& term : search.final.model.terms)
-          if (std::find(search.order.begin(), search.order.end(), causeOf(term)) == search.order.end())
-            search.order.emplace_back(causeOf(term));
-        break;
-      }
-      std::erase_if(found.rivals, [&](const Rival& r) { return !tied(found, r); });
-      search.found.push_back(std::move(found));
-    }
+  RivalComparison comparison(signals, stretches, bank, options, search);
+  bool ever = false;
+  for (int look = 0; look < kLooks && !progress.cancelled(); ++look) {
+    if (!comparison.look(look + 1 < kLooks, progress)) break;
+    ever = true;
   }
   search.accepted = {};
   return ever;

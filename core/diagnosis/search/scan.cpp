@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/parallel.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/math/linear_algebra.h"
 
@@ -215,10 +216,9 @@ namespace {
 bool bends(const Term& t) { return t.form->cause->bendsGeometry(); }
 
 bool isNearly(const Term& a, const Term& b) {
-  constexpr double kNear = 0.1;  // Of a realistic size: what a first look hardly sees
   if (a.form->cause != b.form->cause || a.form->name != b.form->name) return false;
   const Shift shift = shiftBetween(a, b);
-  return std::max(shift.amplitude, shift.shape) <= kNear;
+  return std::max(shift.amplitude, shift.shape) <= kSmallShare;
 }
 
 }  // namespace
@@ -318,17 +318,14 @@ std::vector<Candidate> scan(const Signals& signals, const std::vector<Stretch>& 
   const Noise flatNoise = white(fit.residual, stretches, fit.noise.noiseScale);
   const MatrixXd jacobian = CachedJacobian(signals, fit.model).jacobian();
   const Weighting coloured(fit.noise, stretches, fit, jacobian), plain(flatNoise, stretches, fit, jacobian);
-  // Where squares are few beside the most that any form has, noise that is learned anew makes no more of them: it does
-  // so the less, the fewer there are.
-  constexpr double kFew = 0.1, kHardlyAny = 4.0;
   std::vector<std::array<Weighting::Answer, 2>> answers(bank.size());
   parallelFor(bank.size(), [&](std::size_t i) {
     answers[i] = {coloured.firstGuess(bank[i], lnN), plain.firstGuess(bank[i], lnN)};
   });
-  std::array<double, 2> many{kHardlyAny, kHardlyAny};
+  std::array<double, 2> many{kSameLikelihood, kSameLikelihood};
   for (std::size_t i = 0; i < bank.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      if (!bank[i].form.walk) many[k] = std::max(many[k], kFew * answers[i][k].squares);
+      if (!bank[i].form.walk) many[k] = std::max(many[k], kSmallShare * answers[i][k].squares);
   std::vector<Candidate> out(bank.size());
   parallelFor(bank.size(), [&](std::size_t i) {
     auto& [best, other] = answers[i];
@@ -376,11 +373,11 @@ OnsetRefinement::OnsetRefinement(const Signals& signals, const std::vector<Stret
 OnsetRefinement::~OnsetRefinement() = default;
 
 Candidate OnsetRefinement::refined(const Candidate& candidate) const {
-  constexpr double kNear = 0.3, kStep = 0.1;  // [s]
+  constexpr double kStep = 0.1;  // [s]
   const auto at = [&](double time) { return signatureAt(time, candidate.form, around_->surroundings); };
   // Where the squares fall most, whatever the noise's memory; then block by block, the noise learned anew.
   double about = candidate.v(0), most = -1e300;
-  for (double off = -kNear; off < kNear + 0.5 * kStep; off += kStep) {
+  for (double off = -kEventGap; off < kEventGap + 0.5 * kStep; off += kStep) {
     const double squares = around_->plain.firstGuess(at(candidate.v(0) + off), around_->lnN).squares;
     if (squares <= most) continue;
     most = squares;

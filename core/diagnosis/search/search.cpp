@@ -1,9 +1,11 @@
 #include "core/diagnosis/search/search.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/random_walk.h"
@@ -12,26 +14,19 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kSlightlyRicher = 4.0;     ///< Evidence for a richer form that is none
-constexpr double kShareOfRandomWalk = 0.2;  ///< And of what they explain: the further it wanders, the more they leave
-
 /// What a trial must gain beyond the threshold around a model that explains `explained`. `wanders`: of that, by a zero
 /// that walks.
 double neededBeside(const Model& model, double explained, double wanders, const CandidateFit& trial) {
-  /// What the form of one thing that changes fast forces leaves, another of them takes
-  constexpr double kShareOfFast = 0.02;
-  constexpr double kEvent = 20.0,
-                   kShareOfEvents = 0.02;  ///< And an event at the right moment takes a little of anything
   const std::string_view cause = trial.cause;
-  double out = contains(model, kRandomWalk) ? kBesideRandomWalk + kShareOfRandomWalk * wanders : 0.0;
+  double out = contains(model, kRandomWalk) ? kClearEvidence + kBroadError * wanders : 0.0;
   const auto fast = [](std::string_view id) { return (lags(id) || enlarges(id)) && id != ids::looseMass; };
   const bool another =
       std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && fast(causeOf(t)); });
-  if (fast(cause) && another) out += kShareOfFast * explained;
+  if (fast(cause) && another) out += kFormError * explained;
   const Term& added = trial.fit.model.terms.back();
   const bool beside =
       std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) != cause && !t.form->walk; });
-  if (added.form->atOnce && causeOf(added) == cause && beside) out += kEvent + kShareOfEvents * explained;
+  if (added.form->atOnce && causeOf(added) == cause && beside) out += kUnusual + kFormError * explained;
   return out;
 }
 
@@ -40,7 +35,7 @@ double neededBeside(const Model& model, double explained, double wanders, const 
 const CandidateFit* driftOfOneCourse(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
                                      const CandidateFit& walk, std::vector<CandidateFit>& all) {
   if (!isOneCourse(walk.fit.model)) return nullptr;
-  const double least = kOfOneCourse * walk.gain;
+  const double least = kMajority * walk.gain;
   std::vector<CandidateFit*> drifts;
   for (CandidateFit& trial : all)
     if (trial.cause == ids::biasDrift && std::max(trial.gain, trial.promised) >= least) drifts.push_back(&trial);
@@ -54,7 +49,6 @@ const CandidateFit* driftOfOneCourse(const Signals& signals, const std::vector<S
 /// touches are many now and then. Its own where that is no better.
 Fit withOthersLikeIt(const Signals& signals, const std::vector<Stretch>& stretches, const CandidateFit& accepted,
                      const std::vector<CandidateFit>& all, std::size_t most) {
-  constexpr double kApart = 0.3;  // [s]
   const auto when = [&](const Term& t) { return t.form->cause->when(*t.form, t.v, signals); };
   const Term& term = accepted.fit.model.terms.back();
   auto taken = when(term);
@@ -67,7 +61,7 @@ Fit withOthersLikeIt(const Signals& signals, const std::vector<Stretch>& stretch
     const auto there = when(other);
     const bool apart = !there.empty() && std::ranges::all_of(there, [&](const auto& a) {
       return std::ranges::all_of(
-          taken, [&](const auto& b) { return a.first > b.second + kApart || a.second < b.first - kApart; });
+          taken, [&](const auto& b) { return a.first > b.second + kEventGap || a.second < b.first - kEventGap; });
     });
     if (!apart) continue;
     model.terms.push_back(other);
@@ -76,6 +70,53 @@ Fit withOthersLikeIt(const Signals& signals, const std::vector<Stretch>& stretch
   if (model.terms.size() == accepted.fit.model.terms.size()) return accepted.fit;
   Fit out = fitModel(signals, stretches, std::move(model));
   return believable(out) && out.evidence > accepted.fit.evidence ? out : accepted.fit;
+}
+
+/// The trial that is accepted beside `base`, of `all`, the best first. `best`: the first that gains `enough`. `drifts`:
+/// set where a drift takes the place of a walk whose channels all take one course.
+const CandidateFit* acceptedOf(const Signals& signals, const std::vector<Stretch>& stretches, const Fit& base,
+                               std::vector<CandidateFit>& all, const CandidateFit& best,
+                               const std::function<bool(const CandidateFit&)>& enough, bool& drifts) {
+  // A richer form of what is already named comes before a second name, unless that one explains clearly more.
+  const CandidateFit* chosen = &best;
+  for (const auto& trial : all)
+    if (contains(base.model, trial.cause) && enough(trial) && trial.gain > 0.7 * best.gain) {
+      chosen = &trial;
+      break;
+    }
+  // A drift of any course that is too faint for a name leaves its place to what explains about as much and has one.
+  if (takesAnyCourse(*chosen) && chosen->gain < kAnyCourse)
+    for (const auto& trial : all)
+      if (enough(trial) && trial.gain > chosen->gain - kTie && trial.cause != kRandomWalk && !takesAnyCourse(trial)) {
+        chosen = &trial;
+        break;
+      }
+  // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
+  // A course that all channels take is a drift where a walk explains less.
+  const double ahead = takesAnyCourse(*chosen) ? 0.0 : chosen->cause == ids::biasDrift ? kClearEvidence : kJump;
+  if (chosen->cause == ids::biasDrift || chosen->cause == ids::sensorBias)
+    for (const auto& trial : all)
+      if (trial.cause == kRandomWalk && trial.gain > chosen->gain - ahead) {
+        chosen = &trial;
+        break;
+      }
+  if (chosen->cause == kRandomWalk)
+    for (const auto& trial : all)
+      if (isMoreThanWalk(trial.cause, trial.gain, chosen->gain)) {
+        chosen = &trial;
+        break;
+      }
+  if (chosen->cause == kRandomWalk)
+    if (const CandidateFit* drift = driftOfOneCourse(signals, stretches, base, *chosen, all)) {
+      chosen = drift;
+      drifts = true;
+    }
+  // Of forms that explain as much, the simplest; a richer one may still take its place when the others are in theirs.
+  const double good = chosen->gain - kSameLikelihood;
+  for (const auto& trial : all)
+    if (trial.cause == chosen->cause && trial.gain > good && trial.fit.dimensions < chosen->fit.dimensions)
+      chosen = &trial;
+  return chosen;
 }
 
 /// Whether there are as many causes, or masses that swing, as there never were at once: crutches for something unknown,
@@ -138,46 +179,8 @@ Search search(const Signals& signals, const std::vector<Stretch>& stretches, Sig
     };
     const auto best = std::ranges::find_if(all, enough);
     if (best == all.end()) break;
-    // A richer form of what is already named comes before a second name, unless that one explains clearly more.
-    const CandidateFit* chosen = &*best;
-    for (const auto& trial : all)
-      if (contains(out.final.model, trial.cause) && enough(trial) && trial.gain > 0.7 * best->gain) {
-        chosen = &trial;
-        break;
-      }
-    // A drift of any course that is too faint for a name leaves its place to what explains about as much and has one.
-    if (takesAnyCourse(*chosen) && chosen->gain < kAnyCourse)
-      for (const auto& trial : all)
-        if (enough(trial) && trial.gain > chosen->gain - kTie && trial.cause != kRandomWalk && !takesAnyCourse(trial)) {
-          chosen = &trial;
-          break;
-        }
-    // What a zero that wanders explains about as well is no drift: most of a walk's way is one. Nor is it a jump.
-    // A course that all channels take is a drift where a walk explains less.
-    const double ahead = takesAnyCourse(*chosen) ? 0.0 : chosen->cause == ids::biasDrift ? kBesideRandomWalk : kJump;
-    if (chosen->cause == ids::biasDrift || chosen->cause == ids::sensorBias)
-      for (const auto& trial : all)
-        if (trial.cause == kRandomWalk && trial.gain > chosen->gain - ahead) {
-          chosen = &trial;
-          break;
-        }
-    if (chosen->cause == kRandomWalk)
-      for (const auto& trial : all)
-        if (isMoreThanWalk(trial.cause, trial.gain, chosen->gain)) {
-          chosen = &trial;
-          break;
-        }
-    if (chosen->cause == kRandomWalk)
-      if (const CandidateFit* drift = driftOfOneCourse(signals, stretches, out.final, *chosen, latest.all)) {
-        chosen = drift;
-        drifts = true;
-      }
+    const CandidateFit* chosen = acceptedOf(signals, stretches, out.final, latest.all, *best, enough, drifts);
     if (chosen->cause == kRandomWalk) wanders = chosen->gain;
-    // Of forms that explain as much, the simplest; a richer one may still take its place when the others are in theirs.
-    const double good = chosen->gain - kSlightlyRicher;
-    for (const auto& trial : all)
-      if (trial.cause == chosen->cause && trial.gain > good && trial.fit.dimensions < chosen->fit.dimensions)
-        chosen = &trial;
     if (std::find(order.begin(), order.end(), chosen->cause) == order.end()) order.push_back(chosen->cause);
     std::ranges::move(siblingsOf(*chosen, latest.all), std::back_inserter(siblings));
     Fit accepted =

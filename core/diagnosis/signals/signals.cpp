@@ -7,12 +7,12 @@
 #include <numbers>
 #include <type_traits>
 
+#include "core/diagnosis/calibration.h"
+#include "core/diagnosis/signals/sensor_range.h"
+
 namespace heft::diagnosis {
 
-double leftByNoise(const Signals& signals) {
-  constexpr double kShare = 0.08, kMostEvidence = 300.0;
-  return std::min(kMostEvidence, kShare * signals.smoothedAway);
-}
+double leftByNoise(const Signals& signals) { return std::min(kOverwhelming, kEventError * signals.smoothedAway); }
 
 Signals signalsOf(const Recording& recording, const Motion& motion, const RobotModel* robot) {
   Signals out;
@@ -23,6 +23,7 @@ Signals signalsOf(const Recording& recording, const Motion& motion, const RobotM
   out.velocity = motion.velocity;
   out.position = motion.position;
   out.gravity = recording.meta.gravity;
+  out.range = sensorRange(recording.meta.sensorModel);
   out.positionKnown = motion.originAccelerationKnown;
   if (robot != nullptr && motion.q.cols() == motion.size()) {
     if (const auto link = robot->findLink(recording.meta.mount.parent)) {

@@ -1,6 +1,7 @@
 #pragma once
 // What the causes work on: the recorded motion and wrench on one uniform clock, and which instants may be judged.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/diagnosis/signals/joint_turns.h"
@@ -39,6 +40,7 @@ struct Signals {
   Eigen::Matrix3Xd velocity;          ///< v_BSo_B [m/s]
   Eigen::Matrix3Xd position;          ///< p_BSo_B [m]
   Vector3d gravity{0.0, 0.0, -9.81};  ///< g_B [m/s2]
+  std::optional<Vector6d> range;      ///< Of the sensor [N, N m], where its model is known: sensor_range.h
   bool positionKnown = true;
   bool noisyMotion = false;  ///< Accelerations are noise not only above `keptHz`, but clearly so below, too
   /// Evidence for a motion smoothed this much, over one as usual, of bias and payload alone: how much of the misfit is

@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/artefacts/own_errors.h"
 #include "core/diagnosis/artefacts/sharp_motion.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/search/alternatives.h"
@@ -21,7 +22,6 @@ namespace {
 /// Where our own smoothing leaves a faint cause that does what another one does nearly alone, the other is judged
 /// without it: beside it, either would be needless. The two are then rivals.
 void keepOneOfTwo(Hypothesis& hypothesis) {
-  constexpr double kTimes = 4.0;  ///< By how much more the other explains without it
   Search& search = hypothesis.search;
   const auto changesFast = [](const Found& f) { return lags(f.cause) || enlarges(f.cause); };
   for (std::size_t own = 0; own < search.found.size(); ++own) {
@@ -36,7 +36,7 @@ void keepOneOfTwo(Hypothesis& hypothesis) {
       const Fit neither = fitModel(hypothesis.signals, hypothesis.stretches, without(alone.model, other.cause)),
                 instead = fitModel(hypothesis.signals, hypothesis.stretches, without(search.final.model, other.cause));
       const double gain = alone.evidence - neither.evidence;
-      if (gain < kTimes * other.gain) continue;
+      if (gain < kManyTimes * other.gain) continue;
       other.gain = gain;
       const Rival rival{search.found[own].cause,   alone.evidence - instead.evidence, 0.0, 0, false,
                         instead.model.x.tail<10>()};
@@ -50,12 +50,11 @@ void keepOneOfTwo(Hypothesis& hypothesis) {
 
 /// Whether any amplitude of `cause` is known to differ from none, or all of them together where it has several terms.
 bool standsOut(const Fit& fit, std::string_view cause) {
-  constexpr double kSquared = 9.0;  ///< Three deviations
   const Amplitudes all = amplitudesOf(fit, [&](const Term& t) { return causeOf(t) == cause; });
   const auto count = static_cast<double>(all.sizes.size());
   if (all.sizes.size() == 0) return true;  // It has a shape, no size.
-  return (all.sizes.array().square() > kSquared * all.covariance.diagonal().array()).any() ||
-         (count > 1.0 && all.squaredDeviations() > kSquared * count);
+  return (all.sizes.array().square() > kDeviations * kDeviations * all.covariance.diagonal().array()).any() ||
+         (count > 1.0 && all.squaredDeviations() > kDeviations * kDeviations * count);
 }
 
 /// Whether a cause of one number is nothing, as far as that is known.
@@ -86,13 +85,7 @@ struct Needed {
 
 /// Whether a cause holds that gains `gain` on unseen stretches. `strongest`: evidence of the strongest one.
 bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, double strongest, const Needed& needed) {
-  constexpr double kOfLeftover = 0.03;  ///< Share for one that is faint beside a strong one
-  /// The share of that one's evidence. Of second causes in 544 recordings of two simulators, right ones had a ninth or
-  /// more (but for one of two that either would do for); nine wrong ones had less and explained less than 0.03.
-  constexpr double kFaintBeside = 0.12;
   constexpr double kOfFaint = 0.012;  ///< Share for one that little speaks for
-  constexpr double kHarm = 0.1;       ///< Share of the unseen misfit that no cause may add
-  constexpr double kBrief = 3.0;      ///< [s] What has its place in time and lasts no longer is hardly seen elsewhere
   const Fit& final = hypothesis.search.final;
   const auto anyTerm = [&](const auto& is) {
     return std::ranges::any_of(final.model.terms, [&](const Term& t) { return causeOf(t) == found.cause && is(t); });
@@ -112,17 +105,19 @@ bool holds(const Found& found, const Gain& gain, const Hypothesis& hypothesis, d
   if ((needed.always > 0.0 || anyTerm(sought)) && !standsOut(final, found.cause)) return false;
   const bool faint = found.gain < kFaint, mostly = 2 * gain.blocksBetter >= gain.blocks;
   // Faint beside a strong one, it may be no more than what that one's form does not quite have.
-  const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kFaintBeside * strongest);
+  const bool leftover = needed.moreOfFaint && found.gain < std::min(2.0 * kFaint, kEventError * strongest);
   // Where nearly all parts are better, one of them is not like the others, such as the first of a drift that settles.
   if (!leftover && !faint && 10 * gain.blocksBetter >= 8 * gain.blocks) return true;
-  if (gain.explainedFraction < -kHarm) return false;
+  if (gain.explainedFraction < -kSmallShare) return false;
   // What has its place in time can hardly be seen elsewhere. What begins and stays is seen on all later blocks.
   const bool helps = !faint && gain.explainedFraction > 0.0;
-  if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, hypothesis.signals) < kBrief); }))
+  if (anyTerm([&](const Term& t) { return t.form->local && (helps || lasts(t, hypothesis.signals) < kBriefly); }))
     return true;
-  const double least = leftover                    ? kOfLeftover
+  const double least = leftover                    ? kFormError
                        : found.gain < 2.0 * kFaint ? std::max(needed.always, kOfFaint)
                                                    : needed.always;
+  // Better on six blocks of ten is chance: beside something unknown that is not enough.
+  if (needed.always > 0.0) return gain.explainedFraction > least && gain.lower > 0.0;
   if (gain.explainedFraction > least) return mostly;
   // What has chosen from many frequencies or speeds explains a little of any noise.
   const bool chose = anyTerm([](const Term& t) { return t.form->scan.size() < t.form->parameters.size(); });
@@ -170,11 +165,10 @@ class Steps {
   /// more of what was off farther than that, or where this was a lot, most of it; of 31 causes that were steps alone,
   /// two did.
   bool mayExplain(const Hypothesis& hypothesis, const Fit& without) const {
-    constexpr double kLeft = 0.05, kALot = 0.1;
     if (!coarse_) return false;
     const double before = beyond(hypothesis, without.residual),
                  after = beyond(hypothesis, hypothesis.search.final.residual);
-    return !(after < kLeft * before || before - after > kALot);
+    return !(after < kTinyShare * before || before - after > kSmallShare);
   }
 
  private:
@@ -261,12 +255,11 @@ Round judged(Hypothesis& hypothesis, const Needed& needed, const Surrogates& cha
 }  // namespace
 
 Confirmed confirmed(Hypothesis& hypothesis, const Surrogates& chance, const Vector6d& steps, bool held) {
-  constexpr double kBesideUnknown = 0.03;
   keepOneOfTwo(hypothesis);
   const Structure beside = structureIn(hypothesis.signals, hypothesis.stretches, hypothesis.search.final);
   const Search before = hypothesis.search;
   // Where something unknown remains, a small gain may be that in disguise: then more is asked of a cause.
-  Needed needed{beside.gain > kUnexplained ? kBesideUnknown : 0.0};
+  Needed needed{beside.gain > kUnexplained ? kFormError : 0.0};
   const Steps coarse(hypothesis, steps);
   Confirmed out;
   out.first = heldOutResidual(hypothesis.signals, hypothesis.stretches, hypothesis.search.null);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/catalogue.h"
 #include "core/diagnosis/causes/common.h"
 #include "core/diagnosis/causes/ids.h"
@@ -24,14 +25,8 @@ namespace heft::diagnosis {
 
 namespace {
 
-constexpr double kSeen = 1e3;  ///< Gain of what is seen without comparing likelihoods
-/// Of what the load was before, beyond what has waves for anything slow. Of 100 walks one came 30 beyond, the others
-/// hardly; what was hidden went 90 and more, a leak of a minute 41.
-constexpr double kBeyond = 60.0;
-constexpr double kBeyondCourse = 30.0;  ///< The same for a drift of any course: of three one came 15 beyond, a leak 40
-
 /// What remains where its share of the energy was not worked out.
-Structure seen(Correlate goesWith, double gain = kSeen) { return {goesWith, gain, 0.0, 0.0, 0.0}; }
+Structure seen(Correlate goesWith, double gain = kSeenDirectly) { return {goesWith, gain, 0.0, 0.0, 0.0}; }
 
 /// What a question of the table is about.
 struct Asked {
@@ -111,7 +106,7 @@ Claim unevenChannels(const Asked& asked, const WhatRemains&) {
 Claim hiddenByTheWalk(const Asked& asked, const WhatRemains&) {
   if (!asked.walks) return {};
   const Hypothesis& h = asked.hypothesis;
-  const double enough = h.search.final.evidence - asked.steady.evidence + kBeyond;
+  const double enough = h.search.final.evidence - asked.steady.evidence + kPlainEvidence;
   const Structure hidden = structureBehindWalk(h.signals, h.stretches, asked.steady, enough);
   return hidden.gain > enough ? Claim{hidden} : Claim{};
 }
@@ -128,8 +123,6 @@ Claim theWalkItself(const Asked& asked, const WhatRemains& soFar) {
 /// A drift in place of what goes with the motion: where that explains as much as the drift and the walk together,
 /// neither is known.
 Claim hiddenByADrift(const Asked& asked, const WhatRemains&) {
-  constexpr double kAsMuch = 10.0;  ///< Less than the drift; of 27 that were one none came nearer than 40
-  constexpr double kPlain = 60.0;
   const Hypothesis& h = asked.hypothesis;
   const Fit& final = h.search.final;
   Model bare = without(final.model, ids::biasDrift);
@@ -138,12 +131,12 @@ Claim hiddenByADrift(const Asked& asked, const WhatRemains&) {
   // must explain more than everything that was named.
   if (takesAnyCourse(final.model)) {
     const Fit& null = h.search.null;
-    const double all = final.evidence - null.evidence + kBeyondCourse;
+    const double all = final.evidence - null.evidence + kClearEvidence;
     const Structure hidden = structureBehindWalk(h.signals, h.stretches, null, all);
     return hidden.gain > all ? Claim{hidden} : Claim{};
   }
   const Fit fit = fitModel(h.signals, h.stretches, without(bare, kRandomWalk));
-  const double enough = std::max(kPlain, final.evidence - fit.evidence - kAsMuch);
+  const double enough = std::max(kPlainEvidence, final.evidence - fit.evidence - kTie);
   const Structure hidden = structureIn(h.signals, h.stretches, fit, enough);
   return hidden.gain > enough ? Claim{hidden} : Claim{};
 }
@@ -158,10 +151,11 @@ Claim segmentsSetAside(const Asked& asked, const WhatRemains&) {
   out.findings.push_back(warning(
       "odd_stretches",
       h.unexplained.size() == 1
-          ? heft::say("A segment of {:.1f} s was excluded: what acts there goes with {} and is not contact.", lasts,
+          ? heft::say("A segment of {:.1f} s was excluded: what acts there is related to {} and is not contact.", lasts,
                       correlate)
-          : heft::say("{} segments, {:.1f} s in total, were excluded: what acts there goes with {} and is not contact.",
-                      std::ssize(h.unexplained), lasts, correlate),
+          : heft::say(
+                "{} segments, {:.1f} s in total, were excluded: what acts there is related to {} and is not contact.",
+                std::ssize(h.unexplained), lasts, correlate),
       heft::say("Check what switches, vibrates or rotates on the tool at these times.")));
   if (!asked.by.known || h.unexplainedCorrelate == kOneChannel) out.remaining = seen(h.unexplainedCorrelate, evidence);
   return out;
@@ -201,10 +195,9 @@ bool isFolded(const Hum& hum, double blockRate, const Structure& remaining) {
 
 /// A line in the spectrum is said; one that makes up much of what is fast is unknown to the catalogue.
 Claim aHum(const Asked& asked, const WhatRemains& soFar) {
-  constexpr double kMuch = 0.2;
   const auto hum = humIn(asked.cleaned, asked.hypothesis.signals);
   if (!hum) return {};
-  const bool unknown = hum->share > kMuch;
+  const bool unknown = hum->share > kFifth;
   Claim out;
   out.findings.push_back(
       {unknown ? Severity::warning : Severity::info,
@@ -217,19 +210,18 @@ Claim aHum(const Asked& asked, const WhatRemains& soFar) {
   const bool free = soFar.structure.gain <= kUnexplained;
   if (unknown && (free || isFolded(*hum, asked.hypothesis.signals.blockRate(), soFar.structure)))
     out.remaining =
-        Structure{Correlate::rhythm(hum->frequencyHz), kSeen, hum->share, hum->frequencyHz, hum->frequencyHz};
+        Structure{Correlate::rhythm(hum->frequencyHz), kSeenDirectly, hum->share, hum->frequencyHz, hum->frequencyHz};
   return out;
 }
 
 /// What knocks again and again is no noise; a mass that swings may knock at its stops, and what rubs may stick and
 /// slip.
 Claim knocks(const Asked& asked, const WhatRemains& soFar) {
-  constexpr std::size_t kFewest = 3;
   const Hypothesis& h = asked.hypothesis;
   const Model& final = h.search.final.model;
   if (h.ringing || contains(final, ids::looseMass) || contains(final, ids::coulombFriction)) return {};
   const auto at = knocksIn(h.signals, h.stretches, final);
-  if (at.size() < kFewest) return {};
+  if (at.size() < kAgainAndAgain) return {};
   Claim out{{},
             {warning("knocks", heft::say("Something knocks {} times, first at {:.1f} s.", std::ssize(at), at.front()),
                      heft::say("Shake the tool by hand and listen: is a part of it loose?"))}};
@@ -239,12 +231,11 @@ Claim knocks(const Asked& asked, const WhatRemains& soFar) {
 
 /// Nor is noise that is many times louder again and again.
 Claim bursts(const Asked& asked, const WhatRemains&) {
-  constexpr std::size_t kFewest = 3;
   const Hypothesis& h = asked.hypothesis;
   if (h.ringing) return {};
   const Fit& fit = h.search.final;
   const auto at = burstsIn(h.signals, h.stretches, fit);
-  const bool some = at.size() >= kFewest;
+  const bool some = at.size() >= kAgainAndAgain;
   if (!some && !noiseSwitches(h.signals, h.stretches, fit)) return {};
   return {seen(heft::toSay("noise that comes and goes")),
           {warning("bursts",
@@ -380,44 +371,8 @@ WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, 
     if (unknown.replaces == Replaces::weaker && claim.remaining->gain < out.structure.gain) continue;
     out.structure = std::move(*claim.remaining);
     out.claimed = true;
-    out.seen = out.structure.gain == kSeen;
+    out.seen = out.structure.gain == kSeenDirectly;
   }
-  return out;
-}
-
-FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
-                          const Structure& remaining) {
-  // Of 30 recordings in which something was touched, the faintest touch had 479, at a third of the visible size; of 47
-  // in which nothing was, 32 had less than this.
-  constexpr double kTouch = 350.0;
-  /// The same of one stretch beside which nothing is left: of 960 recordings two had such a one with less than kTouch,
-  /// 162 and 248, and both had been touched.
-  constexpr double kAlone = 150.0;
-  constexpr double kLittle = 0.15;  ///< Of the evidence of the other causes: what their forms do not quite have
-  constexpr double kNoise = 75.0;   ///< With nothing else, chance: of 190 clean recordings one had 60
-  const double evidence = evidenceOf(hypothesis.contacts), lasts = durationOf(hypothesis.contacts);
-  double others = 0.0;
-  if (evidence >= kTouch) return {};
-  const bool alone = fitted.empty() && hypothesis.contacts.size() == 1 && remaining.gain <= kUnexplained;
-  if (alone && evidence >= kAlone) return {};
-  for (const DiagnosedCause& cause : fitted) others += cause.deltaBic;
-  const bool counts = evidence > (fitted.empty() ? kNoise : kLittle * others);
-  FaintTouches out;
-  out.areFaint = true;
-  out.finding = {
-      counts ? Severity::warning : Severity::info,
-      "faint_stretches",
-      hypothesis.contacts.size() == 1
-          ? heft::say(
-                "A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
-                "else.",
-                lasts)
-          : heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
-                      "from anything else.",
-                      std::ssize(hypothesis.contacts), lasts),
-      heft::say("Record the motion once more and keep clear of everything."),
-      {}};
-  if (counts && evidence > remaining.gain) out.remaining = seen(heft::toSay("a few moments alone"), evidence);
   return out;
 }
 

@@ -3,16 +3,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/data_quality/dead_band.h"
 #include "core/diagnosis/data_quality/stuck_bit.h"
 #include "core/diagnosis/pipeline/hypothesis.h"
 #include "core/diagnosis/result.h"
 
 namespace heft::diagnosis {
-
-/// Gain of a structure above which it is one. Of 130 clean recordings three had 13.3, 16.3 and 17.9 by chance; of what
-/// was hidden, one 17.2, the others 22 and more.
-constexpr double kUnexplained = 18.5;
 
 /// What single readings tell.
 struct ByReadings {
@@ -35,16 +32,5 @@ struct WhatRemains {
 /// go with the motion.
 WhatRemains whatRemains(const Hypothesis& hypothesis, const Recording& cleaned, const ByReadings& by,
                         const Structure& structure);
-
-struct FaintTouches {
-  bool areFaint = false;
-  Finding finding;
-  std::optional<Structure> remaining;  ///< What then remains in place of what did, if it does
-};
-
-/// Whether contacts are too faint to tell a touch from whatever else lasts a moment. They are then what remains, unless
-/// that is little beside what `fitted` causes explain.
-FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
-                          const Structure& remaining);
 
 }  // namespace heft::diagnosis

@@ -1,7 +1,5 @@
 #include "core/diagnosis/verdict/verdict.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
 #include "core/diagnosis/causes/ids.h"
 #include "core/diagnosis/residual_analysis/structure.h"
 #include "core/diagnosis/search/evidence.h"
@@ -28,13 +27,12 @@ std::ptrdiff_t fittedOf(const std::vector<DiagnosedCause>& causes) {
 /// Several causes, each of which next to nothing speaks for, or three and more that each explain little of what is
 /// unseen, or more than there ever were at once: crutches for something that the catalogue lacks.
 bool areOverfitted(const std::vector<DiagnosedCause>& causes) {
-  constexpr double kLittle = 0.3;
   const auto fitted = fittedOf(causes);
   const auto all = [&](const auto& are) {
     return std::ranges::all_of(causes, [&](const DiagnosedCause& c) { return c.direct || are(c); });
   };
   return fitted >= kOverfitted || (fitted > 1 && all([](const DiagnosedCause& c) { return c.deltaBic < kFaint; })) ||
-         (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kLittle; }));
+         (fitted > 2 && all([](const DiagnosedCause& c) { return c.gain.explainedFraction < kThird; }));
 }
 
 /// Whether the term is of a fitted cause among `causes`.
@@ -61,11 +59,10 @@ bool isPatchwork(const Fit& fit, const std::vector<DiagnosedCause>& causes) {
 
 /// Whether two causes of `causes` change something at the same moment: one thing happened then, and neither is it.
 bool shareAMoment(const Model& model, const std::vector<DiagnosedCause>& causes) {
-  constexpr double kApart = 0.1;  // [s]
   for (const Term& a : model.terms)
     for (const Term& b : model.terms)
       if (&a < &b && a.form->atOnce && b.form->atOnce && causeOf(a) != causeOf(b) &&
-          std::abs(a.v(0) - b.v(0)) < kApart && isNamed(a, causes) && isNamed(b, causes))
+          std::abs(a.v(0) - b.v(0)) < kMoment && isNamed(a, causes) && isNamed(b, causes))
         return true;
   return false;
 }
@@ -74,13 +71,13 @@ bool shareAMoment(const Model& model, const std::vector<DiagnosedCause>& causes)
 /// else that were ones, one had less evidence than five times that, and still 4,900; of 13 that were none, six had 0.7
 /// to 3 times that, and 3,000 at most.
 bool isContactDoubtful(const std::vector<DiagnosedCause>& causes) {
-  constexpr double kFaintTouch = 4000.0, kTimes = 4.0;
+  constexpr double kFaintTouch = 4000.0;
   double touch = 0.0, others = 0.0;
   for (const auto& cause : causes) {
     if (cause.id == ids::contact) touch += cause.deltaBic;
     if (!cause.direct) others += cause.deltaBic;
   }
-  return touch > 0.0 && touch < std::min(kFaintTouch, kTimes * others);
+  return touch > 0.0 && touch < std::min(kFaintTouch, kManyTimes * others);
 }
 
 /// Evidence of all fitted causes together where it is little; zero where it is not, or where there are none.
@@ -92,10 +89,9 @@ double faintEvidence(const std::vector<DiagnosedCause>& causes) {
 
 /// By evidence alone: what remains against what the causes explain.
 Verdict verdictOf(const std::vector<DiagnosedCause>& causes, const Structure& remaining) {
-  constexpr double kOfExplained = 0.03;  ///< A form is right to a few per cent: so much of its evidence may remain
   double total = 0.0;
   for (const auto& cause : causes) total += cause.id == ids::contact ? 0.0 : cause.deltaBic;
-  if (remaining.gain > std::max(kUnexplained, kOfExplained * total)) return Verdict::unexplained;
+  if (remaining.gain > std::max(kUnexplained, kFormError * total)) return Verdict::unexplained;
   if (causes.empty()) return Verdict::clean;
   const bool tied = std::ranges::any_of(
       causes, [](const DiagnosedCause& c) { return (!c.direct || c.id == ids::contact) && !c.alternatives.empty(); });
@@ -116,7 +112,6 @@ bool dropFaintTies(std::vector<DiagnosedCause>& causes) {
 /// of two at once none explained less than 0.62; of 18 that were needless 17 explained less than 0.23, or had a tie.
 /// What is left without them; nothing where there are none.
 std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<DiagnosedCause>& causes) {
-  constexpr double kSlight = 0.25, kBeside = 0.2;  // Share of the unseen misfit, of the strongest one's evidence
   const Model& model = hypothesis.search.final.model;
   double strongest = 0.0;
   for (const auto& cause : causes)
@@ -125,8 +120,8 @@ std::optional<Structure> dropSlight(const Hypothesis& hypothesis, std::vector<Di
     // What has its place in time is hardly seen elsewhere.
     const bool local =
         std::ranges::any_of(model.terms, [&](const Term& t) { return causeOf(t) == c.id && t.form->local; });
-    return !c.direct && !local && c.id != ids::contact && c.gain.explainedFraction < kSlight &&
-           c.deltaBic < kBeside * strongest;
+    return !c.direct && !local && c.id != ids::contact && c.gain.explainedFraction < kQuarter &&
+           c.deltaBic < kBroadError * strongest;
   };
   Model rest = model;
   for (const auto& cause : causes)
@@ -164,12 +159,12 @@ constexpr std::array kImpostors{
 /// `ambiguous`: some were dropped since many others explain them as well.
 std::optional<Structure> oneUnknownInstead(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& causes,
                                            bool ambiguous) {
-  constexpr std::ptrdiff_t kSeveral = 3;
   /// Share of what several causes explain together; of right answers 0.72 was the most
   constexpr double kAsMuch = 0.9;
   // Nor is explained what takes a cause at the edge of what there can be. What our own smoothing leaves may be there.
   const Search& search = hypothesis.search;
-  const bool strained = !causes.empty() && !believable(search.final), several = fittedOf(causes) >= kSeveral,
+  const bool strained = !causes.empty() && !believable(search.final),
+             several = std::cmp_greater_equal(fittedOf(causes), kAgainAndAgain),
              patchwork = isPatchwork(search.final, causes);
   const double faint = faintEvidence(causes);
   if (!strained && !several && !patchwork && !ambiguous && faint <= 0.0) return std::nullopt;
@@ -236,28 +231,32 @@ std::string verdictSentence(const DiagnosisReport& report) {
   switch (report.verdict) {
     case Verdict::clean:
       return std::ranges::any_of(report.findings, [](const Finding& f) { return f.code == "zero_wanders"; })
-                 ? "The model fits: nothing is left but the sensor's noise and its zero, which wanders slowly."
-                 : "The model fits: nothing is left but the sensor's noise.";
+                 ? heft::say(
+                       "The model fits: nothing is left but the sensor's noise and its zero, which wanders slowly.")
+                 : heft::say("The model fits: nothing is left but the sensor's noise.");
     case Verdict::ambiguous: {
       const auto tied =
           std::ranges::find_if(report.causes, [](const DiagnosedCause& c) { return !c.alternatives.empty(); });
-      std::string others;
-      for (const auto& other : tied->alternatives)
-        others += (others.empty() ? "\"" : ", \"") + causeTitle(other) + "\"";
-      return fmt::format("Two causes are possible: \"{}\" or {}. This motion cannot tell them apart.", tied->title,
-                         others);
+      std::vector<std::string> others;
+      for (const auto& other : tied->alternatives) others.push_back('"' + causeTitle(other) + '"');
+      return heft::say("Two or more causes are possible: \"{}\" or {}. This motion cannot tell them apart.",
+                       tied->title, joined(others));
     }
-    case Verdict::unexplained:
-      return fmt::format("Something unknown is left that goes with {}.{}", report.remaining.goesWith.english(),
-                         lacksPosition(report) ? " The recording has no position of the sensor, so the acceleration of "
-                                                 "its origin is unknown: that is the first suspect."
-                                               : "");
+    case Verdict::unexplained: {
+      const std::string unknown =
+          heft::say("Something unknown remains; it is related to {}.", report.remaining.goesWith.words());
+      return lacksPosition(report) ? unknown + ' ' +
+                                         heft::say(
+                                             "The recording has no position of the sensor, so the acceleration "
+                                             "of its origin is unknown: that is the first suspect.")
+                                   : unknown;
+    }
     case Verdict::explained:
       break;
   }
   return report.causes.size() == 1
-             ? "Cause found: " + report.causes.front().sentence
-             : fmt::format("{} causes found; the strongest: {}", report.causes.size(), report.causes.front().sentence);
+             ? heft::say("Cause found: {}", report.causes.front().sentence)
+             : heft::say("{} causes found; the strongest: {}", report.causes.size(), report.causes.front().sentence);
 }
 
 }  // namespace

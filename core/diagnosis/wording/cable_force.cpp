@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/diagnosis/calibration.h"
+
 namespace heft::diagnosis {
 
 namespace {
@@ -27,7 +29,6 @@ Eigen::Matrix3Xd positions(const std::vector<Witness>& witnesses) {
 }  // namespace
 
 std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witness>& witnesses) {
-  constexpr double kFirm = 3.0;  ///< Deviations: a softer axis does not tell a place
   const Eigen::Matrix3Xd tool = positions(witnesses);
   if (tool.cols() == 0) return std::nullopt;
   const Matrix3d stiffness = tensorOf("stiffness", cable.parameters);
@@ -47,7 +48,7 @@ std::optional<Pull> pullOf(const DiagnosedCause& cable, const std::vector<Witnes
       out.anchor(i) = kMetre * anchor->value;
       out.anchorStd = std::max(out.anchorStd, kMetre * anchor->std);
     }
-    if (!(stiffness(i, i) > 0.0) || stiffness(i, i) < kFirm * stiffnessStd(i)) return std::nullopt;
+    if (!(stiffness(i, i) > 0.0) || stiffness(i, i) < kDeviations * stiffnessStd(i)) return std::nullopt;
   }
   const Eigen::LLT<Matrix3d> solver(stiffness);
   if (solver.info() != Eigen::Success) return std::nullopt;

@@ -34,6 +34,10 @@ class Saturation final : public Effect {
     note("axis", static_cast<double>(axis_));
     note("level", level);
   }
+  /// What gives way in its range is not the sensor that was meant, whose range the model's name tells.
+  void log(Recording& recording) override {
+    if (soft_) recording.meta.sensorModel.clear();
+  }
 
  private:
   double share_;

@@ -64,6 +64,18 @@ TEST_F(Measured, AFootOnTheFloorIsContact) {
   ASSERT_NE(contact, nullptr) << said(report);
   EXPECT_GE(contact->when.size(), 2u);
   EXPECT_EQ(report.verdict, Verdict::unexplained) << said(report);
+  EXPECT_EQ(causeIn(report, "constant_pull"), nullptr)
+      << "nothing pulls there; the sensor's gain is poor: " << said(report);
+}
+
+/// The accelerations are unknown there: nothing but that, and what is plain to see, is told.
+TEST_F(Measured, WithoutAPositionNoCauseIsMadeUp) {
+  for (const char* name : {"kuka_gamma_baseline.csv", "kuka_gamma_vibrations.csv"}) {
+    const auto report = diagnosed(read(name));
+    EXPECT_EQ(report.verdict, Verdict::unexplained) << name << ": " << said(report);
+    EXPECT_TRUE(report.causes.empty()) << name << ": " << said(report);
+    EXPECT_NE(report.sentence.find("first suspect"), std::string::npos) << report.sentence;
+  }
 }
 
 TEST_F(Measured, AsynchronousPollingIsSeenAndNothingIsMadeWorse) {

@@ -74,7 +74,7 @@ TEST(DiagnosisReport, PageSaysWhatElseWasNoticed) {
     EXPECT_EQ(page.find(part), std::string::npos) << part;
   report.verdict = Verdict::unexplained;
   report.remaining = {"the load's size", 50.0, 0.25, 0.0, 0.0};
-  EXPECT_NE(toHtml(report, {}).find("25.0 % of what is left goes with the load"), std::string::npos);
+  EXPECT_NE(toHtml(report, {}).find("25.0 % of the remaining difference is related to the load"), std::string::npos);
 }
 
 TEST(DiagnosisReport, SaysByHowMuchThePayloadMoves) {

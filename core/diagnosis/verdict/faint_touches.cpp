@@ -1,0 +1,44 @@
+#include "core/diagnosis/verdict/faint_touches.h"
+
+#include <iterator>
+#include <utility>
+
+#include "core/base/say.h"
+#include "core/diagnosis/calibration.h"
+
+namespace heft::diagnosis {
+
+FaintTouches faintTouches(const Hypothesis& hypothesis, const std::vector<DiagnosedCause>& fitted,
+                          const Structure& remaining) {
+  // Of 30 recordings in which something was touched, the faintest touch had 479, at a third of the visible size; of 47
+  // in which nothing was, 32 had less than this.
+  constexpr double kTouch = 350.0;
+  constexpr double kNoise = 75.0;  ///< With nothing else, chance: of 190 clean recordings one had 60
+  const double evidence = evidenceOf(hypothesis.contacts), lasts = durationOf(hypothesis.contacts);
+  double others = 0.0;
+  if (evidence >= kTouch) return {};
+  const bool alone = fitted.empty() && hypothesis.contacts.size() == 1 && remaining.gain <= kUnexplained;
+  if (alone && evidence >= 3.0 * kFaint) return {};
+  for (const DiagnosedCause& cause : fitted) others += cause.deltaBic;
+  const bool counts = evidence > (fitted.empty() ? kNoise : kMinorShare * others);
+  FaintTouches out;
+  out.areFaint = true;
+  out.finding = {
+      counts ? Severity::warning : Severity::info,
+      "faint_stretches",
+      hypothesis.contacts.size() == 1
+          ? heft::say(
+                "A stretch of {:.1f} s was left out: something acts there, too faint to tell a touch from anything "
+                "else.",
+                lasts)
+          : heft::say("{} stretches, {:.1f} s in all, were left out: something acts there, too faint to tell a touch "
+                      "from anything else.",
+                      std::ssize(hypothesis.contacts), lasts),
+      heft::say("Record the motion once more and keep clear of everything."),
+      {}};
+  if (counts && evidence > remaining.gain)
+    out.remaining = Structure{heft::toSay("a few moments alone"), evidence, 0.0, 0.0, 0.0};
+  return out;
+}
+
+}  // namespace heft::diagnosis
