@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "core/diagnosis/calibration.h"
 #include "core/math/statistics.h"
 
 namespace heft {
 
 std::optional<double> stepOf(std::vector<double> readings) {
+  constexpr double kOff = 0.1;  // Steps: the digits of the file, or a finer converter behind a coarse one
   std::ranges::sort(readings);
   readings.erase(std::unique(readings.begin(), readings.end()), readings.end());
   if (readings.size() < 4) return std::nullopt;
@@ -19,7 +19,7 @@ std::optional<double> stepOf(std::vector<double> readings) {
   const double step = range / std::round(range / median(std::move(apart)));
   const bool regular = std::ranges::all_of(readings, [&](double reading) {
     const double steps = (reading - lowest) / step;
-    return std::abs(steps - std::nearbyint(steps)) < kSmallShare;
+    return std::abs(steps - std::nearbyint(steps)) < kOff;
   });
   return regular ? std::optional(step) : std::nullopt;
 }
