@@ -310,7 +310,7 @@ class Joiner {
 
     if (!together) {
       const Signal& other = wrenchSlower ? moving : wrench_;
-      joining_.note(Severity::info, "joining_.streamsjoined",
+      joining_.note(Severity::info, "streams_joined",
                     heft::say("{} ({:.4g} Hz) and {} ({:.4g} Hz) were joined on the times of {}; {}.",
                               joining_.nameOf(moving.stream), 1.0 / moving.step, joining_.nameOf(wrench_.stream),
                               1.0 / wrench_.step, joining_.nameOf(base.stream),
