@@ -170,17 +170,20 @@ TEST_F(PlotsWindowTest, EnterPressesTheFilledButtonWhereNothingElseWantsIt) {
   EXPECT_EQ(window.step(), Step::shape);
 }
 
-TEST_F(PlotsWindowTest, EveryButtonOfALow3dViewCanBeReached) {
+TEST_F(PlotsWindowTest, NoButtonOfALow3dViewIsCut) {
   open(plotsRecording());
   window.resize(1024, 700);
   window.showStep(Step::mark);
   QTest::qWait(100);
   const auto buttons = window.robotView()->findChild<QWidget*>("viewTools")->findChildren<QToolButton*>();
-  EXPECT_GE(buttons.size(), 6);
+  int shown = 0;
   for (const auto* button : buttons) {
+    if (!button->isVisible()) continue;
+    ++shown;
     const QRect at(button->mapTo(window.robotView(), QPoint()), button->size());
     EXPECT_TRUE(window.robotView()->rect().contains(at)) << qPrintable(button->toolTip());
   }
+  EXPECT_GE(shown, 4);
 }
 
 TEST_F(PlotsWindowTest, AMarkIsTurnedIntoAnotherByItsMenu) {
