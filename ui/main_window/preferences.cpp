@@ -54,14 +54,17 @@ Preferences::Preferences(const Choice& now, const QList<QPair<QString, QString>>
   theme_->addItems({tr("Light"), tr("Dark")});
   theme_->setCurrentIndex(now.theme == ThemeKind::dark ? 1 : 0);
   form->addRow(tr("&Theme"), theme_);
-  auto* where = new QHBoxLayout;
+  auto* place = new QWidget(this);
+  auto* where = new QHBoxLayout(place);
+  where->setContentsMargins(0, 0, 0, 0);
   folder_ = new QLineEdit(now.folder, this);
   folder_->setObjectName("preferredFolder");
   folder_->setMinimumWidth(300);
   where->addWidget(folder_, 1);
   auto* choose = new QPushButton(tr("Choose …"), this);
   where->addWidget(choose);
-  form->addRow(tr("&Recordings folder"), where);
+  place->setFocusProxy(folder_);
+  form->addRow(tr("&Recordings folder"), place);
   connect(choose, &QPushButton::clicked, this, [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Recordings folder"), folder_->text());
     if (!folder.isEmpty()) folder_->setText(folder);

@@ -114,7 +114,7 @@ void DifferenceTraces::drawLane(QPainter& p, const Lane& lane, const QString& ti
   }
   p.setPen(QPen(t.line, 1));
   p.drawRect(lane.area);
-  p.setFont(uiFont(type::kCaption, QFont::DemiBold));
+  p.setFont(uiFont(type::kTick, QFont::DemiBold));  // "Drehmoment" has to fit, too.
   p.setPen(t.text);
   p.drawText(QRectF(12, lane.area.top() - 2, TimeAxis::kLeft - 46, lane.area.height() + 4),
              Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, title);

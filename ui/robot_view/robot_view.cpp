@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QEvent>
-#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -107,9 +106,9 @@ void RobotView::buildTools() {
   tools_ = new QWidget(viewport_);
   tools_->setObjectName("viewTools");
   tools_->setAttribute(Qt::WA_StyledBackground);
-  auto* grid = new QGridLayout(tools_);
-  grid->setContentsMargins(3, 3, 3, 3);
-  grid->setSpacing(2);
+  auto* column = new QVBoxLayout(tools_);
+  column->setContentsMargins(3, 3, 3, 3);
+  column->setSpacing(2);
   auto* fit = new IconButton("home", tr("Show the whole arm (F)"), tools_);
   fit->setObjectName("fitButton");
   connect(fit, &QToolButton::clicked, this, [this] { usePreset(Preset::overview); });
@@ -152,6 +151,7 @@ void RobotView::buildTools() {
   alone->setObjectName("aloneButton");  // The window listens to it.
   auto* picture = new IconButton("camera", tr("Save a picture of this view"), tools_);
   connect(picture, &QToolButton::clicked, this, &RobotView::pictureWanted);
+  for (auto* button : {fit, tool, views, eye, alone, picture}) column->addWidget(button);
 }
 
 void RobotView::showRobot(std::shared_ptr<const RobotModel> robot, std::shared_ptr<const RobotLook> look) {
@@ -577,13 +577,10 @@ void RobotView::changeEvent(QEvent* event) {
 
 void RobotView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  // In a low pane the buttons stand in two columns.
-  auto* grid = static_cast<QGridLayout*>(tools_->layout());
+  // A low pane has no room for the last ones, which the menus have, too.
   const auto buttons = tools_->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
-  const int count = static_cast<int>(buttons.size());
-  const int least = buttons.front()->sizeHint().height() + 2;
-  const int rows = count * least + 24 > height() ? (count + 1) / 2 : count;
-  for (int k = 0; k < count; ++k) grid->addWidget(buttons[k], k % rows, k / rows);
+  const int room = (height() - 24) / (buttons.front()->sizeHint().height() + 2);
+  for (int k = 0; k < buttons.size(); ++k) buttons[k]->setVisible(k < room);
   tools_->adjustSize();
   tools_->move(width() - tools_->width() - 12, 12);
   overlay_->setGeometry(viewport_->rect());

@@ -143,6 +143,9 @@ RecordingPane::RecordingPane(Playback* playback, QWidget* parent) : QWidget(pare
   menu->addAction(tr("Save the visible stretch as CSV"), this, &RecordingPane::csvWanted);
   more->setMenu(menu);
   row->addWidget(more);
+  // Beside the legend and "Paint" there is little room on a small screen.
+  constexpr int kNarrow = 28;  // [px]
+  for (auto* button : {measure_, channelButton_, all, alone, more}) button->setFixedWidth(kNarrow);
   foldedHeader_ = new QWidget(this);
   foldedHeader_->setObjectName("plotHeader");
   foldedHeader_->setAttribute(Qt::WA_StyledBackground);
