@@ -8390,6 +8390,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{}: its payload cannot exist: {}</source>
         <translation>{}: Diese Last kann es nicht geben: {}</translation>
     </message>
+    <message>
+        <source>Neither mass nor centre of mass can be checked with this recording.</source>
+        <translation>Weder Masse noch Schwerpunkt lassen sich mit dieser Aufnahme prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
