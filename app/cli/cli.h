@@ -52,6 +52,7 @@ Command makeReproduceCommand(CLI::App& root);
 Command makeLiveCommand(CLI::App& root);
 Command makeSegmentCommand(CLI::App& root);
 Command makeCompensateCommand(CLI::App& root);
+Command makeProveCommand(CLI::App& root);
 Command makeCoachCommand(CLI::App& root);
 Command makeExciteCommand(CLI::App& root);
 

@@ -12,6 +12,7 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/each_recording.h"
+#include "app/cli/object_estimate.h"
 #include "app/cli/reading.h"
 #include "app/cli/recording_options.h"
 #include "core/base/json_file.h"
@@ -29,7 +30,7 @@ struct EstimateArguments {
   std::vector<std::string> recordings;
   std::string robot, known, mass, cad, certainty, shape, shapeFile, json, output, format = "json";
   std::string method, parameters, segments, smoothing, conventions = "as-stated";
-  std::string jsonLines;
+  std::string jsonLines, minus;
   int jobs = 0;
   bool noBias = false, force = false, compare = false, each = false;
   ImportOptions import;
@@ -164,6 +165,12 @@ void runEach(const EstimateArguments& options, const EstimateOptions& settings) 
 void run(const EstimateArguments& options) {
   const auto start = Clock::now();
   const EstimateOptions settings = estimateOptions(options);
+  if (!options.minus.empty()) {
+    if (options.recordings.size() > 1 || options.each || options.compare || !options.output.empty())
+      throw WrongUsage("--minus takes one recording with the object and one without; no --each, --compare or -o.");
+    return estimateObject({options.recordings.front(), options.minus, options.robot, options.json, options.force},
+                          options.import, settings);
+  }
   if (options.each) return runEach(options, settings);
   if (!options.jsonLines.empty() || options.jobs != 0) throw WrongUsage("--json-lines and --jobs go with --each.");
   if (options.recordings.size() > 1 && options.compare) throw WrongUsage("--compare shows one recording; give one.");
@@ -237,6 +244,9 @@ Command makeEstimateCommand(CLI::App& root) {
   app->add_option("--jobs", options->jobs, "How many at a time; one a core if absent")
       ->type_name("N")
       ->group(kManyGroup);
+  app->add_option("--minus", options->minus,
+                  "The same tool without what it carries: the object's own mass, centre and inertia")
+      ->type_name("WITHOUT");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   addConventionChoice(*app, options->conventions);
@@ -314,6 +324,7 @@ Command makeEstimateCommand(CLI::App& root) {
       "  heft estimate rec.csv --parameters mass-com --known cad.json\n"
       "  heft estimate rec.csv --compare\n"
       "  heft estimate first.csv second.csv third.csv\n"
+      "  heft estimate with.csv --minus without.csv\n"
       "  heft estimate --each *.bag --jobs 4 --json-lines results.jsonl\n"
       "  heft estimate rec.csv --shape cylinder:0.03,0.15@0,0,0.08 --mass 0.812\n\n"
       "A fit that is poor, or a number that the motion cannot tell, is a result that says so (exit code 0).");

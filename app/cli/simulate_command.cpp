@@ -9,6 +9,7 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/default_tool.h"
+#include "app/cli/twin_recording.h"
 #include "core/base/json_file.h"
 #include "core/base/text.h"
 #include "core/recording/csv_reader.h"
@@ -24,6 +25,7 @@ using nlohmann::json;
 struct SimulateArguments {
   std::string motion, payload, output, truth, json, xyz, rpy, seed = "1";
   std::vector<std::string> effects;
+  LikeArguments like;
   SimulateOptions simulate;
   bool force = false;
 };
@@ -88,6 +90,10 @@ void run(SimulateArguments options) {
   const std::vector<std::string> words{"excitation", "pick-and-place", "free"};
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
   constexpr std::array kTitles{"superposed sines", "pick and place", "free hand guiding"};
+  if (options.motion.empty() && options.like.file.empty()) throw WrongUsage("--motion is required.");
+  if (options.like.file.empty() && (options.like.fixed || !options.like.without.empty()))
+    throw WrongUsage("--without and --fixed go with --like.");
+  if (options.motion.empty()) options.motion = words.back();
   const std::size_t motion = chooseWord("--motion", options.motion, words);
   options.simulate.motion = kMotions[motion];
   options.simulate.seed = parseSeed(options.seed);
@@ -117,8 +123,12 @@ void run(SimulateArguments options) {
   if (const auto consistency = checkPhysical(payload); !consistency.physical)
     throw Failed(fmt::format("{}: such a payload cannot exist: {}", options.payload, consistency.reason));
 
+  std::string causes;
   Simulated simulated = [&] {
     ProgressLine line;
+    if (!options.like.file.empty())
+      return simulateLike(options.like, options.simulate,
+                          options.payload.empty() ? std::nullopt : std::optional(payload), line.progress(), causes);
     return orFail(simulate(RobotModel::panda(), payload, options.simulate, line.progress()));
   }();
   simulated.recording.meta.note =
@@ -149,7 +159,9 @@ void run(SimulateArguments options) {
       fmt::format("{} and {}: {} samples, {:.1f} s of {} at {:g} Hz, seed {}\n", displayName(csv),
                   displayName(meta.filename()), simulated.recording.rows(), simulated.recording.duration(),
                   kTitles[motion], options.simulate.rateHz, options.simulate.seed);
-  if (options.payload.empty()) text += fmt::format("  carries the built-in tool of {:.2f} kg\n", payload.mass);
+  text += causes;
+  if (options.payload.empty() && options.like.file.empty())
+    text += fmt::format("  carries the built-in tool of {:.2f} kg\n", payload.mass);
   if (!options.truth.empty()) text += fmt::format("  the truth is in {}\n", options.truth);
   print(text);
 }
@@ -163,8 +175,19 @@ Command makeSimulateCommand(CLI::App& root) {
   app->add_option("-m,--motion", options->motion,
                   "excitation: superposed sines inside all limits; pick-and-place: with contact phases;\n"
                   "free: hand guiding with tremor")
-      ->type_name("NAME")
-      ->required();
+      ->type_name("NAME");
+  const char* const kLikeGroup = "Like a rig that was diagnosed";
+  app->add_option("--like", options->like.file,
+                  "JSON from 'heft diagnose --json': its payload, bias and causes, on this motion (free if absent)")
+      ->type_name("FOUND")
+      ->group(kLikeGroup);
+  app->add_option("--without", options->like.without, "Switch this cause off; may be given several times")
+      ->type_name("CAUSE")
+      ->expected(1)
+      ->take_all()
+      ->group(kLikeGroup);
+  app->add_flag("--fixed", options->like.fixed, "Sizes as found; otherwise drawn from their intervals by the seed")
+      ->group(kLikeGroup);
   app->add_option("-o,--output", options->output, "REC.csv to write; REC.meta.json is written beside it")
       ->type_name("FILE")
       ->required();
@@ -216,7 +239,8 @@ Command makeSimulateCommand(CLI::App& root) {
       "Examples:\n"
       "  heft simulate --motion excitation --seed 1 -o rec.csv --truth truth.json\n"
       "  heft simulate --motion free --payload tool.json --speed 0.3 --duration 10 -o slow.csv\n"
-      "  heft simulate --motion free --effect cable_pull/slack=6 --effect bias_drift=0.5 -o odd.csv --truth odd.json");
+      "  heft simulate --motion free --effect cable_pull/slack=6 --effect bias_drift=0.5 -o odd.csv --truth odd.json\n"
+      "  heft simulate --like found.json --without cable_pull --seed 2 -o twin.csv");
   return {app, [options] { run(*options); }};
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/say.h"
 #include "core/estimation/configured.h"
 #include "core/estimation/estimate.h"
+#include "core/estimation/report_text.h"
 
 namespace heft {
 
@@ -218,23 +219,12 @@ json toJson(const EstimateReport& report) {
   return out;
 }
 
-std::string toText(const EstimateReport& report) {
+std::string numbersText(const EstimateReport& report) {
   const Payload& p = report.payload;
-  if (report.trust == Trust::none) {
-    std::string text = headline(report) + "\n\n";
-    if (!report.whatToDo.empty()) text += "  " + report.whatToDo + "\n";
-    for (const auto& finding : report.findings)
-      if (finding.code != "no_trust") text += "  " + toLine(finding) + "\n";
-    return text;
-  }
-  const bool doubtful = report.trust == Trust::low;
   const auto& i95 = report.interval95;
   const auto half = [](const Interval& i) { return 0.5 * (i.upper - i.lower); };
-  std::string text =
-      headline(report) +
-      (doubtful ? " Check the warnings below first: the numbers may be off by more than they say." : "") + "\n\n";
-  text += fmt::format("  Mass            {:9.4f} kg      +- {:.2g}  {}\n", p.mass, half(i95.mass),
-                      words(report.identifiability.mass));
+  std::string text = fmt::format("  Mass            {:9.4f} kg      +- {:.2g}  {}\n", p.mass, half(i95.mass),
+                                 words(report.identifiability.mass));
   for (std::size_t i = 0; i < 3; ++i)
     text += fmt::format("  {} {}  {:9.2f} mm      +- {:.2g}  {}\n", i == 0 ? "Centre of mass" : "              ",
                         "xyz"[i], 1e3 * p.com(static_cast<Eigen::Index>(i)), 1e3 * half(i95.com[i]),
@@ -247,6 +237,22 @@ std::string toText(const EstimateReport& report) {
                     "xyz"[r], "xyz"[c], 1e4 * p.inertiaCom(r, c), 1e4 * half(i95.inertiaCom[row][column]),
                     words(report.identifiability.inertia[row][column]));
   }
+  return text;
+}
+
+std::string toText(const EstimateReport& report) {
+  if (report.trust == Trust::none) {
+    std::string text = headline(report) + "\n\n";
+    if (!report.whatToDo.empty()) text += "  " + report.whatToDo + "\n";
+    for (const auto& finding : report.findings)
+      if (finding.code != "no_trust") text += "  " + toLine(finding) + "\n";
+    return text;
+  }
+  const bool doubtful = report.trust == Trust::low;
+  std::string text =
+      headline(report) +
+      (doubtful ? " Check the warnings below first: the numbers may be off by more than they say." : "") + "\n\n";
+  text += numbersText(report);
   text +=
       "\n  (+-: 95 % interval. Centre of mass from the sensor's origin, inertia about the centre of mass, sensor "
       "axes.)\n";

@@ -8393,6 +8393,190 @@ Bitte prüfen Sie den Namen.</translation>
         <source>{} causes found; the strongest: {}</source>
         <translation>{} Ursachen gefunden; die stärkste: {}</translation>
     </message>
+    <message>
+        <source>The entered mass of {:.3f} kg is off by {:+.3f} kg; noise and intervals allow {:.3f} kg.</source>
+        <translation>Die eingetragene Masse von {:.3f} kg liegt um {:+.3f} kg daneben; Rauschen und Intervalle lassen {:.3f} kg zu.</translation>
+    </message>
+    <message>
+        <source>Check which tool is mounted and that the number was entered in kg, or estimate it again.</source>
+        <translation>Prüfen Sie, welches Werkzeug montiert ist und ob die Zahl in kg eingetragen wurde, oder schätzen Sie neu.</translation>
+    </message>
+    <message>
+        <source>The entered centre of mass is off by {:+.1f}, {:+.1f}, {:+.1f} mm along x, y, z; noise and intervals allow {:.1f} mm.</source>
+        <translation>Der eingetragene Schwerpunkt liegt um {:+.1f}, {:+.1f}, {:+.1f} mm in x, y, z daneben; Rauschen und Intervalle lassen {:.1f} mm zu.</translation>
+    </message>
+    <message>
+        <source>Check that the numbers are in sensor axes and metres, or estimate it again.</source>
+        <translation>Prüfen Sie, ob die Zahlen in Sensorachsen und Metern stehen, oder schätzen Sie neu.</translation>
+    </message>
+    <message>
+        <source>Check its unit and that it is about the centre of mass, or estimate it again.</source>
+        <translation>Prüfen Sie die Einheit und ob sie sich auf den Schwerpunkt bezieht, oder schätzen Sie neu.</translation>
+    </message>
+    <message>
+        <source>Guide the tool for ten seconds and tilt it to all sides, touching nothing.</source>
+        <translation>Führen Sie das Werkzeug zehn Sekunden lang und kippen Sie es nach allen Seiten, ohne etwas zu berühren.</translation>
+    </message>
+    <message>
+        <source>{}: the mass must be above zero.</source>
+        <translation>{}: Die Masse muss größer als null sein.</translation>
+    </message>
+    <message>
+        <source>A proof compares with what the motion alone says: method map, all parameters, no shape.</source>
+        <translation>Ein Nachweis vergleicht mit dem, was die Bewegung allein sagt: Verfahren map, alle Parameter, keine Form.</translation>
+    </message>
+    <message>
+        <source>Estimate the payload again, and look at its findings.</source>
+        <translation>Schätzen Sie die Last neu und sehen Sie die Hinweise an.</translation>
+    </message>
+    <message>
+        <source>PASS. With this payload taken off, only the sensor&apos;s noise is left.</source>
+        <translation>BESTANDEN. Zieht man diese Last ab, bleibt nur das Rauschen des Sensors.</translation>
+    </message>
+    <message>
+        <source>NOT YET.</source>
+        <translation>NOCH NICHT.</translation>
+    </message>
+    <message>
+        <source>The sensor is mounted on {} in {} and on {} in {}.</source>
+        <translation>Der Sensor ist an {} montiert in {} und an {} in {}.</translation>
+    </message>
+    <message>
+        <source>The sensor sits {:.2f} mm apart in {} and {}.</source>
+        <translation>Der Sensor sitzt in {1} und {2} um {0:.2f} mm versetzt.</translation>
+    </message>
+    <message>
+        <source>The sensor is turned by {:.2f} degrees between {} and {}.</source>
+        <translation>Der Sensor ist zwischen {1} und {2} um {0:.2f} Grad verdreht.</translation>
+    </message>
+    <message>
+        <source>The two recordings name different sensors: &quot;{}&quot; and &quot;{}&quot;.</source>
+        <translation>Die beiden Aufnahmen nennen verschiedene Sensoren: „{}“ und „{}“.</translation>
+    </message>
+    <message>
+        <source>Use recordings of the same sensor: another one has other axes and another gain.</source>
+        <translation>Verwenden Sie Aufnahmen desselben Sensors: Ein anderer hat andere Achsen und eine andere Verstärkung.</translation>
+    </message>
+    <message>
+        <source>The two recordings state different gravity: {:.3f} and {:.3f} m/s2.</source>
+        <translation>Die beiden Aufnahmen geben verschiedene Schwerkraft an: {:.3f} und {:.3f} m/s2.</translation>
+    </message>
+    <message>
+        <source>State the same &quot;gravity_m_s2&quot; in both setup files.</source>
+        <translation>Geben Sie in beiden Meta-Dateien dasselbe „gravity_m_s2“ an.</translation>
+    </message>
+    <message>
+        <source>{} deserves little trust, and with it the object&apos;s numbers.</source>
+        <translation>{} verdient wenig Vertrauen, und damit auch die Zahlen des Gegenstands.</translation>
+    </message>
+    <message>
+        <source>Estimate it by itself and look at its findings.</source>
+        <translation>Schätzen Sie sie für sich und sehen Sie die Hinweise an.</translation>
+    </message>
+    <message>
+        <source>The object is found by the method map with all parameters and without a shape or a stated mass, which would be that of one of the two bodies.</source>
+        <translation>Der Gegenstand wird mit dem Verfahren map, allen Parametern und ohne Form oder bekannte Masse bestimmt; diese gälte nur für einen der beiden Körper.</translation>
+    </message>
+    <message>
+        <source>The object is the difference of two estimates in the same sensor axes: state the same &quot;mount&quot; in both setup files, or record both with the same one.</source>
+        <translation>Der Gegenstand ist die Differenz zweier Schätzungen in denselben Sensorachsen: Geben Sie in beiden Meta-Dateien dasselbe „mount“ an, oder nehmen Sie beide mit derselben Montage auf.</translation>
+    </message>
+    <message>
+        <source>The tool is {:.3f} kg lighter with the object than without it.</source>
+        <translation>Das Werkzeug ist mit dem Gegenstand {:.3f} kg leichter als ohne ihn.</translation>
+    </message>
+    <message>
+        <source>Exchange the two recordings, or check that both are of the same tool.</source>
+        <translation>Vertauschen Sie die beiden Aufnahmen, oder prüfen Sie, ob beide vom selben Werkzeug sind.</translation>
+    </message>
+    <message>
+        <source>The object cannot be weighed. {}</source>
+        <translation>Der Gegenstand lässt sich nicht wiegen. {}</translation>
+    </message>
+    <message>
+        <source>The object weighs {:.3f} kg.</source>
+        <translation>Der Gegenstand wiegt {:.3f} kg.</translation>
+    </message>
+    <message>
+        <source>Its mass, centre of mass and inertia are measured.</source>
+        <translation>Masse, Schwerpunkt und Trägheit sind gemessen.</translation>
+    </message>
+    <message>
+        <source>Check the warnings below first: the numbers may be off by more than they say.</source>
+        <translation>Prüfen Sie zuerst die Warnungen unten: Die Zahlen können um mehr danebenliegen, als sie sagen.</translation>
+    </message>
+    <message>
+        <source>The entered inertia does not match the torques during rotation.</source>
+        <translation>Die eingetragene Trägheit passt nicht zu den Drehmomenten beim Drehen.</translation>
+    </message>
+    <message>
+        <source>An error of {:.3f} kg or {:.1f} mm would go unnoticed in this recording.</source>
+        <translation>Ein Fehler von {:.3f} kg oder {:.1f} mm bliebe in dieser Aufnahme unbemerkt.</translation>
+    </message>
+    <message>
+        <source>The payload&apos;s own interval is too wide: estimate it from a better motion first.</source>
+        <translation>Das Intervall der Last selbst ist zu breit: Schätzen Sie sie zuerst aus einer besseren Bewegung.</translation>
+    </message>
+    <message>
+        <source>{} marks its own numbers as not trustworthy.</source>
+        <translation>{} kennzeichnet die eigenen Zahlen als nicht vertrauenswürdig.</translation>
+    </message>
+    <message>
+        <source>Find the cause first, for instance with a diagnosis.</source>
+        <translation>Finden Sie zuerst die Ursache, etwa mit einer Diagnose.</translation>
+    </message>
+    <message>
+        <source>NOT YET. This recording is not sufficient.</source>
+        <translation>NOCH NICHT. Diese Aufnahme reicht nicht aus.</translation>
+    </message>
+    <message>
+        <source>No object detected: the two recordings differ by {:.4f} +- {:.2g} kg.</source>
+        <translation>Kein Gegenstand erkannt: Die beiden Aufnahmen unterscheiden sich um {:.4f} +- {:.2g} kg.</translation>
+    </message>
+    <message>
+        <source>Its mass and centre are measured; these motions do not determine its inertia.</source>
+        <translation>Masse und Schwerpunkt sind gemessen; die Trägheit bestimmen diese Bewegungen nicht.</translation>
+    </message>
+    <message>
+        <source>Its centre of mass is not fully determined by these motions.</source>
+        <translation>Der Schwerpunkt ist durch diese Bewegungen nicht ganz bestimmt.</translation>
+    </message>
+    <message>
+        <source>{} is no result of a diagnosis; make one with heft diagnose REC --json FILE.</source>
+        <translation>{} ist kein Ergebnis einer Diagnose; machen Sie eines mit heft diagnose REC --json DATEI.</translation>
+    </message>
+    <message>
+        <source>{} found no cause, so {} cannot be left out.</source>
+        <translation>{} fand keine Ursache, also kann {} nicht weggelassen werden.</translation>
+    </message>
+    <message>
+        <source>{} did not find the cause {}; it found {}.</source>
+        <translation>{} fand die Ursache {} nicht; gefunden wurde {}.</translation>
+    </message>
+    <message>
+        <source>It happened at {:.1f} s, after the end of this motion.</source>
+        <translation>Es geschah bei {:.1f} s, nach dem Ende dieser Bewegung.</translation>
+    </message>
+    <message>
+        <source>It is switched off.</source>
+        <translation>Sie ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>It has no model that could be carried to another motion.</source>
+        <translation>Sie hat kein Modell, das sich auf eine andere Bewegung übertragen ließe.</translation>
+    </message>
+    <message>
+        <source>It is about what the file&apos;s numbers mean, not about the rig.</source>
+        <translation>Es geht darum, was die Zahlen der Datei bedeuten, nicht um den Aufbau.</translation>
+    </message>
+    <message>
+        <source>{}: its payload cannot exist: {}</source>
+        <translation>{}: Diese Last kann es nicht geben: {}</translation>
+    </message>
+    <message>
+        <source>Neither mass nor centre of mass can be checked with this recording.</source>
+        <translation>Weder Masse noch Schwerpunkt lassen sich mit dieser Aufnahme prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -1,0 +1,34 @@
+#include "app/cli/object_estimate.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cli.h"
+#include "app/cli/reading.h"
+#include "core/estimation/carried_object.h"
+#include "core/estimation/judgement.h"
+
+namespace heft::cli {
+
+void estimateObject(const ObjectFiles& files, const ImportOptions& import, const EstimateOptions& settings) {
+  if (!import.metaFile.empty() || !import.join.empty())
+    throw WrongUsage("--meta and --join go with one recording; with --minus each has its own .meta.json beside it.");
+  if (settings.method != Method::map || settings.parameters != ParameterSet::full)
+    throw WrongUsage("--minus needs the method map and the parameters full.");
+  if (settings.shape || !settings.stated.empty())
+    throw WrongUsage("--shape, --mass and --cad describe one body; with --minus there are two: leave them away.");
+  if (!settings.known.empty())
+    throw WrongUsage("--known describes one body; with --minus there are two: leave it away.");
+  const Overwrite overwrite{files.force, [](const std::string& old) { return hasSchema(old, "heft.estimate/1"); }};
+  if (!files.json.empty()) requireWritable(files.json, overwrite);
+  ProgressLine line;
+  const Input with = readInput(files.with, import, files.robot, line.progress());
+  const Input without = readInput(files.without, import, files.robot, line.progress());
+  CarriedObject carried =
+      orFail(estimateCarriedObject({&with.recording, with.model()}, {&without.recording, without.model()}, settings,
+                                   {with.findings, without.findings}, line.progress()));
+  line.clear();
+  if (!files.json.empty()) writeOutput(files.json, fileText(toJson(carried)), overwrite);
+  if (files.json != "-") print(toText(carried));
+}
+
+}  // namespace heft::cli

@@ -1,0 +1,20 @@
+#pragma once
+// heft estimate WITH --minus WITHOUT: what the tool carries.
+#include <string>
+
+#include "core/estimation/options.h"
+#include "core/import/import.h"
+
+namespace heft::cli {
+
+struct ObjectFiles {
+  std::string with, without;  ///< Recordings of the same tool, with the object and without it.
+  std::string robot;          ///< "panda" or a URDF; may be empty.
+  std::string json;           ///< Result file, "-" or empty.
+  bool force = false;
+};
+
+/// Estimates both, prints the object, and writes the result. Throws WrongUsage and Failed.
+void estimateObject(const ObjectFiles& files, const ImportOptions& import, const EstimateOptions& settings);
+
+}  // namespace heft::cli

@@ -1,0 +1,210 @@
+#include "core/compensation/proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/doubts.h"
+#include "core/base/say.h"
+#include "core/estimation/estimate_prepared.h"
+#include "core/estimation/judgement.h"
+#include "core/math/linear_algebra.h"
+
+namespace heft {
+
+namespace {
+
+/// Chi-squared with 4 and with 6 degrees of freedom that a right payload exceeds once in 200: together a right payload
+/// passes in 99 of 100.
+constexpr double kMassCentreLimit = 14.860, kInertiaLimit = 18.548;
+/// One sensor, still mounted as it was, on another day: gain, and where its axes seem to cross (one deviation).
+constexpr double kMassRepeats = 0.005;     // relative
+constexpr double kCentreRepeats = 0.0005;  // [m]
+constexpr double kInertiaRepeats = 0.02;   // of the mean moment
+/// So many deviations off is beyond the limit in 87 of 100 cases (non-central chi-squared, 4 degrees of freedom, 25).
+constexpr double kSeenAt = 5.0;
+/// A proof that would let these pass proves nothing.
+constexpr double kMassWorth = 0.05;     // relative
+constexpr double kCentreWorth = 0.005;  // [m]
+/// What the best payload leaves, over the sensor's scatter, that a misfit must reach to be more than noise beside a
+/// motion that makes next to no load (as core/estimation/judgement.cpp has it for slow residuals).
+constexpr double kBeyondNoise = 1.3;
+
+Vector10d repeatability(const Payload& payload) {
+  Vector10d out;
+  out << kMassRepeats * payload.mass, Vector3d::Constant(kCentreRepeats),
+      VectorXd::Constant(6, kInertiaRepeats * payload.inertiaCom.trace() / 3.0);
+  return out;
+}
+
+/// What the recording's rows say of phi, biases eliminated.
+struct RowsSay {
+  Vector10d phi;
+  Matrix10d covariance;
+};
+
+RowsSay rowsSay(const Triangle& R, bool bias) {
+  const int first = bias ? kBiasColumns : 0;
+  const MatrixXd A = R.block(first, kBiasColumns, kColumns + 1 - first, 10);
+  Matrix10d information = transposedProduct(A, A);
+  information.diagonal().array() += 1e-4;  // a deviation of 100: far more than a tool can have
+  const Matrix10d covariance = inverse(information);
+  return {covariance * (A.transpose() * R.col(kColumns).tail(kColumns + 1 - first)), covariance};
+}
+
+double chiSquared(const Vector10d& off, const Matrix10d& covariance, int first, int count) {
+  const VectorXd d = off.segment(first, count);
+  const MatrixXd S = covariance.block(first, first, count, count);
+  return d.dot(solveSymmetric(S, d));
+}
+
+void compareNumbers(const Triangle& R, bool bias, Proof& proof) {
+  const Payload& p = proof.entered.payload;
+  const Vector10d phi = toParameters(p);
+  const RowsSay rows = rowsSay(R, bias);
+  // All in the numbers of files, linear about the entered payload.
+  const Matrix10d J = componentsJacobian(phi);
+  const Vector10d own = componentsOf(proof.entered.std), repeats = repeatability(p);
+  Matrix10d covariance = congruence(J, rows.covariance);
+  covariance.diagonal() += own.cwiseAbs2() + repeats.cwiseAbs2();
+  proof.off = J * (phi - rows.phi);
+  proof.offStd = covariance.diagonal().cwiseSqrt();
+  proof.massCentreChi2 = chiSquared(proof.off, covariance, 0, 4);
+  proof.inertiaChi2 = chiSquared(proof.off, covariance, 4, 6);
+  proof.smallestMass = kSeenAt * proof.offStd(0);
+  proof.smallestCentre = kSeenAt * proof.offStd.segment<3>(1).maxCoeff();
+  if (bias)
+    proof.bias =
+        solveUpper(R.topLeftCorner<6, 6>(), R.block<6, 1>(0, kColumns) - R.block<6, 10>(0, kBiasColumns) * phi);
+}
+
+void notYet(Proof& proof, const char* code, std::string text, std::string next) {
+  proof.verdict = ProofVerdict::notYet;
+  proof.reasons.push_back({Severity::warning, code, std::move(text), std::move(next), {}});
+}
+
+void judgeNumbers(Proof& proof) {
+  const auto over = [&](int i) { return std::abs(proof.off(i)) / proof.offStd(i); };
+  if (proof.massCentreChi2 > kMassCentreLimit) {
+    const double centre = std::max({over(1), over(2), over(3)});
+    if (over(0) >= centre)
+      notYet(proof, "other_mass",
+             heft::say("The entered mass of {:.3f} kg is off by {:+.3f} kg; noise and intervals allow {:.3f} kg.",
+                       proof.entered.payload.mass, proof.off(0), 2.0 * proof.offStd(0)),
+             heft::say("Check which tool is mounted and that the number was entered in kg, or estimate it again."));
+    else
+      notYet(proof, "other_centre",
+             heft::say("The entered centre of mass is off by {:+.1f}, {:+.1f}, {:+.1f} mm along x, y, z; noise and "
+                       "intervals allow {:.1f} mm.",
+                       1e3 * proof.off(1), 1e3 * proof.off(2), 1e3 * proof.off(3),
+                       2e3 * proof.offStd.segment<3>(1).maxCoeff()),
+             heft::say("Check that the numbers are in sensor axes and metres, or estimate it again."));
+  }
+  if (proof.inertiaChi2 > kInertiaLimit)
+    notYet(proof, "other_inertia", heft::say("The entered inertia does not match the torques during rotation."),
+           heft::say("Check its unit and that it is about the centre of mass, or estimate it again."));
+}
+
+bool motionCanTell(const Proof& proof) {
+  return proof.smallestMass <= kMassWorth * proof.entered.payload.mass && proof.smallestCentre <= kCentreWorth;
+}
+
+void sayWhyItCannotTell(Proof& proof) {
+  proof.verdict = ProofVerdict::cannotTell;
+  const double mass = proof.entered.payload.mass;
+  const Vector10d own = componentsOf(proof.entered.std);
+  const bool wide = kSeenAt * own(0) > kMassWorth * mass || kSeenAt * own.segment<3>(1).maxCoeff() > kCentreWorth;
+  proof.reasons.push_back(
+      {Severity::warning,
+       "cannot_tell",
+       proof.smallestMass < mass ? heft::say("An error of {:.3f} kg or {:.1f} mm would go unnoticed in this recording.",
+                                             proof.smallestMass, 1e3 * proof.smallestCentre)
+                                 : heft::say("Neither mass nor centre of mass can be checked with this recording."),
+       wide ? heft::say("The payload's own interval is too wide: estimate it from a better motion first.")
+            : heft::say("Guide the tool for ten seconds and tilt it to all sides, touching nothing."),
+       {}});
+}
+
+/// Whether the best payload leaves more than noise.
+bool leavesMoreThanNoise(const Prepared& prepared, const Proof& proof) {
+  Vector6d bias;
+  bias << proof.own.forceBias, proof.own.torqueBias;
+  const SolverSolution best{toParameters(proof.own.payload), bias, true, 0, ""};
+  const Vector6d left = residualsOver(prepared, [&](Eigen::Index) -> const SolverSolution& { return best; }).channels;
+  return (left.array() > kBeyondNoise * proof.noise.array()).any();
+}
+
+}  // namespace
+
+std::string_view toString(ProofVerdict verdict) {
+  switch (verdict) {
+    case ProofVerdict::pass:
+      return "pass";
+    case ProofVerdict::notYet:
+      return "not_yet";
+    case ProofVerdict::cannotTell:
+      break;
+  }
+  return "cannot_tell";
+}
+
+Result<EnteredPayload> enteredPayloadFromJson(const nlohmann::json& object, const std::string& where) {
+  auto payload = payloadFromJson(object, where);
+  if (!payload) return payload.error();
+  EnteredPayload out{*payload, {0.0, Vector3d::Zero(), Matrix3d::Zero()}, Trust::good, where};
+  if (!(out.payload.mass > 0.0)) return Error{heft::say("{}: the mass must be above zero.", where)};
+  if (!object.is_object()) return out;
+  if (const auto trust = object.find("trust"); trust != object.end())
+    for (const Trust value : {Trust::low, Trust::none})
+      if (*trust == toString(value)) out.trust = value;
+  if (const auto std = object.find("std"); std != object.end()) {
+    auto parts = partialPayloadFromJson(*std, where);
+    if (!parts) return parts.error();
+    out.std = {parts->mass.value_or(0.0), parts->com.value_or(Vector3d::Zero()),
+               parts->inertiaCom.value_or(Matrix3d::Zero())};
+  }
+  return out;
+}
+
+Result<Proof> prove(const EnteredPayload& entered, const Recording& recording, const RobotModel* robot,
+                    const EstimateOptions& options, const Findings& read, const Progress& progress) {
+  if (options.method != Method::map || options.parameters != ParameterSet::full || options.shape)
+    return Error{heft::say("A proof compares with what the motion alone says: method map, all parameters, no shape.")};
+  const auto prepared = prepareFor(recording, robot, options, progress);
+  if (!prepared) return prepared.error();
+  auto own = estimatePrepared(recording, *prepared, options, {}, 0.0, progress);
+  if (!own) return own.error();
+  addReadingFindings(read, *own);
+  Proof proof;
+  proof.entered = entered;
+  proof.own = std::move(*own);
+  proof.verdict = ProofVerdict::pass;
+  compareNumbers(prepared->whitened, options.bias, proof);
+  const SolverSolution taken{toParameters(entered.payload), proof.bias, true, 0, ""};
+  proof.left = residualsOver(*prepared, [&](Eigen::Index) -> const SolverSolution& { return taken; }).channels;
+  proof.noise = proof.own.noiseStd;
+
+  if (entered.trust == Trust::none)
+    notYet(proof, "payload_not_trusted", heft::say("{} marks its own numbers as not trustworthy.", entered.file),
+           heft::say("Estimate the payload again, and look at its findings."));
+  if (proof.own.trust == Trust::none) {
+    notYet(proof, "no_trust", proof.own.whyNoTrust, proof.own.whatToDo);
+    return proof;
+  }
+  const bool fits = proof.massCentreChi2 <= kMassCentreLimit && proof.inertiaChi2 <= kInertiaLimit;
+  const bool misfit =
+      leavesMoreThanNoise(*prepared, proof) && std::ranges::count(proof.own.findings, "misfit", &Finding::code) > 0;
+  if (fits && !misfit && !motionCanTell(proof)) {
+    sayWhyItCannotTell(proof);
+    return proof;
+  }
+  // With something else at work nobody can say what is the payload's.
+  for (const auto& finding : proof.own.findings)
+    if (doubtsNumbers(finding.severity, finding.code) && (misfit || finding.code != "misfit"))
+      notYet(proof, finding.code.c_str(), finding.text,
+             heft::say("Find the cause first, for instance with a diagnosis."));
+  judgeNumbers(proof);
+  return proof;
+}
+
+}  // namespace heft

@@ -1,0 +1,49 @@
+// `heft simulate --like FOUND`.
+#include <gmock/gmock.h>
+
+#include "tests/cli/process.h"
+
+namespace heft::test {
+namespace {
+
+using testing::HasSubstr;
+
+class TwinCommandTest : public CliTest {};
+
+TEST_F(TwinCommandTest, MakesRecordingsWithTheCausesThatWereFound) {
+  simulate("late",
+           {"--motion", "free", "--duration", "15", "--rate", "250", "--seed", "31", "--effect", "time_offset=15"});
+  ASSERT_EQ(heft({"diagnose", "late.csv", "--surrogates", "0", "--json", "found.json"}).exitCode, 0);
+  ASSERT_EQ(readJson("found.json")["causes"][0]["cause"], "time_offset");
+  const std::vector<std::string> like{"simulate", "--like", "found.json", "--duration",
+                                      "3",        "--rate", "250",        "--force"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), like.begin(), like.end());
+    return heft(more);
+  };
+  const Outcome twin = with({"--fixed", "-o", "twin.csv", "--truth", "truth.json"});
+  ASSERT_EQ(twin.exitCode, 0) << twin.err;
+  EXPECT_THAT(twin.out, HasSubstr("free hand guiding"));
+  EXPECT_THAT(twin.out, HasSubstr("  time_offset  delay "));
+  const auto truth = readJson("truth.json");
+  EXPECT_NEAR(truth["effects"][0]["parameters"]["delay"].get<double>(), 15.0, 1.0);
+  EXPECT_EQ(truth["payload"]["mass_kg"], readJson("found.json")["payload_after"]["mass_kg"]);
+
+  const Outcome off = with({"--without", "time_offset", "--motion", "excitation", "-o", "off.csv"});
+  ASSERT_EQ(off.exitCode, 0) << off.err;
+  EXPECT_THAT(off.out, HasSubstr("time_offset is left out: It is switched off."));
+
+  EXPECT_TRUE(failedWithOneSentence(with({"--without", "cable_pull", "-o", "no.csv"}), "it found time_offset"));
+  EXPECT_EQ(with({"--without", "time_offset", "--motion", "fast", "-o", "no.csv"}).exitCode, 2);
+}
+
+TEST_F(TwinCommandTest, SaysWhatGoesTogether) {
+  EXPECT_EQ(heft({"simulate", "-o", "no.csv"}).exitCode, 2);
+  EXPECT_EQ(heft({"simulate", "--motion", "free", "--fixed", "-o", "no.csv"}).exitCode, 2);
+  EXPECT_EQ(heft({"simulate", "--motion", "free", "--without", "time_offset", "-o", "no.csv"}).exitCode, 2);
+  write("other.json", R"({"schema": "heft.estimate/1"})");
+  EXPECT_TRUE(failedWithOneSentence(heft({"simulate", "--like", "other.json", "-o", "no.csv"}), "other.json"));
+}
+
+}  // namespace
+}  // namespace heft::test
