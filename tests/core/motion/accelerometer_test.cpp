@@ -15,7 +15,7 @@ const Vector3d kGravity(0.0, 0.0, -9.81);
 const Vector3d kLever(0.04, -0.02, 0.07);  // [m]
 const Vector3d kBias(0.12, -0.08, 0.05);   // [m/s2]
 const Vector3d kMountRpy(0.4, -0.9, 2.1);  // [rad]
-constexpr double kNoise = 0.02;            // [m/s2]
+constexpr double kSensorNoise = 0.02;            // [m/s2]
 
 Matrix3d rotationAt(double t) {
   return rotationFromVector({1.1 * std::sin(1.7 * t), 0.8 * std::sin(2.3 * t + 0.4), 0.9 * std::sin(1.3 * t + 1.0)});
@@ -34,7 +34,7 @@ Vector3d feltAt(double t, const Vector3d& p_S) {
 /// 12 s at 200 Hz with the readings of the accelerometer and of a gyroscope beside it.
 Recording recorded(bool positions, bool gyroscope, unsigned seed) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> noise(0.0, kNoise);
+  std::normal_distribution<double> noise(0.0, kSensorNoise);
   const Matrix3d R_SI = rotationFromRpy(kMountRpy);
   constexpr Eigen::Index kRows = 2400;
   Recording out;
