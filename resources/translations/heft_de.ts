@@ -8443,11 +8443,11 @@ Bitte prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>The sensor sits {:.2f} mm apart in {} and {}.</source>
-        <translation>Der Sensor sitzt in {1} und {2} um {0:.2f} mm versetzt.</translation>
+        <translation>Der Sensor sitzt um {:.2f} mm versetzt in {} und {}.</translation>
     </message>
     <message>
         <source>The sensor is turned by {:.2f} degrees between {} and {}.</source>
-        <translation>Der Sensor ist zwischen {1} und {2} um {0:.2f} Grad verdreht.</translation>
+        <translation>Der Sensor ist um {:.2f} Grad verdreht zwischen {} und {}.</translation>
     </message>
     <message>
         <source>The two recordings name different sensors: &quot;{}&quot; and &quot;{}&quot;.</source>
