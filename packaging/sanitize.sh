@@ -28,7 +28,7 @@ recordings() {  # heft, folder: the ten, made once
 run() {  # name, sanitizers
   build=build/sanitize-$1
   echo "== heft with -fsanitize=$2, $build"
-  cmake -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only" \
+  cmake -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
     -DHEFT_SANITIZE="$2" -DHEFT_WITH_GUI=OFF -DHEFT_WITH_TESTS=OFF >"build/sanitize-$1.log"
   cmake --build "$build" -j "$jobs" --target heft >>"build/sanitize-$1.log" || { tail -n 40 "build/sanitize-$1.log" >&2; exit 1; }
   work=$build/recordings

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/base/remedy.h"
 #include "core/base/say.h"
@@ -50,7 +51,12 @@ namespace {
 void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen& unseen, EstimateReport& report) {
   constexpr double kStrong = 3.0;              // Times its scatter that a channel is missed
   constexpr double kMemory = 8.0, kSlow = 1.3;  // Slow over fast noise, and times the scatter that this must be
-  std::vector<std::string> missed;
+  struct Missed {
+    double times = 0.0;  // The scatter
+    std::string words;
+  };
+  std::array<std::optional<Missed>, 2> worst;  // Of the forces, and of the torques
+  bool others = false;
   const Vector6d scatters = scatterOf(prepared.motion.wrench);
   for (int c = 0; c < 6; ++c) {
     const auto i = static_cast<std::size_t>(c);
@@ -60,12 +66,20 @@ void sayMisfit(const Prepared& prepared, const Residuals& heldout, const Unseen&
     const bool strong = unseen.left(c) > kStrong * unseen.noise(c) && heldout.channels(c) > kStrong * scatter;
     const bool slow = !(gain > 0.0 && gain <= kMemory) && heldout.channels(c) > kSlow * scatter;
     if (!strong && !slow) continue;
-    missed.push_back(c < 3 ? heft::say("{} by {:.2g} N (the sensor's own scatter is {:.2g} N)", channelName(c),
-                                       heldout.channels(c), scatter)
-                           : heft::say("{} by {:.2g} N m (the sensor's own scatter is {:.2g} N m)", channelName(c),
-                                       heldout.channels(c), scatter));
+    auto& kind = worst[c < 3 ? 0 : 1];
+    others = others || kind.has_value();
+    const double times = heldout.channels(c) / std::max(scatter, 1e-12);
+    if (kind && kind->times >= times) continue;
+    kind = {times, c < 3 ? heft::say("{} by {:.2g} N (the sensor's own scatter is {:.2g} N)", channelName(c),
+                                     heldout.channels(c), scatter)
+                         : heft::say("{} by {:.2g} N m (the sensor's own scatter is {:.2g} N m)", channelName(c),
+                                     heldout.channels(c), scatter)};
   }
+  std::vector<std::string> missed;
+  for (const auto& kind : worst)
+    if (kind) missed.push_back(kind->words);
   if (missed.empty()) return;
+  if (others) missed.push_back(heft::say("others by less"));
   report.findings.push_back(
       {Severity::warning,
        "misfit",

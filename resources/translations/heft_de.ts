@@ -8577,6 +8577,10 @@ Bitte prüfen Sie den Namen.</translation>
         <source>Neither mass nor centre of mass can be checked with this recording.</source>
         <translation>Weder Masse noch Schwerpunkt lassen sich mit dieser Aufnahme prüfen.</translation>
     </message>
+    <message>
+        <source>others by less</source>
+        <translation>andere um weniger</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>
