@@ -51,7 +51,7 @@ class Looks : public RealWindowTest {
   Looks() : RealWindowTest("looks") {}
   void compare(const char* name) {
     QTest::qWait(350);  // Plots and 3D draw themselves smoothly once nothing moves.
-    const QImage now = small(window.picture());
+    QImage now = small(window.picture());
     const QString path = QStringLiteral(HEFT_PICTURE_FOLDER "/%1.png").arg(name);
     if (qEnvironmentVariableIsSet("HEFT_RENEW_PICTURES")) {
       ASSERT_TRUE(now.save(path)) << qPrintable(path);
@@ -59,7 +59,12 @@ class Looks : public RealWindowTest {
     }
     const QImage before(path);
     ASSERT_EQ(before.size(), kSmall) << qPrintable(path);
-    const Distance d = distance(now, before.convertToFormat(QImage::Format_RGB32));
+    Distance d = distance(now, before.convertToFormat(QImage::Format_RGB32));
+    for (int more = 0; more < 10 && !d.alike(); ++more) {  // A busy machine takes longer.
+      QTest::qWait(350);
+      now = small(window.picture());
+      d = distance(now, before.convertToFormat(QImage::Format_RGB32));
+    }
     EXPECT_TRUE(d.alike()) << name << ": mean " << d.mean << ", block " << d.block << " at " << 9 * d.where.x() << ", "
                            << 9 * d.where.y() << " of the window";
   }
