@@ -114,14 +114,17 @@ struct Understanding {
   bool posesInFile = false;
   bool doubtful = false;  ///< The stated conventions are out, and nothing is read instead.
   HeldValues held;        ///< The wrench's own readings, where rows repeat them
+  ReadingSteps steps;     ///< Of the numbers as they came, not of what they are read as; a pose lasts 1 s
 };
 
 Understanding asStated(const Recording& recording) {
   Understanding out;
   out.stated = conventions::statedIn(recording.meta);
-  if (recording.meta.kind != RecordingKind::poses) out.trouble = sensorTrouble(recording);
   out.posesInFile = recording.hasOrientation();
-  if (recording.meta.kind == RecordingKind::motion) out.held = heldValues(recording.time, recording.wrench);
+  const bool poses = recording.meta.kind == RecordingKind::poses;
+  if (!poses) out.trouble = sensorTrouble(recording);
+  if (!poses) out.held = heldValues(recording.time, recording.wrench);
+  out.steps = readingSteps(recording.wrench, poses ? static_cast<double>(recording.rows()) : recording.duration());
   return out;
 }
 
@@ -265,8 +268,7 @@ Result<Prepared> prepareMotion(const Recording& recording, const RobotModel* rob
          heft::say("Tilt it into several directions: at rest its weight and the sensor's bias look alike."),
          {}});
   out.silent = options.silent;
-  // Steps are those of the numbers as they came, not of what they are read as.
-  if (!as.reading) out.rounding = roundingNoise(recording.wrench, span, 1.0 / out.blocks.rateHz);
+  if (!as.reading) out.rounding = as.steps.roundingNoise(1.0 / out.blocks.rateHz);
   learnNoise(out, false);
   return out;
 }
@@ -288,7 +290,7 @@ Result<Prepared> preparePoses(const Recording& recording, const RobotModel* robo
   if (out.usedBlocks < 6)
     return Error{
         heft::say("Only {} standing poses are there; at least 6 in different tilts are needed.", out.usedBlocks)};
-  out.rounding = roundingNoise(recording.wrench, static_cast<double>(recording.rows()), 1.0);
+  out.rounding = as.steps.roundingNoise(1.0);
   learnNoise(out, true);
   return out;
 }

@@ -24,7 +24,7 @@ struct Prepared {
   Eigen::Index usedBlocks = 0;
   double usedDuration = 0.0;             ///< [s]
   std::array<bool, 6> silent{};          ///< Channels that say nothing: their noise is taken to be huge
-  Vector6d rounding = Vector6d::Zero();  ///< roundingNoise() of a block
+  Vector6d rounding = Vector6d::Zero();  ///< ReadingSteps::roundingNoise() of a block
   NoiseModel noise;
   Eigen::Matrix<double, 6, Eigen::Dynamic> weights;     ///< Robust weights of the innovations, 0..1
   int stride = 1;                                       ///< FitRows::stride of what was fitted

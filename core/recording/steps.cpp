@@ -24,18 +24,22 @@ std::optional<double> stepOf(std::vector<double> readings) {
   return regular ? std::optional(step) : std::nullopt;
 }
 
-Vector6d roundingNoise(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, double duration, double seconds) {
-  Vector6d out = Vector6d::Zero();
+ReadingSteps readingSteps(const Eigen::Matrix<double, Eigen::Dynamic, 6>& wrench, double duration) {
+  ReadingSteps out;
+  out.duration = duration;
   for (Eigen::Index c = 0; c < 6 && wrench.rows() > 1; ++c) {
     const auto y = wrench.col(c);
     const auto step = stepOf({y.begin(), y.end()});
     if (!step) continue;
-    Eigen::Index changes = 0;
-    for (Eigen::Index k = 1; k < y.size(); ++k) changes += y(k) != y(k - 1) ? 1 : 0;
-    const double fresh = static_cast<double>(changes) * seconds / std::max(duration, seconds);
-    out(c) = *step / std::sqrt(12.0 * std::max(1.0, fresh));
+    out.step(c) = *step;
+    for (Eigen::Index k = 1; k < y.size(); ++k) out.changes(c) += y(k) != y(k - 1) ? 1.0 : 0.0;
   }
   return out;
+}
+
+Vector6d ReadingSteps::roundingNoise(double seconds) const {
+  const Vector6d fresh = (changes * (seconds / std::max(duration, seconds))).cwiseMax(1.0);
+  return step.cwiseQuotient((12.0 * fresh).cwiseSqrt());
 }
 
 }  // namespace heft

@@ -64,7 +64,7 @@ TEST(RoundingNoise, IsThatOfStepsUnlessReadingsMoveOn) {
   for (Eigen::Index k = 0; k < 1000; ++k)
     wrench.row(k) << std::floor(static_cast<double>(k) / 200.0), std::round(5.0 * normal(random)), normal(random), 0, 0,
         0;
-  const Vector6d noise = roundingNoise(wrench, 1.0, 0.02);
+  const Vector6d noise = readingSteps(wrench, 1.0).roundingNoise(0.02);
   EXPECT_NEAR(noise(0), 1.0 / std::sqrt(12.0), 1e-9) << "a mean of readings that stand still is one reading";
   EXPECT_NEAR(noise(1), 1.0 / std::sqrt(12.0 * 18.8), 0.01);
   EXPECT_EQ(noise(2), 0.0);
