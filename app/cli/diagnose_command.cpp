@@ -51,10 +51,7 @@ void run(const DiagnoseArguments& options) {
         if (cause->info().family != diagnosis::Family::convention) known.emplace_back(cause->id());
     settings.hidden.push_back(known[chooseWord("--without", id, known)]);
   }
-  if (!options.segments.empty()) {
-    constexpr std::array kDiagnoseModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
-    settings.segments = kDiagnoseModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
-  }
+  settings.segments = segmentChoice(options.segments);
   const Overwrite overwriteResult{options.force,
                                   [](const std::string& old) { return hasSchema(old, "heft.diagnose/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwriteResult);

@@ -53,10 +53,7 @@ EstimateOptions estimateOptions(const EstimateArguments& options) {
   EstimateOptions out = options.estimate;
   out.method = kAllMethods[chooseWord("--method", options.method, words(kAllMethods))];
   out.parameters = kParameterSets[chooseWord("--parameters", options.parameters, words(kParameterSets))];
-  if (!options.segments.empty()) {
-    constexpr std::array kEstimateModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
-    out.segments = kEstimateModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
-  }
+  out.segments = segmentChoice(options.segments);
   out.conventions = conventionChoice(options.conventions);
   const std::size_t smoothing = chooseWord("--smoothing", options.smoothing, {"low-pass", "savitzky-golay"});
   out.motion.smoothing = smoothing == 0 ? SmoothingKind::lowPass : SmoothingKind::savitzkyGolay;
@@ -208,6 +205,99 @@ void run(const EstimateArguments& options) {
   }
 }
 
+void addManyOptions(CLI::App& app, EstimateArguments& options) {
+  const char* const kManyGroup = "Many recordings, each by itself";
+  app.add_flag("--each", options.each,
+                "Estimate each recording by itself; those that have a line already are passed over")
+      ->group(kManyGroup);
+  app.add_option("--json-lines", options.jsonLines,
+                  "One line of JSON a recording: its result, or \"file\" and \"error\"; - is stdout")
+      ->type_name("FILE")
+      ->group(kManyGroup);
+  app.add_option("--jobs", options.jobs, "How many at a time; one a core if absent")
+      ->type_name("N")
+      ->group(kManyGroup);
+}
+
+void addMethodOptions(CLI::App& app, EstimateArguments& options) {
+  const char* const kMethodGroup = "Method";
+  app.add_option("--method", options.method, fmt::format("{}", fmt::join(words(kAllMethods), ", ")))
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(kMethodGroup);
+  app.add_option("--parameters", options.parameters, "What to estimate: mass, mass-com or full")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(kMethodGroup);
+  app.add_flag("--compare", options.compare, "Show all methods side by side; --json and -o hold the chosen one")
+      ->group(kMethodGroup);
+  app.add_option("--known", options.known,
+                  "Payload JSON: values of what is not estimated; errors are told against it")
+      ->type_name("FILE")
+      ->group(kMethodGroup);
+  app.add_flag("--no-bias", options.noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
+  app.add_flag("--uncompressed", options.estimate.uncompressed, "Solve on all rows instead of the triangle they reduce to")
+      ->group(kMethodGroup);
+}
+
+void addDataOptions(CLI::App& app, EstimateArguments& options) {
+  const char* const kDataGroup = "Which data";
+  app.add_option("--trim", options.estimate.trim, "Fraction of the time dropped at each end")
+      ->type_name("FRACTION")
+      ->capture_default_str()
+      ->group(kDataGroup);
+  app.add_option("--segments", options.segments,
+                  "auto: find contact; marks: only what is marked free; all: everything.\n"
+                  "Otherwise marks where the recording has any, else auto")
+      ->type_name("NAME")
+      ->group(kDataGroup);
+}
+
+void addToolOptions(CLI::App& app, EstimateArguments& options) {
+  const char* const kShapeGroup = "Shape of the tool, where the motion cannot tell its inertia";
+  app.add_option("--shape", options.shape,
+                  "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
+                  "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
+                  "POSE is x,y,z[,roll,pitch,yaw] in sensor axes")
+      ->type_name("SHAPE")
+      ->group(kShapeGroup);
+  app.add_option("--shape-file", options.shapeFile, "Shape as JSON: several bodies, meshes")
+      ->type_name("FILE")
+      ->group(kShapeGroup);
+  app.add_flag("--inside-shape", options.estimate.insideShape, "Hold all mass inside the shape (map)")->group(kShapeGroup);
+  const char* const kBeliefGroup = "What else is known of the tool, weighed against the motion (method map)";
+  app.add_option("--mass", options.mass, "What a scale shows [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; else +-0.5%")
+      ->type_name("KG")
+      ->group(kBeliefGroup);
+  app.add_option("--cad", options.cad,
+                  "Payload JSON from CAD; may hold \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
+      ->type_name("FILE")
+      ->group(kBeliefGroup);
+  app.add_option("--certainty", options.certainty, "rough, good or exact: how sure the shape or the CAD file is")
+      ->type_name("NAME")
+      ->group(kBeliefGroup);
+}
+
+void addSmoothingOptions(CLI::App& app, EstimateArguments& options) {
+  const char* const kSmoothGroup = "Smoothing of motion and wrench";
+  app.add_option("--smoothing", options.smoothing, "low-pass or savitzky-golay")
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
+  app.add_option("--cutoff", options.estimate.motion.cutoffHz, "Of the low-pass [Hz]; chosen from the data if absent")
+      ->type_name("HZ")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
+  app.add_option("--sg-order", options.estimate.motion.order, "Polynomial order of Savitzky-Golay")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
+  app.add_option("--sg-window", options.estimate.motion.window, "Its window [samples]")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kSmoothGroup);
+}
+
 }  // namespace
 
 Command makeEstimateCommand(CLI::App& root) {
@@ -215,8 +305,6 @@ Command makeEstimateCommand(CLI::App& root) {
   options->method = toString(options->estimate.method);
   options->parameters = toString(options->estimate.parameters);
   options->smoothing = "low-pass";
-  auto& estimate = options->estimate;
-  auto& motion = estimate.motion;
   CLI::App* app = root.add_subcommand("estimate", "Find mass, centre of mass and inertia from a recording");
   app->add_option("RECORDING", options->recordings,
                   "CSV with time, motion and wrench columns, SI units; or ROS bag, MCAP, HDF5, ...\n"
@@ -233,90 +321,17 @@ Command makeEstimateCommand(CLI::App& root) {
       ->type_name("NAME")
       ->capture_default_str();
   app->add_flag("--force", options->force, "Replace files that exist, and write a payload that is not trusted");
-  const char* const kManyGroup = "Many recordings, each by itself";
-  app->add_flag("--each", options->each,
-                "Estimate each recording by itself; those that have a line already are passed over")
-      ->group(kManyGroup);
-  app->add_option("--json-lines", options->jsonLines,
-                  "One line of JSON a recording: its result, or \"file\" and \"error\"; - is stdout")
-      ->type_name("FILE")
-      ->group(kManyGroup);
-  app->add_option("--jobs", options->jobs, "How many at a time; one a core if absent")
-      ->type_name("N")
-      ->group(kManyGroup);
+  addManyOptions(*app, *options);
   app->add_option("--minus", options->minus,
                   "The same tool without what it carries: the object's own mass, centre and inertia")
       ->type_name("WITHOUT");
   addRecordingOptions(*app, options->import);
   addRateOption(*app, options->import);
   addConventionChoice(*app, options->conventions);
-  const char* const kMethodGroup = "Method";
-  app->add_option("--method", options->method, fmt::format("{}", fmt::join(words(kAllMethods), ", ")))
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group(kMethodGroup);
-  app->add_option("--parameters", options->parameters, "What to estimate: mass, mass-com or full")
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group(kMethodGroup);
-  app->add_flag("--compare", options->compare, "Show all methods side by side; --json and -o hold the chosen one")
-      ->group(kMethodGroup);
-  app->add_option("--known", options->known,
-                  "Payload JSON: values of what is not estimated; errors are told against it")
-      ->type_name("FILE")
-      ->group(kMethodGroup);
-  app->add_flag("--no-bias", options->noBias, "Do not estimate the six sensor biases")->group(kMethodGroup);
-  app->add_flag("--uncompressed", estimate.uncompressed, "Solve on all rows instead of the triangle they reduce to")
-      ->group(kMethodGroup);
-  const char* const kDataGroup = "Which data";
-  app->add_option("--trim", estimate.trim, "Fraction of the time dropped at each end")
-      ->type_name("FRACTION")
-      ->capture_default_str()
-      ->group(kDataGroup);
-  app->add_option("--segments", options->segments,
-                  "auto: find contact; marks: only what is marked free; all: everything.\n"
-                  "Otherwise marks where the recording has any, else auto")
-      ->type_name("NAME")
-      ->group(kDataGroup);
-  const char* const kShapeGroup = "Shape of the tool, where the motion cannot tell its inertia";
-  app->add_option("--shape", options->shape,
-                  "KIND:DIMS[@POSE] in metres: box:x,y,z cylinder:radius,height tube:outer,inner,height\n"
-                  "sphere:radius cone:radius,height capsule:radius,length plate:x,y,thickness;\n"
-                  "POSE is x,y,z[,roll,pitch,yaw] in sensor axes")
-      ->type_name("SHAPE")
-      ->group(kShapeGroup);
-  app->add_option("--shape-file", options->shapeFile, "Shape as JSON: several bodies, meshes")
-      ->type_name("FILE")
-      ->group(kShapeGroup);
-  app->add_flag("--inside-shape", estimate.insideShape, "Hold all mass inside the shape (map)")->group(kShapeGroup);
-  const char* const kBeliefGroup = "What else is known of the tool, weighed against the motion (method map)";
-  app->add_option("--mass", options->mass, "What a scale shows [kg]: 0.812, 0.812+-0.004 or 0.812+-1%; else +-0.5%")
-      ->type_name("KG")
-      ->group(kBeliefGroup);
-  app->add_option("--cad", options->cad,
-                  "Payload JSON from CAD; may hold \"certainty\" and \"weights\": {\"mass\", \"centre\", \"shape\"}")
-      ->type_name("FILE")
-      ->group(kBeliefGroup);
-  app->add_option("--certainty", options->certainty, "rough, good or exact: how sure the shape or the CAD file is")
-      ->type_name("NAME")
-      ->group(kBeliefGroup);
-  const char* const kSmoothGroup = "Smoothing of motion and wrench";
-  app->add_option("--smoothing", options->smoothing, "low-pass or savitzky-golay")
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group(kSmoothGroup);
-  app->add_option("--cutoff", motion.cutoffHz, "Of the low-pass [Hz]; chosen from the data if absent")
-      ->type_name("HZ")
-      ->capture_default_str()
-      ->group(kSmoothGroup);
-  app->add_option("--sg-order", motion.order, "Polynomial order of Savitzky-Golay")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group(kSmoothGroup);
-  app->add_option("--sg-window", motion.window, "Its window [samples]")
-      ->type_name("N")
-      ->capture_default_str()
-      ->group(kSmoothGroup);
+  addMethodOptions(*app, *options);
+  addDataOptions(*app, *options);
+  addToolOptions(*app, *options);
+  addSmoothingOptions(*app, *options);
   app->footer(
       "Examples:\n"
       "  heft estimate rec.csv\n"

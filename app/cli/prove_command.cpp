@@ -22,10 +22,7 @@ struct ProveArguments {
 
 void proveFiles(const ProveArguments& options) {
   EstimateOptions settings;
-  if (!options.segments.empty()) {
-    constexpr std::array kProveModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
-    settings.segments = kProveModes[chooseWord("--segments", options.segments, {"auto", "marks", "all"})];
-  }
+  settings.segments = segmentChoice(options.segments);
   const Overwrite overwrite{options.force, [](const std::string& old) { return hasSchema(old, "heft.prove/1"); }};
   if (!options.json.empty()) requireWritable(options.json, overwrite);
   const EnteredPayload entered = orFail(enteredPayloadFromJson(orFail(readJsonFile(options.payload)), options.payload));

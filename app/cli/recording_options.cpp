@@ -46,6 +46,12 @@ ConventionChoice conventionChoice(const std::string& word) {
   return kChoices[chooseWord("--conventions", word, words)];
 }
 
+std::optional<SegmentMode> segmentChoice(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  constexpr std::array kModes{SegmentMode::automatic, SegmentMode::marks, SegmentMode::all};
+  return kModes[chooseWord("--segments", word, {"auto", "marks", "all"})];
+}
+
 void addRateOption(CLI::App& app, ImportOptions& options) {
   app.add_option("--rate", options.rateHz, "Rate of files without a clock: rows are 1/HZ apart, whatever stands there")
       ->type_name("HZ")

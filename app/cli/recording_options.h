@@ -1,5 +1,6 @@
 #pragma once
 // How every command that reads a recording is told which topics and columns to take.
+#include <optional>
 #include <string>
 
 #include "core/estimation/options.h"
@@ -21,5 +22,8 @@ void addRateOption(CLI::App& app, ImportOptions& options);
 void addConventionChoice(CLI::App& app, std::string& word);
 /// Throws WrongUsage.
 ConventionChoice conventionChoice(const std::string& word);
+
+/// What --segments says: auto, marks or all; nothing where it was not given. Throws WrongUsage.
+std::optional<SegmentMode> segmentChoice(const std::string& word);
 
 }  // namespace heft::cli

@@ -240,18 +240,13 @@ EstimateOptions estimateOptions(const json& settings) {
   return out;
 }
 
-/// A report with the JSON and the text that the command line would give.
-struct Estimated {
-  EstimateReport report;
-};
-
-Estimated runEstimate(const cli::Input& input, const std::string& settings, py::object progress) {
+EstimateReport runEstimate(const cli::Input& input, const std::string& settings, py::object progress) {
   const EstimateOptions options = estimateOptions(parsed(settings, "settings"));
-  Estimated out{worked(std::move(progress), [&](const Progress& watched) {
+  EstimateReport report = worked(std::move(progress), [&](const Progress& watched) {
     return estimate(input.recording, input.model(), options, watched);
-  })};
-  addReadingFindings(input.findings, out.report);
-  return out;
+  });
+  addReadingFindings(input.findings, report);
+  return report;
 }
 
 DiagnosisReport runDiagnosis(const cli::Input& input, const std::optional<std::string>& segments,
@@ -282,7 +277,8 @@ struct SimulatedRun {
 
 SimulatedRun runSimulation(const std::string& motion, const std::optional<std::string>& payload, double duration,
                            double rateHz, double speed, std::uint64_t seed, const std::vector<std::string>& effects,
-                           const json& settings, py::object progress) {
+                           const std::string& given, py::object progress) {
+  const json settings = parsed(given, "settings");
   SimulateOptions options;
   constexpr std::array kMotions{MotionKind::excitation, MotionKind::pickAndPlace, MotionKind::free};
   options.motion = wordIn(kMotions, motion, "motion");
@@ -372,11 +368,11 @@ void defineRecording(py::module_& module) {
 }
 
 void defineResults(py::module_& module) {
-  py::class_<Estimated>(module, "Estimated")
-      .def("json", [](const Estimated& self) { return textOf(toJson(self.report)); })
-      .def("text", [](const Estimated& self) { return toText(self.report); })
+  py::class_<EstimateReport>(module, "Estimated")
+      .def("json", [](const EstimateReport& self) { return textOf(toJson(self)); })
+      .def("text", [](const EstimateReport& self) { return toText(self); })
       .def("array", [](const py::object& self, const std::string& name) {
-        const WrenchSeries& series = self.cast<const Estimated&>().report.series;
+        const WrenchSeries& series = self.cast<const EstimateReport&>().series;
         if (name == "time") return arrayOf(series.time, self);
         return arrayOf(name == "measured" ? series.measured : series.simulated, self);
       });
@@ -422,13 +418,7 @@ PYBIND11_MODULE(_heft, module) {
   module.def("estimate", &runEstimate);
   module.def("diagnose", &runDiagnosis, py::arg("recording"), py::arg("segments"), py::arg("without"),
              py::arg("surrogates"), py::arg("seed"), py::arg("check").none(true), py::arg("progress"));
-  module.def("simulate",
-             [](const std::string& motion, const std::optional<std::string>& payload, double duration, double rateHz,
-                double speed, std::uint64_t seed, const std::vector<std::string>& effects, const std::string& settings,
-                py::object progress) {
-               return runSimulation(motion, payload, duration, rateHz, speed, seed, effects,
-                                    parsed(settings, "settings"), std::move(progress));
-             });
+  module.def("simulate", &runSimulation);
   module.def("compensate", &runCompensation);
   module.def("export", &runExport);
   module.def("export_formats", [] {

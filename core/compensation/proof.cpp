@@ -37,21 +37,6 @@ Vector10d repeatability(const Payload& payload) {
   return out;
 }
 
-/// What the recording's rows say of phi, biases eliminated.
-struct RowsSay {
-  Vector10d phi;
-  Matrix10d covariance;
-};
-
-RowsSay rowsSay(const Triangle& R, bool bias) {
-  const int first = bias ? kBiasColumns : 0;
-  const MatrixXd A = R.block(first, kBiasColumns, kColumns + 1 - first, 10);
-  Matrix10d information = transposedProduct(A, A);
-  information.diagonal().array() += 1e-4;  // a deviation of 100: far more than a tool can have
-  const Matrix10d covariance = inverse(information);
-  return {covariance * (A.transpose() * R.col(kColumns).tail(kColumns + 1 - first)), covariance};
-}
-
 double chiSquared(const Vector10d& off, const Matrix10d& covariance, int first, int count) {
   const VectorXd d = off.segment(first, count);
   const MatrixXd S = covariance.block(first, first, count, count);
@@ -61,7 +46,7 @@ double chiSquared(const Vector10d& off, const Matrix10d& covariance, int first, 
 void compareNumbers(const Triangle& R, bool bias, Proof& proof) {
   const Payload& p = proof.entered.payload;
   const Vector10d phi = toParameters(p);
-  const RowsSay rows = rowsSay(R, bias);
+  const PlainFit rows = plainFit(R, bias);
   // All in the numbers of files, linear about the entered payload.
   const Matrix10d J = componentsJacobian(phi);
   const Vector10d own = componentsOf(proof.entered.std), repeats = repeatability(p);

@@ -80,15 +80,6 @@ void comparePair(const Recording& with, const Recording& without, Findings& find
          heft::say("State the same \"gravity_m_s2\" in both setup files."));
 }
 
-/// The data alone: least squares, and the covariance with what no row tells held to far more than a tool can have.
-void solveLinear(const Triangle& R, CarriedObject& out) {
-  const MatrixXd A = R.block<11, 10>(kBiasColumns, kBiasColumns);
-  Matrix10d information = transposedProduct(A, A);
-  information.diagonal().array() += 1e-4;
-  out.covariance = inverse(information);
-  out.difference = out.covariance * (A.transpose() * R.col(kColumns).tail<11>());
-}
-
 ObjectVerdict verdictOf(const CarriedObject& c) {
   const Eigen::Vector4d moments = c.difference.head<4>();
   const Matrix4d S = c.covariance.topLeftCorner<4, 4>();
@@ -181,7 +172,9 @@ Result<CarriedObject> estimateCarriedObject(const JointInput& with, const JointI
   const auto tool = toolPrior(options, whitened[1]);
   if (!tool) return tool.error();
   const Triangle R = objectTriangle(whitened[0], whitened[1], *tool, options.bias);
-  solveLinear(R, out);
+  const PlainFit data = plainFit(R, true);
+  out.difference = data.phi;
+  out.covariance = data.covariance;
   out.verdict = verdictOf(out);
   EstimateReport& object = out.object;
   object.parameters = ParameterSet::full;

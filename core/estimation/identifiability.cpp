@@ -71,17 +71,6 @@ std::string aboutWhat(const Vector10d& components, const Payload& payload, const
   return about;
 }
 
-/// Variances of the ten components by the rows alone, linear about phi.
-Vector10d varianceOfData(const Triangle& R, const Vector10d& phi) {
-  const MatrixXd A = R.block<11, 10>(kBiasColumns, kBiasColumns);
-  Matrix10d information = transposedProduct(A, A);
-  // Far more than a tool can have, so that what no row tells gets a huge variance instead of none.
-  Vector10d sd;
-  sd << 100.0, Vector3d::Constant(100.0), VectorXd::Constant(6, 100.0);
-  information.diagonal() += sd.cwiseAbs2().cwiseInverse();
-  return congruence(componentsJacobian(phi), inverse(information)).diagonal();
-}
-
 std::vector<Identifiability::Direction> directionsOf(const MapPrior& prior, const MapSolution& solution,
                                                      const Matrix10d& componentsByV) {
   const Payload payload = fromParameters(solution.phi);
@@ -131,7 +120,7 @@ Identifiability assess(const Triangle& R, const MapPrior& prior, const MapSoluti
   const auto share = [&](int i) { return std::clamp(1.0 - posterior(i) / before(i), 0.0, 1.0); };
   // What the data tell by themselves. A number that gets more than half of its information from elsewhere is not
   // theirs, not even where that is only what a hand-held tool can be.
-  const Vector10d alone = varianceOfData(R, solution.phi);
+  const Vector10d alone = congruence(componentsJacobian(solution.phi), plainFit(R, true).covariance).diagonal();
   // What is nobody's: too uncertain, and nothing was told that it could come from.
   const auto source = [&](int i, double scale, bool wasTold) {
     const bool known = deviation(i) < kIdentified * scale && alone(i) < 2.0 * std::pow(kIdentified * scale, 2) &&

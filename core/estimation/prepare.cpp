@@ -147,7 +147,7 @@ Motion understood(Motion motion, const Understanding& as) {
 /// moment: what repeats it is late.
 WrenchRows blocksOf(const Motion& motion, const Recording& recording, const HeldValues& held) {
   if (held.period <= 0.0 || motion.size() < 4) return rowsOf(motion, kBlockRate);
-  Motion at = motion;
+  Motion at;  // Of the readings' moments, with what rowsOf() asks for
   const auto readings = static_cast<Eigen::Index>(held.rows.size());
   const auto pick = [&](Eigen::Matrix3Xd& out, const Eigen::Matrix3Xd& in) {
     out.resize(3, readings);
@@ -388,7 +388,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     trial.motion.cutoffHz = kDefaultCutoffHz;
     if (options.motion.outputRateHz <= 0.0) trial.motion.outputRateHz = MotionOptions{}.outputRateHz;
   }
-  Understanding as = asStated(cleaned);
+  const Understanding stated = asStated(cleaned);
+  Understanding as = stated;
   std::optional<conventions::Report> report;
   std::optional<Motion> first;
   if (checkConventions) {
@@ -398,7 +399,7 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     report = checkConventionsOf(recording, *first, options.conventions, as);
     // A swing that nobody recorded looks like anything, and so may be what is wrong.
     if (!first->originAccelerationKnown && report->verdict != conventions::Verdict::asStated) {
-      Understanding swung = asStated(cleaned);
+      Understanding swung = stated;
       if (const auto swinging = prepareMotion(cleaned, robot, trial, swung, *first)) {
         const auto other = checkConventionsOf(recording, swinging->motion, options.conventions, swung);
         if (other.verdict == conventions::Verdict::asStated) {

@@ -63,6 +63,16 @@ Matrix10d componentsJacobian(const Vector10d& phi) {
   return J;
 }
 
+PlainFit plainFit(const Triangle& R, bool bias) {
+  constexpr double kFarTooWide = 100.0;
+  const int first = bias ? kBiasColumns : 0;
+  const MatrixXd A = R.block(first, kBiasColumns, kColumns + 1 - first, 10);
+  Matrix10d information = transposedProduct(A, A);
+  information.diagonal().array() += 1.0 / (kFarTooWide * kFarTooWide);
+  const Matrix10d covariance = inverse(information);
+  return {covariance * (A.transpose() * R.col(kColumns).tail(kColumns + 1 - first)), covariance};
+}
+
 PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution,
                                const std::function<Vector10d(const Vector10d&)>& bound) {
   const MapCost cost(R, prior, bias);

@@ -23,6 +23,15 @@ Payload payloadFromComponents(const Vector10d& components);
 /// d components / d phi at phi.
 Matrix10d componentsJacobian(const Vector10d& phi);
 
+/// What the rows alone say of phi, linear and without any prior.
+struct PlainFit {
+  Vector10d phi;
+  Matrix10d covariance;
+};
+/// Least squares on the rows below the biases, or on all of them without `bias`. What no row tells gets a standard
+/// deviation of 100, far more than a tool can have, instead of none.
+PlainFit plainFit(const Triangle& R, bool bias);
+
 /// 95 % intervals by draws of v near the posterior's mode, weighted by the posterior itself (importance sampling) and
 /// carried through to the payload: intervals of positive quantities stay positive, and skewed ones are skewed.
 /// Deterministic: the draws are fixed and come in opposite pairs. `R` and `bias` are those that the solution was found
