@@ -12,20 +12,6 @@ namespace {
 /// Columns: payload (10), zero (6), then these.
 constexpr Eigen::Index kRatio = 16, kTurn = 17, kAll = 20;
 
-/// How many blocks one independent block is worth: 1 + 2 sum of the autocorrelation while it is positive.
-double lasting(const MatrixXd& left) {
-  constexpr Eigen::Index kLongest = 25;
-  double out = 1.0;
-  const double square = left.squaredNorm();
-  for (Eigen::Index lag = 1; lag <= kLongest && lag + 1 < left.rows() && square > 0.0; ++lag) {
-    const Eigen::Index n = left.rows() - lag;
-    const double r = left.topRows(n).cwiseProduct(left.bottomRows(n)).sum() / square;
-    if (r <= 0.0) break;
-    out += 2.0 * r;
-  }
-  return out;
-}
-
 }  // namespace
 
 Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
@@ -69,7 +55,7 @@ Agreement agreementOf(const Blocks& blocks, const Way& way, const Fit& fit) {
   MatrixXd left(K, 6);
   for (Eigen::Index c = 0; c < 6; ++c) left.col(c) = r.segment(c * K, K);
   const double spread = r.squaredNorm() / std::max(1.0, static_cast<double>(6 * K - kAll));
-  const double longer = standing ? 1.0 : std::max(lasting(left.leftCols<3>()), lasting(left.rightCols<3>()));
+  const double longer = standing ? 1.0 : std::max(lastingOf(left.leftCols<3>()), lastingOf(left.rightCols<3>()));
   const MatrixXd covariance =
       spread * longer * norms.cwiseInverse().asDiagonal() * inverted * norms.cwiseInverse().asDiagonal();
   const VectorXd found = x.cwiseQuotient(norms);

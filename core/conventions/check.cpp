@@ -115,8 +115,11 @@ Report Check::run() {
       all.push_back(candidate(all[i].way, all[i].form, Free::gravity, all[i].fit.place));
     addCauses(all);
     std::sort(all.begin(), all.end(), byScore);
-    if (standing_ && !all.empty()) {
-      addOtherScales(Candidate(all.front()), all);
+    // Of what can be suggested: small turns beside it are causes.
+    const auto likeliest =
+        std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return !isSmall(c, q_.stated); });
+    if (standing_ && likeliest != all.end()) {
+      addOtherScales(Candidate(*likeliest), all);
       std::sort(all.begin(), all.end(), byScore);
     }
   }
@@ -140,6 +143,7 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   const bool cause = first != nullptr && first->score - stated.score < kShareOfCause * byCause;
   report.misfit = stated.misfit;
   report.payload = stated.payload;
+  report.covariance = stated.fit.covariance.topLeftCorner<10, 10>();
   if (first == nullptr) return;
   report.overStated = first->score - stated.score;
   const bool impossible = isNegative(stated) || stated.reach > 0.0;
@@ -167,6 +171,12 @@ void Check::decide(const Candidate& stated, std::vector<Candidate>& all, Report&
   report.suggested = first->reading;
   report.misfit = first->misfit;
   report.payload = first->payload;
+  report.covariance = first->fit.covariance.topLeftCorner<10, 10>();
+  // A base that stands, hangs or is bolted to a wall does so exactly.
+  if (first->free != Free::gravity || first->reading.gravity == first->fit.place.gravity) {
+    report.turnStd = std::sqrt(std::max(0.0, symmetricEigen(first->fit.turnCovariance).values(2)));
+    report.fromTurn = first->fit.fromTurn;
+  }
   report.evidence = report.overStated;
   for (std::size_t i = 1; i < all.size(); ++i) {
     const Candidate& c = all[i];

@@ -5,6 +5,7 @@
 
 #include "core/base/say.h"
 #include "core/conventions/search.h"
+#include "core/math/linear_algebra.h"
 
 namespace heft::conventions {
 
@@ -31,6 +32,30 @@ void addCautions(Report& report, double heaviest, bool standing) {
                                          p.mass),
                                heft::say("State force_unit in the setup file."),
                                {}});
+}
+
+/// A turn that was found in the readings is as sure as they make it, and the centre turns with it.
+void addTurnUnsure(Report& report) {
+  constexpr double kCentre = 0.001, kMass = 0.01;  // Half of what two payloads may differ by and be the same
+  constexpr double kInterval = 1.96;               // 95 % of a normal distribution
+  const Payload& p = report.payload;
+  if (report.turnStd <= 0.0 || p.mass == 0.0) return;
+  Eigen::Matrix<double, 3, 10> centre = Eigen::Matrix<double, 3, 10>::Zero();  // d c / d phi
+  centre.col(0) = -p.com / p.mass;
+  centre.block<3, 3>(0, 1) = Matrix3d::Identity() / p.mass;
+  const Matrix3d ofCentre = centre * report.fromTurn * centre.transpose();
+  const double centreStd = std::sqrt(std::max(0.0, symmetricEigen(ofCentre).values(2)));
+  const double massStd = std::sqrt(std::max(0.0, report.fromTurn(0, 0))) / std::abs(p.mass);
+  if (centreStd < kCentre && massStd < kMass) return;
+  report.cautions.push_back(
+      {Severity::warning,
+       "turn_unsure",
+       heft::say("This recording shows how the sensor or the robot's base is turned only to +- {:.1f} degrees. That "
+                 "alone may move the centre of mass by {:.0f} mm.",
+                 kInterval * report.turnStd * 180.0 / std::numbers::pi, 1e3 * kInterval * centreStd),
+       heft::say(
+           "State the mount and gravity in the setup file, or record a motion that tilts and turns the tool more."),
+       {}});
 }
 
 /// What bends mass and centre although the numbers mean what is stated.
@@ -67,6 +92,7 @@ void addDisagreement(Report& report) {
 void putIntoWords(const Question& question, Report& report) {
   const bool standing = question.kind == RecordingKind::poses;
   addCautions(report, question.heaviest, standing);
+  addTurnUnsure(report);
   if (report.agreement) addDisagreement(report);
   constexpr double kPlain = 20.0;  // Odds of 20,000 to 1: less is no more than one pose may change
   if (report.verdict == Verdict::suggested && report.next && report.evidence < kPlain)
@@ -130,6 +156,7 @@ json toJson(const Report& report, const SensorMount& mount, bool fromJoints) {
     out["suggested"]["gravity_m_s2"] = {g.x(), g.y(), g.z()};
   }
   out["meta"] = told ? metaPatch(report.stated, *report.suggested, mount, fromJoints) : json(nullptr);
+  if (told && report.turnStd > 0.0) out["turn_std_rad"] = report.turnStd;
   out["evidence"] = report.evidence;
   out["over_stated"] = report.overStated;
   out["sentence"] = report.sentence;

@@ -60,6 +60,19 @@ void readingsOf(const Blocks& blocks, const Way& way, MatrixXd& force, MatrixXd&
   }
 }
 
+double lastingOf(const MatrixXd& left) {
+  constexpr Eigen::Index kLongest = 25;
+  double out = 1.0;
+  const double square = left.squaredNorm();
+  for (Eigen::Index lag = 1; lag <= kLongest && lag + 1 < left.rows() && square > 0.0; ++lag) {
+    const Eigen::Index n = left.rows() - lag;
+    const double r = left.topRows(n).cwiseProduct(left.bottomRows(n)).sum() / square;
+    if (r <= 0.0) break;
+    out += 2.0 * r;
+  }
+  return out;
+}
+
 Scan::Scan(const Blocks& blocks, const VectorXd& weights) {
   const Eigen::Index K = blocks.size();
   const VectorXd w = weights.size() == K ? weights : VectorXd(VectorXd::Ones(K));
@@ -392,7 +405,16 @@ Fit robustFit(const Blocks& blocks, const Way& way, Free free, const Place& star
     if (free == Free::point) out.place.point = x.tail<3>();
   }
   out.x = x.head<16>();
-  out.covariance = inverse(A).topLeftCorner<16, 16>();
+  const double freedom = 2.0 * count / std::max(1.0, 2.0 * count - static_cast<double>(unknowns));
+  const double lasts = blocks.rateHz > 0.0 ? std::max(lastingOf(leftF), lastingOf(leftT)) : 1.0;
+  const MatrixXd covariance = freedom * lasts * inverse(A);
+  out.covariance = covariance.topLeftCorner<16, 16>();
+  if (free == Free::mount || free == Free::gravity) {
+    const MatrixXd ofTurn = covariance.bottomRightCorner(extra, extra), shared = covariance.topRightCorner(10, extra);
+    out.fromTurn = shared * inverse(ofTurn) * shared.transpose();
+    const MatrixXd axes = free == Free::mount ? MatrixXd(Matrix3d::Identity()) : MatrixXd(basis / gravity.norm());
+    out.turnCovariance = axes * ofTurn * axes.transpose();
+  }
   double sum = 0.0;
   for (Eigen::Index k = 0; k < K; ++k) sum += std::log1p(distance(k) / kTailFreedom);
   out.evidence = -2.0 * count * (std::log(out.force / way.forceSi) + std::log(out.torque / way.torqueSi)) -

@@ -37,7 +37,11 @@ struct Place {
 
 struct Fit {
   Eigen::Matrix<double, 16, 1> x = Eigen::Matrix<double, 16, 1>::Zero();  ///< phi (10), then bias (6)
+  /// Counts the parameters that were fitted, and that what is left over lasts.
   Eigen::Matrix<double, 16, 16> covariance = Eigen::Matrix<double, 16, 16>::Zero();
+  /// Of a free mount, sensor axes, or of a free direction of gravity, base axes [rad2]; else 0
+  Matrix3d turnCovariance = Matrix3d::Zero();
+  Eigen::Matrix<double, 10, 10> fromTurn = Eigen::Matrix<double, 10, 10>::Zero();  ///< Its part of phi's covariance
   Place place;
   double force = 0.0, torque = 0.0;  ///< Scale of what is left, a component [N], [N m]
   /// 2 ln L of the file's numbers less the price of free parameters. For comparison within the same kind of fit only.
@@ -84,6 +88,10 @@ class Scan {
   std::array<Eigen::Matrix<double, 13, 24>, 3> cross_;  ///< Of component c's columns with everything seen
   Eigen::Matrix<double, 24, 24> seen_;
 };
+
+/// How many blocks one independent block is worth: 1 + 2 sum of the autocorrelation of `left` (K rows) while it is
+/// positive, up to a lag of 2 s.
+double lastingOf(const MatrixXd& left);
 
 /// Payload and bias by maximum likelihood where each block's residual has a multivariate t-distribution: blocks that
 /// are pushed count little, under every hypothesis alike. `gravity`: as in the blocks' columns.

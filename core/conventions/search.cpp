@@ -40,6 +40,12 @@ constexpr UnitPair kUnits[] = {
 
 Conventions::Unit unitOf(const char* name, double si) { return {name, si}; }
 
+/// A fit that began at the one may have ended at the other.
+bool near(const Place& a, const Place& b) {
+  constexpr double kTurn = 0.1;  // [rad], as the starts that lead to one turn
+  return (a.turn - b.turn).norm() < kTurn && (a.gravity - b.gravity).norm() < kTurn * a.gravity.norm();
+}
+
 double secondDifferenceNoise(const Blocks& blocks, const Eigen::RowVectorXd& left) {
   std::vector<double> sizes;
   const double step = 1.5 / blocks.rateHz;
@@ -185,6 +191,18 @@ Candidate Check::candidate(const Way& way, std::size_t form, Free free, const Pl
   return out;
 }
 
+std::optional<Way> Check::statedFromFile() const {
+  const Conventions& c = q_.stated.conventions;
+  if (c.wrenchPoint.kind == PointKind::offset) return std::nullopt;
+  Way way = statedWay();
+  way.axes = c.wrenchAxes == Axes::base ? kTurned : kAsRead;
+  way.aboutBase = c.wrenchPoint.kind == PointKind::base;
+  way.torqueFirst = c.wrenchOrder == Conventions::WrenchOrder::torqueFirst;
+  way.mirror = c.mirroredAxis.value_or(-1);
+  way.torqueSign = c.torqueSign == Conventions::TorqueSign::opposite ? -1.0 : 1.0;
+  return way;
+}
+
 std::vector<std::pair<double, double>> Check::units() const {
   std::vector<std::pair<double, double>> out;
   for (const UnitPair& pair : kUnits) out.emplace_back(pair.forceSi, pair.torqueSi);
@@ -322,14 +340,16 @@ void Check::addTurned(const VectorXd& weights, std::vector<Candidate>& into) con
 }
 
 void Check::addOtherScales(const Candidate& like, std::vector<Candidate>& into) const {
+  const std::optional<Way> from = like.way.axes == kStated ? statedFromFile() : like.way;
+  if (!from || like.free == Free::point) return;
   for (const double sign : {1.0, -1.0})
     for (const auto& [force, torque] : units()) {
-      Way way = like.way;
+      Way way = *from;
       way.torqueSign = sign;
       way.forceSi = force;
       way.torqueSi = torque;
       const bool known = std::any_of(into.begin(), into.end(), [&](const Candidate& c) {
-        return c.form == like.form && c.free == like.free && c.way == way;
+        return c.form == like.form && c.free == like.free && c.way == way && near(c.fit.place, like.fit.place);
       });
       if (!known) into.push_back(candidate(way, like.form, like.free, like.fit.place));
     }

@@ -69,6 +69,8 @@ class Check {
     way.torqueSi = q_.stated.conventions.torque.si;
     return way;
   }
+  /// The same from the file's numbers; nothing where torques are about a point of their own.
+  std::optional<Way> statedFromFile() const;
   Reading readingOf(const Candidate& candidate) const;
   /// Fits `way` robustly and judges it.
   Candidate candidate(const Way& way, std::size_t form, Free free, const Place& start) const;

@@ -10,6 +10,7 @@
 #include "core/estimation/spikes.h"
 #include "core/estimation/standstill.h"
 #include "core/estimation/swing.h"
+#include "core/estimation/uncertainty.h"
 #include "core/math/linear_algebra.h"
 #include "core/motion/motion_noise.h"
 #include "core/recording/channels.h"
@@ -365,6 +366,8 @@ Result<Prepared> prepare(const Recording& recording, const RobotModel* robot, co
     prepared.stride = fit.stride;
     prepared.folds = whitenedTriangles(fit.rows, fit.weighting, fit.weights, fit.runs, kFolds);
     prepared.whitened = fit.whitened;
+    if (prepared.readAsSuggested && prepared.conventions->turnStd > 0.0)
+      prepared.whitened = lessSure(prepared.whitened, prepared.conventions->fromTurn);
     return prepared;
   };
   if (recording.meta.kind == RecordingKind::poses) {

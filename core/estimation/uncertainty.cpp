@@ -73,6 +73,24 @@ PlainFit plainFit(const Triangle& R, bool bias) {
   return {covariance * (A.transpose() * R.col(kColumns).tail(kColumns + 1 - first)), covariance};
 }
 
+Triangle lessSure(const Triangle& R, const Matrix10d& more) {
+  const Matrix10d A = R.block<10, 10>(kBiasColumns, kBiasColumns);
+  const Matrix10d information = transposedProduct(A, A);
+  // (information^-1 + L L^T)^-1, also where the rows tell nothing of some direction.
+  const auto [variances, axes] = symmetricEigen(more);
+  const Matrix10d L = axes * variances.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const Matrix10d IL = information * L;
+  const Matrix10d left = information - IL * inverse(Matrix10d::Identity() + L.transpose() * IL) * IL.transpose();
+  const auto [sizes, directions] = symmetricEigen(left);
+  const Matrix10d root = sizes.cwiseMax(0.0).cwiseSqrt().asDiagonal() * directions.transpose();
+  Triangle rows = R;
+  rows.block<10, 10>(kBiasColumns, kBiasColumns) = root;
+  rows.block<10, 1>(kBiasColumns, kColumns) = root * plainFit(R, true).phi;
+  TriangleBuilder builder;
+  builder.add(rows);
+  return builder.finish();
+}
+
 PayloadInterval intervalsFromV(const Triangle& R, const MapPrior& prior, bool bias, const MapSolution& solution,
                                const std::function<Vector10d(const Vector10d&)>& bound) {
   const MapCost cost(R, prior, bias);

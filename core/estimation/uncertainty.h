@@ -32,6 +32,10 @@ struct PlainFit {
 /// deviation of 100, far more than a tool can have, instead of none.
 PlainFit plainFit(const Triangle& R, bool bias);
 
+/// The same rows and the same best phi, with `more` added to phi's covariance: for what was found in the same readings
+/// and is not sure, such as how the sensor is turned.
+Triangle lessSure(const Triangle& R, const Matrix10d& more);
+
 /// 95 % intervals by draws of v near the posterior's mode, weighted by the posterior itself (importance sampling) and
 /// carried through to the payload: intervals of positive quantities stay positive, and skewed ones are skewed.
 /// Deterministic: the draws are fixed and come in opposite pairs. `R` and `bias` are those that the solution was found

@@ -8581,6 +8581,14 @@ Bitte prüfen Sie den Namen.</translation>
         <source>others by less</source>
         <translation>andere um weniger</translation>
     </message>
+    <message>
+        <source>This recording shows how the sensor or the robot&apos;s base is turned only to +- {:.1f} degrees. That alone may move the centre of mass by {:.0f} mm.</source>
+        <translation>Diese Aufnahme zeigt nur auf +- {:.1f} Grad, wie der Sensor oder der Sockel des Roboters gedreht ist. Allein das kann den Schwerpunkt um {:.0f} mm verschieben.</translation>
+    </message>
+    <message>
+        <source>State the mount and gravity in the setup file, or record a motion that tilts and turns the tool more.</source>
+        <translation>Geben Sie Einbaulage und Schwerkraft in der Meta-Datei an, oder nehmen Sie eine Bewegung auf, die das Werkzeug stärker neigt und dreht.</translation>
+    </message>
 </context>
 <context>
     <name>heft::Causes</name>

@@ -341,6 +341,49 @@ TEST(Conventions, PosesWithTheOtherSignAreThat) {
   }
 }
 
+// Standing poses cannot tell the torque's sign from a centre in the arm, however the sensor is turned: both are told.
+TEST(Conventions, TurnedPosesWithTheOtherTorqueSignAreATie) {
+  for (const std::uint64_t seed : {22, 23, 24, 25}) {
+    const Payload payload = toolOf(seed);
+    Recording recording = test::standingRecording(payload, 24, {0.0, 0.0, -9.81}, 1.0, seed);
+    test::rewriteAs("turned_any+torque_sign", RobotModel::panda(), seed, recording);
+    const Report report = checkOf(recording);
+    EXPECT_EQ(report.verdict, Verdict::ambiguous) << seed;
+    const auto right = [&](const Payload& found) { return (found.com - payload.com).norm() < 0.003; };
+    EXPECT_TRUE(right(report.payload) || std::any_of(report.ties.begin(), report.ties.end(),
+                                                     [&](const Alternative& tie) { return right(tie.payload); }))
+        << seed;
+  }
+}
+
+// How the sensor is turned is known as well as the readings tell: a slow motion says so, a brisk one has no need to.
+TEST(Conventions, AFreeTurnIsAsSureAsItsReadings) {
+  const auto isUnsure = [](const Report& report) {
+    return std::any_of(report.cautions.begin(), report.cautions.end(),
+                       [](const Finding& caution) { return caution.code == "turn_unsure"; });
+  };
+  const Payload payload = toolOf(26);
+  Recording brisk = guided(payload, 26), slow;
+  SimulateOptions options;
+  options.motion = MotionKind::free;
+  options.seed = 26;
+  options.duration = 5.0;
+  options.rateHz = 250.0;
+  options.speed = 0.1;
+  slow = std::move(simulate(RobotModel::panda(), payload, options)->recording);
+  for (Recording* recording : {&brisk, &slow}) test::rewriteAs("turned_any", RobotModel::panda(), 26, *recording);
+  const Report ofBrisk = checkOf(brisk), ofSlow = checkOf(slow);
+  ASSERT_EQ(ofBrisk.verdict, Verdict::suggested);
+  ASSERT_EQ(ofSlow.verdict, Verdict::suggested);
+  EXPECT_GT(ofBrisk.turnStd, 0.0);
+  EXPECT_GT(ofSlow.turnStd, 5.0 * ofBrisk.turnStd);
+  EXPECT_FALSE(isUnsure(ofBrisk));
+  EXPECT_TRUE(isUnsure(ofSlow));
+  // What the turn adds is part of the payload's own covariance, and never more than it.
+  for (const Report* report : {&ofBrisk, &ofSlow})
+    EXPECT_TRUE((report->covariance.diagonal().array() >= report->fromTurn.diagonal().array()).all());
+}
+
 // What is left over falls where the reading is right, and stays where it is.
 TEST(Conventions, WhatIsLeftOver) {
   const Payload payload = toolOf(16);

@@ -187,5 +187,19 @@ TEST(Uncertainty, NarrowDistributionsAgreeWithLinearPropagation) {
   EXPECT_NEAR(componentsOf(payloadFromComponents(Vector10d::LinSpaced(1, 10)))(7), 8.0, 1e-15);
 }
 
+// What was found in the same readings and is not sure widens phi's covariance by as much, and moves nothing.
+TEST(Map, LessSureAddsToTheCovariance) {
+  std::mt19937 random(5);
+  const Triangle R = randomTriangle(random, test::randomPayload(random), 10.0, 4.0);
+  const PlainFit before = plainFit(R, true);
+  Matrix10d L = Matrix10d::Zero();
+  for (int i = 0; i < 10; ++i)
+    for (int k = 0; k < 3; ++k) L(i, k) = 0.01 * test::randomVector(random, 1.0).x();
+  const Matrix10d more = L * L.transpose();
+  const PlainFit after = plainFit(lessSure(R, more), true);
+  EXPECT_LT((after.phi - before.phi).norm(), 1e-6 * before.phi.norm());
+  EXPECT_LT((after.covariance - before.covariance - more).norm(), 1e-6 * (before.covariance + more).norm());
+}
+
 }  // namespace
 }  // namespace heft
